@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+/// Scalar helpers that give the same bits on every machine: only +, -, *, /, sqrt and comparisons, all of which IEEE 754
+/// rounds in one way. Nothing here calls a libm function whose result differs between platforms.
+namespace sinew {
+
+template <std::floating_point T> inline constexpr T pi = T(3.14159265358979323846L);
+
+template <std::floating_point T> T square_root(T x) {
+    return std::sqrt(x);
+}
+
+template <class T> constexpr T minimum(T a, T b) {
+    return b < a ? b : a;
+}
+
+template <class T> constexpr T maximum(T a, T b) {
+    return a < b ? b : a;
+}
+
+template <class T> constexpr T clamp(T x, T low, T high) {
+    return minimum(maximum(x, low), high);
+}
+
+template <class T> constexpr T absolute(T x) {
+    return x < T(0) ? -x : x;
+}
+
+template <class T> constexpr T square(T x) {
+    return x * x;
+}
+
+/// 1/x, and 0 where x is zero, negative or so small that 1/x would overflow. The one guard of every division in a constraint.
+template <std::floating_point T> constexpr T inverse_or_zero(T x) {
+    return x >= std::numeric_limits<T>::min() ? T(1) / x : T(0);
+}
+
+template <std::floating_point T> constexpr bool is_finite(T x) {
+    return x - x == T(0);
+}
+
+} // namespace sinew
