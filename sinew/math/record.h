@@ -1,0 +1,62 @@
+#pragma once
+
+#include <concepts>
+#include <limits>
+#include <span>
+#include <string_view>
+
+/// A record is a struct that says, once, what its fields are called, what they measure and which values make sense:
+///
+///     struct Rope {
+///         int segments = 20;
+///         template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+///             visit(self.segments, Field{.name = "segments", .help = "How many links", .low = 1, .high = 100000});
+///         }
+///     };
+///
+/// Reading it from a scene file, checking its ranges, `sinew describe`, the JSON Schema, sliders and web forms all walk
+/// `fields`; a default is the member's initialiser.
+namespace sinew {
+
+/// What a number measures, as powers of length, mass and time; files write it in the units their scene states.
+struct Unit {
+    int length = 0, mass = 0, time = 0;
+    bool angle = false; ///< degrees in a file, radians in the program
+    friend constexpr bool operator==(const Unit&, const Unit&) = default;
+};
+
+namespace unit {
+inline constexpr Unit none{};
+inline constexpr Unit length{.length = 1};
+inline constexpr Unit mass{.mass = 1};
+inline constexpr Unit time{.time = 1};
+inline constexpr Unit angle{.angle = true};
+inline constexpr Unit per_time{.time = -1};
+inline constexpr Unit speed{.length = 1, .time = -1};
+inline constexpr Unit acceleration{.length = 1, .time = -2};
+inline constexpr Unit force{.length = 1, .mass = 1, .time = -2};
+inline constexpr Unit impulse{.length = 1, .mass = 1, .time = -1};
+inline constexpr Unit drag{.mass = 1, .time = -1};       ///< force over speed
+inline constexpr Unit compliance{.mass = -1, .time = 2}; ///< length over force: 1/k of a spring
+} // namespace unit
+
+struct Field {
+    std::string_view name;
+    std::string_view help; ///< one line
+    Unit unit = {};
+    double low = -std::numeric_limits<double>::infinity(); ///< smallest value allowed, in the field's own unit
+    double high = std::numeric_limits<double>::infinity();
+    std::span<const std::string_view> choices = {}; ///< for a string: the words allowed; empty allows any
+    bool required = false;
+};
+
+namespace detail {
+struct AnyVisit {
+    template <class T> void operator()(T&, const Field&) const {}
+};
+} // namespace detail
+
+template <class T>
+concept Record = requires(T& record) { T::fields(record, detail::AnyVisit{}); };
+
+} // namespace sinew
