@@ -1,0 +1,10 @@
+# bench/ -> bin/sinew_bench
+find_package(benchmark REQUIRED)
+sinew_sources(bench)
+if(sources)
+    add_executable(sinew_bench ${sources} ${headers})
+    target_link_libraries(sinew_bench PRIVATE $<TARGET_NAME_IF_EXISTS:canvas> sinew fmt::fmt benchmark::benchmark_main)
+    target_compile_definitions(sinew_bench PRIVATE SINEW_SCENES_DIR="${PROJECT_SOURCE_DIR}/scenes")
+    set_target_properties(sinew_bench PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+    sinew_warnings(sinew_bench)
+endif()
