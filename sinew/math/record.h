@@ -57,6 +57,8 @@ struct AnyVisit {
 } // namespace detail
 
 template <class T>
-concept Record = requires(T& record) { T::fields(record, detail::AnyVisit{}); };
+concept Record = requires(T& record) {
+    T::fields(record, detail::AnyVisit{});
+};
 
 } // namespace sinew

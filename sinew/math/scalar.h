@@ -4,8 +4,8 @@
 #include <concepts>
 #include <limits>
 
-/// Scalar helpers that give the same bits on every machine: only +, -, *, /, sqrt and comparisons, all of which IEEE 754
-/// rounds in one way. Nothing here calls a libm function whose result differs between platforms.
+/// Scalar helpers that give the same bits on every machine: only +, -, *, /, sqrt and comparisons, all of which IEEE
+/// 754 rounds in one way. Nothing here calls a libm function whose result differs between platforms.
 namespace sinew {
 
 template <std::floating_point T> inline constexpr T pi = T(3.14159265358979323846L);
@@ -34,7 +34,8 @@ template <class T> constexpr T square(T x) {
     return x * x;
 }
 
-/// 1/x, and 0 where x is zero, negative or so small that 1/x would overflow. The one guard of every division in a constraint.
+/// 1/x, and 0 where x is zero, negative or so small that 1/x would overflow. The one guard of every division in a
+/// constraint.
 template <std::floating_point T> constexpr T inverse_or_zero(T x) {
     return x >= std::numeric_limits<T>::min() ? T(1) / x : T(0);
 }

@@ -21,8 +21,9 @@ enum class Shape : std::uint8_t {
     polygon,  ///< `count` points, filled (even-odd)
 };
 
-/// A display list: what a session looks like now, in pixels of the target (x right, y down, origin at the top left corner).
-/// Items are painted in order. All points lie in one column, so that a picture can be refilled without allocating.
+/// A display list: what a session looks like now, in pixels of the target (x right, y down, origin at the top left
+/// corner). Items are painted in order. All points lie in one column, so that a picture can be refilled without
+/// allocating.
 struct Picture {
     struct Item {
         Shape shape = Shape::polyline;

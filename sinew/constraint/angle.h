@@ -1,0 +1,47 @@
+#pragma once
+
+#include "sinew/constraint/evaluated.h"
+#include "sinew/math/trig.h"
+
+namespace sinew {
+
+/// The turn at b on the way a -> b -> c, in radians: 0 where the three lie straight.   u = b - a,  v = c - b
+///
+///     2D   C = atan2(u x v, u . v)      signed, counter-clockwise positive in a y-up frame, in (-pi, pi]
+///     3D   C = atan2(|u x v|, u . v)    in [0, pi]
+///
+/// dC = dtheta_v - dtheta_u, where turning a leg by its unit normal m over its length gives m / |leg|.
+template <int D> struct Angle {
+    static constexpr auto name = "angle";
+    static constexpr int arity = 3;
+    static constexpr Dimensions dimensions{2, 3};
+    static constexpr int length_power = 0;
+    static constexpr double period = D == 2 ? 2 * pi<double> : 0;
+
+    template <class T> static Evaluated<3, D, T> evaluate(const Points<3, D, T>& x) {
+        const auto u = x[1] - x[0], v = x[2] - x[1];
+        const auto [turn, across_u, across_v] = turn_and_normals(u, v);
+        const auto du = across_u * inverse_or_zero(norm(u));
+        const auto dv = across_v * inverse_or_zero(norm(v));
+        return {turn, {du, -(du + dv), dv}};
+    }
+
+  private:
+    /// The turn, and the unit normals of u and v towards which it grows.
+    template <class T> struct Turn {
+        T angle;
+        Vec<D, T> across_u, across_v;
+    };
+
+    template <class T> static Turn<T> turn_and_normals(const Vec<2, T>& u, const Vec<2, T>& v) {
+        return {arctangent(cross(u, v), dot(u, v)), perpendicular(direction(u)), perpendicular(direction(v))};
+    }
+
+    template <class T> static Turn<T> turn_and_normals(const Vec<3, T>& u, const Vec<3, T>& v) {
+        const auto axis = cross(u, v);
+        const auto hinge = direction(axis);
+        return {arctangent(norm(axis), dot(u, v)), cross(hinge, direction(u)), cross(hinge, direction(v))};
+    }
+};
+
+} // namespace sinew

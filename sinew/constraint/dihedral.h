@@ -1,0 +1,38 @@
+#pragma once
+
+#include "sinew/constraint/evaluated.h"
+#include "sinew/math/trig.h"
+
+namespace sinew {
+
+/// The bend across the edge b c shared by the triangles a b c and d c b, in radians, in (-pi, pi]: 0 where they lie
+/// flat, positive where a and d are folded towards the side that both normals point to.
+///
+///     e = c - b,   m = (b - a) x (c - a)   normal of a b c,   n = (c - d) x (b - d)   normal of d c b
+///     C = atan2(-(m x n) . e/|e|, m . n)
+///
+/// Gradient after Bridson, Marino and Fedkiw 2003: a moves along |e| m / |m|^2, d along |e| n / |n|^2, and b and c take
+/// the rest in proportion to where a and d stand along the edge.
+template <int D> struct Dihedral {
+    static constexpr auto name = "dihedral";
+    static constexpr int arity = 4;
+    static constexpr Dimensions dimensions{3, 3};
+    static constexpr int length_power = 0;
+    static constexpr double period = 2 * pi<double>;
+
+    template <class T> static Evaluated<4, 3, T> evaluate(const Points<4, 3, T>& x) {
+        const auto &a = x[0], &b = x[1], &c = x[2], &d = x[3];
+        const auto e = c - b;
+        const auto m = cross(b - a, c - a), n = cross(c - d, b - d);
+        const T length = norm(e), per_length = inverse_or_zero(length);
+        const auto da = m * (length * inverse_or_zero(dot(m, m)));
+        const auto dd = n * (length * inverse_or_zero(dot(n, n)));
+        const T a_along = dot(a - b, e) * per_length * per_length; // 0 at b, 1 at c
+        const T d_along = dot(d - b, e) * per_length * per_length;
+        const auto dc = -(da * a_along + dd * d_along);
+        const auto db = -(da * (T(1) - a_along) + dd * (T(1) - d_along));
+        return {arctangent(-dot(cross(m, n), e) * per_length, dot(m, n)), {da, db, dc, dd}};
+    }
+};
+
+} // namespace sinew

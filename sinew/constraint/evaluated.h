@@ -1,0 +1,35 @@
+#pragma once
+
+#include "sinew/math/vec.h"
+
+#include <array>
+#include <limits>
+
+/// What a constraint kind is: a struct that measures a few particles and knows the measure's gradient.
+///
+///     name              what scene files call it
+///     arity             how many particles; any_arity for as many as a constraint was given
+///     dimensions        {lowest, highest} dimension it exists in
+///     length_power      how the measure grows with size: 1 a length, 2 an area, 3 a volume, 0 an angle
+///     period            for angles: a whole turn; 0 for the rest
+///     evaluate(points)  the measure and its gradient with respect to each point
+///
+/// The scalar T is open: one number, a pack of lanes, or a dual number in tests. Degenerate points (coincident,
+/// collinear) give a zero gradient, never NaN; the solver knows what to do then.
+namespace sinew {
+
+inline constexpr int any_arity = 0;
+
+struct Dimensions {
+    int lowest = 2, highest = 3;
+    constexpr bool include(int d) const { return lowest <= d && d <= highest; }
+};
+
+template <int N, int D, class T> using Points = std::array<Vec<D, T>, N>;
+
+template <int N, int D, class T> struct Evaluated {
+    T value{};
+    Points<N, D, T> gradient{};
+};
+
+} // namespace sinew

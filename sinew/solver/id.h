@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace sinew {
+
+/// A name for a row that outlives the row's moves: by value, never reused (a slot's generation grows when its row
+/// goes).
+template <class Tag> struct Id {
+    std::uint32_t slot = ~std::uint32_t(0);
+    std::uint32_t generation = 0;
+    friend constexpr bool operator==(const Id&, const Id&) = default;
+};
+
+using Row = std::uint32_t;
+
+/// Which row an id stands for. Rows are dense and keep their order when others are removed.
+template <class Tag> class Slots {
+  public:
+    /// The id of a new row at the end.
+    Id<Tag> append() {
+        const Row row = Row(slot_of_row_.size());
+        if (free_.empty()) {
+            free_.push_back(std::uint32_t(entries_.size()));
+            entries_.push_back({});
+        }
+        const std::uint32_t slot = free_.back();
+        free_.pop_back();
+        entries_[slot].row = row;
+        slot_of_row_.push_back(slot);
+        return {slot, entries_[slot].generation};
+    }
+
+    std::optional<Row> find(Id<Tag> id) const {
+        if (id.slot >= entries_.size() || entries_[id.slot].generation != id.generation) return std::nullopt;
+        return entries_[id.slot].row;
+    }
+
+    Id<Tag> id_of(Row row) const { return {slot_of_row_[row], entries_[slot_of_row_[row]].generation}; }
+
+    /// Forgets the rows whose flag in `gone` is set; the rest close up in order.
+    void erase(std::span<const char> gone) {
+        Row kept = 0;
+        for (Row row = 0; row < slot_of_row_.size(); ++row) {
+            const std::uint32_t slot = slot_of_row_[row];
+            if (gone[row]) {
+                ++entries_[slot].generation;
+                free_.push_back(slot);
+            } else {
+                entries_[slot].row = kept;
+                slot_of_row_[kept++] = slot;
+            }
+        }
+        slot_of_row_.resize(kept);
+    }
+
+    void reserve(std::size_t rows) {
+        slot_of_row_.reserve(rows);
+        entries_.reserve(rows);
+    }
+
+  private:
+    struct Entry {
+        Row row = 0;
+        std::uint32_t generation = 0;
+    };
+    std::vector<std::uint32_t> slot_of_row_;
+    std::vector<Entry> entries_;
+    std::vector<std::uint32_t> free_;
+};
+
+struct ParticleTag;
+struct ConstraintTag;
+struct PinTag;
+using ParticleId = Id<ParticleTag>;
+using PinId = Id<PinTag>;
+
+/// Constraints of different kinds live in different tables: the kind is part of the id.
+struct ConstraintId {
+    int kind = -1; ///< position in Kinds<D>
+    Id<ConstraintTag> id;
+    friend constexpr bool operator==(const ConstraintId&, const ConstraintId&) = default;
+};
+
+using FigureIndex = std::uint32_t;
+inline constexpr FigureIndex no_figure = ~FigureIndex(0); ///< loose particles belong to no figure
+
+} // namespace sinew

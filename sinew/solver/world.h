@@ -1,0 +1,243 @@
+#pragma once
+
+#include "sinew/constraint/kinds.h"
+#include "sinew/solver/columns.h"
+#include "sinew/solver/figure.h"
+#include "sinew/solver/force.h"
+#include "sinew/solver/id.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+/// The state of everything, as plain columns. Data only: edit.h changes it, step.h moves it, energy.h measures it. A
+/// world is a value; copying it is a snapshot. Units are the user's own, as long as they agree (metres, kilograms,
+/// seconds, newtons; or pixels and frames).
+namespace sinew {
+
+/// Coordinates are held within +-world_edge, so that products of a few of them stay finite. Stated in README and docs.
+template <class Real> inline constexpr Real world_edge = Real(1e8);
+
+template <int D, class Real> struct Particles {
+    std::vector<Vec<D, Real>> position;
+    std::vector<Vec<D, Real>> previous; ///< where it was one substep ago; classic mode's state
+    std::vector<Vec<D, Real>> velocity; ///< mean over the last substep, (position - previous) / h
+    std::vector<Vec<D, Real>> residual; ///< what rounding took from position (Kahan 1965)
+    std::vector<Vec<D, Real>> force;    ///< applied for one step, then cleared
+    std::vector<Vec<D, Real>> rebound;  ///< scratch: the velocity with which it leaves what it struck
+    std::vector<Real> inverse_mass;     ///< 0: nothing moves it
+    std::vector<Real> mobility;         ///< the inverse mass the solver sees: 0 while pinned, held or quarantined
+    std::vector<Real> radius;
+    std::vector<FigureIndex> figure;
+    Slots<ParticleTag> slots;
+
+    std::size_t size() const { return position.size(); }
+
+    template <class Self, class Visit> static void columns(Self& self, Visit&& visit) {
+        visit(self.position);
+        visit(self.previous);
+        visit(self.velocity);
+        visit(self.residual);
+        visit(self.force);
+        visit(self.rebound);
+        visit(self.inverse_mass);
+        visit(self.mobility);
+        visit(self.radius);
+        visit(self.figure);
+    }
+};
+
+/// The particles of each constraint of a table, as rows of Particles.
+template <int Arity> struct Members {
+    std::vector<std::array<Row, Arity>> rows;
+
+    std::span<const Row> operator[](Row constraint) const { return rows[constraint]; }
+    std::span<Row> operator[](Row constraint) { return rows[constraint]; }
+    std::size_t size() const { return rows.size(); }
+
+    void append(std::span<const Row> members) {
+        auto& row = rows.emplace_back();
+        for (std::size_t i = 0; i < row.size(); ++i) row[i] = members[i];
+    }
+    void erase(std::span<const char> gone) { erase_rows(rows, gone); }
+};
+
+template <> struct Members<any_arity> {
+    std::vector<Row> pool;
+    std::vector<std::uint32_t> first{
+        0}; ///< where each constraint's members begin in the pool; one more than constraints
+
+    std::span<const Row> operator[](Row constraint) const {
+        return std::span(pool).subspan(first[constraint], first[constraint + 1] - first[constraint]);
+    }
+    std::span<Row> operator[](Row constraint) {
+        return std::span(pool).subspan(first[constraint], first[constraint + 1] - first[constraint]);
+    }
+    std::size_t size() const { return first.size() - 1; }
+
+    void append(std::span<const Row> members) {
+        pool.insert(pool.end(), members.begin(), members.end());
+        first.push_back(std::uint32_t(pool.size()));
+    }
+    void erase(std::span<const char> gone) {
+        Members kept;
+        for (Row row = 0; row < size(); ++row)
+            if (!gone[row]) kept.append((*this)[row]);
+        *this = std::move(kept);
+    }
+};
+
+/// All constraints of one kind.
+template <class KindT, class Real> struct Constraints {
+    using Kind = KindT;
+    Members<Kind::arity> members;
+    std::vector<Real> low, high;       ///< the measure is held within [low, high]; equal for an exact constraint
+    std::vector<Real> compliance;      ///< 1/stiffness; 0 is rigid
+    std::vector<Real> relaxation;      ///< share of the error removed at once, (0, 1]
+    std::vector<Real> split;           ///< share of the correction that the first member takes, 0..1; 1/2 is fair
+    std::vector<Real> breaking_strain; ///< torn beyond it; +infinity never tears
+    std::vector<Real> multiplier;      ///< of the last substep; tension = -multiplier / h^2
+    std::vector<FigureIndex> figure;
+    Slots<ConstraintTag> slots;
+
+    std::size_t size() const { return low.size(); }
+
+    template <class Self, class Visit> static void columns(Self& self, Visit&& visit) {
+        visit(self.low);
+        visit(self.high);
+        visit(self.compliance);
+        visit(self.relaxation);
+        visit(self.split);
+        visit(self.breaking_strain);
+        visit(self.multiplier);
+        visit(self.figure);
+    }
+};
+
+namespace detail {
+template <class Real, class List> struct Tables;
+template <class Real, class... Kind> struct Tables<Real, TypeList<Kind...>> {
+    using type = std::tuple<Constraints<Kind, Real>...>;
+};
+} // namespace detail
+
+/// One table a kind, in the order of the list of kinds.
+template <int D, class Real> using ConstraintTables = typename detail::Tables<Real, Kinds<D>>::type;
+
+/// Consecutive rows of one kind's table, as they come in a sweep.
+struct Run {
+    int kind = 0;
+    Row count = 0;
+};
+
+/// Holds a particle in place or on a moving target. A pointer's grab is a pin.
+template <int D, class Real> struct Pin {
+    ParticleId particle;
+    Vec<D, Real> from{};       ///< where the target was when the step began
+    Vec<D, Real> target{};     ///< where it is when the step ends; interpolated over the substeps
+    Real compliance = 0;       ///< 0: the particle is on the target, whatever pulls at it
+    Real damping = 1;          ///< of a compliant pin, as a fraction of critical
+    Real max_force = 0;        ///< most it pulls with; 0 means no limit
+    Vec<D, Real> multiplier{}; ///< of the last substep; force = -multiplier / h^2
+    bool hard() const { return compliance == Real(0) && max_force == Real(0); }
+};
+
+/// A plane that particles stay on one side of: dot(normal, x) >= offset + radius.
+template <int D, class Real> struct HalfSpace {
+    Vec<D, Real> normal{}; ///< unit, pointing to the free side
+    Real offset = 0;
+    Real restitution = 0; ///< share of the approach speed given back, 0..1
+    Real friction = 0;    ///< Coulomb's coefficient
+};
+
+enum class Mode : std::uint8_t { physical, classic };
+
+/// How classic mode treats what hits the walls.
+enum class WallRule : std::uint8_t {
+    clamp,  ///< put back on the wall; previous stays (OpenGL article)
+    bounce, ///< put back, and previous mirrored so that the speed turns round, times `bounce` (Flash, Godot)
+};
+
+/// Classic mode's rules, each as some original had it (docs/classic.md). Units of a step.
+template <class Real> struct ClassicRules {
+    int passes = 1;                ///< sweeps over constraints a step
+    Real keep = 1;                 ///< velocity kept a step (the originals' "damping" or "friction")
+    bool damp_after_force = false; ///< Roblox: (v + a) keep; else v keep + a
+    bool root_free = false;        ///< s = r^2/(d^2 + r^2) - 1/2 instead of a square root
+    bool walls_each_pass = false;  ///< (sweep, walls) x passes instead of walls after moving
+    WallRule walls = WallRule::clamp;
+    Real bounce = 0;                  ///< share of the speed a wall gives back
+    Real resting_friction = 1;        ///< velocity kept along the floor while resting on it
+    Real time_scale = 1;              ///< acceleration scales with its square
+    Real longest_step = 4;            ///< in frames: a stall never becomes more than this
+    bool wrong_sign_bounce = false;   ///< Roblox bug: top and right walls keep the outward speed
+    bool unscaled_inertia = false;    ///< GameMaker bug: inertia does not shrink with the step
+    bool halved_acceleration = false; ///< tearable cloth bug: x += v + a/2 dt^2
+};
+
+template <class Real> struct Settings {
+    Mode mode = Mode::physical;
+    int substeps = 16;
+    int iterations = 1;
+    Real damping = 0; ///< velocity decays as exp(-damping t)
+    std::uint64_t seed = 0;
+    ClassicRules<Real> classic;
+};
+
+enum class EventType : std::uint8_t {
+    torn,        ///< a constraint exceeded its breaking strain and is gone
+    quarantined, ///< a figure or a loose particle became non-finite and stands still until it is reset
+};
+
+struct Event {
+    EventType type{};
+    FigureIndex figure = no_figure;
+    ConstraintId constraint; ///< torn: its id while it lived
+    ParticleId particle;     ///< quarantined: the first that was not finite
+};
+
+/// Events a step can report. A step that would tear more leaves the rest for the next.
+inline constexpr std::size_t events_per_step = 4096;
+
+template <int D, class RealT> struct World {
+    static constexpr int dimension = D;
+    using Real = RealT;
+    using Vector = Vec<D, Real>;
+
+    Settings<Real> settings;
+    Particles<D, Real> particles;
+    ConstraintTables<D, Real> constraints;
+    std::vector<Run> sweep; ///< the order in which constraints are solved: as they were added
+    std::vector<Pin<D, Real>> pins;
+    Slots<PinTag> pin_slots;
+    std::vector<Force<D, Real>> forces;
+    std::vector<HalfSpace<D, Real>> bounds;
+    std::vector<Figure> figures;
+
+    double time = 0;
+    std::uint64_t steps = 0;
+    Real last_substep = 0;       ///< its length; a change of it corrects the Verlet step
+    std::vector<Event> events;   ///< of the last step
+    std::vector<Vector> scratch; ///< room for the points and gradients of the widest constraint
+};
+
+/// Calls visit(table) for every kind's table, in the order of the list of kinds.
+template <class WorldT, class Visit> void for_each_table(WorldT& world, Visit&& visit) {
+    std::apply([&](auto&... table) { (visit(table), ...); }, world.constraints);
+}
+
+/// Calls visit(table) for the table of the kind numbered `kind`.
+template <class WorldT, class Visit> void visit_table(WorldT& world, int kind, Visit&& visit) {
+    int number = 0;
+    for_each_table(world, [&](auto& table) {
+        if (number++ == kind) visit(table);
+    });
+}
+
+/// Defines a template for every world there is: SINEW_INSTANTIATE(X) with X(D, Real).
+#define SINEW_INSTANTIATE(X) X(2, float) X(2, double) X(3, float) X(3, double)
+
+} // namespace sinew
