@@ -33,7 +33,8 @@ file(WRITE ${work}/hello.cpp "${program}")
 run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
 
 run(${CMAKE_COMMAND} -G Ninja -S ${source}/tests/consumer -B ${work}/build -D HELLO_SOURCE=${work}/hello.cpp
-    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags} -D CMAKE_BUILD_TYPE=${type})
+    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags}
+    -D CMAKE_BUILD_TYPE=${type})
 run(${CMAKE_COMMAND} --build ${work}/build)
 run(${work}/build/hello)
 
