@@ -22,8 +22,9 @@ template <class T> constexpr T maximum(T a, T b) {
     return a < b ? b : a;
 }
 
+/// x held within [low, high]; not-a-number becomes low, so that what was clamped is always finite.
 template <class T> constexpr T clamp(T x, T low, T high) {
-    return minimum(maximum(x, low), high);
+    return minimum(high, maximum(low, x));
 }
 
 template <class T> constexpr T absolute(T x) {

@@ -15,7 +15,8 @@ namespace sinew {
 template <int D, class Real> struct ParticleSpec {
     Vec<D, Real> position{};
     Vec<D, Real> velocity{};
-    Real mass = 1; ///< infinity: nothing moves it
+    std::optional<Vec<D, Real>> previous{}; ///< instead of velocity: where it was one settings.frame ago
+    Real mass = 1;                          ///< infinity: nothing moves it
     Real radius = 0;
     FigureIndex figure = no_figure;
 };
@@ -36,16 +37,16 @@ template <class Real> Limits<Real> between(Real low, Real high) {
 }
 
 template <class Real> struct ConstraintSpec {
-    std::optional<Limits<Real>> limits; ///< nothing: exactly what it measures now
-    Real compliance = 0;                ///< 1/stiffness (m/N for distances, rad/(N m) for angles); 0 is rigid
-    Real relaxation = 1;                ///< share of the error removed at once, (0, 1]
-    Real split = Real(0.5);             ///< share of the correction the first member takes
+    std::optional<Limits<Real>> limits{}; ///< nothing: exactly what it measures now
+    Real compliance = 0;                  ///< 1/stiffness (m/N for distances, rad/(N m) for angles); 0 is rigid
+    Real relaxation = 1;                  ///< share of the error removed at once, (0, 1]
+    Real split = Real(0.5);               ///< share of the correction the first member takes
     Real breaking_strain = std::numeric_limits<Real>::infinity();
     FigureIndex figure = no_figure;
 };
 
 template <int D, class Real> struct PinSpec {
-    std::optional<Vec<D, Real>> target; ///< nothing: where the particle is
+    std::optional<Vec<D, Real>> target{}; ///< nothing: where the particle is
     Real compliance = 0;
     Real damping = 1;
     Real max_force = 0;

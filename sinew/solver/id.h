@@ -27,6 +27,7 @@ template <class Tag> class Slots {
         if (free_.empty()) {
             free_.push_back(std::uint32_t(entries_.size()));
             entries_.push_back({});
+            free_.reserve(entries_.capacity()); // erasing, which happens in a step, then never allocates
         }
         const std::uint32_t slot = free_.back();
         free_.pop_back();

@@ -18,8 +18,17 @@
 /// seconds, newtons; or pixels and frames).
 namespace sinew {
 
-/// Coordinates are held within +-world_edge, so that products of a few of them stay finite. Stated in README and docs.
-template <class Real> inline constexpr Real world_edge = Real(1e8);
+/// The stated limits within which finite input can never become infinite or not-a-number, in float as in double:
+/// nothing is further out, faster, heavier or lighter. What would be is held at the limit. In the user's units.
+namespace limit {
+template <class Real> inline constexpr Real coordinate = Real(1e8);
+template <class Real> inline constexpr Real speed = Real(1e12);
+template <class Real> inline constexpr Real force = Real(1e15);
+template <class Real> inline constexpr Real mass = Real(1e12); ///< and its inverse
+template <class Real>
+inline constexpr Real measure = Real(1e30); ///< a constraint's limits, compliance / h^2 and multiplier
+template <class Real> inline constexpr Real step = Real(1e6); ///< time units a step may last
+} // namespace limit
 
 template <int D, class Real> struct Particles {
     std::vector<Vec<D, Real>> position;
@@ -32,6 +41,7 @@ template <int D, class Real> struct Particles {
     std::vector<Real> mobility;         ///< the inverse mass the solver sees: 0 while pinned, held or quarantined
     std::vector<Real> radius;
     std::vector<FigureIndex> figure;
+    std::vector<char> quarantined; ///< stands still: it or its figure was found non-finite
     Slots<ParticleTag> slots;
 
     std::size_t size() const { return position.size(); }
@@ -47,6 +57,7 @@ template <int D, class Real> struct Particles {
         visit(self.mobility);
         visit(self.radius);
         visit(self.figure);
+        visit(self.quarantined);
     }
 };
 
@@ -83,10 +94,18 @@ template <> struct Members<any_arity> {
         first.push_back(std::uint32_t(pool.size()));
     }
     void erase(std::span<const char> gone) {
-        Members kept;
-        for (Row row = 0; row < size(); ++row)
-            if (!gone[row]) kept.append((*this)[row]);
-        *this = std::move(kept);
+        std::uint32_t kept = 0, end = 0;
+        for (Row row = 0, rows = Row(size()); row < rows; ++row) {
+            const auto begin = first[row];
+            if (gone[row]) continue;
+            for (auto i = begin; i < first[row + 1]; ++i) pool[end + i - begin] = pool[i];
+            const auto length = first[row + 1] - begin;
+            first[kept++] = end;
+            end += length;
+        }
+        first.resize(kept + 1);
+        first[kept] = end;
+        pool.resize(end);
     }
 };
 
@@ -98,9 +117,10 @@ template <class KindT, class Real> struct Constraints {
     std::vector<Real> compliance;      ///< 1/stiffness; 0 is rigid
     std::vector<Real> relaxation;      ///< share of the error removed at once, (0, 1]
     std::vector<Real> split;           ///< share of the correction that the first member takes, 0..1; 1/2 is fair
-    std::vector<Real> breaking_strain; ///< torn beyond it; +infinity never tears
+    std::vector<Real> breaking_strain; ///< torn beyond it; limit::measure and more never tears
     std::vector<Real> multiplier;      ///< of the last substep; tension = -multiplier / h^2
     std::vector<FigureIndex> figure;
+    std::vector<char> torn; ///< scratch: to be removed when the step ends
     Slots<ConstraintTag> slots;
 
     std::size_t size() const { return low.size(); }
@@ -114,6 +134,7 @@ template <class KindT, class Real> struct Constraints {
         visit(self.breaking_strain);
         visit(self.multiplier);
         visit(self.figure);
+        visit(self.torn);
     }
 };
 
@@ -135,7 +156,7 @@ struct Run {
 
 /// Holds a particle in place or on a moving target. A pointer's grab is a pin.
 template <int D, class Real> struct Pin {
-    ParticleId particle;
+    ParticleId particle{};
     Vec<D, Real> from{};       ///< where the target was when the step began
     Vec<D, Real> target{};     ///< where it is when the step ends; interpolated over the substeps
     Real compliance = 0;       ///< 0: the particle is on the target, whatever pulls at it
@@ -155,35 +176,36 @@ template <int D, class Real> struct HalfSpace {
 
 enum class Mode : std::uint8_t { physical, classic };
 
-/// How classic mode treats what hits the walls.
-enum class WallRule : std::uint8_t {
-    clamp,  ///< put back on the wall; previous stays (OpenGL article)
-    bounce, ///< put back, and previous mirrored so that the speed turns round, times `bounce` (Flash, Godot)
+/// When classic mode sweeps over the constraints.
+enum class PassOrder : std::uint8_t {
+    sweeps_last,     ///< move, walls, then the sweep `passes` times
+    walls_each_pass, ///< move, then (sweep, walls) `passes` times
+    interleaved      ///< each particle moves just before the first constraint that names it, once a pass
 };
 
-/// Classic mode's rules, each as some original had it (docs/classic.md). Units of a step.
+/// Classic mode's rules, each as some original had it (docs/classic.md). The last four are the originals' known bugs.
 template <class Real> struct ClassicRules {
-    int passes = 1;                ///< sweeps over constraints a step
-    Real keep = 1;                 ///< velocity kept a step (the originals' "damping" or "friction")
-    bool damp_after_force = false; ///< Roblox: (v + a) keep; else v keep + a
-    bool root_free = false;        ///< s = r^2/(d^2 + r^2) - 1/2 instead of a square root
-    bool walls_each_pass = false;  ///< (sweep, walls) x passes instead of walls after moving
-    WallRule walls = WallRule::clamp;
-    Real bounce = 0;                  ///< share of the speed a wall gives back
-    Real resting_friction = 1;        ///< velocity kept along the floor while resting on it
-    Real time_scale = 1;              ///< acceleration scales with its square
-    Real longest_step = 4;            ///< in frames: a stall never becomes more than this
-    bool wrong_sign_bounce = false;   ///< Roblox bug: top and right walls keep the outward speed
-    bool unscaled_inertia = false;    ///< GameMaker bug: inertia does not shrink with the step
-    bool halved_acceleration = false; ///< tearable cloth bug: x += v + a/2 dt^2
+    int passes = 1;
+    PassOrder order = PassOrder::sweeps_last;
+    Real keep = 1;                 ///< velocity kept each frame (the originals' "damping" or "friction")
+    bool damp_after_force = false; ///< (v + a) keep, as on Roblox; else v keep + a, as in Godot
+    bool root_free = false;        ///< distances by s = r^2/(d^2 + r^2) - 1/2 instead of a square root (Jakobsen)
+    Real bounce = 0;               ///< share of the speed a wall gives back; 0 only clamps and leaves `previous` alone
+    Real floor_keep = 1;           ///< velocity along the floor kept each frame while resting on it
+    Real time_scale = 1;           ///< slow motion; acceleration scales with its square
+    Real longest_step = 4;         ///< frames: a stall never becomes more than this
+    bool outward_bounce = false;   ///< Roblox: top and right walls leave the outward speed as it is
+    bool points_only_passes = false;  ///< Roblox: the passes move the points, the constraints are swept once
+    bool unscaled_inertia = false;    ///< GameMaker: inertia does not shrink with the step
+    bool halved_acceleration = false; ///< tearable cloth: x += v + a/2 dt^2
 };
 
 template <class Real> struct Settings {
     Mode mode = Mode::physical;
     int substeps = 16;
     int iterations = 1;
-    Real damping = 0; ///< velocity decays as exp(-damping t)
-    std::uint64_t seed = 0;
+    Real damping = 0;            ///< velocity decays as exp(-damping t)
+    Real frame = Real(1.0 / 60); ///< how long a frame is in the user's time unit; classic mode's tick
     ClassicRules<Real> classic;
 };
 
@@ -195,8 +217,8 @@ enum class EventType : std::uint8_t {
 struct Event {
     EventType type{};
     FigureIndex figure = no_figure;
-    ConstraintId constraint; ///< torn: its id while it lived
-    ParticleId particle;     ///< quarantined: the first that was not finite
+    ConstraintId constraint{}; ///< torn: its id while it lived
+    ParticleId particle{};     ///< quarantined: the first that was not finite
 };
 
 /// Events a step can report. A step that would tear more leaves the rest for the next.

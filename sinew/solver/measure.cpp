@@ -1,0 +1,189 @@
+#include "sinew/solver/measure.h"
+
+#include "sinew/math/hash.h"
+#include "sinew/solver/project.h"
+
+#include <algorithm>
+
+namespace sinew {
+namespace {
+
+template <int D, class Real> Vec<D, double> middle_of_substep(const Particles<D, Real>& p, Row row) {
+    return (cast<double>(p.position[row]) + cast<double>(p.previous[row])) * 0.5;
+}
+
+template <int D, class Real> double mass_of(const Particles<D, Real>& p, Row row) {
+    return p.inverse_mass[row] > Real(0) ? 1.0 / double(p.inverse_mass[row]) : 0.0;
+}
+
+template <int D, class Real> struct PotentialOf {
+    double mass;
+    Vec<D, double> place;
+    double operator()(const Gravity<D, Real>& gravity) const {
+        return -mass * dot(cast<double>(gravity.acceleration), place);
+    }
+    double operator()(const Attractor<D, Real>& attractor) const {
+        const auto offset = place - cast<double>(attractor.center);
+        return -mass * double(attractor.strength) *
+               inverse_or_zero(square_root(dot(offset, offset) + square(double(attractor.softness))));
+    }
+    template <class Other> double operator()(const Other&) const { return 0; }
+};
+
+/// What a constraint measures at the places that `point` gives.
+template <class Table, class Point> auto measure_row(const Table& table, Row row, Point&& point) {
+    using Kind = typename Table::Kind;
+    const auto members = table.members[row];
+    using Vector = std::decay_t<decltype(point(Row(0)))>;
+    using Real = std::decay_t<decltype(Vector{}[0])>;
+    if constexpr (Kind::arity == any_arity) {
+        std::vector<Vector> points, gradient(members.size());
+        for (const Row member : members) points.push_back(point(member));
+        return Kind::template evaluate<Real>(points, gradient);
+    } else {
+        std::array<Vector, std::size_t(Kind::arity)> points;
+        for (std::size_t i = 0; i < points.size(); ++i) points[i] = point(members[i]);
+        return Kind::evaluate(points).value;
+    }
+}
+
+template <class Table, class Real>
+ConstraintState state_of(const Table& table, Row row, double measured, Real substep) {
+    using Kind = typename Table::Kind;
+    const double low = double(table.low[row]), high = double(table.high[row]);
+    ConstraintState state;
+    state.measure = detail::unwrap<Kind>(measured, low, high);
+    const double nearest = clamp(state.measure, low, high);
+    state.error = state.measure - nearest;
+    const double rest = Kind::length_power > 0 ? absolute(nearest) : 1.0;
+    state.strain = state.error == 0 ? 0 : state.error * inverse_or_zero(rest);
+    state.tension = -double(table.multiplier[row]) * inverse_or_zero(square(double(substep)));
+    return state;
+}
+
+} // namespace
+
+template <int D, class Real>
+std::optional<ConstraintState> constraint_state(const World<D, Real>& world, const ConstraintId& id) {
+    std::optional<ConstraintState> state;
+    visit_table(world, id.kind, [&](const auto& table) {
+        const auto row = table.slots.find(id.id);
+        if (!row) return;
+        const auto place = [&](Row particle) { return cast<double>(world.particles.position[particle]); };
+        state = state_of(table, *row, measure_row(table, *row, place), world.last_substep);
+    });
+    return state;
+}
+
+template <int D, class Real> Energy energy(const World<D, Real>& world) {
+    const auto& p = world.particles;
+    Energy sum;
+    for (Row row = 0; row < p.size(); ++row) {
+        if (p.mobility[row] == Real(0)) continue;
+        const double mass = mass_of(p, row);
+        const auto velocity = cast<double>(p.velocity[row]);
+        sum.kinetic += 0.5 * mass * dot(velocity, velocity);
+        for (const auto& force : world.forces)
+            sum.potential += std::visit(PotentialOf<D, Real>{mass, middle_of_substep(p, row)}, force);
+    }
+    for_each_table(world, [&](const auto& table) {
+        for (Row row = 0; row < table.size(); ++row) {
+            if (table.compliance[row] == Real(0)) continue;
+            const auto middle = [&](Row particle) { return middle_of_substep(p, particle); };
+            const auto state = state_of(table, row, measure_row(table, row, middle), world.last_substep);
+            sum.stored += 0.5 * square(state.error) / double(table.compliance[row]);
+        }
+    });
+    for (const auto& pin : world.pins) {
+        const auto row = p.slots.find(pin.particle);
+        if (!row || !(pin.compliance > Real(0))) continue;
+        const auto offset = middle_of_substep(p, *row) - cast<double>(pin.target);
+        sum.stored += 0.5 * dot(offset, offset) / double(pin.compliance);
+    }
+    return sum;
+}
+
+template <int D, class Real> Vec<D, double> momentum(const World<D, Real>& world) {
+    const auto& p = world.particles;
+    Vec<D, double> sum{};
+    for (Row row = 0; row < p.size(); ++row) sum += cast<double>(p.velocity[row]) * mass_of(p, row);
+    return sum;
+}
+
+template <int D, class Real> Vec3<double> angular_momentum(const World<D, Real>& world) {
+    const auto& p = world.particles;
+    Vec3<double> sum{};
+    for (Row row = 0; row < p.size(); ++row) {
+        Vec3<double> arm{}, impulse{};
+        for (int i = 0; i < D; ++i) {
+            arm[i] = middle_of_substep(p, row)[i];
+            impulse[i] = double(p.velocity[row][i]) * mass_of(p, row);
+        }
+        sum += cross(arm, impulse);
+    }
+    return sum;
+}
+
+template <int D, class Real> Vec<D, double> center_of_mass(const World<D, Real>& world) {
+    const auto& p = world.particles;
+    Vec<D, double> sum{};
+    for (Row row = 0; row < p.size(); ++row) sum += cast<double>(p.position[row]) * mass_of(p, row);
+    return sum * inverse_or_zero(total_mass(world));
+}
+
+template <int D, class Real> double total_mass(const World<D, Real>& world) {
+    double sum = 0;
+    for (Row row = 0; row < world.particles.size(); ++row) sum += mass_of(world.particles, row);
+    return sum;
+}
+
+template <int D, class Real> double max_speed(const World<D, Real>& world) {
+    double fastest = 0;
+    for (const auto& velocity : world.particles.velocity) fastest = std::max(fastest, norm(cast<double>(velocity)));
+    return fastest;
+}
+
+template <int D, class Real> Stretch stretch(const World<D, Real>& world) {
+    const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
+    Stretch result{.count = distances.size()};
+    for (Row row = 0; row < distances.size(); ++row) {
+        const auto place = [&](Row particle) { return cast<double>(world.particles.position[particle]); };
+        const double strain =
+            absolute(state_of(distances, row, measure_row(distances, row, place), world.last_substep).strain);
+        result.max = std::max(result.max, strain);
+        result.mean += strain;
+    }
+    if (result.count > 0) result.mean /= double(result.count);
+    return result;
+}
+
+template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& world) {
+    const auto& p = world.particles;
+    Hash hash;
+    hash.add(p.size());
+    hash.add(p.position);
+    hash.add(p.previous);
+    hash.add(p.velocity);
+    hash.add(p.residual);
+    hash.add(p.mobility);
+    for_each_table(world, [&](const auto& table) {
+        hash.add(table.size());
+        hash.add(table.multiplier);
+    });
+    hash.add(world.steps);
+    return hash.value();
+}
+
+#define SINEW_MEASURE(D, Real)                                                                                         \
+    template std::optional<ConstraintState> constraint_state(const World<D, Real>&, const ConstraintId&);              \
+    template Energy energy(const World<D, Real>&);                                                                     \
+    template Vec<D, double> momentum(const World<D, Real>&);                                                           \
+    template Vec3<double> angular_momentum(const World<D, Real>&);                                                     \
+    template Vec<D, double> center_of_mass(const World<D, Real>&);                                                     \
+    template double total_mass(const World<D, Real>&);                                                                 \
+    template double max_speed(const World<D, Real>&);                                                                  \
+    template Stretch stretch(const World<D, Real>&);                                                                   \
+    template std::uint64_t state_hash(const World<D, Real>&);
+SINEW_INSTANTIATE(SINEW_MEASURE)
+
+} // namespace sinew

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "sinew/solver/world.h"
+
+/// The parts of a step that both modes share, each in a file of its own.
+namespace sinew {
+
+/// force.cpp: what acts on a particle: a velocity v changes by acceleration - drag_rate v.
+template <int D, class Real> struct Push {
+    Vec<D, Real> acceleration{};
+    Real drag_rate = 0;
+};
+template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row);
+
+/// force.cpp: hands out the forces that strike one particle a step, into particles.force.
+template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
+
+/// quarantine.cpp: figures and loose particles that are not finite stand still from now on, where they last were.
+template <int D, class Real> void quarantine_non_finite(World<D, Real>& world);
+
+/// tear.cpp: removes constraints strained beyond their breaking point.
+template <int D, class Real> void tear(World<D, Real>& world);
+
+/// classic.cpp: a step by the originals' rules.
+template <int D, class Real> void classic_step(World<D, Real>& world, Real dt);
+
+} // namespace sinew

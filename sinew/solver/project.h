@@ -1,0 +1,130 @@
+#pragma once
+
+#include "sinew/math/random.h"
+#include "sinew/solver/world.h"
+
+/// One constraint, solved once: the same text for every kind, dimension, precision and mode.
+///
+///     error    the measure's distance from its limits
+///     dlambda = -(error + alpha lambda) / (sum w g . d + alpha),   alpha = compliance / h^2
+///     x_i    += w_i d_i dlambda
+///
+/// (XPBD: Macklin, Mueller and Chentanez 2016; alpha = 0 is PBD: Mueller et al. 2007). g is the gradient where the
+/// particles are now, d the direction they are corrected in. What "the particles" are is up to a Mover: see step.cpp
+/// and classic.cpp.
+namespace sinew::detail {
+
+/// Room for one constraint's points and gradients.
+template <class Kind, int D, class Real> struct Stencil {
+    Points<Kind::arity, D, Real> points, gradient, direction;
+
+    explicit Stencil(World<D, Real>&, std::size_t) {}
+    static Real evaluate(const Points<Kind::arity, D, Real>& x, Points<Kind::arity, D, Real>& gradient) {
+        const auto evaluated = Kind::evaluate(x);
+        gradient = evaluated.gradient;
+        return evaluated.value;
+    }
+};
+
+template <class Kind, int D, class Real>
+requires(Kind::arity == any_arity) struct Stencil<Kind, D, Real> {
+    std::span<Vec<D, Real>> points, gradient, direction;
+
+    explicit Stencil(World<D, Real>& world, std::size_t n)
+        : points(std::span(world.scratch).subspan(0, n)), gradient(std::span(world.scratch).subspan(n, n)),
+          direction(std::span(world.scratch).subspan(2 * n, n)) {}
+    static Real evaluate(std::span<Vec<D, Real>> x, std::span<Vec<D, Real>> gradient) {
+        return Kind::evaluate(std::span<const Vec<D, Real>>(x), gradient);
+    }
+};
+
+/// An angle is the same a whole turn on: the one nearest to the middle of the limits.
+template <class Kind, class Real> Real unwrap(Real measure, Real low, Real high) {
+    if constexpr (Kind::period > 0) {
+        constexpr Real turn = Real(Kind::period);
+        const Real middle = clamp(Real(0.5) * (low + high), -Real(100) * turn, Real(100) * turn);
+        return measure - turn * std::floor((measure - middle) / turn + Real(0.5));
+    } else {
+        return measure;
+    }
+}
+
+/// A multiplier pushes where the measure is below its low limit, pulls above the high one and rests in between; alike
+/// for exact, at most, at least and in a range.
+template <class Real> Real limited_multiplier(Real lambda, Real below, Real above, Real alpha, Real per_resistance) {
+    const Real pushing = lambda - (below + alpha * lambda) * per_resistance;
+    const Real pulling = lambda - (above + alpha * lambda) * per_resistance;
+    return maximum(pushing, Real(0)) + minimum(pulling, Real(0));
+}
+
+/// A unit vector that belongs to one member of one constraint.
+template <int D, class Real> Vec<D, Real> own_direction(std::uint64_t constraint, std::uint64_t member) {
+    const auto v =
+        Vec<D, Real>::map([&](int i) { return random::symmetric<Real>(member, constraint, std::uint64_t(i)); });
+    const auto n = direction(v);
+    return n == Vec<D, Real>{} ? Vec<D, Real>::axis(0) : n;
+}
+
+/// Particles in a heap (coincident, collinear) give no direction to correct in: part them a little, each constraint its
+/// own way, the same way on every machine.
+template <class Mover, class Stencil, class Real>
+void part(Mover& mover, Stencil& stencil, std::span<const Row> members, Row constraint, Real error) {
+    constexpr auto share = Real(1e-3);
+    Real extent = 0;
+    for (const auto& point : stencil.points) extent = maximum(extent, distance(point, stencil.points[0]));
+    const Real size = share * (extent > Real(0) ? extent : absolute(error));
+    for (std::size_t i = 0; i < members.size(); ++i)
+        mover.push(members[i], own_direction<Mover::dimension, Real>(constraint, i) * size);
+}
+
+/// Twice the share of a correction that member i takes: 1 where the split is fair.
+template <class Real> Real handicap(Real split, std::size_t member) {
+    return Real(2) * (member == 0 ? split : Real(1) - split);
+}
+
+template <class Mover, class Table, int D, class Real>
+void project_row(World<D, Real>& world, Table& table, Row row, Mover& mover, bool parted = false) {
+    using Kind = typename Table::Kind;
+    const auto members = std::as_const(table.members)[row];
+    Stencil<Kind, D, Real> stencil(world, members.size());
+
+    for (std::size_t i = 0; i < members.size(); ++i) stencil.points[i] = mover.point(members[i]);
+    const Real low = table.low[row], high = table.high[row], split = table.split[row];
+    const Real measure = unwrap<Kind>(stencil.evaluate(stencil.points, stencil.gradient), low, high);
+    mover.choose_direction(stencil, members);
+
+    Real resistance = 0, steepness = 0;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const Real w = mover.weight(members[i]) * handicap(split, i);
+        resistance += w * dot(stencil.gradient[i], stencil.direction[i]);
+        steepness += dot(stencil.gradient[i], stencil.gradient[i]);
+    }
+    const Real error = measure - clamp(measure, low, high);
+    if (steepness == Real(0) && error != Real(0) && !parted) {
+        part(mover, stencil, members, row, error);
+        return project_row(world, table, row, mover, true);
+    }
+
+    const Real alpha = mover.alpha(table.compliance[row]);
+    const Real lambda = mover.first_iteration ? Real(0) : table.multiplier[row];
+    const Real solved =
+        limited_multiplier(lambda, measure - low, measure - high, alpha, inverse_or_zero(resistance + alpha));
+    const Real next =
+        clamp(lambda + table.relaxation[row] * (solved - lambda), -limit::measure<Real>, limit::measure<Real>);
+    table.multiplier[row] = next;
+    for (std::size_t i = 0; i < members.size(); ++i)
+        mover.push(members[i],
+                   stencil.direction[i] * (mover.weight(members[i]) * handicap(split, i) * (next - lambda)));
+}
+
+/// Every constraint once, in the order of the world's sweep.
+template <class Mover, int D, class Real> void project_all(World<D, Real>& world, Mover& mover) {
+    std::array<Row, std::size_t(Kinds<D>::size)> next{};
+    for (const auto& run : world.sweep)
+        visit_table(world, run.kind, [&](auto& table) {
+            auto& row = next[std::size_t(run.kind)];
+            for (const Row end = row + run.count; row < end; ++row) project_row(world, table, row, mover);
+        });
+}
+
+} // namespace sinew::detail

@@ -1,0 +1,49 @@
+#include "sinew/solver/phases.h"
+
+namespace sinew {
+namespace {
+
+template <int D, class Real> bool sound(const Particles<D, Real>& p, Row row) {
+    return is_finite(p.position[row]) && is_finite(p.velocity[row]) && is_finite(p.force[row]) &&
+           is_finite(p.previous[row]) && is_finite(p.inverse_mass[row]) && is_finite(p.radius[row]);
+}
+
+/// Stands still where it last was; what is no number becomes the nearest thing to nothing.
+template <int D, class Real> void freeze(Particles<D, Real>& p, Row row) {
+    if (!is_finite(p.position[row])) p.position[row] = is_finite(p.previous[row]) ? p.previous[row] : Vec<D, Real>{};
+    p.previous[row] = p.position[row];
+    p.velocity[row] = p.residual[row] = p.force[row] = {};
+    if (!is_finite(p.inverse_mass[row])) p.inverse_mass[row] = Real(0);
+    if (!is_finite(p.radius[row])) p.radius[row] = Real(0);
+    p.mobility[row] = Real(0);
+    p.quarantined[row] = 1;
+}
+
+template <int D, class Real> void freeze_figure(World<D, Real>& world, FigureIndex figure) {
+    world.figures[figure].quarantined = true;
+    for (const auto id : world.figures[figure].particles)
+        if (const auto row = world.particles.slots.find(id)) freeze(world.particles, *row);
+}
+
+} // namespace
+
+template <int D, class Real> void quarantine_non_finite(World<D, Real>& world) {
+    auto& p = world.particles;
+    for (Row row = 0; row < p.size(); ++row) {
+        if (sound(p, row)) continue;
+        const FigureIndex figure = p.figure[row];
+        freeze(p, row);
+        if (figure < world.figures.size()) freeze_figure(world, figure);
+        if (world.events.size() < events_per_step)
+            world.events.push_back({.type = EventType::quarantined, .figure = figure, .particle = p.slots.id_of(row)});
+    }
+    for (auto& pin : world.pins) {
+        if (!is_finite(pin.from)) pin.from = is_finite(pin.target) ? pin.target : Vec<D, Real>{};
+        if (!is_finite(pin.target)) pin.target = pin.from;
+    }
+}
+
+#define SINEW_QUARANTINE(D, Real) template void quarantine_non_finite(World<D, Real>&);
+SINEW_INSTANTIATE(SINEW_QUARANTINE)
+
+} // namespace sinew

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "sinew/solver/world.h"
+
+#include <algorithm>
+
+/// Taking rows out of a world. Nothing here allocates: constraints tear in the middle of a step.
+namespace sinew::detail {
+
+/// Takes rows of kind number `kind` out of the sweep: the runs shrink, their order stays.
+inline void erase_from_sweep(std::vector<Run>& sweep, int kind, std::span<const char> gone) {
+    Row row = 0;
+    for (auto& run : sweep) {
+        if (run.kind != kind) continue;
+        const auto count = run.count;
+        for (Row i = 0; i < count; ++i) run.count -= Row(gone[row++] != 0);
+    }
+    std::erase_if(sweep, [](const Run& run) { return run.count == 0; });
+}
+
+template <int D, class Real, class Table>
+void erase_constraints(World<D, Real>& world, Table& table, int kind, std::span<const char> gone) {
+    erase_from_sweep(world.sweep, kind, gone);
+    table.members.erase(gone);
+    erase_rows(table, gone);
+    table.slots.erase(gone);
+}
+
+template <int D, class Real> void erase_pins(World<D, Real>& world, std::span<const char> gone) {
+    erase_rows(world.pins, gone);
+    world.pin_slots.erase(gone);
+}
+
+/// Takes dead ids out of the figures: what they name is gone.
+template <int D, class Real> void forget_the_dead(World<D, Real>& world) {
+    const auto dead_particle = [&](ParticleId id) { return !world.particles.slots.find(id); };
+    const auto dead_constraint = [&](const ConstraintId& id) {
+        bool found = false;
+        visit_table(world, id.kind, [&](const auto& table) { found = table.slots.find(id.id).has_value(); });
+        return !found;
+    };
+    for (auto& figure : world.figures) {
+        std::erase_if(figure.particles, dead_particle);
+        std::erase_if(figure.constraints, dead_constraint);
+        std::erase_if(figure.particle_names, [&](const auto& named) { return dead_particle(named.second); });
+        std::erase_if(figure.constraint_names, [&](const auto& named) { return dead_constraint(named.second); });
+        std::erase_if(figure.pieces, [&](const Piece& piece) {
+            return std::any_of(piece.particles.begin(), piece.particles.end(), dead_particle);
+        });
+    }
+}
+
+} // namespace sinew::detail

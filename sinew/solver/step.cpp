@@ -1,0 +1,194 @@
+#include "sinew/solver/step.h"
+
+#include "sinew/math/trig.h"
+#include "sinew/solver/phases.h"
+#include "sinew/solver/project.h"
+
+#include <algorithm>
+
+namespace sinew {
+namespace {
+
+/// Constraints act on velocities: a particle is where it will be when the substep ends, x + h v, and a correction of
+/// that place is a correction of v. Small differences of large coordinates are never taken, so float loses least.
+template <int D, class RealT> struct SubstepMover {
+    using Real = RealT;
+    static constexpr int dimension = D;
+    Particles<D, Real>& particles;
+    Real h, per_h;
+    bool first_iteration = true;
+
+    Vec<D, Real> point(Row row) const {
+        return clamp_components(particles.position[row] + particles.velocity[row] * h, limit::coordinate<Real>);
+    }
+    Real weight(Row row) const { return particles.mobility[row]; }
+    Real alpha(Real compliance) const { return minimum(compliance * per_h * per_h, limit::measure<Real>); }
+    void push(Row row, const Vec<D, Real>& displacement) { particles.velocity[row] += displacement * per_h; }
+
+    /// Corrections along the gradient where the substep began (SHAKE: Ryckaert, Ciccotti and Berendsen 1977) keep a
+    /// swing's energy; along the gradient where it ends they bleed it. Where the two have come apart only the latter
+    /// still corrects.
+    template <class Stencil> void choose_direction(Stencil& stencil, std::span<const Row> members) const {
+        for (std::size_t i = 0; i < members.size(); ++i) stencil.points[i] = particles.position[members[i]];
+        stencil.evaluate(stencil.points, stencil.direction);
+        Real along = 0, now = 0, then = 0;
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            const Real w = weight(members[i]);
+            along += w * dot(stencil.gradient[i], stencil.direction[i]);
+            now += w * dot(stencil.gradient[i], stencil.gradient[i]);
+            then += w * dot(stencil.direction[i], stencil.direction[i]);
+        }
+        constexpr Real least_agreement = Real(0.8);
+        if (along < least_agreement * maximum(now, then)) stencil.direction = stencil.gradient;
+    }
+};
+
+/// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
+/// middle of this one. Drag is implicit, so no strength of it can turn a velocity round.
+template <int D, class Real> void predict(World<D, Real>& world, Real h) {
+    auto& p = world.particles;
+    const Real kick = Real(0.5) * (world.last_substep + h);
+    const Real keep = exponential(-world.settings.damping * h);
+    for (Row row = 0; row < p.size(); ++row) {
+        p.rebound[row] = {};
+        if (p.mobility[row] == Real(0)) continue;
+        const auto push = push_on(world, row);
+        const auto pushed = (p.velocity[row] + push.acceleration * kick) * (keep / (Real(1) + push.drag_rate * kick));
+        p.velocity[row] = clamp_components(pushed, limit::speed<Real>);
+    }
+    world.last_substep = h;
+}
+
+/// Hard pins are where they are told to be; the substep's share of the way gives the particle its velocity.
+template <int D, class Real> void move_pins(World<D, Real>& world, Real share, Real per_h) {
+    auto& p = world.particles;
+    for (const auto& pin : world.pins) {
+        const auto row = p.slots.find(pin.particle);
+        if (!row || !pin.hard() || p.quarantined[*row]) continue;
+        const auto goal = pin.from + (pin.target - pin.from) * share;
+        p.velocity[*row] = clamp_components((goal - p.position[*row]) * per_h, limit::speed<Real>);
+    }
+}
+
+/// A compliant pin is a damped spring to its target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) + alpha),
+/// e the way to the target and u how much the substep adds to it; its force never exceeds max_force.
+template <int D, class Real> void pull_pins(World<D, Real>& world, Real share, SubstepMover<D, Real>& mover) {
+    auto& p = world.particles;
+    for (auto& pin : world.pins) {
+        const auto row = p.slots.find(pin.particle);
+        if (!row || pin.hard() || p.mobility[*row] == Real(0)) continue;
+        const Real w = p.mobility[*row];
+        const Real alpha = mover.alpha(pin.compliance);
+        // a critical damper of stiffness 1/c on mass 1/w has 2 / sqrt(c w); gamma = damper * compliance / h
+        const Real gamma = Real(2) * pin.damping * square_root(pin.compliance * inverse_or_zero(w)) * mover.per_h;
+        const auto goal = pin.from + (pin.target - pin.from) * share;
+        const auto error = mover.point(*row) - goal;
+        const auto drift = mover.point(*row) - p.position[*row];
+        const auto lambda = mover.first_iteration ? Vec<D, Real>{} : pin.multiplier;
+        auto next = lambda - (error + lambda * alpha + drift * gamma) * inverse_or_zero(w * (Real(1) + gamma) + alpha);
+        if (pin.max_force > Real(0)) {
+            const Real most = pin.max_force * mover.h * mover.h;
+            next *= minimum(Real(1), most * inverse_or_zero(norm(next)));
+        }
+        p.velocity[*row] += (next - lambda) * (w * mover.per_h);
+        pin.multiplier = next;
+    }
+}
+
+/// A plane stops what would pass it and rubs: the speed along it falls by friction times the speed it took away. What
+/// strikes faster than resting things sink in a few substeps will rebound.
+template <int D, class Real> void keep_in_bounds(World<D, Real>& world, SubstepMover<D, Real>& mover) {
+    auto& p = world.particles;
+    for (const auto& plane : world.bounds)
+        for (Row row = 0; row < p.size(); ++row) {
+            if (p.mobility[row] == Real(0)) continue;
+            const Real depth = plane.offset + p.radius[row] - dot(plane.normal, mover.point(row));
+            if (depth <= Real(0)) continue;
+            const Real approach = -dot(plane.normal, p.velocity[row]);
+            const auto along = p.velocity[row] + plane.normal * approach;
+            const Real stopped = depth * mover.per_h;
+            const Real slowed = minimum(Real(1), plane.friction * stopped * inverse_or_zero(norm(along)));
+            p.velocity[row] += plane.normal * stopped - along * slowed;
+            if (!mover.first_iteration) continue;
+            const Real resting = Real(4) * mover.h * norm(push_on(world, row).acceleration);
+            if (approach > resting) p.rebound[row] += plane.normal * (plane.restitution * approach);
+        }
+}
+
+/// x += h v. What rounding takes away is carried to the next substep: without it a float particle slower than half a
+/// unit in the last place a substep would stand still.
+template <int D, class Real> void advance(World<D, Real>& world, Real h) {
+    auto& p = world.particles;
+    for (Row row = 0; row < p.size(); ++row) {
+        p.velocity[row] = clamp_components(p.velocity[row], limit::speed<Real>);
+        const auto move = p.velocity[row] * h + p.residual[row];
+        const auto moved = p.position[row] + move;
+        const auto held = clamp_components(moved, limit::coordinate<Real>);
+        p.residual[row] = moved == held ? move - (moved - p.position[row]) : Vec<D, Real>{};
+        p.previous[row] = p.position[row];
+        p.position[row] = held;
+    }
+}
+
+/// What struck a plane leaves it with its restitution.
+template <int D, class Real> void rebound(World<D, Real>& world) {
+    auto& p = world.particles;
+    for (Row row = 0; row < p.size(); ++row) {
+        const Real speed = norm(p.rebound[row]);
+        if (speed == Real(0)) continue;
+        const auto away = p.rebound[row] * inverse_or_zero(speed);
+        p.velocity[row] += away * maximum(Real(0), speed - dot(away, p.velocity[row]));
+    }
+}
+
+template <int D, class Real> void begin(World<D, Real>& world) {
+    world.events.clear();
+    quarantine_non_finite(world);
+    apply_random_pushes(world);
+}
+
+template <int D, class Real> void end(World<D, Real>& world, Real dt) {
+    tear(world);
+    for (auto& pin : world.pins) pin.from = pin.target;
+    std::fill(world.particles.force.begin(), world.particles.force.end(), Vec<D, Real>{});
+    world.time += double(dt);
+    ++world.steps;
+}
+
+template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) {
+    const int substeps = std::max(world.settings.substeps, 1);
+    const Real h = dt / Real(substeps), per_h = Real(1) / h;
+    for (int s = 1; s <= substeps; ++s) {
+        const Real share = Real(s) / Real(substeps);
+        predict(world, h);
+        move_pins(world, share, per_h);
+        SubstepMover<D, Real> mover{world.particles, h, per_h};
+        for (int i = 0; i < world.settings.iterations; ++i) {
+            mover.first_iteration = i == 0;
+            detail::project_all(world, mover);
+            pull_pins(world, share, mover);
+            keep_in_bounds(world, mover);
+        }
+        advance(world, h);
+        rebound(world);
+    }
+}
+
+} // namespace
+
+template <int D, class Real> void step(World<D, Real>& world, Real dt) {
+    constexpr Real shortest = Real(1e-9);
+    if (!(dt >= shortest)) return;
+    dt = minimum(dt, limit::step<Real>);
+    begin(world);
+    if (world.settings.mode == Mode::classic)
+        classic_step(world, dt);
+    else
+        physical_step(world, dt);
+    end(world, dt);
+}
+
+#define SINEW_STEP(D, Real) template void step(World<D, Real>&, Real);
+SINEW_INSTANTIATE(SINEW_STEP)
+
+} // namespace sinew
