@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace sinew {
 
@@ -35,9 +36,10 @@ template <int D, class T> struct Vec {
 
     /// The vector whose i-th component is f(i).
     template <class F> static constexpr Vec map(F&& f) {
-        Vec r;
-        for (int i = 0; i < D; ++i) r[i] = f(i);
-        return r;
+        return [&]<int... I>(std::integer_sequence<int, I...>) {
+            return Vec{{f(I)...}};
+        }
+        (std::make_integer_sequence<int, D>{});
     }
 
     /// The unit vector along axis i.
@@ -50,9 +52,10 @@ template <class T> using Vec2 = Vec<2, T>;
 template <class T> using Vec3 = Vec<3, T>;
 
 template <int D, class T> constexpr T dot(const Vec<D, T>& a, const Vec<D, T>& b) {
-    T sum = a[0] * b[0];
-    for (int i = 1; i < D; ++i) sum = sum + a[i] * b[i];
-    return sum;
+    return [&]<int... I>(std::integer_sequence<int, I...>) {
+        return (... + (a[I] * b[I]));
+    }
+    (std::make_integer_sequence<int, D>{});
 }
 
 template <int D, class T> T norm(const Vec<D, T>& a) {

@@ -67,12 +67,12 @@ template <int D, class Real> Vec<D, Real> own_direction(std::uint64_t constraint
 
 /// Particles in a heap (coincident, collinear) give no direction to correct in: part them a little, each constraint its
 /// own way, the same way on every machine.
-template <class Mover, class Stencil, class Real>
-void part(Mover& mover, Stencil& stencil, std::span<const Row> members, Row constraint, Real error) {
+template <class Mover, class Real>
+[[gnu::noinline]] void part(Mover& mover, std::span<const Row> members, Row constraint, Real rest) {
     constexpr auto share = Real(1e-3);
     Real extent = 0;
-    for (const auto& point : stencil.points) extent = maximum(extent, distance(point, stencil.points[0]));
-    const Real size = share * (extent > Real(0) ? extent : absolute(error));
+    for (const Row member : members) extent = maximum(extent, distance(mover.point(member), mover.point(members[0])));
+    const Real size = share * (extent > Real(0) ? extent : absolute(rest));
     for (std::size_t i = 0; i < members.size(); ++i)
         mover.push(members[i], own_direction<Mover::dimension, Real>(constraint, i) * size);
 }
@@ -82,8 +82,9 @@ template <class Real> Real handicap(Real split, std::size_t member) {
     return Real(2) * (member == 0 ? split : Real(1) - split);
 }
 
+/// False, and nothing corrected, where the gradient vanishes though the limits are not kept.
 template <class Mover, class Table, int D, class Real>
-void project_row(World<D, Real>& world, Table& table, Row row, Mover& mover, bool parted = false) {
+bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     using Kind = typename Table::Kind;
     const auto members = std::as_const(table.members)[row];
     Stencil<Kind, D, Real> stencil(world, members.size());
@@ -100,10 +101,7 @@ void project_row(World<D, Real>& world, Table& table, Row row, Mover& mover, boo
         steepness += dot(stencil.gradient[i], stencil.gradient[i]);
     }
     const Real error = measure - clamp(measure, low, high);
-    if (steepness == Real(0) && error != Real(0) && !parted) {
-        part(mover, stencil, members, row, error);
-        return project_row(world, table, row, mover, true);
-    }
+    if (steepness == Real(0) && error != Real(0)) return false;
 
     const Real alpha = mover.alpha(table.compliance[row]);
     const Real lambda = mover.first_iteration ? Real(0) : table.multiplier[row];
@@ -115,6 +113,16 @@ void project_row(World<D, Real>& world, Table& table, Row row, Mover& mover, boo
     for (std::size_t i = 0; i < members.size(); ++i)
         mover.push(members[i],
                    stencil.direction[i] * (mover.weight(members[i]) * handicap(split, i) * (next - lambda)));
+    return true;
+}
+
+template <class Mover, class Table, int D, class Real>
+void project_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
+    if (correct_row(world, table, row, mover)) [[likely]]
+        return;
+    const auto members = std::as_const(table.members)[row];
+    part(mover, members, row, clamp(Real(0), table.low[row], table.high[row]));
+    correct_row(world, table, row, mover);
 }
 
 /// Every constraint once, in the order of the world's sweep.

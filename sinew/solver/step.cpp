@@ -38,7 +38,7 @@ template <int D, class RealT> struct SubstepMover {
             now += w * dot(stencil.gradient[i], stencil.gradient[i]);
             then += w * dot(stencil.direction[i], stencil.direction[i]);
         }
-        constexpr Real least_agreement = Real(0.8);
+        constexpr Real least_agreement = Real(0.99);
         if (along < least_agreement * maximum(now, then)) stencil.direction = stencil.gradient;
     }
 };
