@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/color.h"
 #include "sinew/math/vec.h"
 
 #include <cstdint>
@@ -7,12 +8,6 @@
 #include <vector>
 
 namespace sinew {
-
-/// A colour in sRGB with straight (not premultiplied) alpha, each channel in 0..1.
-struct Color {
-    float red = 0, green = 0, blue = 0, alpha = 1;
-    friend constexpr bool operator==(const Color&, const Color&) = default;
-};
 
 enum class Shape : std::uint8_t {
     polyline, ///< `count` points joined by a stroke of `width` pixels, round caps and joins

@@ -1,0 +1,160 @@
+#pragma once
+
+#include "sinew/math/point.h"
+#include "sinew/prefab/prefabs.h"
+#include "sinew/scene/look_section.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What there is in a scene: its figures, and what joins and holds them.
+namespace sinew {
+
+inline constexpr std::array<std::string_view, 5> kind_names = {"distance", "angle", "area", "volume", "dihedral"};
+
+struct ConstraintSection {
+    std::string kind = "distance";
+    std::vector<std::string> between;
+    std::string name;
+    std::optional<double> rest, low, high;
+    double compliance = 0;
+    std::optional<double> relaxation, split;
+    double breaking_strain = 0;
+    bool hidden = false;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.kind, Field{.name = "kind", .help = "What is measured", .choices = kind_names});
+        visit(self.between, Field{.name = "between",
+                                  .help = "The particles, as figure/name; inside a figure its own need no figure/",
+                                  .required = true});
+        visit(self.name, Field{.name = "name", .help = "For events and reports"});
+        visit(self.rest, Field{.name = "rest", .help = "The measure is kept at this value; left out, at what it is"});
+        visit(self.low, Field{.name = "low", .help = "The measure is kept at least this"});
+        visit(self.high, Field{.name = "high", .help = "The measure is kept at most this: a rope"});
+        visit(self.compliance, Field{.name = "compliance",
+                                     .help = "How much it gives under a force (1/stiffness); 0 is rigid",
+                                     .low = 0,
+                                     .high = 1e12});
+        visit(self.relaxation, Field{.name = "relaxation",
+                                     .help = "Share of the error removed at once",
+                                     .low = 0,
+                                     .high = 1});
+        visit(self.split, Field{.name = "split",
+                                .help = "Share of the correction the first particle takes: 0.5 is fair",
+                                .low = 0,
+                                .high = 1});
+        visit(self.breaking_strain,
+              Field{.name = "breaking_strain", .help = "Torn beyond it; 0 never tears", .low = 0, .high = 1e6});
+        visit(self.hidden, Field{.name = "hidden", .help = "A support that is not drawn"});
+    }
+};
+
+struct ParticleSection {
+    Point at{};
+    Point velocity{};
+    std::optional<Point> previous;
+    double mass = 1;
+    double radius = 0;
+    bool pinned = false;
+    double size = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.at, Field{.name = "at", .help = "Where it starts", .unit = unit::length, .required = true});
+        visit(self.velocity, Field{.name = "velocity", .help = "How fast it starts", .unit = unit::speed});
+        visit(self.previous, Field{.name = "previous",
+                                   .help = "Instead of a velocity: where it was one frame ago",
+                                   .unit = unit::length});
+        visit(self.mass, Field{.name = "mass", .help = "Its mass", .unit = unit::mass, .low = 1e-12, .high = 1e12});
+        visit(self.radius, Field{.name = "radius",
+                                 .help = "How far it stays from walls",
+                                 .unit = unit::length,
+                                 .low = 0,
+                                 .high = 1e6});
+        visit(self.pinned, Field{.name = "pinned", .help = "Held where it starts"});
+        visit(self.size, Field{.name = "size",
+                               .help = "Diameter of its dot as drawn; 0 leaves it to the looks",
+                               .unit = unit::length,
+                               .low = 0,
+                               .high = 1e6});
+    }
+};
+
+/// A figure made by hand, of single particles and constraints.
+struct ByHand {
+    static constexpr std::string_view name = "by_hand";
+    static constexpr std::string_view about = "Particles and constraints listed one by one.";
+    std::vector<std::pair<std::string, ParticleSection>> particles;
+    std::vector<ConstraintSection> constraints;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.particles, Field{.name = "particles", .help = "Particles by name"});
+        visit(self.constraints, Field{.name = "constraints", .help = "What joins them"});
+    }
+};
+
+namespace detail {
+template <class Variant> struct WithByHand;
+template <class... Prefab> struct WithByHand<TypeList<Prefab...>> { using type = std::variant<ByHand, Prefab...>; };
+} // namespace detail
+
+struct FigureSection {
+    std::string name;
+    Point at{};
+    double turn = 0;
+    Point velocity{};
+    std::vector<std::pair<std::string, Point>> kicks;
+    std::optional<double> relaxation, split;
+    std::vector<std::pair<std::string, Look>> looks;
+    detail::WithByHand<Prefabs>::type made; ///< a prefab with its parameters, or by hand
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.name, Field{.name = "name", .help = "What the scene calls it; the prefab's name if left out"});
+        visit(self.at, Field{.name = "at", .help = "Where its origin is", .unit = unit::length});
+        visit(self.turn, Field{.name = "turn",
+                               .help = "Turned about its origin, counter-clockwise as seen",
+                               .unit = unit::angle,
+                               .low = -100 * pi<double>,
+                               .high = 100 * pi<double>});
+        visit(self.velocity, Field{.name = "velocity", .help = "How fast all of it starts", .unit = unit::speed});
+        visit(self.kicks, Field{.name = "kicks",
+                                .help = "More velocity for single particles, by name",
+                                .unit = unit::speed});
+        visit(self.relaxation,
+              Field{.name = "relaxation", .help = "Of all its constraints", .low = 0, .high = 1});
+        visit(self.split, Field{.name = "split", .help = "Of all its constraints", .low = 0, .high = 1});
+        visit(self.looks, Field{.name = "looks", .help = "How its parts look, by part; \"all\" for the whole"});
+        visit(self.made, Field{.name = "prefab", .help = "What it is; left out: by_hand"});
+    }
+};
+
+struct PinSection {
+    std::string particle;
+    std::optional<Point> to;
+    double compliance = 0;
+    double damping = 1;
+    double max_force = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.particle, Field{.name = "particle", .help = "Which, as figure/name", .required = true});
+        visit(self.to, Field{.name = "to", .help = "Where it is held; left out: where it is", .unit = unit::length});
+        visit(self.compliance, Field{.name = "compliance",
+                                     .help = "How much it gives under a force; 0 holds fast",
+                                     .unit = unit::compliance,
+                                     .low = 0,
+                                     .high = 1e12});
+        visit(self.damping, Field{.name = "damping",
+                                  .help = "Of a pin that gives, as a fraction of critical",
+                                  .low = 0,
+                                  .high = 1000});
+        visit(self.max_force, Field{.name = "max_force",
+                                    .help = "Most it pulls with; 0 means no limit",
+                                    .unit = unit::force,
+                                    .low = 0,
+                                    .high = 1e15});
+    }
+};
+
+} // namespace sinew

@@ -1,0 +1,128 @@
+#pragma once
+
+#include "sinew/scene/document.h"
+#include "sinew/scene/event_section.h"
+#include "sinew/scene/figure_section.h"
+#include "sinew/scene/units.h"
+#include "sinew/scene/world_section.h"
+#include "sinew/solver/world.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// A scene file as data: what it says, not what becomes of it. Every section is a record, which is all there is to know about
+/// reading, checking, describing and writing it.
+namespace sinew {
+
+struct UnitsSection {
+    std::string length = "m";
+    std::string time = "s";
+    std::string up = "+y";
+
+    static constexpr std::array<std::string_view, 4> lengths = {"m", "cm", "mm", "px"};
+    static constexpr std::array<std::string_view, 2> times = {"s", "frame"};
+    static constexpr std::array<std::string_view, 2> ups = {"+y", "-y"};
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.length, Field{.name = "length", .help = "100 px are a metre", .choices = lengths});
+        visit(self.time, Field{.name = "time", .help = "60 frames are a second", .choices = times});
+        visit(self.up, Field{.name = "up", .help = "Which way is up: -y as on screens", .choices = ups});
+    }
+};
+
+/// Where a 3D scene is looked at from.
+struct CameraSection {
+    Vec3<double> eye{{0, 1.5, 5}};
+    Vec3<double> target{};
+    double field_of_view = pi<double> / 4;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.eye, Field{.name = "eye", .help = "Where it is", .unit = unit::length});
+        visit(self.target, Field{.name = "target", .help = "What it looks at", .unit = unit::length});
+        visit(self.field_of_view, Field{.name = "field_of_view",
+                                        .help = "From the top of the picture to its bottom",
+                                        .unit = unit::angle,
+                                        .low = 0.01,
+                                        .high = 3});
+    }
+};
+
+struct ViewSection {
+    std::array<int, 2> size = {640, 480};
+    std::optional<Point> center;
+    std::optional<double> height;
+    CameraSection camera;
+    std::string theme = "light";
+
+    static constexpr std::array<std::string_view, 2> themes = {"light", "dark"};
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.size, Field{.name = "size", .help = "Width and height in pixels", .low = 1, .high = 16384});
+        visit(self.center, Field{.name = "center",
+                                 .help = "Middle of the picture (2D); left out: half the size in px, else the origin",
+                                 .unit = unit::length});
+        visit(self.height, Field{.name = "height",
+                                 .help = "How much of the scene the picture shows from top to bottom (2D)",
+                                 .unit = unit::length,
+                                 .low = 1e-6,
+                                 .high = 1e8});
+        visit(self.camera, Field{.name = "camera", .help = "Where a 3D scene is looked at from"});
+        visit(self.theme, Field{.name = "theme", .help = "Colours of what has no looks of its own", .choices = themes});
+    }
+};
+
+struct Scene {
+    int version = 1;
+    std::string about, source;
+    int dimension = 2;
+    UnitsSection units;
+    ViewSection view;
+    WorldSection world;
+    SolverSection solver;
+    std::vector<FigureSection> figures;
+    std::vector<ConstraintSection> constraints;
+    std::vector<PinSection> pins;
+    std::vector<std::pair<std::string, Look>> looks;
+    std::vector<EventSection> events;
+    double seconds = 10;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.version, Field{.name = "sinew", .help = "Version of the format", .low = 1, .high = 1, .required = true});
+        visit(self.about, Field{.name = "about", .help = "What it shows, in a sentence or two"});
+        visit(self.source, Field{.name = "source", .help = "Where the idea is from"});
+        visit(self.dimension, Field{.name = "dimension", .help = "2 or 3", .low = 2, .high = 3});
+        visit(self.units, Field{.name = "units", .help = "What the numbers of the file are in"});
+        visit(self.view, Field{.name = "view", .help = "What is seen of it"});
+        visit(self.world, Field{.name = "world", .help = "What acts on everything"});
+        visit(self.solver, Field{.name = "solver", .help = "How it is solved"});
+        visit(self.figures, Field{.name = "figures", .help = "What there is"});
+        visit(self.constraints, Field{.name = "constraints", .help = "What joins figures"});
+        visit(self.pins, Field{.name = "pins", .help = "What is held"});
+        visit(self.looks, Field{.name = "looks", .help = "How parts look: by figure/part, by figure, by part"});
+        visit(self.events, Field{.name = "events", .help = "What happens when"});
+        visit(self.seconds, Field{.name = "seconds",
+                                  .help = "How long it is worth watching; what render takes",
+                                  .low = 0.01,
+                                  .high = 86400});
+    }
+
+    /// What a metre and a second are worth in it.
+    Units measures() const;
+};
+
+/// Makes a scene of a document. What is wrong with it, also beyond single values (names that are used twice or stand for nothing,
+/// more than the limits allow), is in the document's diagnostics; the scene is only good if there are none.
+Scene read_scene(Document& document);
+
+using AnyWorld = std::variant<World<2, float>, World<2, double>, World<3, float>, World<3, double>>;
+
+/// The world of a good scene, at its start.
+AnyWorld instantiate(const Scene& scene);
+
+/// How long a step of the scene is, in its own time unit.
+double step_length(const Scene& scene);
+
+} // namespace sinew

@@ -1,0 +1,257 @@
+#pragma once
+
+#include "sinew/math/point.h"
+#include "sinew/math/record.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// What acts on everything, and how it is solved: the sections "world" and "solver" of a scene file.
+namespace sinew {
+
+struct PlaneSection {
+    Point normal{{0, 1, 0}};
+    Point through{};
+    std::optional<double> bounce, friction;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.normal, Field{.name = "normal", .help = "Points to the free side", .required = true});
+        visit(self.through, Field{.name = "through", .help = "A point on the plane", .unit = unit::length});
+        visit(self.bounce,
+              Field{.name = "bounce", .help = "Share of the approach speed given back", .low = 0, .high = 1});
+        visit(self.friction, Field{.name = "friction", .help = "Coulomb's coefficient", .low = 0, .high = 100});
+    }
+};
+
+struct BoundsSection {
+    std::optional<std::array<Point, 2>> box;
+    std::vector<PlaneSection> planes;
+    double bounce = 0;
+    double friction = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.box, Field{.name = "box",
+                              .help = "Two opposite corners of a room that nothing leaves",
+                              .unit = unit::length});
+        visit(self.planes, Field{.name = "planes", .help = "Planes that things stay on one side of"});
+        visit(self.bounce, Field{.name = "bounce",
+                                 .help = "Share of its speed that what strikes a wall keeps; 0 does not rebound",
+                                 .low = 0,
+                                 .high = 1});
+        visit(self.friction, Field{.name = "friction",
+                                   .help = "Coulomb's coefficient of the walls (physical mode)",
+                                   .low = 0,
+                                   .high = 100});
+    }
+};
+
+struct GravityForce {
+    static constexpr std::string_view name = "gravity";
+    static constexpr std::string_view about = "One more constant acceleration.";
+    Point acceleration{};
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.acceleration, Field{.name = "acceleration",
+                                       .help = "Of everything that can move",
+                                       .unit = unit::acceleration,
+                                       .required = true});
+    }
+};
+
+struct DragForce {
+    static constexpr std::string_view name = "drag";
+    static constexpr std::string_view about = "Still air or water: a force against the velocity.";
+    double strength = 0.1;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.strength, Field{.name = "strength",
+                                   .help = "Force on one particle over its speed",
+                                   .unit = unit::drag,
+                                   .low = 0,
+                                   .high = 1e9});
+    }
+};
+
+struct WindForce {
+    static constexpr std::string_view name = "wind";
+    static constexpr std::string_view about = "Moving air that carries particles along, in gusts.";
+    Point velocity{};
+    double strength = 0.1;
+    Point gust{};
+    double gust_period = 1;
+    double gust_size = 0;
+    std::int64_t seed = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.velocity, Field{.name = "velocity", .help = "Of the air", .unit = unit::speed, .required = true});
+        visit(self.strength, Field{.name = "strength",
+                                   .help = "Force on one particle over its speed against the air",
+                                   .unit = unit::drag,
+                                   .low = 0,
+                                   .high = 1e9});
+        visit(self.gust,
+              Field{.name = "gust", .help = "Largest change of the velocity in a gust", .unit = unit::speed});
+        visit(self.gust_period, Field{.name = "gust_period",
+                                      .help = "Time from one gust to the next",
+                                      .unit = unit::time,
+                                      .low = 1e-3,
+                                      .high = 1e6});
+        visit(self.gust_size, Field{.name = "gust_size",
+                                    .help = "Length of a gust along the wind; 0 blows everywhere at once",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = 1e6});
+        visit(self.seed, Field{.name = "seed", .help = "Another number, other gusts"});
+    }
+};
+
+struct AttractorForce {
+    static constexpr std::string_view name = "attractor";
+    static constexpr std::string_view about = "A point that pulls everything towards it, or pushes it away.";
+    Point center{};
+    double strength = 1;
+    double softness = 0.1;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.center, Field{.name = "center", .help = "Where it is", .unit = unit::length, .required = true});
+        visit(self.strength, Field{.name = "strength",
+                                   .help = "Acceleration times distance squared; negative pushes",
+                                   .unit = {.length = 3, .time = -2},
+                                   .low = -1e12,
+                                   .high = 1e12});
+        visit(self.softness, Field{.name = "softness",
+                                   .help = "Closer than this it pulls as a spring does",
+                                   .unit = unit::length,
+                                   .low = 1e-6,
+                                   .high = 1e6});
+    }
+};
+
+struct RandomPushForce {
+    static constexpr std::string_view name = "random_push";
+    static constexpr std::string_view about =
+        "Each step, one particle at random gets a force of whole numbers between low and high.";
+    Point low{}, high{};
+    std::int64_t seed = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.low, Field{.name = "low", .help = "Smallest force", .required = true});
+        visit(self.high, Field{.name = "high", .help = "Largest force", .required = true});
+        visit(self.seed, Field{.name = "seed", .help = "Another number, other pushes"});
+    }
+};
+
+struct ForceSection {
+    std::variant<GravityForce, DragForce, WindForce, AttractorForce, RandomPushForce> force;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.force, Field{.name = "force", .help = "Which kind", .required = true});
+    }
+};
+
+struct WorldSection {
+    Point gravity{};
+    std::optional<double> damping;
+    std::optional<BoundsSection> bounds;
+    std::vector<ForceSection> forces;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.gravity, Field{.name = "gravity", .help = "Acceleration of everything", .unit = unit::acceleration});
+        visit(self.damping,
+              Field{.name = "damping",
+                    .help = "physical: the rate at which velocity decays, per time unit; classic: the share of the "
+                            "velocity kept each frame",
+                    .low = 0,
+                    .high = 1e6});
+        visit(self.bounds, Field{.name = "bounds", .help = "Walls around everything"});
+        visit(self.forces, Field{.name = "forces", .help = "Force fields, summed"});
+    }
+};
+
+struct RulesSection {
+    std::string order = "sweeps_last";
+    bool damp_after_force = false;
+    bool root_free = false;
+    double floor_keep = 1;
+    double time_scale = 1;
+    double longest_step = 4;
+    bool outward_bounce = false;
+    bool points_only_passes = false;
+    bool unscaled_inertia = false;
+    bool halved_acceleration = false;
+
+    static constexpr std::array<std::string_view, 3> orders = {"sweeps_last", "walls_each_pass", "interleaved"};
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.order, Field{.name = "order",
+                                .help = "When constraints are swept: after moving and walls; with the walls after "
+                                        "each sweep; or each point moved just before its first constraint",
+                                .choices = orders});
+        visit(self.damp_after_force,
+              Field{.name = "damp_after_force", .help = "(v + a) damping instead of v damping + a (Roblox)"});
+        visit(self.root_free,
+              Field{.name = "root_free", .help = "Distances without a square root: s = r^2/(d^2 + r^2) - 1/2"});
+        visit(self.floor_keep, Field{.name = "floor_keep",
+                                     .help = "Velocity along the floor kept each frame while resting on it",
+                                     .low = 0,
+                                     .high = 1});
+        visit(self.time_scale,
+              Field{.name = "time_scale", .help = "Slow motion below 1, fast above", .low = 0, .high = 100});
+        visit(self.longest_step,
+              Field{.name = "longest_step", .help = "Frames that a stall counts as, at most", .low = 1, .high = 1000});
+        visit(self.outward_bounce,
+              Field{.name = "outward_bounce", .help = "Known bug (Roblox): top and right walls keep the outward speed"});
+        visit(self.points_only_passes,
+              Field{.name = "points_only_passes",
+                    .help = "Known bug (Roblox): the passes move the points, the constraints are swept once"});
+        visit(self.unscaled_inertia,
+              Field{.name = "unscaled_inertia",
+                    .help = "Known bug (GameMaker): inertia does not shrink with the time step"});
+        visit(self.halved_acceleration,
+              Field{.name = "halved_acceleration", .help = "Known bug (tearable cloth): x += v + a/2 dt^2"});
+    }
+};
+
+struct SolverSection {
+    std::string mode = "physical";
+    std::string precision = "double";
+    int substeps = 16;
+    int iterations = 1;
+    double rate = 60;
+    int passes = 1;
+    RulesSection rules;
+    std::int64_t seed = 0;
+
+    static constexpr std::array<std::string_view, 2> modes = {"physical", "classic"};
+    static constexpr std::array<std::string_view, 2> precisions = {"float", "double"};
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.mode, Field{.name = "mode",
+                               .help = "physical: as it should be; classic: as the original demo behaved",
+                               .choices = modes});
+        visit(self.precision,
+              Field{.name = "precision", .help = "Of all numbers in the world", .choices = precisions});
+        visit(self.substeps, Field{.name = "substeps",
+                                   .help = "Parts that a step is divided into (physical mode)",
+                                   .low = 1,
+                                   .high = 1000});
+        visit(self.iterations, Field{.name = "iterations",
+                                     .help = "Sweeps over the constraints in each substep (physical mode)",
+                                     .low = 1,
+                                     .high = 1000});
+        visit(self.rate, Field{.name = "rate", .help = "Steps a second", .low = 1, .high = 10000});
+        visit(self.passes, Field{.name = "passes",
+                                 .help = "Sweeps over the constraints each frame (classic mode)",
+                                 .low = 0,
+                                 .high = 1000});
+        visit(self.rules, Field{.name = "rules", .help = "How the original did it (classic mode)"});
+        visit(self.seed, Field{.name = "seed", .help = "Of everything random that has no seed of its own"});
+    }
+};
+
+} // namespace sinew

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "sinew/scene/scene.h"
+#include "sinew/session/picture.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace sinew {
+
+/// What a session can tell about its world, in the scene's own units.
+struct Report {
+    double seconds = 0; ///< simulated
+    std::uint64_t steps = 0;
+    std::size_t particles = 0, constraints = 0;
+    std::uint64_t hash = 0;
+    double kinetic = 0, potential = 0, stored = 0;
+    double stretch_max = 0, stretch_mean = 0; ///< of distances, as fractions of their rest length
+    double max_speed = 0;
+};
+
+/// Something that happened, and when.
+struct Happening {
+    double seconds = 0;
+    std::string what; ///< "torn", "quarantined", or the name of a scene event ("grab")
+    std::string where; ///< the figure or particle, as the scene calls it; may be empty
+};
+
+/// A scene that runs: its world, a clock, the scene's events and a pointer. Headless; the window, the command and the web page feed
+/// it and paint its picture.
+class Session {
+  public:
+    explicit Session(Scene scene);
+
+    const Scene& scene() const { return scene_; }
+    const AnyWorld& world() const { return world_; }
+    AnyWorld& world() { return world_; }
+
+    /// Back to the start, as the scene says.
+    void restart();
+
+    /// One step of the scene's rate: what is due happens, then the world moves.
+    void step();
+    /// Steps until at least this many seconds are simulated.
+    void run_until(double seconds);
+    double seconds() const;
+
+    Report report() const;
+    /// All that happened so far; at most `most_happenings`, then only counted.
+    const std::vector<Happening>& happenings() const { return happenings_; }
+    std::size_t happening_count() const { return happening_count_; }
+    static constexpr std::size_t most_happenings = 10000;
+
+    /// Where a pixel of a picture of that size is in a 2D scene.
+    Vec2<double> place_of(Vec2<double> pixel, int width, int height) const;
+
+    /// The picture of now, filling `picture` (whose width and height the caller sets).
+    void draw(Picture& picture) const;
+
+  private:
+    struct Held {
+        std::string particle;
+        PinId pin;
+        Point from, to;
+        double since = 0, over = 0;
+    };
+    struct Blowing {
+        std::size_t force = 0;
+        double until = 0;
+    };
+
+    void happen(const EventSection& event);
+    void carry_held();
+    void still_gusts();
+    void note(std::string what, std::string where);
+    void note_events();
+
+    Scene scene_;
+    AnyWorld world_;
+    std::size_t next_event_ = 0;
+    std::vector<Held> held_;
+    std::vector<Blowing> blowing_;
+    std::vector<Happening> happenings_;
+    std::size_t happening_count_ = 0;
+};
+
+} // namespace sinew
