@@ -1,0 +1,288 @@
+#include "sinew/scene/diagnostic.h"
+
+#include "sinew/scene/utf8.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <tuple>
+#include <utility>
+
+namespace sinew {
+
+std::uint32_t Diagnostics::add_source(std::string name, std::string text) {
+    sources_.push_back({std::move(name), std::move(text)});
+    return std::uint32_t(sources_.size() - 1);
+}
+
+std::string_view Diagnostics::text(Span span) const {
+    return std::string_view(sources_[span.source].text).substr(span.begin, span.end - span.begin);
+}
+
+void Diagnostics::error(Span span, std::string path, std::string message, std::string help) {
+    if (full()) return count_one_more();
+    kept_.push_back({span, std::move(path), std::move(message), std::move(help)});
+}
+
+std::vector<Diagnostic> Diagnostics::in_order() const {
+    const auto key = [](const Diagnostic& d) { return std::tie(d.span.source, d.span.begin, d.span.end, d.message); };
+    auto sorted = kept_;
+    std::stable_sort(sorted.begin(), sorted.end(), [&](auto& a, auto& b) { return key(a) < key(b); });
+    sorted.erase(std::unique(sorted.begin(), sorted.end(), [&](auto& a, auto& b) { return key(a) == key(b); }),
+                 sorted.end());
+    return sorted;
+}
+
+namespace {
+
+/// Walks forward through sources, so that the places of sorted errors are found in one pass over a file of any size.
+class LineFinder {
+  public:
+    explicit LineFinder(const Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    Place find(Span span) {
+        if (span.source != source_ || span.begin < at_) *this = LineFinder(diagnostics_, span.source);
+        const std::string& text = diagnostics_.source(source_).text;
+        for (; at_ < span.begin; ++at_) {
+            if (text[at_] == '\n') {
+                place_ = {place_.line + 1, 1};
+                line_begin_ = at_ + 1;
+            } else if (!utf8::continues(text[at_])) {
+                ++place_.column;
+            }
+        }
+        return place_;
+    }
+
+    /// Of the line of the last place found.
+    std::size_t line_begin() const { return line_begin_; }
+
+  private:
+    LineFinder(const Diagnostics& diagnostics, std::uint32_t source) : diagnostics_(diagnostics), source_(source) {
+        if (diagnostics.source(source).text.starts_with("\xEF\xBB\xBF")) at_ = line_begin_ = 3;
+    }
+    LineFinder& operator=(const LineFinder& other) {
+        std::tie(source_, at_, line_begin_, place_) =
+            std::tie(other.source_, other.at_, other.line_begin_, other.place_);
+        return *this;
+    }
+
+    const Diagnostics& diagnostics_;
+    std::uint32_t source_ = ~std::uint32_t(0);
+    std::size_t at_ = 0;
+    std::size_t line_begin_ = 0;
+    Place place_;
+};
+
+/// The part of a source line that is shown, [begin, end), and whether it was cut on either side.
+struct Window {
+    std::size_t begin = 0, end = 0;
+    bool cut_before = false, cut_after = false;
+};
+
+std::size_t step_back(std::string_view text, std::size_t at, std::size_t stop, std::size_t characters) {
+    while (at > stop && characters > 0)
+        if (!utf8::continues(text[--at])) --characters;
+    return at;
+}
+
+std::size_t step_forward(std::string_view text, std::size_t at, std::size_t characters) {
+    while (at < text.size() && text[at] != '\n' && characters > 0) {
+        at += utf8::decode(text, at).bytes;
+        --characters;
+    }
+    return at;
+}
+
+Window window_around(std::string_view text, std::size_t line_begin, std::size_t at, std::size_t width) {
+    const auto is_line_end = [&](std::size_t i) { return i >= text.size() || text[i] == '\n'; };
+    Window window{.begin = line_begin, .end = step_forward(text, line_begin, width)};
+    if (!is_line_end(window.end)) {
+        window.begin = step_back(text, at, line_begin, width / 2);
+        window.end = step_forward(text, window.begin, width);
+    }
+    window.cut_before = window.begin > line_begin;
+    window.cut_after = !is_line_end(window.end);
+    if (!window.cut_after && window.end > window.begin && text[window.end - 1] == '\r') --window.end;
+    return window;
+}
+
+constexpr std::string_view tab = "    ";
+constexpr std::string_view cut = "...";
+
+/// Two lines of a terminal, the source above its marks.
+struct Excerpt {
+    std::string source, marks;
+};
+
+/// What a terminal shows of a character, and over how many columns.
+std::pair<std::string_view, std::size_t> shown(std::string_view text, std::size_t at, utf8::Decoded character) {
+    if (character.code == U'\t') return {tab, tab.size()};
+    if (!character.valid || utf8::is_control(character.code)) return {"?", 1};
+    return {text.substr(at, character.bytes), std::size_t(utf8::columns(character.code))};
+}
+
+Excerpt excerpt_of(std::string_view text, const Window& window, Span span) {
+    Excerpt excerpt;
+    if (window.cut_before) excerpt = {std::string(cut), std::string(cut.size(), ' ')};
+    for (std::size_t at = window.begin; at < window.end;) {
+        const auto character = utf8::decode(text, at);
+        const auto [printed, columns] = shown(text, at, character);
+        excerpt.source += printed;
+        if (at < span.begin) excerpt.marks.append(columns, ' ');
+        if (at >= span.begin && at < span.end) excerpt.marks.append(columns, '~');
+        at += character.bytes;
+    }
+    if (window.cut_after) excerpt.source += cut;
+
+    const auto first = excerpt.marks.find('~');
+    if (first == std::string::npos) excerpt.marks += '^';
+    else excerpt.marks[first] = '^';
+    return excerpt;
+}
+
+struct Paint {
+    bool on;
+    std::string operator()(std::string_view code, std::string_view text) const {
+        if (!on) return std::string(text);
+        return "\x1b[" + std::string(code) + "m" + std::string(text) + "\x1b[0m";
+    }
+};
+
+std::string padded(std::string text, std::size_t width) {
+    return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
+
+void print(std::string& out, const Diagnostics& diagnostics, const Diagnostic& diagnostic, LineFinder& finder,
+           const PrintStyle& style) {
+    const Paint paint{style.color};
+    const Source& source = diagnostics.source(diagnostic.span.source);
+    const Place place = finder.find(diagnostic.span);
+    const auto window = window_around(source.text, finder.line_begin(), diagnostic.span.begin, style.width);
+    const auto excerpt = excerpt_of(source.text, window, diagnostic.span);
+
+    const std::string where = source.name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ":";
+    const std::string number = padded(std::to_string(place.line), 5);
+    const std::string gutter(number.size() + 1, ' ');
+    const std::string path = diagnostic.path.empty() ? "/" : printable(diagnostic.path, 500);
+    out += paint("1", where) + " " + paint("1;31", "error:") + " " + diagnostic.message + " at " + path + "\n";
+    out += number + " | " + excerpt.source + "\n";
+    out += gutter + "| " + paint("1;32", excerpt.marks) + "\n";
+    if (!diagnostic.help.empty()) out += gutter + "= " + paint("1", "help:") + " " + diagnostic.help + "\n";
+}
+
+} // namespace
+
+Place place_of(const Diagnostics& diagnostics, Span span) {
+    return LineFinder(diagnostics).find(span);
+}
+
+std::string to_text(const Diagnostics& diagnostics, const PrintStyle& style) {
+    std::string out;
+    LineFinder finder(diagnostics);
+    const auto all = diagnostics.in_order();
+    const auto shown = std::min(all.size(), style.most);
+    for (std::size_t i = 0; i < shown; ++i) print(out, diagnostics, all[i], finder, style);
+    if (const auto rest = diagnostics.count() - shown; rest > 0)
+        out += "and " + std::to_string(rest) + (rest == 1 ? " more error\n" : " more errors\n");
+    return out;
+}
+
+namespace {
+
+constexpr std::size_t longest_word = 40;
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+}
+
+/// Edits that turn a into b, both at most `longest_word` long.
+std::size_t edits(std::string_view a, std::string_view b) {
+    std::array<std::array<std::size_t, longest_word + 1>, 3> rows{};
+    auto *before = &rows[0], *last = &rows[1], *row = &rows[2];
+    for (std::size_t j = 0; j <= b.size(); ++j) (*row)[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::tie(before, last, row) = std::tuple(last, row, before);
+        (*row)[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const auto same = [&](std::size_t p, std::size_t q) { return lower(a[p - 1]) == lower(b[q - 1]); };
+            (*row)[j] = std::min({(*last)[j] + 1, (*row)[j - 1] + 1, (*last)[j - 1] + (same(i, j) ? 0 : 1)});
+            if (i > 1 && j > 1 && same(i, j - 1) && same(i - 1, j)) (*row)[j] = std::min((*row)[j], (*before)[j - 2] + 1);
+        }
+    }
+    return (*row)[b.size()];
+}
+
+} // namespace
+
+std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
+    if (word.size() > longest_word) return {};
+    const auto difference = [](std::size_t a, std::size_t b) { return a < b ? b - a : a - b; };
+    std::size_t tries = 500; // a file can have thousands of names, and as many slips
+    std::size_t best_edits = std::max<std::size_t>(1, word.size() / 3) + 1;
+    std::string_view best;
+    for (const auto candidate : candidates) {
+        const bool begins = word.size() >= 3 && candidate.starts_with(word);
+        if (candidate.size() > longest_word || (!begins && difference(word.size(), candidate.size()) >= best_edits)) continue;
+        if (tries-- == 0) break;
+        const auto cost = begins ? std::size_t(1) : edits(word, candidate);
+        if (cost < best_edits && cost < std::max(word.size(), candidate.size())) {
+            best_edits = cost;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+std::string suggest(std::string_view word, std::vector<std::string_view> candidates) {
+    if (candidates.empty()) return "nothing is allowed here";
+    constexpr std::size_t most_listed = 32;
+    constexpr std::size_t most_sorted = 1000;
+    const auto unsorted = candidates.size() - std::min(candidates.size(), most_sorted);
+    std::string help;
+    const auto near = nearest(word, candidates);
+    if (!near.empty()) help = "did you mean " + in_quotes(near) + "? ";
+
+    candidates.resize(candidates.size() - unsorted);
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    help += near.empty() ? "allowed here: " : "(allowed here: ";
+    for (std::size_t i = 0; i < std::min(candidates.size(), most_listed); ++i)
+        help += (i > 0 ? ", " : "") + printable(candidates[i]);
+    if (candidates.size() > most_listed)
+        help += " and " + std::to_string(candidates.size() + unsorted - most_listed) + " more";
+    if (!near.empty()) help += ")";
+    return help;
+}
+
+std::string in_quotes(std::string_view text, std::size_t most_characters) {
+    return '"' + printable(text, most_characters) + '"';
+}
+
+std::string printable(std::string_view text, std::size_t most_characters) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string out;
+    for (std::size_t at = 0, count = 0; at < text.size(); ++count) {
+        if (count == most_characters) {
+            out += cut;
+            break;
+        }
+        const auto character = utf8::decode(text, at);
+        if (!character.valid || utf8::is_control(character.code)) {
+            out += "\\u";
+            for (int shift = 12; shift >= 0; shift -= 4) out += digits[(character.code >> shift) & 0xFu];
+        } else {
+            out += text.substr(at, character.bytes);
+        }
+        at += character.bytes;
+    }
+    return out;
+}
+
+std::string number_text(double number) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    return std::string(digits.data(), end);
+}
+
+} // namespace sinew

@@ -1,0 +1,183 @@
+#include "sinew/scene/reader.h"
+
+#include <algorithm>
+
+namespace sinew {
+
+std::string Path::text() const {
+    if (!parent_) return {};
+    constexpr std::size_t longest = 500; // bytes; keys can be long
+    std::string text = parent_->text();
+    if (text.size() > longest) return text;
+    return text + "/" + (is_index_ ? std::to_string(index_) : json::pointer_step(key_.substr(0, longest)));
+}
+
+namespace detail {
+namespace {
+
+std::string help_of(const Field& field) {
+    if (field.help.empty()) return {};
+    return (field.name.empty() ? "" : std::string(field.name) + ": ") + std::string(field.help);
+}
+
+/// "a number from 0 to 100 px"
+std::string expected_number(std::string_view noun, const Range& range, const Field& field, const Reading& in) {
+    std::string text(noun);
+    if (const auto limits = range_text(range); !limits.empty()) text += " " + limits;
+    if (const auto unit = in.units.text(field.unit); !unit.empty()) text += " " + unit;
+    return text;
+}
+
+/// `"a", "b" or "c"`; many are left to the help line.
+std::string one_of(std::span<const std::string_view> words) {
+    constexpr std::size_t most = 4;
+    if (words.size() > most) return "one of " + std::to_string(words.size()) + " words";
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + in_quotes(words[i]);
+    return text;
+}
+
+} // namespace
+
+bool refuse(const json::Value& value, const Field& field, const Path& path, const Reading& in, std::string_view expected) {
+    if (in.diagnostics.full()) in.diagnostics.count_one_more();
+    else
+        in.diagnostics.error(value.span, path.text(),
+                             "expected " + std::string(expected) + ", found " + json::describe(value), help_of(field));
+    return false;
+}
+
+bool read_truth(const json::Value& value, bool& target, const Field& field, const Path& path, const Reading& in) {
+    const auto* truth = value.as<bool>();
+    if (!truth) return refuse(value, field, path, in, "true or false");
+    target = *truth;
+    return true;
+}
+
+bool read_number(const json::Value& value, double& target, const Field& field, const Path& path, const Reading& in) {
+    const Range range = range_in_file(field, in.units);
+    const auto* number = value.as<json::Number>();
+    if (!number || number->value < range.low || number->value > range.high)
+        return refuse(value, field, path, in, expected_number("a number", range, field, in));
+    target = number->value * in_program(field.unit);
+    return true;
+}
+
+bool read_integer(const json::Value& value, std::int64_t& target, Range range, const Field& field, const Path& path,
+                  const Reading& in) {
+    const auto* number = value.as<json::Number>();
+    if (!number || !number->integer || number->value < range.low || number->value > range.high)
+        return refuse(value, field, path, in, expected_number("an integer", range, field, in));
+    target = *number->integer;
+    return true;
+}
+
+bool read_string(const json::Value& value, std::string& target, const Field& field, const Path& path, const Reading& in) {
+    const auto* text = value.as<std::string>();
+    const bool any = field.choices.empty();
+    if (text && (any || std::ranges::find(field.choices, *text) != field.choices.end())) {
+        target = *text;
+        return true;
+    }
+    if (any) return refuse(value, field, path, in, "a string");
+    if (in.diagnostics.full()) return in.diagnostics.count_one_more(), false;
+    const std::vector<std::string_view> choices(field.choices.begin(), field.choices.end());
+    in.diagnostics.error(value.span, path.text(),
+                         "expected " + one_of(field.choices) + ", found " + json::describe(value),
+                         suggest(text ? std::string_view(*text) : std::string_view(), choices));
+    return false;
+}
+
+const json::Array* array_of(const json::Value& value, std::size_t size, const Field& field, const Path& path,
+                            const Reading& in) {
+    const auto* items = value.as<json::Array>();
+    if (items && items->size() == size) return items;
+    refuse(value, field, path, in, "an array of " + std::to_string(size));
+    return nullptr;
+}
+
+void report_missing(const json::Value& object, const Field& field, const Path& path, const Reading& in) {
+    if (in.diagnostics.full()) return in.diagnostics.count_one_more();
+    const Span brace{object.span.source, object.span.begin, std::min(object.span.begin + 1, object.span.end)};
+    in.diagnostics.error(brace, path.text(), "missing property " + in_quotes(field.name), help_of(field));
+}
+
+bool report_unknown(const json::Object& object, const std::vector<std::string_view>& allowed, const Path& path,
+                    const Reading& in) {
+    bool any = false;
+    for (const auto& member : object) {
+        if (std::ranges::find(allowed, member.key) != allowed.end()) continue;
+        any = true;
+        if (in.diagnostics.full()) in.diagnostics.count_one_more();
+        else
+            in.diagnostics.error(member.key_span, path.text(), "unknown property " + in_quotes(member.key),
+                                 suggest(member.key, allowed));
+    }
+    return any;
+}
+
+bool FieldReader::finish() {
+    if (good_ && taken_ == object_.size()) return true;
+    return !report_unknown(object_, allowed_, path_, in_) && good_;
+}
+
+namespace {
+
+std::size_t index_of(std::span<const std::string_view> names, std::string_view name) {
+    const auto found = std::ranges::find(names, name);
+    return found == names.end() ? none : std::size_t(found - names.begin());
+}
+
+/// {"prefab": "rope"}
+std::size_t choose_by_value(const json::Member& tag, const Alternatives& alternatives, const Path& parent,
+                            const Reading& in) {
+    const Path path(parent, tag.key);
+    const auto* word = tag.value.as<std::string>();
+    if (!word) return refuse(tag.value, alternatives.field, path, in, "a string"), wrong;
+    const auto index = index_of(alternatives.names, *word);
+    if (index != none) return index;
+    if (in.diagnostics.full()) in.diagnostics.count_one_more();
+    else
+        in.diagnostics.error(tag.value.span, path.text(), "unknown " + tag.key + " " + in_quotes(*word),
+                             suggest(*word, alternatives.names));
+    return wrong;
+}
+
+/// {"grab": ...}
+std::size_t choose_by_key(const json::Object& object, const Alternatives& alternatives, const Path& path,
+                          const Reading& in) {
+    std::size_t chosen = none;
+    for (const auto& member : object) {
+        const auto index = index_of(alternatives.names, member.key);
+        if (index == none) continue;
+        if (chosen != none) {
+            in.diagnostics.error(member.key_span, path.text(),
+                                 in_quotes(member.key) + " beside " + in_quotes(alternatives.names[chosen]),
+                                 "only one of them can be here");
+            return wrong;
+        }
+        chosen = index;
+    }
+    return chosen;
+}
+
+} // namespace
+
+std::size_t choose(const json::Value& value, const Alternatives& alternatives, const Path& path, const Reading& in) {
+    const auto& object = *value.as<json::Object>();
+    const Field& field = alternatives.field;
+    const auto* tag = field.name.empty() ? nullptr : json::find(object, field.name);
+    if (tag) return choose_by_value(*tag, alternatives, path, in);
+    const auto chosen = field.name.empty() ? choose_by_key(object, alternatives, path, in) : none;
+    if (chosen != none || !field.required) return chosen;
+
+    if (!field.name.empty()) return report_missing(value, field, path, in), wrong;
+    const Span brace{value.span.source, value.span.begin, std::min(value.span.begin + 1, value.span.end)};
+    in.diagnostics.error(brace, path.text(), "expected a property " + one_of(alternatives.names),
+                         suggest({}, alternatives.names));
+    return wrong;
+}
+
+} // namespace detail
+} // namespace sinew

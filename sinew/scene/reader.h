@@ -1,0 +1,256 @@
+#pragma once
+
+#include "sinew/scene/diagnostic.h"
+#include "sinew/scene/json.h"
+#include "sinew/scene/types.h"
+#include "sinew/scene/units.h"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Fills records from JSON by walking their `fields`. Reading goes on after an error, so that one run reports them all; what
+/// could not be read keeps its default.
+namespace sinew {
+
+/// What the reading of one scene shares.
+struct Reading {
+    Diagnostics& diagnostics;
+    int dimension = 2;
+    Units units = {};
+};
+
+/// Where in the document the reader is; a chain on the stack, made text only for a message.
+class Path {
+  public:
+    Path() = default;
+    Path(const Path& parent, std::string_view key) : parent_(&parent), key_(key) {}
+    Path(const Path& parent, std::size_t index) : parent_(&parent), index_(index), is_index_(true) {}
+    /// A JSON pointer.
+    std::string text() const;
+
+  private:
+    const Path* parent_ = nullptr;
+    std::string_view key_;
+    std::size_t index_ = 0;
+    bool is_index_ = false;
+};
+
+namespace detail {
+
+/// Reports "expected ..., found ..."; always false.
+bool refuse(const json::Value& value, const Field& field, const Path& path, const Reading& in, std::string_view expected);
+bool read_truth(const json::Value& value, bool& target, const Field& field, const Path& path, const Reading& in);
+bool read_number(const json::Value& value, double& target, const Field& field, const Path& path, const Reading& in);
+bool read_integer(const json::Value& value, std::int64_t& target, Range range, const Field& field, const Path& path,
+                  const Reading& in);
+bool read_string(const json::Value& value, std::string& target, const Field& field, const Path& path, const Reading& in);
+/// The array, if the value is one of that many items.
+const json::Array* array_of(const json::Value& value, std::size_t size, const Field& field, const Path& path,
+                            const Reading& in);
+
+void report_missing(const json::Value& object, const Field& field, const Path& path, const Reading& in);
+/// Whether there was any.
+bool report_unknown(const json::Object& object, const std::vector<std::string_view>& allowed, const Path& path,
+                    const Reading& in);
+
+/// The alternatives of a variant field as the file knows them.
+struct Alternatives {
+    std::vector<std::string_view> names;
+    const Field& field;
+};
+/// Which alternative an object means: an index into the names, `none` where it does not say, `wrong` (reported) where it says
+/// something else.
+inline constexpr std::size_t none = std::size_t(-1), wrong = std::size_t(-2);
+std::size_t choose(const json::Value& value, const Alternatives& alternatives, const Path& path, const Reading& in);
+
+template <class T> void scale_defaults(T& value, const Field& field, const Units& units);
+
+template <class T> T fresh(const Field& field, const Units& units) {
+    T value{};
+    scale_defaults(value, field, units);
+    return value;
+}
+
+/// Reads the fields of one object into a record, and of the alternatives it has; collects the names allowed there.
+class FieldReader {
+  public:
+    FieldReader(const json::Value& value, const json::Object& object, const Path& path, const Reading& in)
+        : value_(value), object_(object), path_(path), in_(in) {}
+
+    template <Record R> bool read_fields(R& record);
+    /// Members that no field took are errors.
+    bool finish();
+
+  private:
+    template <class T> void read_field(T& target, const Field& field);
+    template <class T> void read_variant(T& target, const Field& field);
+
+    const json::Value& value_;
+    const json::Object& object_;
+    const Path& path_;
+    const Reading& in_;
+    std::vector<std::string_view> allowed_;
+    std::size_t taken_ = 0;
+    bool good_ = true;
+};
+
+} // namespace detail
+
+/// Reads a value into anything a field can be (types.h). False where something was wrong, which the diagnostics then tell.
+template <class T>
+bool read(const json::Value& value, T& target, const Field& field, const Path& path, const Reading& in) {
+    using namespace detail;
+    if constexpr (std::same_as<T, bool>) {
+        return read_truth(value, target, field, path, in);
+    } else if constexpr (Integer<T>) {
+        static_assert(sizeof(T) < 8 || std::signed_integral<T>, "numbers of JSON are read as 64 bits with a sign");
+        const Range range = range_in_file(field, in.units);
+        using Limit = std::numeric_limits<T>;
+        std::int64_t number = 0;
+        const Range both{maximum(range.low, double(Limit::min())), minimum(range.high, double(Limit::max()))};
+        if (!read_integer(value, number, both, field, path, in)) return false;
+        target = T(number);
+        return true;
+    } else if constexpr (std::floating_point<T>) {
+        double number = 0;
+        if (!read_number(value, number, field, path, in)) return false;
+        target = T(number);
+        return true;
+    } else if constexpr (std::same_as<T, std::string>) {
+        return read_string(value, target, field, path, in);
+    } else if constexpr (std::same_as<T, json::Value>) {
+        target = value;
+        return true;
+    } else if constexpr (std::same_as<T, Point>) {
+        const auto* items = array_of(value, std::size_t(in.dimension), field, path, in);
+        if (!items) return false;
+        bool good = true;
+        for (std::size_t i = 0; i < items->size(); ++i)
+            good &= read((*items)[i], target.component[i], element_of(field), Path(path, i), in);
+        return good;
+    } else if constexpr (array_size<T> > 0) {
+        const auto* items = array_of(value, array_size<T>, field, path, in);
+        if (!items) return false;
+        bool good = true;
+        for (std::size_t i = 0; i < items->size(); ++i)
+            good &= read((*items)[i], elements(target)[i], element_of(field), Path(path, i), in);
+        return good;
+    } else if constexpr (is_map<T>) {
+        const auto* members = value.as<json::Object>();
+        if (!members) return refuse(value, field, path, in, "an object");
+        target.clear();
+        bool good = true;
+        for (const auto& [key, item, span] : *members) {
+            target.emplace_back(key, fresh<typename T::value_type::second_type>(field, in.units));
+            good &= read(item, target.back().second, element_of(field), Path(path, key), in);
+        }
+        return good;
+    } else if constexpr (is_vector<T>) {
+        static_assert(!std::same_as<T, std::vector<bool>>, "a vector of bool has no elements to read into");
+        const auto* items = value.as<json::Array>();
+        if (!items) return refuse(value, field, path, in, "an array");
+        target.clear();
+        target.reserve(items->size());
+        bool good = true;
+        for (std::size_t i = 0; i < items->size(); ++i) {
+            target.push_back(fresh<typename T::value_type>(field, in.units));
+            good &= read((*items)[i], target.back(), element_of(field), Path(path, i), in);
+        }
+        return good;
+    } else if constexpr (is_optional<T>) {
+        if (!target) target = fresh<typename T::value_type>(field, in.units);
+        return read(value, *target, field, path, in);
+    } else {
+        static_assert(Record<T>, "types.h lists what a field can be");
+        const auto* object = value.as<json::Object>();
+        if (!object) return refuse(value, field, path, in, "an object");
+        FieldReader reader(value, *object, path, in);
+        reader.read_fields(target);
+        return reader.finish();
+    }
+}
+
+/// Reads a whole record, its defaults first brought into the units of the scene.
+template <Record R> bool read(const json::Value& value, R& record, const Reading& in) {
+    record = detail::fresh<R>({}, in.units);
+    return read(value, record, Field{}, Path{}, in);
+}
+
+namespace detail {
+
+template <class T> void scale_defaults(T& value, const Field& field, const Units& units) {
+    if constexpr (std::floating_point<T>) {
+        if (const double scale = units.scale(field.unit); scale != 1) value = T(rounded(double(value) * scale));
+    } else if constexpr (std::same_as<T, Point>) {
+        for (auto& number : value.component) scale_defaults(number, field, units);
+    } else if constexpr (array_size<T> > 0) {
+        for (auto& item : elements(value)) scale_defaults(item, field, units);
+    } else if constexpr (is_map<T>) {
+        for (auto& item : value) scale_defaults(item.second, field, units);
+    } else if constexpr (is_vector<T>) {
+        for (auto& item : value) scale_defaults(item, field, units);
+    } else if constexpr (is_variant<T>) {
+        visit_held(value, [&](auto& record) { scale_defaults(record, {}, units); });
+    } else if constexpr (is_optional<T>) {
+        if (value) scale_defaults(*value, field, units);
+    } else if constexpr (Record<T>) {
+        T::fields(value, [&](auto& member, const Field& of) { scale_defaults(member, of, units); });
+    }
+}
+
+template <Record R> bool FieldReader::read_fields(R& record) {
+    R::fields(record, [&](auto& member, const Field& field) {
+        if constexpr (is_variant<std::remove_cvref_t<decltype(member)>>) this->read_variant(member, field);
+        else this->read_field(member, field);
+    });
+    return good_;
+}
+
+template <class T> void FieldReader::read_field(T& target, const Field& field) {
+    allowed_.push_back(field.name);
+    if (const auto* member = json::find(object_, field.name)) {
+        ++taken_;
+        good_ &= read(member->value, target, field, Path(path_, field.name), in_);
+    } else if (field.required) {
+        good_ = false;
+        report_missing(value_, field, path_, in_);
+    }
+}
+
+template <class T> void FieldReader::read_variant(T& target, const Field& field) {
+    Alternatives alternatives{{}, field};
+    each_alternative(std::type_identity<T>{},
+                     [&]<class A>(std::type_identity<A>) { alternatives.names.push_back(A::name); });
+    if (!field.name.empty()) {
+        allowed_.push_back(field.name);
+        if (json::find(object_, field.name)) ++taken_;
+    }
+
+    const auto chosen = choose(value_, alternatives, path_, in_);
+    good_ &= chosen != wrong;
+    if (chosen == none) {
+        if (field.name.empty()) allowed_.insert(allowed_.end(), alternatives.names.begin(), alternatives.names.end());
+        return visit_held(target, [&](auto& record) { this->read_fields(record); });
+    }
+    std::size_t index = 0;
+    each_alternative(std::type_identity<T>{}, [&]<class A>(std::type_identity<A>) {
+        if (index++ == chosen) {
+            auto record = fresh<A>({}, in_.units);
+            this->read_fields(record);
+            target = std::move(record);
+        } else if (chosen == wrong) {
+            // Not knowing which is meant, call nothing unknown that any of them has.
+            for (const auto name : names_of<A>()) {
+                allowed_.push_back(name);
+                if (json::find(object_, name)) ++taken_;
+            }
+        }
+    });
+}
+
+} // namespace detail
+
+} // namespace sinew

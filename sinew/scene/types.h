@@ -1,0 +1,120 @@
+#pragma once
+
+#include "sinew/math/point.h"
+#include "sinew/math/record.h"
+#include "sinew/math/vec.h"
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// The types that a field of a record can have:
+///
+///     bool, integers, double, std::string     a value; a string may have `choices`
+///     Point                                   as many numbers as the scene has dimensions
+///     Vec<D, double>, std::array<T, N>        exactly so many
+///     std::vector<T>                          any number
+///     std::vector<std::pair<std::string, T>>  names and what they stand for, in the order of the file
+///     std::optional<T>                        may be left out, and the program can tell
+///     a Record                                an object
+///     std::variant<Records...>                one of several records, see below
+///     json::Value                             kept as it is
+///
+/// A variant lies flat in the object of the record it is a field of. Its alternatives are records with a
+/// `static constexpr ... name`, and the field's name is the key that says which: with Field{.name = "prefab"} the object
+/// {"prefab": "rope", "name": "r", "segments": 20} holds the record called rope and its field segments, beside the fields of
+/// the record around. Where the key is missing, the first alternative is meant (none, for an optional variant). With an empty field name the alternative is
+/// the one whose name is among the keys: {"grab": "bob/right_hand", "over": 30}.
+namespace sinew {
+
+namespace detail {
+
+template <class T> inline constexpr bool is_optional = false;
+template <class T> inline constexpr bool is_optional<std::optional<T>> = true;
+
+template <class T> inline constexpr bool is_vector = false;
+template <class T> inline constexpr bool is_vector<std::vector<T>> = true;
+
+template <class T> inline constexpr bool is_map = false;
+template <class T> inline constexpr bool is_map<std::vector<std::pair<std::string, T>>> = true;
+
+template <class T> inline constexpr bool is_variant = false;
+template <class... T> inline constexpr bool is_variant<std::variant<T...>> = true;
+template <class... T> inline constexpr bool is_variant<std::optional<std::variant<T...>>> = true;
+
+/// N numbers or other things, where N is fixed by the type; 0 elsewhere.
+template <class T> inline constexpr std::size_t array_size = 0;
+template <class T, std::size_t N> inline constexpr std::size_t array_size<std::array<T, N>> = N;
+template <int D, class T> inline constexpr std::size_t array_size<Vec<D, T>> = std::size_t(D);
+
+template <class T, std::size_t N> std::array<T, N>& elements(std::array<T, N>& array) {
+    return array;
+}
+template <class T, std::size_t N> const std::array<T, N>& elements(const std::array<T, N>& array) {
+    return array;
+}
+template <int D, class T> auto& elements(Vec<D, T>& vec) {
+    return vec.component;
+}
+template <int D, class T> const auto& elements(const Vec<D, T>& vec) {
+    return vec.component;
+}
+
+template <class T>
+concept Integer = std::integral<T> && !std::same_as<T, bool>;
+
+/// Calls visit(std::type_identity<R>{}) for each alternative.
+template <class Visit, class... R> void each_alternative(std::type_identity<std::variant<R...>>, Visit&& visit) {
+    (visit(std::type_identity<R>{}), ...);
+}
+template <class Visit, class... R>
+void each_alternative(std::type_identity<std::optional<std::variant<R...>>>, Visit&& visit) {
+    (visit(std::type_identity<R>{}), ...);
+}
+
+/// Calls visit(record) with the alternative held, if any.
+template <class Visit, class... R> void visit_held(std::variant<R...>& variant, Visit&& visit) {
+    (void)((std::get_if<R>(&variant) ? (visit(*std::get_if<R>(&variant)), true) : false) || ...);
+}
+template <class Visit, class... R> void visit_held(const std::variant<R...>& variant, Visit&& visit) {
+    (void)((std::get_if<R>(&variant) ? (visit(*std::get_if<R>(&variant)), true) : false) || ...);
+}
+template <class Variant, class Visit> void visit_held(std::optional<Variant>& variant, Visit&& visit) {
+    if (variant) visit_held(*variant, visit);
+}
+template <class Variant, class Visit> void visit_held(const std::optional<Variant>& variant, Visit&& visit) {
+    if (variant) visit_held(*variant, visit);
+}
+
+/// The field's description as it applies to each element of a list.
+constexpr Field element_of(Field field) {
+    field.required = false;
+    return field;
+}
+
+} // namespace detail
+
+/// Names of everything the record's object may hold: its fields and those of its alternatives.
+template <Record R> std::vector<std::string_view> names_of() {
+    std::vector<std::string_view> names;
+    R record;
+    R::fields(record, [&](auto& member, const Field& field) {
+        using T = std::remove_cvref_t<decltype(member)>;
+        if (!field.name.empty()) names.push_back(field.name);
+        if constexpr (detail::is_variant<T>) {
+            detail::each_alternative(std::type_identity<T>{}, [&]<class A>(std::type_identity<A>) {
+                for (const auto name : names_of<A>()) names.push_back(name);
+            });
+        }
+    });
+    return names;
+}
+
+} // namespace sinew
