@@ -35,12 +35,16 @@ std::string_view name_of(const Value& element) {
 /// Positions of keys, found in logarithmic time: patches of hostile files are as long as what they patch.
 class Index {
   public:
+    using Entry = std::pair<std::string_view, std::size_t>;
     void add(std::string_view key, std::size_t position) { sorted_.emplace_back(key, position); }
     void sort() { std::sort(sorted_.begin(), sorted_.end()); }
-    auto equal(std::string_view key) const { return std::ranges::equal_range(sorted_, key, {}, &Entry::first); }
+    std::span<const Entry> equal(std::string_view key) const {
+        const auto before = [](const Entry& a, const Entry& b) { return a.first < b.first; };
+        const auto [first, last] = std::equal_range(sorted_.begin(), sorted_.end(), Entry{key, 0}, before);
+        return {first, last};
+    }
 
   private:
-    using Entry = std::pair<std::string_view, std::size_t>;
     std::vector<Entry> sorted_;
 };
 
