@@ -136,8 +136,10 @@ Excerpt excerpt_of(std::string_view text, const Window& window, Span span) {
     if (window.cut_after) excerpt.source += cut;
 
     const auto first = excerpt.marks.find('~');
-    if (first == std::string::npos) excerpt.marks += '^';
-    else excerpt.marks[first] = '^';
+    if (first == std::string::npos)
+        excerpt.marks += '^';
+    else
+        excerpt.marks[first] = '^';
     return excerpt;
 }
 
@@ -207,7 +209,8 @@ std::size_t edits(std::string_view a, std::string_view b) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const auto same = [&](std::size_t p, std::size_t q) { return lower(a[p - 1]) == lower(b[q - 1]); };
             (*row)[j] = std::min({(*last)[j] + 1, (*row)[j - 1] + 1, (*last)[j - 1] + (same(i, j) ? 0 : 1)});
-            if (i > 1 && j > 1 && same(i, j - 1) && same(i - 1, j)) (*row)[j] = std::min((*row)[j], (*before)[j - 2] + 1);
+            if (i > 1 && j > 1 && same(i, j - 1) && same(i - 1, j))
+                (*row)[j] = std::min((*row)[j], (*before)[j - 2] + 1);
         }
     }
     return (*row)[b.size()];
@@ -223,7 +226,8 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
     std::string_view best;
     for (const auto candidate : candidates) {
         const bool begins = word.size() >= 3 && candidate.starts_with(word);
-        if (candidate.size() > longest_word || (!begins && difference(word.size(), candidate.size()) >= best_edits)) continue;
+        if (candidate.size() > longest_word || (!begins && difference(word.size(), candidate.size()) >= best_edits))
+            continue;
         if (tries-- == 0) break;
         const auto cost = begins ? std::size_t(1) : edits(word, candidate);
         if (cost < best_edits && cost < std::max(word.size(), candidate.size())) {

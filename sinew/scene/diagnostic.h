@@ -78,8 +78,8 @@ struct PrintStyle {
 ///           = help: did you mean "mass"? (allowed here: id, mass, pinned, pos)
 std::string to_text(const Diagnostics& diagnostics, const PrintStyle& style = {});
 
-/// The candidate that `word` is most likely a slip of, or nothing where none is close: insertions, deletions, changes and
-/// swaps of neighbours count (optimal string alignment), case does not.
+/// The candidate that `word` is most likely a slip of, or nothing where none is close: insertions, deletions, changes
+/// and swaps of neighbours count (optimal string alignment), case does not.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// `did you mean "mass"? (allowed here: id, mass, pinned, pos)`

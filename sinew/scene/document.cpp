@@ -53,8 +53,10 @@ class ElementNames {
   public:
     explicit ElementNames(const Array& items) : size_(items.size()) {
         for (std::size_t i = 0; i < items.size(); ++i) {
-            if (const auto name = text_of(items[i], "name"); !name.empty()) names_.add(name, i);
-            else prefabs_.add(text_of(items[i], "prefab"), i);
+            if (const auto name = text_of(items[i], "name"); !name.empty())
+                names_.add(name, i);
+            else
+                prefabs_.add(text_of(items[i], "prefab"), i);
         }
         names_.sort();
         prefabs_.sort();
@@ -75,7 +77,8 @@ class ElementNames {
 };
 
 /// Reports that a key names no element of the array.
-void report_no_element(Diagnostics& diagnostics, const Array& items, std::string_view key, Span span, const Path& path) {
+void report_no_element(Diagnostics& diagnostics, const Array& items, std::string_view key, Span span,
+                       const Path& path) {
     if (diagnostics.full()) return diagnostics.count_one_more();
     std::vector<std::string_view> names;
     for (const auto& item : items)
@@ -125,9 +128,12 @@ void merge_into_array(Array& items, const Object& patch, const Path& path, Diagn
     std::vector<bool> removed(items.size());
     for (std::size_t i = 0; i < patch.size(); ++i) {
         const auto& [key, value, span] = patch[i];
-        if (!meant[i]) report_no_element(diagnostics, items, key, span, path);
-        else if (value.is_null()) removed[*meant[i]] = true;
-        else merge(items[*meant[i]], value, Path(path, *meant[i]), diagnostics);
+        if (!meant[i])
+            report_no_element(diagnostics, items, key, span, path);
+        else if (value.is_null())
+            removed[*meant[i]] = true;
+        else
+            merge(items[*meant[i]], value, Path(path, *meant[i]), diagnostics);
     }
     erase_marked(items, removed);
 }
@@ -143,8 +149,10 @@ void merge_into_object(Object& members, const Object& patch, const Path& path, D
         if (found.empty() && !value.is_null()) added.push_back({key, without_nulls(value), span});
         if (found.empty()) continue;
         auto& member = members[found.front().second];
-        if (value.is_null()) removed[found.front().second] = true;
-        else merge(member.value, value, Path(path, member.key), diagnostics);
+        if (value.is_null())
+            removed[found.front().second] = true;
+        else
+            merge(member.value, value, Path(path, member.key), diagnostics);
     }
     erase_marked(members, removed);
     members.insert(members.end(), std::move_iterator(added.begin()), std::move_iterator(added.end()));
@@ -154,9 +162,12 @@ void merge(Value& target, const Value& patch, const Path& path, Diagnostics& dia
     const auto* changes = patch.as<Object>();
     auto* items = target.as<Array>();
     auto* members = target.as<Object>();
-    if (changes && items) merge_into_array(*items, *changes, path, diagnostics);
-    else if (changes && members) merge_into_object(*members, *changes, path, diagnostics);
-    else target = without_nulls(patch);
+    if (changes && items)
+        merge_into_array(*items, *changes, path, diagnostics);
+    else if (changes && members)
+        merge_into_object(*members, *changes, path, diagnostics);
+    else
+        target = without_nulls(patch);
 }
 
 /// Applies the patch of the mode and removes "modes". A patch for a mode that there is not is an error.
@@ -207,7 +218,8 @@ std::vector<Step> steps_of(std::string_view path, std::uint32_t source) {
     std::vector<Step> steps;
     for (std::size_t begin = 0; begin <= path.size();) {
         const auto end = std::min(path.find('.', begin), path.size());
-        steps.push_back({std::string(path.substr(begin, end - begin)), {source, std::uint32_t(begin), std::uint32_t(end)}});
+        steps.push_back(
+            {std::string(path.substr(begin, end - begin)), {source, std::uint32_t(begin), std::uint32_t(end)}});
         begin = end + 1;
     }
     if (steps.size() == 1 && (steps[0].key == "mode" || steps[0].key == "precision"))
@@ -262,7 +274,8 @@ std::optional<Assignment> take_apart(const Override& override, Diagnostics& diag
 }
 
 /// Sets the value that the steps lead to, making objects on the way; the reader finds those that mean nothing.
-void assign(Value& target, std::span<const Step> steps, const Value& value, const Path& path, Diagnostics& diagnostics) {
+void assign(Value& target, std::span<const Step> steps, const Value& value, const Path& path,
+            Diagnostics& diagnostics) {
     if (steps.empty()) {
         target = value;
         return;
@@ -272,8 +285,10 @@ void assign(Value& target, std::span<const Step> steps, const Value& value, cons
     if (auto* items = target.as<Array>()) {
         const auto index = ElementNames(*items).find(step.key);
         if (!index) return report_no_element(diagnostics, *items, step.key, step.span, path);
-        if (rest.empty() && value.is_null()) items->erase(items->begin() + std::ptrdiff_t(*index));
-        else assign((*items)[*index], rest, value, Path(path, *index), diagnostics);
+        if (rest.empty() && value.is_null())
+            items->erase(items->begin() + std::ptrdiff_t(*index));
+        else
+            assign((*items)[*index], rest, value, Path(path, *index), diagnostics);
         return;
     }
     auto* members = target.as<Object>();
@@ -345,8 +360,10 @@ Document load(std::string text, std::string name, std::span<const Override> over
 
     document.root = Value(Object{});
     if (auto root = json::parse(file, diagnostics, document.limits)) {
-        if (root->as<Object>()) document.root = std::move(*root);
-        else diagnostics.error(root->span, "", "expected an object, found " + json::describe(*root));
+        if (root->as<Object>())
+            document.root = std::move(*root);
+        else
+            diagnostics.error(root->span, "", "expected an object, found " + json::describe(*root));
     }
     document.mode = mode_of(document, assignments);
     std::erase_if(*document.root.as<Object>(), [](const Member& member) { return member.key == "$schema"; });

@@ -48,10 +48,14 @@ class Cursor {
     void skip_space() {
         while (!at_end()) {
             const auto rest = text_.substr(at_);
-            if (is_space(rest[0])) ++at_;
-            else if (rest.starts_with("//")) skip_comment("\n");
-            else if (rest.starts_with("/*")) skip_comment("*/");
-            else return;
+            if (is_space(rest[0]))
+                ++at_;
+            else if (rest.starts_with("//"))
+                skip_comment("\n");
+            else if (rest.starts_with("/*"))
+                skip_comment("*/");
+            else
+                return;
         }
     }
 
@@ -64,9 +68,12 @@ class Cursor {
     /// The token here: a string with its quotes, a word or number, or one character.
     Span token(std::uint32_t source) const {
         std::size_t end = at_;
-        if (peek() == '"') end = string_end();
-        else if (peek() == '0' || text_.substr(at_).starts_with("-0")) end = leading_zero_end();
-        else end = word_end(at_);
+        if (peek() == '"')
+            end = string_end();
+        else if (peek() == '0' || text_.substr(at_).starts_with("-0"))
+            end = leading_zero_end();
+        else
+            end = word_end(at_);
         if (end == at_ && !at_end()) end += utf8::decode(text_, at_).bytes;
         return {source, std::uint32_t(at_), std::uint32_t(end)};
     }
@@ -208,8 +215,7 @@ class Builder {
 
     bool count(Span span) {
         if (++values_ <= limits_.values) return true;
-        return fail(span, "more than " + std::to_string(limits_.values) + " values",
-                    "limits.values=N allows more");
+        return fail(span, "more than " + std::to_string(limits_.values) + " values", "limits.values=N allows more");
     }
 
     bool short_enough(const std::string& text, Span span) {
@@ -260,8 +266,10 @@ class Builder {
         }
         Open& parent = open_.back();
         parent.empty = false;
-        if (auto* items = parent.container.as<Array>()) items->push_back(std::move(value));
-        else parent.container.as<Object>()->push_back({std::move(parent.key), std::move(value), parent.key_span});
+        if (auto* items = parent.container.as<Array>())
+            items->push_back(std::move(value));
+        else
+            parent.container.as<Object>()->push_back({std::move(parent.key), std::move(value), parent.key_span});
         return true;
     }
 
@@ -269,21 +277,24 @@ class Builder {
     void remove_duplicates(Object& members) {
         std::vector<std::uint32_t> order(members.size());
         for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::stable_sort(order.begin(), order.end(),
-                         [&](auto a, auto b) { return members[a].key < members[b].key; });
+        std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return members[a].key < members[b].key; });
         std::vector<std::uint32_t> repeated;
         for (std::size_t i = 1; i < order.size(); ++i)
             if (members[order[i]].key == members[order[i - 1]].key) repeated.push_back(order[i]);
         for (const auto i : repeated) {
-            if (diagnostics_.full()) diagnostics_.count_one_more();
-            else error(members[i].key_span, "duplicate property " + in_quotes(members[i].key));
+            if (diagnostics_.full())
+                diagnostics_.count_one_more();
+            else
+                error(members[i].key_span, "duplicate property " + in_quotes(members[i].key));
         }
         std::sort(repeated.begin(), repeated.end(), std::greater<>());
         if (repeated.empty()) return;
         Object kept;
         for (std::uint32_t i = 0; i < members.size(); ++i) {
-            if (!repeated.empty() && repeated.back() == i) repeated.pop_back();
-            else kept.push_back(std::move(members[i]));
+            if (!repeated.empty() && repeated.back() == i)
+                repeated.pop_back();
+            else
+                kept.push_back(std::move(members[i]));
         }
         members = std::move(kept);
     }
@@ -309,7 +320,8 @@ class Builder {
         if (root_) return error(span, "expected the end of the file, found " + found(token));
         if (after_key_ && !separated) return error(span, "expected \":\" after the key, found " + found(token));
         if (!after_key_ && !first && !separated)
-            return error(span, std::string("expected \",\" or \"") + (in_object ? '}' : ']') + "\", found " + found(token));
+            return error(span,
+                         std::string("expected \",\" or \"") + (in_object ? '}' : ']') + "\", found " + found(token));
         if (separated && !after_key_ && (token == "}" || token == "]")) {
             const Span comma{source_, std::uint32_t(before_separator), std::uint32_t(before_separator + 1)};
             return error(comma, "a comma before " + in_quotes(token), "remove it");
@@ -320,7 +332,8 @@ class Builder {
 
     void report_value(Span span, bool want_key) {
         const auto token = diagnostics_.text(span);
-        error(span, std::string("expected ") + (want_key ? "a key in double quotes" : "a value") + ", found " + found(token),
+        error(span,
+              std::string("expected ") + (want_key ? "a key in double quotes" : "a value") + ", found " + found(token),
               hint(token, want_key));
     }
 
@@ -432,9 +445,12 @@ const Value* find(const Value& root, std::string_view pointer) {
 std::string pointer_step(std::string_view key) {
     std::string step;
     for (const char c : key) {
-        if (c == '~') step += "~0";
-        else if (c == '/') step += "~1";
-        else step += c;
+        if (c == '~')
+            step += "~0";
+        else if (c == '/')
+            step += "~1";
+        else
+            step += c;
     }
     return step;
 }
@@ -473,11 +489,16 @@ void write_string(std::string& out, std::string_view text) {
     out += '"';
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') (out += '\\') += c;
-        else if (c == '\n') out += "\\n";
-        else if (c == '\t') out += "\\t";
-        else if (byte < 0x20 || byte == 0x7F) (out += "\\u00", out += digits[byte >> 4]) += digits[byte & 15];
-        else out += c;
+        if (c == '"' || c == '\\')
+            (out += '\\') += c;
+        else if (c == '\n')
+            out += "\\n";
+        else if (c == '\t')
+            out += "\\t";
+        else if (byte < 0x20 || byte == 0x7F)
+            (out += "\\u00", out += digits[byte >> 4]) += digits[byte & 15];
+        else
+            out += c;
     }
     out += '"';
 }
@@ -488,7 +509,8 @@ void write(std::string& out, const Value& value, std::size_t indent);
 
 /// Items between brackets: on one line where they fit, else one a line.
 template <class Items, class WriteItem>
-void write_items(std::string& out, const Items& items, std::string_view brackets, std::size_t indent, WriteItem&& item) {
+void write_items(std::string& out, const Items& items, std::string_view brackets, std::size_t indent,
+                 WriteItem&& item) {
     const auto begin = out.size();
     out += brackets[0];
     for (const auto& each : items) {
@@ -520,7 +542,8 @@ struct Write {
     }
     void operator()(const std::string& text) { write_string(out, text); }
     void operator()(const Array& items) {
-        write_items(out, items, "[]", indent, [](std::string& to, const Value& item, std::size_t in) { write(to, item, in); });
+        write_items(out, items, "[]", indent,
+                    [](std::string& to, const Value& item, std::size_t in) { write(to, item, in); });
     }
     void operator()(const Object& members) {
         write_items(out, members, "{}", indent, [](std::string& to, const Member& member, std::size_t in) {

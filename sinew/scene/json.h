@@ -41,8 +41,7 @@ struct Value {
     Value(Array items);
     Value(Object members);
     template <std::integral I>
-        requires(!std::same_as<I, bool>)
-    Value(I number);
+    requires(!std::same_as<I, bool>) Value(I number);
 
     template <class T> const T* as() const { return std::get_if<T>(&data); }
     template <class T> T* as() { return std::get_if<T>(&data); }
@@ -64,8 +63,7 @@ inline Value::Value() = default;
 inline Value::Value(bool truth) : data(truth) {}
 inline Value::Value(Number number) : data(number) {}
 template <std::integral I>
-    requires(!std::same_as<I, bool>)
-Value::Value(I number) : data(Number{double(number), std::int64_t(number)}) {}
+requires(!std::same_as<I, bool>) Value::Value(I number) : data(Number{double(number), std::int64_t(number)}) {}
 inline Value::Value(std::string text) : data(std::move(text)) {}
 inline Value::Value(std::string_view text) : data(std::string(text)) {}
 inline Value::Value(const char* text) : data(std::string(text)) {}
@@ -85,8 +83,8 @@ const Value* find(const Value& root, std::string_view pointer);
 /// `key` as one step of a JSON pointer.
 std::string pointer_step(std::string_view key);
 
-/// Reads a source of the diagnostics: JSON with // and /* */ comments. What is wrong with it is reported there; nothing is
-/// returned where the text is no JSON or exceeds a limit.
+/// Reads a source of the diagnostics: JSON with // and /* */ comments. What is wrong with it is reported there; nothing
+/// is returned where the text is no JSON or exceeds a limit.
 std::optional<Value> parse(std::uint32_t source, Diagnostics& diagnostics, const Limits& limits = {});
 
 /// The value as text; short arrays and objects stay on one line.

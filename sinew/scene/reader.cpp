@@ -40,8 +40,10 @@ std::string one_of(std::span<const std::string_view> words) {
 
 } // namespace
 
-bool refuse(const json::Value& value, const Field& field, const Path& path, const Reading& in, std::string_view expected) {
-    if (in.diagnostics.full()) in.diagnostics.count_one_more();
+bool refuse(const json::Value& value, const Field& field, const Path& path, const Reading& in,
+            std::string_view expected) {
+    if (in.diagnostics.full())
+        in.diagnostics.count_one_more();
     else
         in.diagnostics.error(value.span, path.text(),
                              "expected " + std::string(expected) + ", found " + json::describe(value), help_of(field));
@@ -73,7 +75,8 @@ bool read_integer(const json::Value& value, std::int64_t& target, Range range, c
     return true;
 }
 
-bool read_string(const json::Value& value, std::string& target, const Field& field, const Path& path, const Reading& in) {
+bool read_string(const json::Value& value, std::string& target, const Field& field, const Path& path,
+                 const Reading& in) {
     const auto* text = value.as<std::string>();
     const bool any = field.choices.empty();
     if (text && (any || std::ranges::find(field.choices, *text) != field.choices.end())) {
@@ -109,7 +112,8 @@ bool report_unknown(const json::Object& object, const std::vector<std::string_vi
     for (const auto& member : object) {
         if (std::ranges::find(allowed, member.key) != allowed.end()) continue;
         any = true;
-        if (in.diagnostics.full()) in.diagnostics.count_one_more();
+        if (in.diagnostics.full())
+            in.diagnostics.count_one_more();
         else
             in.diagnostics.error(member.key_span, path.text(), "unknown property " + in_quotes(member.key),
                                  suggest(member.key, allowed));
@@ -137,7 +141,8 @@ std::size_t choose_by_value(const json::Member& tag, const Alternatives& alterna
     if (!word) return refuse(tag.value, alternatives.field, path, in, "a string"), wrong;
     const auto index = index_of(alternatives.names, *word);
     if (index != none) return index;
-    if (in.diagnostics.full()) in.diagnostics.count_one_more();
+    if (in.diagnostics.full())
+        in.diagnostics.count_one_more();
     else
         in.diagnostics.error(tag.value.span, path.text(), "unknown " + tag.key + " " + in_quotes(*word),
                              suggest(*word, alternatives.names));

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-/// Fills records from JSON by walking their `fields`. Reading goes on after an error, so that one run reports them all; what
-/// could not be read keeps its default.
+/// Fills records from JSON by walking their `fields`. Reading goes on after an error, so that one run reports them all;
+/// what could not be read keeps its default.
 namespace sinew {
 
 /// What the reading of one scene shares.
@@ -41,12 +41,14 @@ class Path {
 namespace detail {
 
 /// Reports "expected ..., found ..."; always false.
-bool refuse(const json::Value& value, const Field& field, const Path& path, const Reading& in, std::string_view expected);
+bool refuse(const json::Value& value, const Field& field, const Path& path, const Reading& in,
+            std::string_view expected);
 bool read_truth(const json::Value& value, bool& target, const Field& field, const Path& path, const Reading& in);
 bool read_number(const json::Value& value, double& target, const Field& field, const Path& path, const Reading& in);
 bool read_integer(const json::Value& value, std::int64_t& target, Range range, const Field& field, const Path& path,
                   const Reading& in);
-bool read_string(const json::Value& value, std::string& target, const Field& field, const Path& path, const Reading& in);
+bool read_string(const json::Value& value, std::string& target, const Field& field, const Path& path,
+                 const Reading& in);
 /// The array, if the value is one of that many items.
 const json::Array* array_of(const json::Value& value, std::size_t size, const Field& field, const Path& path,
                             const Reading& in);
@@ -61,8 +63,8 @@ struct Alternatives {
     std::vector<std::string_view> names;
     const Field& field;
 };
-/// Which alternative an object means: an index into the names, `none` where it does not say, `wrong` (reported) where it says
-/// something else.
+/// Which alternative an object means: an index into the names, `none` where it does not say, `wrong` (reported) where
+/// it says something else.
 inline constexpr std::size_t none = std::size_t(-1), wrong = std::size_t(-2);
 std::size_t choose(const json::Value& value, const Alternatives& alternatives, const Path& path, const Reading& in);
 
@@ -99,7 +101,8 @@ class FieldReader {
 
 } // namespace detail
 
-/// Reads a value into anything a field can be (types.h). False where something was wrong, which the diagnostics then tell.
+/// Reads a value into anything a field can be (types.h). False where something was wrong, which the diagnostics then
+/// tell.
 template <class T>
 bool read(const json::Value& value, T& target, const Field& field, const Path& path, const Reading& in) {
     using namespace detail;
@@ -203,8 +206,10 @@ template <class T> void scale_defaults(T& value, const Field& field, const Units
 
 template <Record R> bool FieldReader::read_fields(R& record) {
     R::fields(record, [&](auto& member, const Field& field) {
-        if constexpr (is_variant<std::remove_cvref_t<decltype(member)>>) this->read_variant(member, field);
-        else this->read_field(member, field);
+        if constexpr (is_variant<std::remove_cvref_t<decltype(member)>>)
+            this->read_variant(member, field);
+        else
+            this->read_field(member, field);
     });
     return good_;
 }

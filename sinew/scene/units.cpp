@@ -26,7 +26,8 @@ std::string with_exponent(std::string_view name, int exponent) {
 double rounded(double number) {
     if (!is_finite(number)) return number;
     std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::scientific, 14).ptr;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::scientific, 14).ptr;
     const std::string_view all(text.data(), std::size_t(end - text.data()));
     std::int64_t digits = 0;
     for (const char c : all.substr(0, all.find('e')))

@@ -22,7 +22,8 @@ struct Units {
     std::string text(Unit unit) const;
 };
 
-/// What the program's number is multiplied by to give the file's, apart from the scene's scale: angles are in degrees there.
+/// What the program's number is multiplied by to give the file's, apart from the scene's scale: angles are in degrees
+/// there.
 double in_file(Unit unit);
 /// And what the file's number is multiplied by to give the program's.
 double in_program(Unit unit);
@@ -30,7 +31,8 @@ double in_program(Unit unit);
 /// The number rounded to 15 decimal digits, as a person would have written it.
 double rounded(double number);
 
-/// The range of a field as a file of these units states it, rounded to 15 digits: 0.02 m are 2 px, not 2.0000000000000004.
+/// The range of a field as a file of these units states it, rounded to 15 digits: 0.02 m are 2 px,
+/// not 2.0000000000000004.
 struct Range {
     double low, high;
 };
