@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/scene/defaults.h"
 #include "sinew/scene/diagnostic.h"
 #include "sinew/scene/json.h"
 #include "sinew/scene/types.h"
@@ -67,14 +68,6 @@ struct Alternatives {
 /// it says something else.
 inline constexpr std::size_t none = std::size_t(-1), wrong = std::size_t(-2);
 std::size_t choose(const json::Value& value, const Alternatives& alternatives, const Path& path, const Reading& in);
-
-template <class T> void scale_defaults(T& value, const Field& field, const Units& units);
-
-template <class T> T fresh(const Field& field, const Units& units) {
-    T value{};
-    scale_defaults(value, field, units);
-    return value;
-}
 
 /// Reads the fields of one object into a record, and of the alternatives it has; collects the names allowed there.
 class FieldReader {
@@ -183,26 +176,6 @@ template <Record R> bool read(const json::Value& value, R& record, const Reading
 }
 
 namespace detail {
-
-template <class T> void scale_defaults(T& value, const Field& field, const Units& units) {
-    if constexpr (std::floating_point<T>) {
-        if (const double scale = units.scale(field.unit); scale != 1) value = T(rounded(double(value) * scale));
-    } else if constexpr (std::same_as<T, Point>) {
-        for (auto& number : value.component) scale_defaults(number, field, units);
-    } else if constexpr (array_size<T> > 0) {
-        for (auto& item : elements(value)) scale_defaults(item, field, units);
-    } else if constexpr (is_map<T>) {
-        for (auto& item : value) scale_defaults(item.second, field, units);
-    } else if constexpr (is_vector<T>) {
-        for (auto& item : value) scale_defaults(item, field, units);
-    } else if constexpr (is_variant<T>) {
-        visit_held(value, [&](auto& record) { scale_defaults(record, {}, units); });
-    } else if constexpr (is_optional<T>) {
-        if (value) scale_defaults(*value, field, units);
-    } else if constexpr (Record<T>) {
-        T::fields(value, [&](auto& member, const Field& of) { scale_defaults(member, of, units); });
-    }
-}
 
 template <Record R> bool FieldReader::read_fields(R& record) {
     R::fields(record, [&](auto& member, const Field& field) {

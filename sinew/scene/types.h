@@ -28,12 +28,16 @@
 ///     json::Value                             kept as it is
 ///
 /// A variant lies flat in the object of the record it is a field of. Its alternatives are records with a
-/// `static constexpr ... name`, and the field's name is the key that says which: with Field{.name = "prefab"} the
-/// object
-/// {"prefab": "rope", "name": "r", "segments": 20} holds the record called rope and its field segments, beside the
-/// fields of the record around. Where the key is missing, the first alternative is meant (none, for an optional
-/// variant). With an empty field name the alternative is the one whose name is among the keys: {"grab":
-/// "bob/right_hand", "over": 30}.
+/// `static constexpr std::string_view name`, and the field's name is the key that says which. With
+/// Field{.name = "prefab"}, this object holds the record called rope with its field segments, beside fields of the
+/// record around:
+///
+///     {"prefab": "rope", "name": "left", "segments": 20}
+///
+/// Where the key is missing, the default stands: the first alternative, or none of an optional variant.
+/// With an empty field name, the alternative is the one whose name is among the keys:
+///
+///     {"grab": "bob/right_hand", "over": 30}
 namespace sinew {
 
 namespace detail {

@@ -1,0 +1,223 @@
+#include "sinew/scene/document.h"
+#include "sinew/scene/shape.h"
+
+#include <algorithm>
+
+namespace sinew {
+namespace {
+
+using json::Array;
+using json::Object;
+using json::Value;
+
+Value schema(const Shape& shape);
+
+/// A bound that holds whatever units a scene has.
+bool same_in_all_units(Unit unit, double bound) {
+    unit.angle = false;
+    return is_finite(bound) && (unit == unit::none || bound == 0);
+}
+
+void add_range(Object& schema, const Field& field) {
+    const Range range = range_in_file(field, Units{});
+    if (same_in_all_units(field.unit, field.low)) schema.push_back({"minimum", range.low});
+    if (same_in_all_units(field.unit, field.high)) schema.push_back({"maximum", range.high});
+}
+
+Array words(std::span<const std::string_view> names) {
+    return {names.begin(), names.end()};
+}
+
+std::string description(const Shape& shape) {
+    std::string text(shape.field.help);
+    Unit unit = shape.field.unit;
+    const bool angle = unit.angle;
+    unit.angle = false;
+    if (angle) text += unit == unit::none ? " (degrees)" : "";
+    return text;
+}
+
+Object number(std::string_view type, const Shape& shape) {
+    Object schema{{"type", type}};
+    add_range(schema, shape.field);
+    return schema;
+}
+
+Object list(const Shape& shape) {
+    Object schema{{"type", "array"}, {"items", sinew::schema(shape.parts[0])}};
+    if (shape.least > 0) schema.push_back({"minItems", shape.least});
+    if (shape.most != Shape::no_limit) schema.push_back({"maxItems", shape.most});
+    return schema;
+}
+
+/// The dimension is the scene's: 2 or 3 numbers.
+Object point(const Shape& shape) {
+    return {{"type", "array"}, {"items", number("number", shape)}, {"minItems", 2}, {"maxItems", 3}};
+}
+
+// --- objects ----------------------------------------------------------------------------------------------------
+
+bool is_choice(const Shape& shape) {
+    return shape.type == Shape::Type::choice;
+}
+
+/// Every key that an object of this shape may have.
+void collect_names(std::vector<std::string_view>& names, const Shape& record) {
+    for (const auto& field : record.parts) {
+        if (!field.field.name.empty()) names.push_back(field.field.name);
+        if (is_choice(field))
+            for (const auto& alternative : field.parts) collect_names(names, alternative);
+    }
+}
+
+std::vector<std::string_view> unique(std::vector<std::string_view> names) {
+    std::vector<std::string_view> once;
+    for (const auto name : names)
+        if (std::ranges::find(once, name) == once.end()) once.push_back(name);
+    return once;
+}
+
+struct Members {
+    Object properties;
+    Array required;
+};
+
+Members members_of(const Shape& record) {
+    Members members;
+    for (const auto& field : record.parts) {
+        if (is_choice(field)) continue;
+        members.properties.push_back({std::string(field.field.name), schema(field)});
+        if (field.field.required) members.required.push_back(field.field.name);
+    }
+    return members;
+}
+
+/// What the object is like where one alternative is meant, or none. `others` are the keys that do not depend on it.
+Object consequence(const Shape* alternative, std::vector<std::string_view> others) {
+    Object then;
+    if (alternative) {
+        auto [properties, required] = members_of(*alternative);
+        collect_names(others, *alternative);
+        then.push_back({"properties", std::move(properties)});
+        if (!required.empty()) then.push_back({"required", std::move(required)});
+    }
+    then.push_back({"propertyNames", Object{{"enum", words(unique(std::move(others)))}}});
+    return then;
+}
+
+Value has(std::string_view key) {
+    return Object{{"required", Array{key}}};
+}
+
+/// if-then clauses that tie the object's keys to the alternative of one choice.
+void add_choice(Array& clauses, const Shape& choice, const std::vector<std::string_view>& others) {
+    const auto tag = choice.field.name;
+    Array any;
+    const Shape* usual = nullptr;
+    for (const auto& alternative : choice.parts) {
+        Value condition =
+            tag.empty() ? has(alternative.name)
+                        : Value(Object{{"properties", Object{{std::string(tag), Object{{"const", alternative.name}}}}},
+                                       {"required", Array{tag}}});
+        clauses.push_back(Object{{"if", std::move(condition)}, {"then", consequence(&alternative, others)}});
+        if (tag.empty()) any.push_back(has(alternative.name));
+        if (choice.usual == Value(alternative.name)) usual = &alternative;
+    }
+    if (!tag.empty()) any.push_back(has(tag));
+    if (choice.field.required)
+        clauses.push_back(Object{{"anyOf", std::move(any)}});
+    else
+        clauses.push_back(
+            Object{{"if", Object{{"not", Object{{"anyOf", std::move(any)}}}}}, {"then", consequence(usual, others)}});
+}
+
+/// Keys of the record that do not hang on this choice.
+std::vector<std::string_view> names_beside(const Shape& record, const Shape& choice) {
+    Shape rest{.field = {}, .usual = {}, .name = {}, .about = {}, .parts = {}};
+    std::vector<std::string_view> names;
+    for (const auto& field : record.parts)
+        if (&field != &choice) rest.parts.push_back(field);
+    collect_names(names, rest);
+    if (!choice.field.name.empty()) names.push_back(choice.field.name);
+    return names;
+}
+
+Object record(const Shape& shape) {
+    auto [properties, required] = members_of(shape);
+    Array clauses;
+    for (const auto& field : shape.parts) {
+        if (!is_choice(field)) continue;
+        if (!field.field.name.empty()) {
+            std::vector<std::string_view> names;
+            for (const auto& alternative : field.parts) names.push_back(alternative.name);
+            Object tag{{"description", field.field.help}, {"enum", words(names)}};
+            properties.push_back({std::string(field.field.name), std::move(tag)});
+        }
+        add_choice(clauses, field, names_beside(shape, field));
+    }
+    std::vector<std::string_view> names;
+    collect_names(names, shape);
+    for (const auto name : names)
+        if (!json::find(properties, name)) properties.push_back({std::string(name), true});
+
+    Object schema{{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+    if (!required.empty()) schema.push_back({"required", std::move(required)});
+    if (!clauses.empty()) schema.push_back({"allOf", std::move(clauses)});
+    return schema;
+}
+
+Object by_type(const Shape& shape) {
+    switch (shape.type) {
+    case Shape::Type::truth:
+        return {{"type", "boolean"}};
+    case Shape::Type::integer:
+        return number("integer", shape);
+    case Shape::Type::number:
+        return number("number", shape);
+    case Shape::Type::text:
+        if (!shape.field.choices.empty()) return {{"type", "string"}, {"enum", words(shape.field.choices)}};
+        return {{"type", "string"}};
+    case Shape::Type::point:
+        return point(shape);
+    case Shape::Type::list:
+        return list(shape);
+    case Shape::Type::map:
+        return {{"type", "object"}, {"additionalProperties", schema(shape.parts[0])}};
+    case Shape::Type::record:
+        return record(shape);
+    case Shape::Type::choice:
+    case Shape::Type::any:
+        break;
+    }
+    return {};
+}
+
+Value schema(const Shape& shape) {
+    Object schema = by_type(shape);
+    if (auto text = description(shape); !text.empty()) schema.insert(schema.begin(), {"description", std::move(text)});
+    const bool plain = shape.type != Shape::Type::record && shape.type != Shape::Type::list;
+    if (plain && !shape.usual.is_null() && shape.field.unit == unit::none) schema.push_back({"default", shape.usual});
+    return schema;
+}
+
+} // namespace
+
+json::Value schema_of(const Shape& shape, std::string_view title, bool document) {
+    Object schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
+    Object root = record(shape);
+    if (document) {
+        auto& properties = *json::find(root, "properties")->value.as<Object>();
+        properties.push_back({"$schema", Object{{"type", "string"}}});
+        Object patches;
+        for (const auto mode : modes) patches.push_back({std::string(mode), Object{{"type", "object"}}});
+        properties.push_back(
+            {"modes", Object{{"description", "What is different in a mode: a merge patch for the scene"},
+                             {"type", "object"},
+                             {"properties", std::move(patches)},
+                             {"additionalProperties", false}}});
+    }
+    schema.insert(schema.end(), std::move_iterator(root.begin()), std::move_iterator(root.end()));
+    return schema;
+}
+
+} // namespace sinew

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "sinew/scene/defaults.h"
+#include "sinew/scene/json.h"
+#include "sinew/scene/types.h"
+#include "sinew/scene/units.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+/// Records as JSON: the reader's inverse, by the same walk over `fields`.
+namespace sinew {
+
+struct Writing {
+    int dimension = 2;
+    Units units = {};      ///< in which a default is stated that can be left out
+    bool defaults = false; ///< write what has its default value as well
+};
+
+namespace detail {
+template <Record R> void write_fields(json::Object& object, const R& record, std::string_view key, const Writing& out);
+}
+
+/// Anything a field can be (types.h) as a file states it. An optional must hold something.
+template <class T> json::Value write(const T& value, const Field& field, const Writing& out) {
+    using namespace detail;
+    if constexpr (std::floating_point<T>) {
+        return field.unit.angle ? rounded(double(value) * in_file(field.unit)) : double(value);
+    } else if constexpr (std::same_as<T, bool> || Integer<T> || std::same_as<T, std::string> ||
+                         std::same_as<T, json::Value>) {
+        return value;
+    } else if constexpr (std::same_as<T, Point>) {
+        json::Array items;
+        for (int i = 0; i < out.dimension; ++i) items.push_back(write(value[i], field, out));
+        return items;
+    } else if constexpr (array_size<T> > 0) {
+        json::Array items;
+        for (const auto& item : elements(value)) items.push_back(write(item, field, out));
+        return items;
+    } else if constexpr (is_map<T>) {
+        json::Object members;
+        for (const auto& [name, item] : value) members.push_back({name, write(item, field, out)});
+        return members;
+    } else if constexpr (is_vector<T>) {
+        json::Array items;
+        for (const auto& item : value) items.push_back(write(item, field, out));
+        return items;
+    } else if constexpr (is_optional<T>) {
+        return write(*value, field, out);
+    } else {
+        static_assert(Record<T>, "types.h lists what a field can be");
+        json::Object object;
+        write_fields(object, value, {}, out);
+        return object;
+    }
+}
+
+/// A record without what has its default value.
+template <Record R> json::Value write(const R& record, const Writing& out) {
+    return write(record, Field{}, out);
+}
+
+namespace detail {
+
+template <class T> std::optional<json::Value> write_if_present(const T& value, const Field& field, const Writing& out) {
+    if constexpr (is_variant<T>)
+        return {};
+    else if constexpr (is_optional<T>)
+        return value ? std::optional(write(*value, field, out)) : std::nullopt;
+    else
+        return write(value, field, out);
+}
+
+/// Appends the fields that need saying. `key` is one of them in any case: it tells which alternative of a variant this
+/// is.
+template <Record R> void write_fields(json::Object& object, const R& record, std::string_view key, const Writing& out) {
+    std::vector<std::optional<json::Value>> usual;
+    auto plain = fresh<R>({}, out.units);
+    R::fields(plain,
+              [&](const auto& member, const Field& field) { usual.push_back(write_if_present(member, field, out)); });
+    std::size_t index = 0;
+    R::fields(record, [&](const auto& member, const Field& field) {
+        const auto& as_usual = usual[index++];
+        if constexpr (is_variant<std::remove_cvref_t<decltype(member)>>) {
+            visit_held(member, [&]<Record A>(const A& alternative) {
+                if (!field.name.empty()) object.push_back({std::string(field.name), A::name});
+                write_fields(object, alternative, field.name.empty() ? std::string_view(A::name) : std::string_view(),
+                             out);
+            });
+        } else if (auto value = write_if_present(member, field, out)) {
+            const bool needed = out.defaults || field.required || (!key.empty() && field.name == key);
+            if (needed || value != as_usual) object.push_back({std::string(field.name), std::move(*value)});
+        }
+    });
+}
+
+} // namespace detail
+} // namespace sinew
