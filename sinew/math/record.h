@@ -41,8 +41,8 @@ inline constexpr Unit compliance{.mass = -1, .time = 2}; ///< length over force:
 } // namespace unit
 
 struct Field {
-    std::string_view name;
-    std::string_view help; ///< one line
+    std::string_view name = {};
+    std::string_view help = {}; ///< one line
     Unit unit = {};
     double low = -std::numeric_limits<double>::infinity(); ///< smallest value allowed, in the field's own unit
     double high = std::numeric_limits<double>::infinity();

@@ -32,10 +32,10 @@ std::string type_text(const Shape& shape) {
     case Shape::Type::point:
         return "point";
     case Shape::Type::list:
-        return (shape.least == shape.most ? std::to_string(shape.least) + " of " : "list of ") +
-               type_text(shape.parts[0]);
+        if (shape.least == shape.most) return concat(shape.least, " of ", type_text(shape.parts[0]));
+        return concat("list of ", type_text(shape.parts[0]));
     case Shape::Type::map:
-        return "names of " + type_text(shape.parts[0]);
+        return concat("names of ", type_text(shape.parts[0]));
     case Shape::Type::record:
         return "object";
     case Shape::Type::choice:
@@ -59,7 +59,7 @@ json::Value in_units(const json::Value& value, double scale) {
 
 std::string list_of(std::span<const std::string_view> words) {
     std::string text;
-    for (const auto word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+    for (const auto word : words) text += concat(text.empty() ? "" : ", ", word);
     return text;
 }
 
@@ -74,9 +74,9 @@ std::string usual_text(const Shape& shape, const Units& units) {
 std::string range_of(const Shape& shape, const Units& units) {
     if (!shape.field.choices.empty()) return list_of(shape.field.choices);
     const auto [low, high] = range_in_file(shape.field, units);
-    if (is_finite(low) && is_finite(high)) return number_text(low) + " to " + number_text(high);
-    if (is_finite(low)) return "at least " + number_text(low);
-    if (is_finite(high)) return "at most " + number_text(high);
+    if (is_finite(low) && is_finite(high)) return concat(number_text(low), " to ", number_text(high));
+    if (is_finite(low)) return concat("at least ", number_text(low));
+    if (is_finite(high)) return concat("at most ", number_text(high));
     return {};
 }
 
@@ -93,8 +93,8 @@ struct Inside {
 
 Inside inside(const Shape& shape, std::string name) {
     const bool list = shape.type == Shape::Type::list, map = shape.type == Shape::Type::map;
-    if (shape.type == Shape::Type::record) return {&shape, name + "."};
-    if (list || map) return inside(shape.parts[0], name + (list ? "[]" : ".NAME"));
+    if (shape.type == Shape::Type::record) return {&shape, concat(name, ".")};
+    if (list || map) return inside(shape.parts[0], concat(name, list ? "[]" : ".NAME"));
     return {nullptr, {}};
 }
 
@@ -112,8 +112,7 @@ void add_choice(std::vector<Section>& sections, std::size_t section, const Shape
         sections[section].rows.push_back(std::move(row));
     }
     for (const auto& alternative : choice.parts) {
-        const auto title =
-            tag.empty() ? prefix + std::string(alternative.name) : prefix + tag + " = " + std::string(alternative.name);
+        const auto title = concat(prefix, tag, tag.empty() ? "" : " = ", alternative.name);
         sections.push_back({title, alternative.about, {}});
         add_fields(sections, sections.size() - 1, alternative, prefix, units);
     }
@@ -126,7 +125,7 @@ void add_fields(std::vector<Section>& sections, std::size_t section, const Shape
             add_choice(sections, section, field, prefix, units);
             continue;
         }
-        const auto name = prefix + std::string(field.field.name);
+        const auto name = concat(prefix, field.field.name);
         sections[section].rows.push_back(row_of(field, name, units));
         if (const auto [within, names] = inside(field, name); within)
             add_fields(sections, section, *within, names, units);
@@ -140,7 +139,7 @@ std::vector<Section> sections_of(const Shape& record, const Units& units) {
 }
 
 std::array<std::string, 5> cells(const Row& row) {
-    const auto type = row.unit.empty() ? row.type : row.type + ", " + row.unit;
+    const auto type = concat(row.type, row.unit.empty() ? "" : ", ", row.unit);
     return {row.name, type, row.usual, row.range, std::string(row.help)};
 }
 
@@ -166,7 +165,7 @@ template <class Cells> std::string columns(const Cells& cells, const std::array<
         if (line.size() < column) line.resize(column, ' ');
     }
     line.erase(line.find_last_not_of(' ') + 1);
-    return line + "\n";
+    return concat(line, "\n");
 }
 
 std::string cell(std::string_view text) {
@@ -184,7 +183,7 @@ std::string describe(const Shape& record, const Units& units) {
     std::string out;
     for (const auto& [title, about, rows] : sections_of(record, units)) {
         if (!out.empty()) out += "\n";
-        if (!title.empty()) out += title + (about.empty() ? "" : ": " + std::string(about)) + "\n";
+        if (!title.empty()) out += concat(title, about.empty() ? "" : ": ", about, "\n");
         if (rows.empty()) continue;
         const auto widths = widths_of(rows);
         out += columns(headings, widths);
@@ -197,13 +196,13 @@ std::string describe_markdown(const Shape& record, const Units& units) {
     std::string out;
     for (const auto& [title, about, rows] : sections_of(record, units)) {
         if (!out.empty()) out += "\n";
-        if (!title.empty()) out += "### `" + title + "`\n" + (about.empty() ? "" : std::string(about) + "\n") + "\n";
+        if (!title.empty()) out += concat("### `", title, "`\n\n", about, about.empty() ? "" : "\n\n");
         if (rows.empty()) continue;
         out += "| name | type | default | range | meaning |\n|---|---|---|---|---|\n";
         for (const auto& row : rows) {
             auto texts = cells(row);
-            texts[0] = "`" + texts[0] + "`";
-            for (const auto& text : texts) out += "| " + cell(text) + " ";
+            texts[0] = concat("`", texts[0], "`");
+            for (const auto& text : texts) out += concat("| ", cell(text), " ");
             out += "|\n";
         }
     }

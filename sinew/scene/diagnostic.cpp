@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <tuple>
 #include <utility>
 
@@ -147,12 +146,13 @@ struct Paint {
     bool on;
     std::string operator()(std::string_view code, std::string_view text) const {
         if (!on) return std::string(text);
-        return "\x1b[" + std::string(code) + "m" + std::string(text) + "\x1b[0m";
+        return concat("\x1b[", code, "m", text, "\x1b[0m");
     }
 };
 
 std::string padded(std::string text, std::size_t width) {
-    return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+    if (text.size() < width) text.insert(0, width - text.size(), ' ');
+    return text;
 }
 
 void print(std::string& out, const Diagnostics& diagnostics, const Diagnostic& diagnostic, LineFinder& finder,
@@ -163,14 +163,14 @@ void print(std::string& out, const Diagnostics& diagnostics, const Diagnostic& d
     const auto window = window_around(source.text, finder.line_begin(), diagnostic.span.begin, style.width);
     const auto excerpt = excerpt_of(source.text, window, diagnostic.span);
 
-    const std::string where = source.name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ":";
+    const std::string where = concat(source.name, ":", place.line, ":", place.column, ":");
     const std::string number = padded(std::to_string(place.line), 5);
     const std::string gutter(number.size() + 1, ' ');
     const std::string path = diagnostic.path.empty() ? "/" : printable(diagnostic.path, 500);
-    out += paint("1", where) + " " + paint("1;31", "error:") + " " + diagnostic.message + " at " + path + "\n";
-    out += number + " | " + excerpt.source + "\n";
-    out += gutter + "| " + paint("1;32", excerpt.marks) + "\n";
-    if (!diagnostic.help.empty()) out += gutter + "= " + paint("1", "help:") + " " + diagnostic.help + "\n";
+    out += concat(paint("1", where), " ", paint("1;31", "error:"), " ", diagnostic.message, " at ", path, "\n");
+    out += concat(number, " | ", excerpt.source, "\n");
+    out += concat(gutter, "| ", paint("1;32", excerpt.marks), "\n");
+    if (!diagnostic.help.empty()) out += concat(gutter, "= ", paint("1", "help:"), " ", diagnostic.help, "\n");
 }
 
 } // namespace
@@ -186,7 +186,7 @@ std::string to_text(const Diagnostics& diagnostics, const PrintStyle& style) {
     const auto shown = std::min(all.size(), style.most);
     for (std::size_t i = 0; i < shown; ++i) print(out, diagnostics, all[i], finder, style);
     if (const auto rest = diagnostics.count() - shown; rest > 0)
-        out += "and " + std::to_string(rest) + (rest == 1 ? " more error\n" : " more errors\n");
+        out += concat("and ", rest, rest == 1 ? " more error\n" : " more errors\n");
     return out;
 }
 
@@ -245,48 +245,17 @@ std::string suggest(std::string_view word, std::vector<std::string_view> candida
     const auto unsorted = candidates.size() - std::min(candidates.size(), most_sorted);
     std::string help;
     const auto near = nearest(word, candidates);
-    if (!near.empty()) help = "did you mean " + in_quotes(near) + "? ";
+    if (!near.empty()) help = concat("did you mean ", in_quotes(near), "? ");
 
     candidates.resize(candidates.size() - unsorted);
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     help += near.empty() ? "allowed here: " : "(allowed here: ";
     for (std::size_t i = 0; i < std::min(candidates.size(), most_listed); ++i)
-        help += (i > 0 ? ", " : "") + printable(candidates[i]);
-    if (candidates.size() > most_listed)
-        help += " and " + std::to_string(candidates.size() + unsorted - most_listed) + " more";
+        help += concat(i > 0 ? ", " : "", printable(candidates[i]));
+    if (candidates.size() > most_listed) help += concat(" and ", candidates.size() + unsorted - most_listed, " more");
     if (!near.empty()) help += ")";
     return help;
-}
-
-std::string in_quotes(std::string_view text, std::size_t most_characters) {
-    return '"' + printable(text, most_characters) + '"';
-}
-
-std::string printable(std::string_view text, std::size_t most_characters) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string out;
-    for (std::size_t at = 0, count = 0; at < text.size(); ++count) {
-        if (count == most_characters) {
-            out += cut;
-            break;
-        }
-        const auto character = utf8::decode(text, at);
-        if (!character.valid || utf8::is_control(character.code)) {
-            out += "\\u";
-            for (int shift = 12; shift >= 0; shift -= 4) out += digits[(character.code >> shift) & 0xFu];
-        } else {
-            out += text.substr(at, character.bytes);
-        }
-        at += character.bytes;
-    }
-    return out;
-}
-
-std::string number_text(double number) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    return std::string(digits.data(), end);
 }
 
 } // namespace sinew

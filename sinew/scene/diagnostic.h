@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/scene/text.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -84,13 +86,5 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 
 /// `did you mean "mass"? (allowed here: id, mass, pinned, pos)`
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates);
-
-/// The text fit for a message: nothing in it controls a terminal, and a long one is cut.
-std::string printable(std::string_view text, std::size_t most_characters = 60);
-/// The same in double quotes.
-std::string in_quotes(std::string_view text, std::size_t most_characters = 60);
-
-/// The shortest text that reads back as the same number.
-std::string number_text(double number);
 
 } // namespace sinew

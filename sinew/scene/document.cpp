@@ -85,8 +85,8 @@ void report_no_element(Diagnostics& diagnostics, const Array& items, std::string
         if (const auto name = name_of(item); !name.empty()) names.push_back(name);
     const auto help = !names.empty()  ? suggest(key, std::move(names))
                       : items.empty() ? "the array is empty"
-                                      : "indices go from 0 to " + std::to_string(items.size() - 1);
-    diagnostics.error(span, path.text(), "nothing here is called " + in_quotes(key), help);
+                                      : concat("indices go from 0 to ", items.size() - 1);
+    diagnostics.error(span, path.text(), concat("nothing here is called ", in_quotes(key)), help);
 }
 
 template <class T> void erase_marked(std::vector<T>& items, const std::vector<bool>& marked) {
@@ -182,18 +182,18 @@ void apply_mode(Document& document) {
     const auto* by_mode = patches.value.as<Object>();
     if (!by_mode) {
         document.diagnostics.error(patches.value.span, path.text(),
-                                   "expected an object, found " + json::describe(patches.value));
+                                   concat("expected an object, found ", json::describe(patches.value)));
         return;
     }
     for (const auto& [mode, patch, span] : *by_mode) {
         if (std::ranges::find(modes, mode) == modes.end())
-            document.diagnostics.error(span, path.text(), "unknown mode " + in_quotes(mode),
+            document.diagnostics.error(span, path.text(), concat("unknown mode ", in_quotes(mode)),
                                        suggest(mode, {modes.begin(), modes.end()}));
         else if (!patch.as<Object>())
             document.diagnostics.error(patch.span, Path(path, mode).text(),
-                                       "expected an object, found " + json::describe(patch));
+                                       concat("expected an object, found ", json::describe(patch)));
         else if (const auto* change = json::find(patch, "/solver/mode"))
-            document.diagnostics.error(change->span, Path(path, mode).text() + "/solver/mode",
+            document.diagnostics.error(change->span, concat(Path(path, mode).text(), "/solver/mode"),
                                        "a mode's patch cannot change the mode");
         else if (mode == document.mode)
             merge(document.root, patch, Path{}, document.diagnostics);
@@ -256,8 +256,8 @@ std::optional<Assignment> take_apart(const Override& override, Diagnostics& diag
     const std::string_view pair = override.pair;
     const auto equals = pair.find('=');
     if (equals == std::string_view::npos || equals == 0) {
-        diagnostics.error({source, 0, std::uint32_t(pair.size())}, "", "expected key=value, found " + in_quotes(pair),
-                          "for example solver.substeps=16");
+        diagnostics.error({source, 0, std::uint32_t(pair.size())}, "",
+                          concat("expected key=value, found ", in_quotes(pair)), "for example solver.substeps=16");
         return {};
     }
     if (const auto broken = utf8::first_broken(pair); broken != pair.size()) {
@@ -294,7 +294,7 @@ void assign(Value& target, std::span<const Step> steps, const Value& value, cons
     auto* members = target.as<Object>();
     if (!members)
         return diagnostics.error(step.span, path.text(),
-                                 json::describe(target) + " has no property " + in_quotes(step.key));
+                                 concat(json::describe(target), " has no property ", in_quotes(step.key)));
     if (rest.empty() && value.is_null()) {
         std::erase_if(*members, [&](const Member& member) { return member.key == step.key; });
         return;
@@ -363,7 +363,7 @@ Document load(std::string text, std::string name, std::span<const Override> over
         if (root->as<Object>())
             document.root = std::move(*root);
         else
-            diagnostics.error(root->span, "", "expected an object, found " + json::describe(*root));
+            diagnostics.error(root->span, "", concat("expected an object, found ", json::describe(*root)));
     }
     document.mode = mode_of(document, assignments);
     std::erase_if(*document.root.as<Object>(), [](const Member& member) { return member.key == "$schema"; });

@@ -9,7 +9,7 @@ std::string Path::text() const {
     constexpr std::size_t longest = 500; // bytes; keys can be long
     std::string text = parent_->text();
     if (text.size() > longest) return text;
-    return text + "/" + (is_index_ ? std::to_string(index_) : json::pointer_step(key_.substr(0, longest)));
+    return concat(text, "/", is_index_ ? std::to_string(index_) : json::pointer_step(key_.substr(0, longest)));
 }
 
 namespace detail {
@@ -17,24 +17,24 @@ namespace {
 
 std::string help_of(const Field& field) {
     if (field.help.empty()) return {};
-    return (field.name.empty() ? "" : std::string(field.name) + ": ") + std::string(field.help);
+    return concat(field.name, field.name.empty() ? "" : ": ", field.help);
 }
 
 /// "a number from 0 to 100 px"
 std::string expected_number(std::string_view noun, const Range& range, const Field& field, const Reading& in) {
     std::string text(noun);
-    if (const auto limits = range_text(range); !limits.empty()) text += " " + limits;
-    if (const auto unit = in.units.text(field.unit); !unit.empty()) text += " " + unit;
+    if (const auto limits = range_text(range); !limits.empty()) text += concat(" ", limits);
+    if (const auto unit = in.units.text(field.unit); !unit.empty()) text += concat(" ", unit);
     return text;
 }
 
 /// `"a", "b" or "c"`; many are left to the help line.
 std::string one_of(std::span<const std::string_view> words) {
     constexpr std::size_t most = 4;
-    if (words.size() > most) return "one of " + std::to_string(words.size()) + " words";
+    if (words.size() > most) return concat("one of ", words.size(), " words");
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i)
-        text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + in_quotes(words[i]);
+        text += concat(i == 0 ? "" : i + 1 < words.size() ? ", " : " or ", in_quotes(words[i]));
     return text;
 }
 
@@ -45,8 +45,8 @@ bool refuse(const json::Value& value, const Field& field, const Path& path, cons
     if (in.diagnostics.full())
         in.diagnostics.count_one_more();
     else
-        in.diagnostics.error(value.span, path.text(),
-                             "expected " + std::string(expected) + ", found " + json::describe(value), help_of(field));
+        in.diagnostics.error(value.span, path.text(), concat("expected ", expected, ", found ", json::describe(value)),
+                             help_of(field));
     return false;
 }
 
@@ -87,7 +87,7 @@ bool read_string(const json::Value& value, std::string& target, const Field& fie
     if (in.diagnostics.full()) return in.diagnostics.count_one_more(), false;
     const std::vector<std::string_view> choices(field.choices.begin(), field.choices.end());
     in.diagnostics.error(value.span, path.text(),
-                         "expected " + one_of(field.choices) + ", found " + json::describe(value),
+                         concat("expected ", one_of(field.choices), ", found ", json::describe(value)),
                          suggest(text ? std::string_view(*text) : std::string_view(), choices));
     return false;
 }
@@ -96,14 +96,14 @@ const json::Array* array_of(const json::Value& value, std::size_t size, const Fi
                             const Reading& in) {
     const auto* items = value.as<json::Array>();
     if (items && items->size() == size) return items;
-    refuse(value, field, path, in, "an array of " + std::to_string(size));
+    refuse(value, field, path, in, concat("an array of ", size));
     return nullptr;
 }
 
 void report_missing(const json::Value& object, const Field& field, const Path& path, const Reading& in) {
     if (in.diagnostics.full()) return in.diagnostics.count_one_more();
     const Span brace{object.span.source, object.span.begin, std::min(object.span.begin + 1, object.span.end)};
-    in.diagnostics.error(brace, path.text(), "missing property " + in_quotes(field.name), help_of(field));
+    in.diagnostics.error(brace, path.text(), concat("missing property ", in_quotes(field.name)), help_of(field));
 }
 
 bool report_unknown(const json::Object& object, const std::vector<std::string_view>& allowed, const Path& path,
@@ -115,7 +115,7 @@ bool report_unknown(const json::Object& object, const std::vector<std::string_vi
         if (in.diagnostics.full())
             in.diagnostics.count_one_more();
         else
-            in.diagnostics.error(member.key_span, path.text(), "unknown property " + in_quotes(member.key),
+            in.diagnostics.error(member.key_span, path.text(), concat("unknown property ", in_quotes(member.key)),
                                  suggest(member.key, allowed));
     }
     return any;
@@ -144,7 +144,7 @@ std::size_t choose_by_value(const json::Member& tag, const Alternatives& alterna
     if (in.diagnostics.full())
         in.diagnostics.count_one_more();
     else
-        in.diagnostics.error(tag.value.span, path.text(), "unknown " + tag.key + " " + in_quotes(*word),
+        in.diagnostics.error(tag.value.span, path.text(), concat("unknown ", tag.key, " ", in_quotes(*word)),
                              suggest(*word, alternatives.names));
     return wrong;
 }
@@ -158,7 +158,7 @@ std::size_t choose_by_key(const json::Object& object, const Alternatives& altern
         if (index == none) continue;
         if (chosen != none) {
             in.diagnostics.error(member.key_span, path.text(),
-                                 in_quotes(member.key) + " beside " + in_quotes(alternatives.names[chosen]),
+                                 concat(in_quotes(member.key), " beside ", in_quotes(alternatives.names[chosen])),
                                  "only one of them can be here");
             return wrong;
         }
@@ -179,7 +179,7 @@ std::size_t choose(const json::Value& value, const Alternatives& alternatives, c
 
     if (!field.name.empty()) return report_missing(value, field, path, in), wrong;
     const Span brace{value.span.source, value.span.begin, std::min(value.span.begin + 1, value.span.end)};
-    in.diagnostics.error(brace, path.text(), "expected a property " + one_of(alternatives.names),
+    in.diagnostics.error(brace, path.text(), concat("expected a property ", one_of(alternatives.names)),
                          suggest({}, alternatives.names));
     return wrong;
 }

@@ -1,7 +1,7 @@
 #include "sinew/scene/units.h"
 
 #include "sinew/math/scalar.h"
-#include "sinew/scene/diagnostic.h"
+#include "sinew/scene/text.h"
 
 #include <array>
 #include <charconv>
@@ -18,7 +18,7 @@ double power(double base, int exponent) {
 }
 
 std::string with_exponent(std::string_view name, int exponent) {
-    return std::string(name) + (exponent == 1 ? "" : "^" + std::to_string(exponent));
+    return exponent == 1 ? std::string(name) : concat(name, "^", exponent);
 }
 
 } // namespace
@@ -55,10 +55,10 @@ std::string Units::text(Unit unit) const {
         {{mass, unit.mass}, {length, unit.length}, {"degrees", unit.angle ? 1 : 0}, {time, unit.time}}};
     std::string above, below;
     for (const auto& [name, exponent] : parts) {
-        if (exponent > 0) above += (above.empty() ? "" : " ") + with_exponent(name, exponent);
-        if (exponent < 0) below += "/" + with_exponent(name, -exponent);
+        if (exponent > 0) above += concat(above.empty() ? "" : " ", with_exponent(name, exponent));
+        if (exponent < 0) below += concat("/", with_exponent(name, -exponent));
     }
-    return above.empty() && !below.empty() ? "1" + below : above + below;
+    return concat(above.empty() && !below.empty() ? "1" : "", above, below);
 }
 
 double in_file(Unit unit) {
@@ -76,11 +76,11 @@ Range range_in_file(const Field& field, const Units& units) {
 
 std::string range_text(const Range& range) {
     if (is_finite(range.low) && is_finite(range.high)) {
-        if (range.low == range.high) return "equal to " + number_text(range.low);
-        return "from " + number_text(range.low) + " to " + number_text(range.high);
+        if (range.low == range.high) return concat("equal to ", number_text(range.low));
+        return concat("from ", number_text(range.low), " to ", number_text(range.high));
     }
-    if (is_finite(range.low)) return "of at least " + number_text(range.low);
-    if (is_finite(range.high)) return "of at most " + number_text(range.high);
+    if (is_finite(range.low)) return concat("of at least ", number_text(range.low));
+    if (is_finite(range.high)) return concat("of at most ", number_text(range.high));
     return {};
 }
 
