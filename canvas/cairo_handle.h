@@ -1,8 +1,7 @@
 #pragma once
 
-#include <memory>
-
 #include <cairo.h>
+#include <memory>
 
 namespace sinew::canvas {
 

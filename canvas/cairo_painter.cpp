@@ -9,7 +9,8 @@ namespace {
 
 using Outline = std::span<const Vec2<float>>;
 
-/// Cairo counts in 24.8 fixed point and wraps beyond 8e6 device pixels. Further than any surface reaches (16384), well inside that.
+/// Cairo counts in 24.8 fixed point and wraps beyond 8e6 device pixels. Further than any surface reaches (16384), well
+/// inside that.
 constexpr double farthest = 1e6;
 
 /// How many user units one device pixel spans.
@@ -57,7 +58,8 @@ void paint_item(cairo_t* context, Shape shape, Outline outline, double width, do
         trace(context, outline, pixel);
         cairo_close_path(context);
         return stroke(context, width);
-    case Shape::disc: return fill_disc(context, outline[0], width, pixel);
+    case Shape::disc:
+        return fill_disc(context, outline[0], width, pixel);
     case Shape::polygon:
         trace(context, outline, pixel);
         cairo_close_path(context);

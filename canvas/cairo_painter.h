@@ -14,11 +14,11 @@ struct Region {
 /// Covers all that the clip lets through with one colour.
 void cover(cairo_t* context, const Color& color);
 
-/// Paints a picture, one pixel to one user unit, with its origin at the origin of the context. Works on any cairo surface:
-/// only fills and strokes in the OVER operator are used, so that SVG and PDF keep vectors.
+/// Paints a picture, one pixel to one user unit, with its origin at the origin of the context. Works on any cairo
+/// surface: only fills and strokes in the OVER operator are used, so that SVG and PDF keep vectors.
 ///
-/// What cannot be seen is still handled: a line thinner than a device pixel is painted one pixel wide, an item with a point
-/// that is not finite is left out, a point far away is drawn at the edge of what cairo can count.
+/// What cannot be seen is still handled: a line thinner than a device pixel is painted one pixel wide, an item with a
+/// point that is not finite is left out, a point far away is drawn at the edge of what cairo can count.
 void paint(cairo_t* context, const Picture& picture);
 
 /// Paints a picture into a region: scaled evenly until it just fits, centred, the rest filled with its background.

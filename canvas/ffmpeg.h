@@ -10,8 +10,9 @@
 
 namespace sinew::canvas {
 
-/// A running ffmpeg that reads from us. No shell is involved. It has a process group of its own, so that the Ctrl-C of a
-/// terminal reaches us alone and we decide what becomes of the file; what it says on stderr is kept for error messages.
+/// A running ffmpeg that reads from us. No shell is involved. It has a process group of its own, so that the Ctrl-C of
+/// a terminal reaches us alone and we decide what becomes of the file; what it says on stderr is kept for error
+/// messages.
 class Ffmpeg {
   public:
     Ffmpeg() = default;
@@ -23,8 +24,8 @@ class Ffmpeg {
     /// The arguments read the input from `pipe:0`.
     [[nodiscard]] Failure start(const std::vector<std::string>& arguments, const std::string& purpose);
 
-    /// Hands bytes to its standard input; waits while it is busy. Comes back early, with success, when the process was asked to
-    /// end: whoever sends polls interrupted().
+    /// Hands bytes to its standard input; waits while it is busy. Comes back early, with success, when the process was
+    /// asked to end: whoever sends polls interrupted().
     [[nodiscard]] Failure send(std::span<const std::byte> bytes);
 
     /// Ends its input and waits until it is done.

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <fmt/format.h>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -20,23 +20,17 @@ Failure any_fps(double) {
     return {};
 }
 
-std::string plain(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%g", value);
-    return text.data();
-}
-
 Failure movie_fps(double fps) {
     if (fps >= 1 && fps <= 240) return {};
-    return plain(fps) + " frames a second cannot be; use 1 to 240";
+    return fmt::format("{:g} frames a second cannot be; use 1 to 240", fps);
 }
 
 /// A GIF holds each frame for a whole number of hundredths of a second, and viewers slow down where that number is 1.
 Failure gif_fps(double fps) {
     const double delay = 100 / fps;
     if (fps >= 1 && delay >= 2 && delay == std::round(delay)) return {};
-    return "a .gif counts time in hundredths of a second and cannot keep " + plain(fps) +
-           " frames a second; use 50, 25, 20 or 10";
+    return fmt::format(
+        "a .gif counts time in hundredths of a second and cannot keep {:g} frames a second; use 50, 25, 20 or 10", fps);
 }
 
 constexpr std::array<Format, 6> list{{
@@ -68,8 +62,7 @@ std::string unknown_extension(const fs::path& path) {
     std::string message = path.string() + ": " + (found.empty() ? "no extension" : "unknown extension " + found);
     const auto distance = [&](const Format& f) { return edits_between(found, f.extension); };
     const Format& nearest = *std::ranges::min_element(list, {}, distance);
-    if (distance(nearest) < std::min<std::size_t>(3, found.size()))
-        message += "; did you mean " + std::string(nearest.extension) + "?";
+    if (2 * distance(nearest) < found.size()) message += "; did you mean " + std::string(nearest.extension) + "?";
     message += " (possible are";
     for (const Format& f : list) message += (&f == &list[0] ? " " : ", ") + std::string(f.extension);
     return message + ")";
@@ -94,12 +87,11 @@ const Format* format_of(const fs::path& path) {
 }
 
 Failure size_problem(const std::string& what, long width, long height, int longest_side) {
-    const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    if (width < 1 || height < 1) return "a size of " + size + " has no pixels";
+    if (width < 1 || height < 1) return fmt::format("a size of {}x{} has no pixels", width, height);
     if (width > longest_side || height > longest_side)
-        return size + " is too large: " + what + " has at most " + std::to_string(longest_side) + " pixels a side";
+        return fmt::format("{}x{} is too large: {} has at most {} pixels a side", width, height, what, longest_side);
     if (width * height > most_pixels)
-        return size + " is too large: a picture has at most " + std::to_string(most_pixels) + " pixels in all";
+        return fmt::format("{}x{} is too large: a picture has at most {} pixels in all", width, height, most_pixels);
     return {};
 }
 

@@ -32,12 +32,12 @@ std::string extension_of(const std::filesystem::path& path);
 /// The format that the extension names (in any case), or null.
 const Format* format_of(const std::filesystem::path& path);
 
-/// What is wrong with writing this path in this format: unknown extension (names the valid ones and the nearest), a size
-/// that is not positive or over the limits, frames a second that the format cannot keep.
+/// What is wrong with writing this path in this format: unknown extension (names the valid ones and the nearest), a
+/// size that is not positive or over the limits, frames a second that the format cannot keep.
 [[nodiscard]] Failure check(const std::filesystem::path& path, const FrameFormat& format);
 
-/// Opens a file by its extension: checks, creates missing folders, starts ffmpeg where it is needed. An existing file is
-/// replaced at finish().
+/// Opens a file by its extension: checks, creates missing folders, starts ffmpeg where it is needed. An existing file
+/// is replaced at finish().
 Opened open(const std::filesystem::path& path, const FrameFormat& format);
 
 /// What is wrong with this size, where no side may be longer than `longest_side`. `what` begins the message ("a .gif").

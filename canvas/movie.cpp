@@ -5,8 +5,7 @@
 #include "canvas/interrupt.h"
 #include "canvas/raster.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,18 +26,12 @@ Arguments joined(Arguments first, const Arguments& second) {
     return first;
 }
 
-std::string number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.9g", value);
-    return text.data();
-}
-
 /// Raw frames on standard input.
 Arguments input(const Raster& raster, double fps) {
     return {"-f",          "rawvideo",
             "-pix_fmt",    Raster::pixel_format(),
-            "-video_size", std::to_string(raster.width()) + "x" + std::to_string(raster.height()),
-            "-framerate",  number(fps),
+            "-video_size", fmt::format("{}x{}", raster.width(), raster.height()),
+            "-framerate",  fmt::format("{}", fps),
             "-i",          "pipe:0"};
 }
 
@@ -47,8 +40,8 @@ class MovieWriter : public Writer {
   public:
     /// Sides are padded to multiples of `multiple`.
     MovieWriter(fs::path path, const FrameFormat& frame_format, int multiple)
-        : Writer(std::move(path), frame_format), raster(format.width, format.height, padding(format.width, multiple),
-                                                        padding(format.height, multiple)) {}
+        : Writer(std::move(path), frame_format),
+          raster(format.width, format.height, padding(format.width, multiple), padding(format.height, multiple)) {}
 
   protected:
     /// How the raw frames are encoded into the file at partial.path().
@@ -64,9 +57,7 @@ class MovieWriter : public Writer {
     Failure complete() override { return ffmpeg.finish(); }
     void abandon() override { ffmpeg.abandon(); }
 
-    Failure run(const Arguments& arguments) {
-        return ffmpeg.start(arguments, extension_of(target));
-    }
+    Failure run(const Arguments& arguments) { return ffmpeg.start(arguments, extension_of(target)); }
 
     static int padding(int side, int multiple) { return (multiple - side % multiple) % multiple; }
 
@@ -80,10 +71,31 @@ class Mp4Writer final : public MovieWriter {
 
   private:
     Arguments encoding() const override {
-        return {"-vf", "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+full_chroma_inp",
-                "-c:v", "libx264", "-preset", "veryfast", "-tune", "animation", "-crf", "16",
-                "-pix_fmt", "yuv420p", "-color_primaries", "bt709", "-color_trc", "bt709", "-colorspace", "bt709",
-                "-color_range", "tv", "-movflags", "+faststart", "-f", "mp4", url(partial.path())};
+        return {"-vf",
+                "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+full_chroma_inp",
+                "-c:v",
+                "libx264",
+                "-preset",
+                "veryfast",
+                "-tune",
+                "animation",
+                "-crf",
+                "16",
+                "-pix_fmt",
+                "yuv420p",
+                "-color_primaries",
+                "bt709",
+                "-color_trc",
+                "bt709",
+                "-colorspace",
+                "bt709",
+                "-color_range",
+                "tv",
+                "-movflags",
+                "+faststart",
+                "-f",
+                "mp4",
+                url(partial.path())};
     }
 };
 
@@ -94,13 +106,13 @@ class WebpWriter final : public MovieWriter {
   private:
     Arguments encoding() const override {
         // libwebp rather than libwebp_anim, which keeps all frames in memory until the end.
-        return {"-c:v", "libwebp", "-quality", "85", "-compression_level", "1", "-loop", "0", "-f", "webp",
-                url(partial.path())};
+        return {"-c:v",  "libwebp", "-quality", "85",   "-compression_level", "1",
+                "-loop", "0",       "-f",       "webp", url(partial.path())};
     }
 };
 
-/// One pass with `split`, as it is often written, keeps every raw frame in memory until the palette is known (1.3 GB for 500
-/// frames of 640x480). Two stages need 13 MB of disk for them, give the same bytes and take the same time.
+/// One pass with `split`, as it is often written, keeps every raw frame in memory until the palette is known (1.3 GB
+/// for 500 frames of 640x480). Two stages need 13 MB of disk for them, give the same bytes and take the same time.
 class GifWriter final : public MovieWriter {
   public:
     GifWriter(const fs::path& path, const FrameFormat& frame_format) : MovieWriter(path, frame_format, 1) {}
@@ -116,18 +128,45 @@ class GifWriter final : public MovieWriter {
     }
 
     Arguments encoding() const override {
-        return {"-filter_complex", "split[frames][seen];[seen]palettegen=stats_mode=diff[palette]",
-                "-map", "[palette]", "-c:v", "png", "-f", "image2pipe", url(palette.path()),
-                "-map", "[frames]", "-c:v", "libx264rgb", "-preset", "ultrafast", "-qp", "0", "-f", "matroska",
+        return {"-filter_complex",
+                "split[frames][seen];[seen]palettegen=stats_mode=diff[palette]",
+                "-map",
+                "[palette]",
+                "-c:v",
+                "png",
+                "-f",
+                "image2pipe",
+                url(palette.path()),
+                "-map",
+                "[frames]",
+                "-c:v",
+                "libx264rgb",
+                "-preset",
+                "ultrafast",
+                "-qp",
+                "0",
+                "-f",
+                "matroska",
                 url(waiting.path())};
     }
 
     Failure complete() override {
         if (auto failure = MovieWriter::complete(); failure || interrupted()) return failure;
-        const Arguments colouring = {"-f", "matroska", "-i", url(waiting.path()),
-                                     "-f", "png_pipe", "-i", url(palette.path()),
-                                     "-lavfi", "paletteuse=dither=none:diff_mode=rectangle",
-                                     "-loop", "0", "-f", "gif", url(partial.path())};
+        const Arguments colouring = {"-f",
+                                     "matroska",
+                                     "-i",
+                                     url(waiting.path()),
+                                     "-f",
+                                     "png_pipe",
+                                     "-i",
+                                     url(palette.path()),
+                                     "-lavfi",
+                                     "paletteuse=dither=none:diff_mode=rectangle",
+                                     "-loop",
+                                     "0",
+                                     "-f",
+                                     "gif",
+                                     url(partial.path())};
         if (auto failure = run(colouring)) return failure;
         return MovieWriter::complete();
     }

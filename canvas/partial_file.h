@@ -17,7 +17,8 @@ class PartialFile {
     ~PartialFile() { discard(); }
 
     /// Creates the empty partial file, and the folders that lead to it where they are missing. With a scratch extension
-    /// (".palette.png") it only helps to make the target and is to be discarded. Failures are bare reasons: "it is a folder".
+    /// (".palette.png") it only helps to make the target and is to be discarded. Failures are bare reasons: "it is a
+    /// folder".
     [[nodiscard]] Failure create(const std::filesystem::path& target, std::string_view scratch = {});
 
     /// Gives the file its name. A file that had that name is replaced.

@@ -7,8 +7,8 @@
 
 namespace sinew::canvas {
 
-/// A line such as `ragdoll.mp4  [###########--------]  57 %  0:04 left`, redrawn in place while work goes on and wiped at
-/// the end. Where the stream is not a terminal nothing is ever written.
+/// A line such as `ragdoll.mp4  [###########--------]  57 %  0:04 left`, redrawn in place while work goes on and wiped
+/// at the end. Where the stream is not a terminal nothing is ever written.
 class Progress {
   public:
     explicit Progress(std::string label, std::size_t total, std::FILE* stream = stderr);

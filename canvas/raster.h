@@ -1,8 +1,9 @@
 #pragma once
 
+#include "sinew/session/picture.h"
+
 #include "canvas/cairo_handle.h"
 #include "canvas/failure.h"
-#include "sinew/session/picture.h"
 
 #include <cstddef>
 #include <span>

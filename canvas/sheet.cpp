@@ -4,8 +4,7 @@
 #include "canvas/drawing.h"
 #include "canvas/formats.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace sinew::canvas {
@@ -67,7 +66,7 @@ class SheetWriter final : public Writer {
 
     Failure add(const Picture& picture) override {
         if (frames == std::size_t(sheet.columns) * std::size_t(sheet.rows))
-            return "it has room for " + std::to_string(frames) + " pictures";
+            return fmt::format("it has room for {} pictures", frames);
         if (frames == 0) cover(drawing.context(), Mount(picture.background).paper);
         paint_frame(picture);
         write_caption(picture);
@@ -96,16 +95,15 @@ class SheetWriter final : public Writer {
 
     void write_caption(const Picture& picture) {
         cairo_t* const context = drawing.context();
-        std::array<char, 48> text{};
-        std::snprintf(text.data(), text.size(), "%.2f s", sheet.first_second + double(frames) * sheet.seconds_between);
+        const std::string text = fmt::format("{:.2f} s", sheet.first_second + double(frames) * sheet.seconds_between);
         cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
         cairo_set_font_size(context, caption_size);
         cairo_text_extents_t extents;
-        cairo_text_extents(context, text.data(), &extents);
+        cairo_text_extents(context, text.c_str(), &extents);
         const Region below = cell();
         set_color(context, Mount(picture.background).ink);
         cairo_move_to(context, below.x + (below.width - extents.x_advance) / 2, below.y + below.height + 15);
-        cairo_show_text(context, text.data());
+        cairo_show_text(context, text.c_str());
     }
 
     const SheetFormat sheet;
@@ -115,7 +113,7 @@ class SheetWriter final : public Writer {
 } // namespace
 
 Failure check_sheet(const std::filesystem::path& path, const SheetFormat& sheet) {
-    const std::string grid = std::to_string(sheet.columns) + "x" + std::to_string(sheet.rows);
+    const std::string grid = fmt::format("{}x{}", sheet.columns, sheet.rows);
     if (sheet.columns < 1 || sheet.rows < 1) return "a sheet of " + grid + " frames has no frames";
     // Checks the extension too, at a size that always passes.
     if (auto failure = check(path, {1, 1, 1})) return failure;

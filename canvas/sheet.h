@@ -17,7 +17,8 @@ struct SheetFormat {
 /// What is wrong with writing this sheet: not an image format, no or too many frames, too large in all.
 [[nodiscard]] Failure check_sheet(const std::filesystem::path& path, const SheetFormat& format);
 
-/// A writer of a contact sheet, a still image (.png, .svg or .pdf). Takes up to columns x rows frames; fewer leave room at the end.
+/// A writer of a contact sheet, a still image (.png, .svg or .pdf). Takes up to columns x rows frames; fewer leave room
+/// at the end.
 Opened open_sheet(const std::filesystem::path& path, const SheetFormat& format);
 
 } // namespace sinew::canvas

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "sinew/session/picture.h"
+
 #include "canvas/failure.h"
 #include "canvas/partial_file.h"
-#include "sinew/session/picture.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -17,8 +18,9 @@ struct FrameFormat {
     double fps = 60;  ///< frames a second; of no meaning to a still image
 };
 
-/// A file that pictures are written to. It appears under its name at finish(), whole, or not at all: a writer that failed,
-/// was interrupted, or is destroyed before finish() leaves nothing behind. After a failure every call returns it again.
+/// A file that pictures are written to. It appears under its name at finish(), whole, or not at all: a writer that
+/// failed, was interrupted, or is destroyed before finish() leaves nothing behind. After a failure every call returns
+/// it again.
 class Writer {
   public:
     Writer(std::filesystem::path target, const FrameFormat& format);
@@ -36,8 +38,8 @@ class Writer {
     [[nodiscard]] Failure finish();
 
   protected:
-    /// The steps, as a kind of file does them. All write to partial.path(), and give the bare reason of a failure. Naming and
-    /// cleaning up is not their concern, except that abandon() lets go of whatever still writes.
+    /// The steps, as a kind of file does them. All write to partial.path(), and give the bare reason of a failure.
+    /// Naming and cleaning up is not their concern, except that abandon() lets go of whatever still writes.
     virtual Failure start() = 0;
     virtual Failure add(const Picture& picture) = 0;
     virtual Failure complete() = 0;

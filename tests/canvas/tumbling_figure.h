@@ -60,7 +60,8 @@ struct TumblingFigure {
         picture.add(Shape::polygon, std::array{Point{0, floor}, Point{w, floor}, Point{w, h}, Point{0, h}}, 0,
                     {0.88f, 0.86f, 0.82f, 1});
         line({0, floor}, {w, floor}, 1.5f, {0.16f, 0.19f, 0.25f, 0.35f});
-        for (int i = 0; i < 4; ++i) ellipse({w / 2, floor + 14}, 92 - 12 * float(i) - lift / 2, 11 - 2 * float(i), shadow);
+        for (int i = 0; i < 4; ++i)
+            ellipse({w / 2, floor + 14}, 92 - 12 * float(i) - lift / 2, 11 - 2 * float(i), shadow);
     }
 
     void rope(float seconds) {
