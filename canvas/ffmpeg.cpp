@@ -142,7 +142,7 @@ Failure Ffmpeg::finish() {
 }
 
 void Ffmpeg::abandon() {
-    if (running()) kill(child, SIGKILL);
+    if (running()) kill(-child, SIGKILL);
     reap();
     close_and_forget(words);
 }
@@ -152,10 +152,10 @@ int Ffmpeg::reap() {
     close_and_forget(socket);
     if (!running()) return 0;
     // WNOWAIT: the number stays its own until it is off the list of what a second signal kills.
-    if (interrupted()) kill(child, SIGKILL);
+    if (interrupted()) kill(-child, SIGKILL);
     siginfo_t ignored;
     while (waitid(P_PID, id_t(child), &ignored, WEXITED | WNOWAIT) != 0 && errno == EINTR)
-        if (interrupted()) kill(child, SIGKILL);
+        if (interrupted()) kill(-child, SIGKILL);
     spare(child);
     int status = 0;
     waitpid(std::exchange(child, 0), &status, 0);

@@ -25,10 +25,10 @@ Slots<const char*> doomed_files;
 Slots<pid_t> doomed_children;
 
 void take_down_with_us() {
-    for (const auto& child : doomed_children.slots)
-        if (child != 0) kill(child, SIGKILL);
-    for (const auto& path : doomed_files.slots)
-        if (path != nullptr) unlink(path);
+    for (const auto& slot : doomed_children.slots)
+        if (const pid_t child = slot; child != 0) kill(-child, SIGKILL);
+    for (const auto& slot : doomed_files.slots)
+        if (const char* const path = slot; path != nullptr) unlink(path);
 }
 
 /// Only calls what POSIX allows in a signal handler.

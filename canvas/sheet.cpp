@@ -13,8 +13,11 @@ namespace {
 // Pixels.
 constexpr int gap = 14;
 constexpr int caption_height = 22;
-constexpr double caption_size = 12;
+constexpr double caption_size = 13;
 constexpr double corner_radius = 5;
+
+/// A stroke font that cairo carries in itself: the same letters on every machine, those without fonts included.
+constexpr const char* caption_font = "@cairo:";
 
 long sheet_width(const SheetFormat& sheet) {
     return gap + long(sheet.columns) * (sheet.frame_width + gap);
@@ -38,7 +41,7 @@ struct Mount {
         const bool light = 0.30f * background.red + 0.59f * background.green + 0.11f * background.blue > 0.5f;
         const Color contrast = light ? Color{0, 0, 0, 1} : Color{1, 1, 1, 1};
         paper = mixed(background, contrast, 0.08f);
-        ink = mixed(background, contrast, 0.62f);
+        ink = mixed(background, contrast, 0.72f);
     }
 };
 
@@ -96,7 +99,7 @@ class SheetWriter final : public Writer {
     void write_caption(const Picture& picture) {
         cairo_t* const context = drawing.context();
         const std::string text = fmt::format("{:.2f} s", sheet.first_second + double(frames) * sheet.seconds_between);
-        cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+        cairo_select_font_face(context, caption_font, CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
         cairo_set_font_size(context, caption_size);
         cairo_text_extents_t extents;
         cairo_text_extents(context, text.c_str(), &extents);

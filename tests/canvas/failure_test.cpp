@@ -78,7 +78,7 @@ int write_for_ever(const std::filesystem::path& path) {
     if (!failure) failure = writer->frame(figure.at(0, 320, 240));
     for (int i = 1; film && !failure; ++i) failure = writer->frame(figure.at(float(i) / 25, 320, 240));
     while (!film && !canvas::interrupted()) std::this_thread::sleep_for(1ms);
-    if (!film) failure = writer->finish();
+    if (!failure) failure = writer->finish();
     if (failure != "interrupted; " + path.string() + " was not written") return 99;
     return canvas::interrupt_exit_code();
 }
@@ -258,15 +258,21 @@ TEST(Interruption, WhileFfmpegCompletesTheFileEndsItToo) {
 TEST(Interruption, OfAStuckProcessTakesASecondSignalAndLeavesNothingBehind) {
     for (const std::string name : every_name) {
         ScratchFolder folder;
+        int ready[2];
+        ASSERT_EQ(pipe(ready), 0);
         const pid_t child = in_child([&] {
             canvas::catch_interrupts();
             auto [writer, failure] = canvas::open(folder / name, {320, 240, 25});
             TumblingFigure figure;
             if (!failure) failure = writer->frame(figure.at(0));
-            if (failure) return 99;
+            if (failure || ::write(ready[1], "!", 1) != 1) return 99;
             for (;;) std::this_thread::sleep_for(1s);
         });
-        wait_for_files(folder);
+        close(ready[1]);
+        char mark = 0;
+        EXPECT_EQ(read(ready[0], &mark, 1), 1);
+        close(ready[0]);
+        EXPECT_FALSE(folder.names().empty());
         kill(child, SIGINT);
         std::this_thread::sleep_for(50ms);
         kill(child, SIGINT);
