@@ -1,0 +1,109 @@
+#include "canvas/cairo_painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sinew::canvas {
+namespace {
+
+using Outline = std::span<const Vec2<float>>;
+
+/// Cairo counts in 24.8 fixed point and wraps beyond 8e6 device pixels. Further than any surface reaches (16384), well
+/// inside that.
+constexpr double farthest = 1e6;
+
+/// How many user units one device pixel spans.
+double pixel_of(cairo_t* context) {
+    double dx = 1, dy = 0;
+    cairo_device_to_user_distance(context, &dx, &dy);
+    return std::hypot(dx, dy);
+}
+
+bool is_paintable(Outline outline) {
+    return !outline.empty() && std::ranges::all_of(outline, [](const auto& p) { return is_finite(p); });
+}
+
+void set_color(cairo_t* context, const Color& color) {
+    cairo_set_source_rgba(context, double(color.red), double(color.green), double(color.blue), double(color.alpha));
+}
+
+/// Adds the outline to the path. A first line_to begins the path.
+void trace(cairo_t* context, Outline outline, double pixel) {
+    const double far = farthest * pixel;
+    for (const auto& p : outline)
+        cairo_line_to(context, clamp(double(p[0]), -far, far), clamp(double(p[1]), -far, far));
+}
+
+void fill_disc(cairo_t* context, Vec2<float> center, double diameter, double pixel) {
+    const double far = farthest * pixel;
+    cairo_arc(context, clamp(double(center[0]), -far, far), clamp(double(center[1]), -far, far), diameter / 2, 0,
+              2 * std::numbers::pi);
+    cairo_fill(context);
+}
+
+void stroke(cairo_t* context, double width) {
+    cairo_set_line_width(context, width);
+    cairo_stroke(context);
+}
+
+void paint_item(cairo_t* context, Shape shape, Outline outline, double width, double pixel) {
+    switch (shape) {
+    case Shape::polyline:
+        if (outline.size() == 1) return fill_disc(context, outline[0], width, pixel);
+        trace(context, outline, pixel);
+        return stroke(context, width);
+    case Shape::loop:
+        if (outline.size() == 1) return fill_disc(context, outline[0], width, pixel);
+        trace(context, outline, pixel);
+        cairo_close_path(context);
+        return stroke(context, width);
+    case Shape::disc:
+        return fill_disc(context, outline[0], width, pixel);
+    case Shape::polygon:
+        trace(context, outline, pixel);
+        cairo_close_path(context);
+        return cairo_fill(context);
+    }
+}
+
+} // namespace
+
+void cover(cairo_t* context, const Color& color) {
+    set_color(context, color);
+    cairo_paint(context);
+}
+
+void paint(cairo_t* context, const Picture& picture) {
+    cairo_save(context);
+    cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_fill_rule(context, CAIRO_FILL_RULE_EVEN_ODD);
+    const double pixel = pixel_of(context);
+    cover(context, picture.background);
+    for (const Picture::Item& item : picture.items) {
+        const Outline outline = picture.points_of(item);
+        if (item.color.alpha <= 0 || !is_paintable(outline)) continue;
+        // Written so that a width that is not a number also becomes one pixel.
+        const double width = item.width >= pixel ? minimum(double(item.width), farthest * pixel) : pixel;
+        set_color(context, item.color);
+        paint_item(context, item.shape, outline, width, pixel);
+    }
+    cairo_restore(context);
+}
+
+void paint_fitted(cairo_t* context, const Picture& picture, const Region& region) {
+    cairo_save(context);
+    cairo_rectangle(context, region.x, region.y, region.width, region.height);
+    cairo_clip(context);
+    const double width = picture.width > 0 ? picture.width : region.width;
+    const double height = picture.height > 0 ? picture.height : region.height;
+    const double scale = minimum(region.width / width, region.height / height);
+    cairo_translate(context, region.x + (region.width - scale * width) / 2,
+                    region.y + (region.height - scale * height) / 2);
+    cairo_scale(context, scale, scale);
+    paint(context, picture);
+    cairo_restore(context);
+}
+
+} // namespace sinew::canvas

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "canvas/cairo_handle.h"
+#include "canvas/failure.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace sinew::canvas {
+
+/// A PNG, SVG or PDF file (by extension) that is drawn on with cairo. PNG keeps transparency; SVG and PDF keep vectors.
+class Drawing {
+  public:
+    Drawing() = default;
+    Drawing(const Drawing&) = delete;
+    Drawing& operator=(const Drawing&) = delete;
+    ~Drawing() { abandon(); }
+
+    [[nodiscard]] Failure create(const std::filesystem::path& path, int width, int height);
+    cairo_t* context() const { return pen.get(); }
+
+    /// Writes all of it out and closes the file.
+    [[nodiscard]] Failure finish();
+
+    /// Closes the file, whatever is in it.
+    void abandon();
+
+  private:
+    /// Where cairo's output goes, and what went wrong on the way (an errno).
+    struct Sink {
+        std::FILE* file = nullptr;
+        int error = 0;
+    };
+
+    static cairo_status_t write(void* sink, const unsigned char* data, unsigned int length);
+    void close();
+
+    Sink sink;
+    CairoSurface surface;
+    CairoContext pen;
+};
+
+} // namespace sinew::canvas

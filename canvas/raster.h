@@ -1,0 +1,36 @@
+#pragma once
+
+#include "sinew/session/picture.h"
+
+#include "canvas/cairo_handle.h"
+#include "canvas/failure.h"
+
+#include <cstddef>
+#include <span>
+
+namespace sinew::canvas {
+
+/// A block of pixels that pictures are painted into, one after the other, without allocating.
+/// Pixels are opaque: a picture whose background lets something through is seen on white paper.
+class Raster {
+  public:
+    /// A raster of `width` x `height` pixels. `padding` more columns and rows, right and below, carry only background.
+    Raster(int width, int height, int padding_right = 0, int padding_bottom = 0);
+
+    /// Paints the picture, scaled to fit where its size is another.
+    [[nodiscard]] Failure paint(const Picture& picture);
+
+    /// All pixels, padding included: four bytes each (as ffmpeg's pixel_format below), rows top to bottom without gaps.
+    std::span<const std::byte> bytes() const;
+    static const char* pixel_format();
+
+    int width() const;  ///< pixels, padding included
+    int height() const; ///< pixels, padding included
+
+  private:
+    int picture_width, picture_height;
+    CairoSurface surface;
+    CairoContext context;
+};
+
+} // namespace sinew::canvas

@@ -1,0 +1,87 @@
+#include "canvas/progress.h"
+
+#include <chrono>
+#include <functional>
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <string>
+#include <thread>
+#include <unistd.h>
+
+namespace sinew {
+namespace {
+
+using canvas::Progress;
+
+std::string all_from(int descriptor) {
+    std::string text(4096, '\0');
+    const ssize_t got = read(descriptor, text.data(), text.size());
+    text.resize(got > 0 ? std::size_t(got) : 0);
+    return text;
+}
+
+/// What a terminal of some width shows.
+std::string on_terminal(unsigned short columns, const std::function<void(std::FILE*)>& work) {
+    int screen = -1, terminal = -1;
+    winsize size{24, columns, 0, 0};
+    if (openpty(&screen, &terminal, nullptr, nullptr, &size) != 0) return "no terminal";
+    std::FILE* stream = fdopen(terminal, "w");
+    work(stream);
+    std::fflush(stream);
+    const std::string text = all_from(screen);
+    std::fclose(stream);
+    close(screen);
+    return text;
+}
+
+TEST(Progress, ShowsLabelBarAndPercentAndWipesThemAtTheEnd) {
+    const std::string text = on_terminal(100, [](std::FILE* stream) {
+        Progress progress("ragdoll.mp4", 4, stream);
+        progress.update(1);
+    });
+    EXPECT_TRUE(text.starts_with("\rragdoll.mp4  [##########------------------------------]   25 %  0:00 left\033[K"))
+        << text;
+    EXPECT_TRUE(text.ends_with("\r\033[K")) << text;
+}
+
+TEST(Progress, TakesTheTimeLeftFromTheTimePassed) {
+    const std::string text = on_terminal(100, [](std::FILE* stream) {
+        Progress progress("x", 100, stream);
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        progress.update(1);
+    });
+    // At least 99 times 50 ms.
+    EXPECT_TRUE(text.find(" 1 %  0:0") != std::string::npos && text.find("0:04") == std::string::npos) << text;
+}
+
+TEST(Progress, NeverWrapsANarrowTerminal) {
+    const std::string text = on_terminal(50, [](std::FILE* stream) {
+        Progress progress("ragdoll.mp4", 4, stream);
+        progress.update(2);
+    });
+    EXPECT_LE(text.find("\033[K"), 50u) << text;
+}
+
+TEST(Progress, RedrawsAtMostTenTimesASecond) {
+    const std::string text = on_terminal(100, [](std::FILE* stream) {
+        Progress progress("x", 1000, stream);
+        for (std::size_t i = 0; i < 1000; ++i) progress.update(i);
+    });
+    EXPECT_LT(text.size(), 500u);
+}
+
+TEST(Progress, IsSilentInAPipe) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    std::FILE* stream = fdopen(ends[1], "w");
+    {
+        Progress progress("x", 10, stream);
+        progress.update(5);
+    }
+    std::fclose(stream);
+    EXPECT_EQ(all_from(ends[0]), "");
+    close(ends[0]);
+}
+
+} // namespace
+} // namespace sinew
