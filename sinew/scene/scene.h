@@ -113,14 +113,19 @@ struct Scene {
     Units measures() const;
 };
 
-/// Makes a scene of a document. What is wrong with it, also beyond single values (names that are used twice or stand for nothing,
-/// more than the limits allow), is in the document's diagnostics; the scene is only good if there are none.
-Scene read_scene(Document& document);
-
 using AnyWorld = std::variant<World<2, float>, World<2, double>, World<3, float>, World<3, double>>;
 
 /// The world of a good scene, at its start.
 AnyWorld instantiate(const Scene& scene);
+
+struct Opened {
+    Scene scene;
+    AnyWorld world; ///< at its start
+};
+
+/// Reads the scene of a document and builds its world. Nothing where anything is wrong with it, also beyond single values (names
+/// that are used twice or stand for nothing, more than the limits allow): then the document's diagnostics say what.
+std::optional<Opened> open_scene(Document& document);
 
 /// How long a step of the scene is, in its own time unit.
 double step_length(const Scene& scene);

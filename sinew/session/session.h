@@ -32,7 +32,7 @@ struct Happening {
 /// it and paint its picture.
 class Session {
   public:
-    explicit Session(Scene scene);
+    explicit Session(Opened opened);
 
     const Scene& scene() const { return scene_; }
     const AnyWorld& world() const { return world_; }

@@ -230,6 +230,13 @@ template <int D, class Real> bool unpin(World<D, Real>& world, PinId pin) {
     return true;
 }
 
+template <int D, class Real> void unpin_all(World<D, Real>& world, ParticleId particle) {
+    std::vector<char> gone(world.pins.size(), 0);
+    for (std::size_t i = 0; i < gone.size(); ++i) gone[i] = world.pins[i].particle == particle;
+    detail::erase_pins(world, gone);
+    if (const auto row = world.particles.slots.find(particle)) refresh_mobility(world, *row);
+}
+
 template <int D, class Real>
 FigureIndex add_figure(World<D, Real>& world, std::string_view name, std::string_view prefab) {
     world.figures.push_back({.name = std::string(name), .prefab = std::string(prefab)});
@@ -319,6 +326,7 @@ std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::st
     template bool apply_impulse(World<D, Real>&, ParticleId, const Vec<D, Real>&);                                     \
     template std::optional<PinId> pin(World<D, Real>&, ParticleId, const PinSpec<D, Real>&);                           \
     template bool move_pin(World<D, Real>&, PinId, const Vec<D, Real>&);                                               \
+    template void unpin_all(World<D, Real>&, ParticleId);                                                              \
     template bool unpin(World<D, Real>&, PinId);                                                                       \
     template FigureIndex add_figure(World<D, Real>&, std::string_view, std::string_view);                              \
     template void teleport(World<D, Real>&, FigureIndex, const Vec<D, Real>&, Momentum);                               \

@@ -111,6 +111,8 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
 template <int D, class Real> bool move_pin(World<D, Real>& world, PinId pin, const Vec<D, Real>& target);
 /// Lets go: the particle keeps the velocity it was carried with.
 template <int D, class Real> bool unpin(World<D, Real>& world, PinId pin);
+/// Takes every pin off a particle.
+template <int D, class Real> void unpin_all(World<D, Real>& world, ParticleId particle);
 
 template <int D, class Real>
 FigureIndex add_figure(World<D, Real>& world, std::string_view name, std::string_view prefab = "");

@@ -1,0 +1,294 @@
+#include "sinew/scene/check.h"
+
+#include "sinew/solver/edit.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace sinew {
+namespace {
+
+std::string under(std::string_view list, std::size_t index, std::string_view key = {}) {
+    return key.empty() ? fmt::format("/{}/{}", list, index) : fmt::format("/{}/{}/{}", list, index, key);
+}
+
+Sizes sizes_of(const FigureSection& figure) {
+    Sizes sizes;
+    detail::visit_held(figure.made, [&](const auto& made) {
+        if constexpr (requires { made.sizes(); })
+            sizes = made.sizes();
+        else
+            sizes = {made.particles.size(), made.constraints.size()};
+    });
+    return sizes;
+}
+
+class ValueCheck {
+  public:
+    ValueCheck(const Scene& scene, Document& document) : scene_(scene), document_(document) {}
+
+    void run() {
+        names();
+        sizes();
+        for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
+        for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
+            constraint(scene_.constraints[i], under("constraints", i));
+        for (std::size_t i = 0; i < scene_.looks.size(); ++i)
+            look(scene_.looks[i].second, "/looks" + json::pointer_step(scene_.looks[i].first));
+        bounds();
+        for (std::size_t i = 0; i < scene_.events.size(); ++i)
+            if (std::holds_alternative<CutEvent>(scene_.events[i].event) && scene_.dimension != 2)
+                document_.error(under("events", i, "cut"), "a cut along a line needs a scene of 2 dimensions",
+                                "use snip, which names constraints");
+    }
+
+  private:
+    const Scene& scene_;
+    Document& document_;
+
+    void names() {
+        std::set<std::string_view> seen;
+        for (std::size_t i = 0; i < scene_.figures.size(); ++i) {
+            const auto name = name_of(scene_.figures[i]);
+            const auto place = under("figures", i, scene_.figures[i].name.empty() ? "" : "name");
+            if (name.find('/') != std::string_view::npos)
+                document_.error(place, fmt::format("a figure's name cannot contain a slash, found \"{}\"", name));
+            if (!seen.insert(name).second)
+                document_.error(place, fmt::format("there is already a figure called \"{}\"", name),
+                                "give each figure its own \"name\"");
+        }
+    }
+
+    void sizes() {
+        const auto& limits = document_.limits;
+        count(std::int64_t(scene_.figures.size()), limits.figures, "figures", "/figures");
+        count(std::int64_t(scene_.events.size()), limits.events, "events", "/events");
+        Sizes sum{0, scene_.constraints.size()};
+        for (std::size_t i = 0; i < scene_.figures.size(); ++i) {
+            const auto sizes = sizes_of(scene_.figures[i]);
+            sum.particles += sizes.particles;
+            sum.constraints += sizes.constraints;
+            if (count(std::int64_t(sum.particles), limits.particles, "particles", under("figures", i)) ||
+                count(std::int64_t(sum.constraints), limits.constraints, "constraints", under("figures", i)))
+                return;
+        }
+    }
+
+    /// Whether there are too many.
+    bool count(std::int64_t found, std::int64_t allowed, std::string_view what, std::string place) {
+        if (found <= allowed) return false;
+        document_.error(std::move(place), fmt::format("the scene would have {} {}, at most {} are allowed", found, what, allowed),
+                        fmt::format("if you trust the file, raise the limit: limits.{}={}", what, found));
+        return true;
+    }
+
+    void figure(const FigureSection& figure, std::size_t i) {
+        detail::visit_held(figure.made, [&](const auto& made) {
+            if constexpr (requires { made.dimensions; }) {
+                if (!made.dimensions.include(scene_.dimension))
+                    return document_.error(under("figures", i, "prefab"),
+                                           fmt::format("a {} does not exist in {} dimensions", made.name, scene_.dimension));
+            }
+            if constexpr (requires { made.problem(scene_.dimension); })
+                if (const auto problem = made.problem(scene_.dimension)) document_.error(under("figures", i), *problem);
+        });
+        if (const auto* by_hand = std::get_if<ByHand>(&figure.made))
+            for (std::size_t k = 0; k < by_hand->constraints.size(); ++k)
+                constraint(by_hand->constraints[k], under("figures", i) + under("constraints", k));
+        for (const auto& [part, seen] : figure.looks)
+            look(seen, under("figures", i, "looks") + json::pointer_step(part));
+    }
+
+    void constraint(const ConstraintSection& section, const std::string& place) {
+        if (section.rest && (section.low || section.high))
+            document_.error(place + "/rest", "a constraint has either a rest or limits low and high, not both");
+        if (section.low && section.high && *section.low > *section.high)
+            document_.error(place + "/low", fmt::format("low ({}) is above high ({})", *section.low, *section.high));
+        const auto size = section.between.size();
+        const auto wanted = arity(section.kind);
+        if (section.kind == "area" ? size < 3 : size != wanted)
+            document_.error(place + "/between", fmt::format("{} {} needs {}{} particles, found {}",
+                                                            section.kind == "angle" || section.kind == "area" ? "an" : "a",
+                                                            section.kind, section.kind == "area" ? "at least " : "", wanted,
+                                                            size));
+        std::set<std::string_view> seen;
+        for (const auto& name : section.between)
+            if (!seen.insert(name).second)
+                document_.error(place + "/between", fmt::format("\"{}\" is named twice", name));
+        const bool exists = scene_.dimension == 2 ? section.kind != "volume" && section.kind != "dihedral"
+                                                  : section.kind != "area";
+        if (!exists)
+            document_.error(place + "/kind", fmt::format("there is no {} in {} dimensions", section.kind, scene_.dimension));
+    }
+
+    static std::size_t arity(std::string_view kind) {
+        if (kind == "distance") return 2;
+        return kind == "angle" || kind == "area" ? 3 : 4;
+    }
+
+    void look(const Look& look, const std::string& place) {
+        for (const auto& [key, text] : {std::pair("/color", look.color), std::pair("/fill", look.fill)})
+            if (!text.empty() && !parse_color(text))
+                document_.error(place + key, fmt::format("\"{}\" is no colour", text),
+                                "a name such as tomato or teal, #rgb, #rrggbb, #rrggbbaa or none");
+    }
+
+    void bounds() {
+        if (!scene_.world.bounds) return;
+        if (const auto& box = scene_.world.bounds->box)
+            for (int k = 0; k < scene_.dimension; ++k)
+                if ((*box)[0][k] == (*box)[1][k])
+                    document_.error("/world/bounds/box", "the corners of the box have no room between them");
+        const auto& planes = scene_.world.bounds->planes;
+        for (std::size_t i = 0; i < planes.size(); ++i)
+            if (planes[i].normal == Point{})
+                document_.error(under("world/bounds/planes", i, "normal"), "a normal needs a length");
+    }
+};
+
+/// Checks references against the world they are made to.
+template <int D, class Real> class ReferenceCheck {
+  public:
+    ReferenceCheck(const Scene& scene, const World<D, Real>& world, Document& document)
+        : scene_(scene), world_(world), document_(document) {}
+
+    void run() {
+        for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
+            for (std::size_t k = 0; k < scene_.constraints[i].between.size(); ++k)
+                particle(scene_.constraints[i].between[k], under("constraints", i, "between") + under("", k).substr(1));
+        for (std::size_t i = 0; i < scene_.pins.size(); ++i) particle(scene_.pins[i].particle, under("pins", i, "particle"));
+        for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
+        for (std::size_t i = 0; i < scene_.looks.size(); ++i) look(scene_.looks[i].first);
+        for (std::size_t i = 0; i < scene_.events.size(); ++i)
+            detail::visit_held(scene_.events[i].event, [&](const auto& event) { this->event(event, i); });
+    }
+
+  private:
+    const Scene& scene_;
+    const World<D, Real>& world_;
+    Document& document_;
+
+    std::vector<std::string_view> figure_names() const {
+        std::vector<std::string_view> names;
+        for (const auto& figure : world_.figures) names.push_back(figure.name);
+        return names;
+    }
+
+    void unknown(std::string_view what, std::string_view name, const std::string& place,
+                 std::vector<std::string_view> candidates) {
+        constexpr std::size_t most_listed = 40;
+        const auto help = candidates.size() <= most_listed
+                              ? suggest(name, std::move(candidates))
+                              : fmt::format("there are {}, such as \"{}\" and \"{}\"", candidates.size(),
+                                            candidates.front(), candidates.back());
+        document_.error(place, fmt::format("there is no {} \"{}\"", what, name), help);
+    }
+
+    /// A name "figure/rest"; reports what of it does not exist. `names` lists what the figure has.
+    template <class Names>
+    void path(std::string_view what, std::string_view path, const std::string& place, bool found, Names&& names) {
+        if (found) return;
+        const auto slash = path.find('/');
+        if (slash == std::string_view::npos)
+            return document_.error(place, fmt::format("expected a {} as figure/name, found \"{}\"", what, path),
+                                   suggest(path, figure_names()));
+        const auto index = find_figure(world_, path.substr(0, slash));
+        if (!index) return unknown("figure", path.substr(0, slash), place, figure_names());
+        unknown(fmt::format("{} in \"{}\" called", what, path.substr(0, slash)), path.substr(slash + 1), place,
+                names(world_.figures[*index]));
+    }
+
+    void particle(std::string_view name, const std::string& place) {
+        path("particle", name, place, find_particle(world_, name).has_value(), [](const Figure& figure) {
+            std::vector<std::string_view> names;
+            for (const auto& named : figure.particle_names) names.emplace_back(named.first);
+            return names;
+        });
+    }
+
+    void constraint(std::string_view name, const std::string& place) {
+        path("constraint", name, place, find_constraint(world_, name).has_value(), [](const Figure& figure) {
+            std::vector<std::string_view> names;
+            for (const auto& named : figure.constraint_names) names.emplace_back(named.first);
+            return names;
+        });
+    }
+
+    void figure(const FigureSection& section, std::size_t i) {
+        const auto& built = world_.figures[i];
+        for (const auto& [name, kick] : section.kicks)
+            particle(built.name + "/" + name, under("figures", i, "kicks") + json::pointer_step(name));
+        for (const auto& [part, seen] : section.looks)
+            if (part != "all" && !has_part(built, part))
+                unknown("part", part, under("figures", i, "looks") + json::pointer_step(part), parts_of(built));
+        const auto* by_hand = std::get_if<ByHand>(&section.made);
+        if (!by_hand) return;
+        for (std::size_t k = 0; k < by_hand->constraints.size(); ++k)
+            for (std::size_t m = 0; m < by_hand->constraints[k].between.size(); ++m)
+                particle(built.name + "/" + by_hand->constraints[k].between[m],
+                         under("figures", i) + under("constraints", k) + fmt::format("/between/{}", m));
+    }
+
+    static bool has_part(const Figure& figure, std::string_view part) {
+        return std::any_of(figure.pieces.begin(), figure.pieces.end(), [&](const Piece& piece) { return piece.part == part; });
+    }
+
+    static std::vector<std::string_view> parts_of(const Figure& figure) {
+        std::vector<std::string_view> parts;
+        for (const auto& piece : figure.pieces)
+            if (std::find(parts.begin(), parts.end(), piece.part) == parts.end()) parts.emplace_back(piece.part);
+        return parts;
+    }
+
+    /// A key of "looks": figure/part, figure, or the part of any figure.
+    void look(std::string_view key) {
+        const auto place = "/looks" + json::pointer_step(key);
+        const auto slash = key.find('/');
+        if (slash != std::string_view::npos) {
+            const auto index = find_figure(world_, key.substr(0, slash));
+            if (!index) return unknown("figure", key.substr(0, slash), place, figure_names());
+            if (!has_part(world_.figures[*index], key.substr(slash + 1)))
+                unknown("part", key.substr(slash + 1), place, parts_of(world_.figures[*index]));
+            return;
+        }
+        if (find_figure(world_, key)) return;
+        auto candidates = figure_names();
+        for (const auto& figure : world_.figures) {
+            if (has_part(figure, key)) return;
+            for (const auto part : parts_of(figure))
+                if (std::find(candidates.begin(), candidates.end(), part) == candidates.end()) candidates.push_back(part);
+        }
+        unknown("figure or part", key, place, std::move(candidates));
+    }
+
+    void event(const GrabEvent& grab, std::size_t i) { particle(grab.particle, under("events", i, "grab")); }
+    void event(const ReleaseEvent& release, std::size_t i) { particle(release.particle, under("events", i, "release")); }
+    void event(const ImpulseEvent& impulse, std::size_t i) {
+        if (!find_figure(world_, impulse.target)) particle(impulse.target, under("events", i, "impulse"));
+    }
+    void event(const SnipEvent& snip, std::size_t i) {
+        for (std::size_t k = 0; k < snip.constraints.size(); ++k)
+            constraint(snip.constraints[k], under("events", i, "snip") + fmt::format("/{}", k));
+    }
+    template <class Event> void event(const Event&, std::size_t) {}
+};
+
+} // namespace
+
+std::string_view name_of(const FigureSection& figure) {
+    if (!figure.name.empty()) return figure.name;
+    std::string_view name;
+    detail::visit_held(figure.made, [&](const auto& made) { name = made.name; });
+    return name;
+}
+
+void check_values(const Scene& scene, Document& document) {
+    ValueCheck(scene, document).run();
+}
+
+void check_references(const Scene& scene, const AnyWorld& world, Document& document) {
+    std::visit([&](const auto& w) { ReferenceCheck(scene, w, document).run(); }, world);
+}
+
+} // namespace sinew

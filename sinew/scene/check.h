@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sinew/scene/scene.h"
+
+/// What a scene must keep beyond the types and ranges of single values.
+namespace sinew {
+
+/// Before anything is built: names used once, sizes within the limits, prefabs that exist in the scene's dimension, constraints
+/// that make sense.
+void check_values(const Scene& scene, Document& document);
+
+/// Once it is built: every particle, constraint, figure and part that is spoken of exists.
+void check_references(const Scene& scene, const AnyWorld& world, Document& document);
+
+/// What the scene calls a figure: its name, else its prefab's.
+std::string_view name_of(const FigureSection& figure);
+
+} // namespace sinew

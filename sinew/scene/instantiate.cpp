@@ -1,0 +1,229 @@
+#include "sinew/scene/check.h"
+#include "sinew/scene/scene.h"
+#include "sinew/solver/edit.h"
+
+#include <algorithm>
+
+namespace sinew {
+namespace {
+
+/// Makes the world of a scene, section by section.
+template <int D, class Real> class Maker {
+  public:
+    explicit Maker(const Scene& scene) : scene_(scene) {}
+
+    World<D, Real> make() {
+        settings();
+        forces();
+        bounds();
+        for (const auto& figure : scene_.figures) add(figure);
+        for (const auto& constraint : scene_.constraints) join(constraint, no_figure, "");
+        for (const auto& section : scene_.pins) hold(section);
+        return std::move(world_);
+    }
+
+  private:
+    using Vector = Vec<D, Real>;
+    const Scene& scene_;
+    World<D, Real> world_;
+
+    int up() const { return scene_.units.up == "-y" ? -1 : 1; }
+    static Vector vector(const Point& point) { return point.as<D, Real>(); }
+
+    void settings() {
+        const auto& solver = scene_.solver;
+        const auto& rules = solver.rules;
+        auto& settings = world_.settings;
+        settings.mode = solver.mode == "classic" ? Mode::classic : Mode::physical;
+        settings.substeps = solver.substeps;
+        settings.iterations = solver.iterations;
+        settings.damping = Real(scene_.world.damping.value_or(0));
+        settings.frame = Real(scene_.measures().per_second / 60);
+        const auto order = std::find(RulesSection::orders.begin(), RulesSection::orders.end(), rules.order);
+        settings.classic = {
+            .passes = solver.passes,
+            .order = PassOrder(order - RulesSection::orders.begin()),
+            .keep = Real(scene_.world.damping.value_or(1)),
+            .damp_after_force = rules.damp_after_force,
+            .root_free = rules.root_free,
+            .bounce = Real(scene_.world.bounds ? scene_.world.bounds->bounce : 0),
+            .floor_keep = Real(rules.floor_keep),
+            .time_scale = Real(rules.time_scale),
+            .longest_step = Real(rules.longest_step),
+            .outward_bounce = rules.outward_bounce,
+            .points_only_passes = rules.points_only_passes,
+            .unscaled_inertia = rules.unscaled_inertia,
+            .halved_acceleration = rules.halved_acceleration,
+        };
+    }
+
+    void forces() {
+        world_.forces.push_back(Gravity<D, Real>{vector(scene_.world.gravity)}); // the first is the world's own
+        for (const auto& section : scene_.world.forces)
+            detail::visit_held(section.force, [&](const auto& force) { world_.forces.push_back(field(force)); });
+    }
+
+    Gravity<D, Real> field(const GravityForce& force) const { return {vector(force.acceleration)}; }
+    Drag<D, Real> field(const DragForce& force) const { return {Real(force.strength)}; }
+    Wind<D, Real> field(const WindForce& force) const {
+        return {.velocity = vector(force.velocity),
+                .strength = Real(force.strength),
+                .gust = vector(force.gust),
+                .gust_period = Real(force.gust_period),
+                .gust_size = Real(force.gust_size),
+                .seed = seed(force.seed)};
+    }
+    Attractor<D, Real> field(const AttractorForce& force) const {
+        return {vector(force.center), Real(force.strength), Real(force.softness)};
+    }
+    RandomPush<D, Real> field(const RandomPushForce& force) const {
+        return {vector(force.low), vector(force.high), seed(force.seed)};
+    }
+    std::uint64_t seed(std::int64_t own) const { return std::uint64_t(own) ^ random::mix(std::uint64_t(scene_.solver.seed)); }
+
+    void bounds() {
+        if (!scene_.world.bounds) return;
+        const auto& bounds = *scene_.world.bounds;
+        const Real bounce = Real(bounds.bounce), friction = Real(bounds.friction);
+        if (bounds.box)
+            for (int i = 0; i < D; ++i) {
+                const Real low = Real(std::min((*bounds.box)[0][i], (*bounds.box)[1][i]));
+                const Real high = Real(std::max((*bounds.box)[0][i], (*bounds.box)[1][i]));
+                world_.bounds.push_back({Vector::axis(i), low, bounce, friction});
+                world_.bounds.push_back({-Vector::axis(i), -high, bounce, friction});
+            }
+        for (const auto& plane : bounds.planes) {
+            const auto normal = direction(vector(plane.normal));
+            world_.bounds.push_back({normal, dot(normal, vector(plane.through)), Real(plane.bounce.value_or(bounds.bounce)),
+                                     Real(plane.friction.value_or(bounds.friction))});
+        }
+    }
+
+    void add(const FigureSection& section) {
+        const auto name = name_of(section);
+        FigureIndex figure = no_figure;
+        detail::visit_held(section.made, [&](const auto& made) { figure = build_figure(made, name, section); });
+        for (const auto id : world_.figures[figure].particles) speed_up(id, section.velocity);
+        for (const auto& [particle, kick] : section.kicks)
+            if (const auto id = find_particle(world_, std::string(name) + "/" + particle)) speed_up(*id, kick);
+        override_column(figure, section.relaxation, [](auto& table) -> auto& { return table.relaxation; });
+        override_column(figure, section.split, [](auto& table) -> auto& { return table.split; });
+    }
+
+    void speed_up(ParticleId id, const Point& velocity) {
+        if (velocity == Point{}) return;
+        set_velocity(world_, id, *velocity_of(world_, id) + vector(velocity));
+    }
+
+    template <class Column> void override_column(FigureIndex figure, std::optional<double> value, Column&& column) {
+        if (!value) return;
+        for_each_table(world_, [&](auto& table) {
+            for (Row row = 0; row < table.size(); ++row)
+                if (table.figure[row] == figure) column(table)[row] = Real(*value);
+        });
+    }
+
+    template <class Prefab>
+    FigureIndex build_figure(const Prefab& prefab, std::string_view name, const FigureSection& section) {
+        if constexpr (Prefab::dimensions.include(D))
+            return build(world_, prefab, name,
+                         Placement<D, Real>{.at = vector(section.at), .turn = section.turn, .up = up()});
+        else
+            return no_figure;
+    }
+
+    /// Listed places are meant in the scene's own axes: only turned and moved, never mirrored.
+    FigureIndex build_figure(const ByHand& by_hand, std::string_view name, const FigureSection& section) {
+        const auto figure = add_figure(world_, name, ByHand::name);
+        const Placement<D, Real> placement{.at = vector(section.at), .turn = section.turn * up(), .up = 1};
+        for (const auto& [called, particle] : by_hand.particles) {
+            const auto place = placement.place(particle.at.template as<D, double>());
+            std::optional<Vector> previous;
+            if (particle.previous) previous = placement.place(particle.previous->template as<D, double>());
+            const auto id = add_particle(world_, {.position = place,
+                                                  .velocity = vector(particle.velocity),
+                                                  .previous = previous,
+                                                  .mass = Real(particle.mass),
+                                                  .radius = Real(particle.radius),
+                                                  .figure = figure});
+            world_.figures[figure].particles.push_back(id);
+            world_.figures[figure].particle_names.emplace_back(called, id);
+            if (particle.pinned) pin(world_, id);
+        }
+        for (const auto& constraint : by_hand.constraints) join(constraint, figure, std::string(name) + "/");
+        for (const auto& [called, particle] : by_hand.particles)
+            world_.figures[figure].pieces.push_back({.mark = Mark::dot,
+                                                     .part = called,
+                                                     .particles = {*find_particle(world_, std::string(name) + "/" + called)},
+                                                     .width = particle.size});
+        return figure;
+    }
+
+    /// A constraint between particles whose names begin with `prefix`. References are checked later: one to nothing is left out.
+    void join(const ConstraintSection& section, FigureIndex figure, const std::string& prefix) {
+        std::vector<ParticleId> members;
+        for (const auto& name : section.between) members.push_back(find_particle(world_, prefix + name).value_or(ParticleId{}));
+        ConstraintSpec<Real> spec{.limits = limits(section),
+                                  .compliance = Real(section.compliance),
+                                  .relaxation = Real(section.relaxation.value_or(1)),
+                                  .split = Real(section.split.value_or(0.5)),
+                                  .breaking_strain = Real(tears_beyond(section.breaking_strain)),
+                                  .figure = figure};
+        const auto id = add_constraint(world_, kind_of(section.kind), members, spec);
+        if (!id || figure == no_figure) return;
+        auto& built = world_.figures[figure];
+        built.constraints.push_back(*id);
+        if (!section.name.empty()) built.constraint_names.emplace_back(section.name, *id);
+        const bool line = section.kind == "distance";
+        if (line || section.kind == "area")
+            built.pieces.push_back({.mark = line ? Mark::stroke : Mark::fill,
+                                    .part = section.name.empty() ? (line ? "line" : "area") : section.name,
+                                    .particles = members,
+                                    .hidden = section.hidden});
+    }
+
+    static std::optional<Limits<Real>> limits(const ConstraintSection& section) {
+        const Real in_program = section.kind == "angle" || section.kind == "dihedral" ? pi<Real> / 180 : 1;
+        if (section.rest) return exactly(Real(*section.rest) * in_program);
+        if (!section.low && !section.high) return std::nullopt;
+        auto limits = between(-std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity());
+        if (section.low) limits.low = Real(*section.low) * in_program;
+        if (section.high) limits.high = Real(*section.high) * in_program;
+        return limits;
+    }
+
+    static int kind_of(std::string_view name) {
+        int number = 0, found = -1;
+        Kinds<D>::for_each([&]<class Kind>(std::type_identity<Kind>) {
+            if (name == Kind::name) found = number;
+            ++number;
+        });
+        return found;
+    }
+
+    void hold(const PinSection& section) {
+        const auto id = find_particle(world_, section.particle);
+        if (!id) return;
+        std::optional<Vector> target;
+        if (section.to) target = vector(*section.to);
+        pin(world_, *id,
+            {.target = target,
+             .compliance = Real(section.compliance),
+             .damping = Real(section.damping),
+             .max_force = Real(section.max_force)});
+    }
+};
+
+} // namespace
+
+AnyWorld instantiate(const Scene& scene) {
+    const bool single = scene.solver.precision == "float";
+    if (scene.dimension == 2) {
+        if (single) return Maker<2, float>(scene).make();
+        return Maker<2, double>(scene).make();
+    }
+    if (single) return Maker<3, float>(scene).make();
+    return Maker<3, double>(scene).make();
+}
+
+} // namespace sinew

@@ -1,0 +1,70 @@
+#include "sinew/scene/scene.h"
+
+#include "sinew/scene/check.h"
+#include "sinew/scene/reader.h"
+
+namespace sinew {
+namespace {
+
+/// What the other sections cannot be read without.
+struct Header {
+    int dimension = 2;
+    UnitsSection units;
+
+    Header(const Document& document, Diagnostics& heard_again) {
+        const Reading in{.diagnostics = heard_again};
+        const auto* members = document.root.as<json::Object>();
+        if (!members) return;
+        Scene::fields(scene_, [&](auto& member, const Field& field) {
+            using T = std::remove_cvref_t<decltype(member)>;
+            const auto* found = json::find(*members, field.name);
+            if (!found) return;
+            if constexpr (std::is_same_v<T, UnitsSection>) read(found->value, units, field, Path{}, in);
+            if constexpr (std::is_same_v<T, int>)
+                if (field.name == "dimension") read(found->value, dimension, field, Path{}, in);
+        });
+    }
+
+  private:
+    Scene scene_;
+};
+
+Units measures(const UnitsSection& section) {
+    Units units;
+    if (section.length == "px") units = {.length = "px", .per_metre = 100};
+    if (section.length == "cm") units = {.length = "cm", .per_metre = 100};
+    if (section.length == "mm") units = {.length = "mm", .per_metre = 1000};
+    if (section.time == "frame") {
+        units.time = "frame";
+        units.per_second = 60;
+    }
+    return units;
+}
+
+} // namespace
+
+Units Scene::measures() const {
+    return sinew::measures(units);
+}
+
+double step_length(const Scene& scene) {
+    return scene.measures().per_second / scene.solver.rate;
+}
+
+std::optional<Opened> open_scene(Document& document) {
+    if (!document.diagnostics.ok()) return std::nullopt;
+    Diagnostics heard_again = document.diagnostics; // what the header says wrong, the whole reading says too
+    const Header header(document, heard_again);
+    Opened opened;
+    read(document.root, opened.scene,
+         Reading{.diagnostics = document.diagnostics, .dimension = header.dimension, .units = measures(header.units)});
+    if (!document.diagnostics.ok()) return std::nullopt;
+    check_values(opened.scene, document);
+    if (!document.diagnostics.ok()) return std::nullopt;
+    opened.world = instantiate(opened.scene);
+    check_references(opened.scene, opened.world, document);
+    if (!document.diagnostics.ok()) return std::nullopt;
+    return opened;
+}
+
+} // namespace sinew

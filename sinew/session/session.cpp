@@ -1,0 +1,249 @@
+#include "sinew/session/session.h"
+
+#include "sinew/scene/reader.h"
+#include "sinew/solver/edit.h"
+#include "sinew/solver/measure.h"
+#include "sinew/solver/step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sinew {
+namespace {
+
+template <class WorldT> using VectorOf = typename WorldT::Vector;
+
+template <class WorldT> Gravity<WorldT::dimension, typename WorldT::Real>* gravity_of(WorldT& world) {
+    return world.forces.empty() ? nullptr
+                                : std::get_if<Gravity<WorldT::dimension, typename WorldT::Real>>(&world.forces.front());
+}
+
+/// Whether the segments a b and c d cross.
+bool cross_each_other(Vec2<double> a, Vec2<double> b, Vec2<double> c, Vec2<double> d) {
+    const auto side = [](Vec2<double> from, Vec2<double> to, Vec2<double> point) { return cross(to - from, point - from); };
+    return (side(a, b, c) > 0) != (side(a, b, d) > 0) && (side(c, d, a) > 0) != (side(c, d, b) > 0);
+}
+
+template <class WorldT> std::vector<ConstraintId> distances_across(const WorldT& world, const std::array<Point, 2>& line) {
+    std::vector<ConstraintId> crossed;
+    const auto& distances = std::get<kind_number<Distance, WorldT::dimension>>(world.constraints);
+    const auto flat = [&](Row row) {
+        const auto& place = world.particles.position[row];
+        return Vec2<double>{{double(place[0]), double(place[1])}};
+    };
+    for (Row row = 0; row < distances.size(); ++row) {
+        const auto ends = distances.members[row];
+        if (cross_each_other(line[0].as<2, double>(), line[1].as<2, double>(), flat(ends[0]), flat(ends[1])))
+            crossed.push_back({kind_number<Distance, WorldT::dimension>, distances.slots.id_of(row)});
+    }
+    return crossed;
+}
+
+/// What an event does to a world. Returns where it happened, as the scene calls it.
+template <class WorldT> struct Doer {
+    using Real = typename WorldT::Real;
+    static constexpr int D = WorldT::dimension;
+    WorldT& world;
+
+    std::string operator()(const ImpulseEvent& impulse) const {
+        const auto by = impulse.by.template as<D, Real>();
+        if (const auto particle = find_particle(world, impulse.target)) {
+            apply_impulse(world, *particle, by);
+        } else if (const auto figure = find_figure(world, impulse.target)) {
+            strike(world.figures[*figure], by);
+        }
+        return impulse.target;
+    }
+
+    std::string operator()(const CutEvent& cut) const {
+        remove_constraints(world, std::span<const ConstraintId>(distances_across(world, cut.line)));
+        return "";
+    }
+
+    std::string operator()(const SnipEvent& snip) const {
+        std::vector<ConstraintId> ids;
+        for (const auto& name : snip.constraints)
+            if (const auto id = find_constraint(world, name)) ids.push_back(*id);
+        remove_constraints(world, std::span<const ConstraintId>(ids));
+        return snip.constraints.empty() ? "" : snip.constraints.front();
+    }
+
+    std::string operator()(const SetEvent& set) const {
+        const auto& to = set.changes;
+        auto& settings = world.settings;
+        if (auto* gravity = gravity_of(world); gravity && to.gravity)
+            gravity->acceleration = to.gravity->template as<D, Real>();
+        if (to.damping) (settings.mode == Mode::classic ? settings.classic.keep : settings.damping) = Real(*to.damping);
+        if (to.bounce) settings.classic.bounce = Real(*to.bounce);
+        for (auto& plane : world.bounds) {
+            if (to.bounce) plane.restitution = Real(*to.bounce);
+            if (to.friction) plane.friction = Real(*to.friction);
+        }
+        if (to.time_scale) settings.classic.time_scale = Real(*to.time_scale);
+        if (to.substeps) settings.substeps = *to.substeps;
+        if (to.iterations) settings.iterations = *to.iterations;
+        if (to.passes) settings.classic.passes = *to.passes;
+        return "";
+    }
+
+  private:
+    /// A figure takes a blow as one body: every particle gets the same change of velocity.
+    void strike(const Figure& figure, const Vec<D, Real>& by) const {
+        Real mass = 0;
+        for (const auto id : figure.particles)
+            if (const auto row = row_of(world, id)) mass += inverse_or_zero(world.particles.mobility[*row]);
+        for (const auto id : figure.particles)
+            if (const auto row = row_of(world, id); row && world.particles.mobility[*row] > Real(0))
+                set_velocity(world, id, world.particles.velocity[*row] + by * inverse_or_zero(mass));
+    }
+};
+
+} // namespace
+
+Session::Session(Opened opened) : scene_(std::move(opened.scene)), world_(std::move(opened.world)) {
+    std::stable_sort(scene_.events.begin(), scene_.events.end(),
+                     [](const EventSection& a, const EventSection& b) { return a.at < b.at; });
+}
+
+void Session::restart() {
+    world_ = instantiate(scene_);
+    next_event_ = 0;
+    held_.clear();
+    blowing_.clear();
+    happenings_.clear();
+    happening_count_ = 0;
+}
+
+double Session::seconds() const {
+    const double time = std::visit([](const auto& world) { return world.time; }, world_);
+    return time / scene_.measures().per_second;
+}
+
+void Session::run_until(double seconds) {
+    const double half_a_step = 0.5 / scene_.solver.rate; // time is a sum of steps: never one more for its rounding
+    while (this->seconds() < seconds - half_a_step) step();
+}
+
+void Session::step() {
+    const double now = std::visit([](const auto& world) { return world.time; }, world_);
+    const double dt = step_length(scene_);
+    while (next_event_ < scene_.events.size() && scene_.events[next_event_].at <= now + dt * 1e-6)
+        happen(scene_.events[next_event_++]);
+    still_gusts();
+    carry_held();
+    std::visit([&]<class WorldT>(WorldT& world) { sinew::step(world, typename WorldT::Real(dt)); }, world_);
+    note_events();
+}
+
+void Session::happen(const EventSection& event) {
+    const double now = std::visit([](const auto& world) { return world.time; }, world_);
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            using Real = typename WorldT::Real;
+            constexpr int D = WorldT::dimension;
+            const auto let_go = [&](const std::string& particle) {
+                std::erase_if(held_, [&](const Held& held) {
+                    if (held.particle != particle) return false;
+                    unpin(world, held.pin);
+                    return true;
+                });
+            };
+            detail::visit_held(event.event, [&]<class Event>(const Event& happening) {
+                std::string where;
+                if constexpr (std::is_same_v<Event, GrabEvent>) {
+                    where = happening.particle;
+                    let_go(where);
+                    const auto id = find_particle(world, where);
+                    if (!id) return;
+                    Point from;
+                    for (int i = 0; i < D; ++i) from[i] = double((*position_of(world, *id))[i]);
+                    const auto held = pin(world, *id,
+                                          PinSpec<D, Real>{.compliance = Real(happening.compliance),
+                                                           .max_force = Real(happening.max_force)});
+                    held_.push_back({where, *held, from, happening.to.value_or(from), now, happening.over});
+                } else if constexpr (std::is_same_v<Event, ReleaseEvent>) {
+                    where = happening.particle;
+                    let_go(where);
+                    if (const auto id = find_particle(world, where)) unpin_all(world, *id);
+                } else if constexpr (std::is_same_v<Event, GustEvent>) {
+                    blowing_.push_back({world.forces.size(), now + happening.over});
+                    world.forces.push_back(Wind<D, Real>{.velocity = happening.velocity.template as<D, Real>(),
+                                                         .strength = Real(happening.strength)});
+                } else {
+                    where = Doer<WorldT>{world}(happening);
+                }
+                note(std::string(Event::name), where);
+            });
+        },
+        world_);
+}
+
+void Session::carry_held() {
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            using Real = typename WorldT::Real;
+            const double then = world.time + step_length(scene_);
+            for (const auto& held : held_) {
+                const double share = held.over > 0 ? clamp((then - held.since) / held.over, 0.0, 1.0) : 1.0;
+                move_pin(world, held.pin, VectorOf<WorldT>::map([&](int i) {
+                             return Real(held.from[i] + (held.to[i] - held.from[i]) * share);
+                         }));
+            }
+        },
+        world_);
+}
+
+void Session::still_gusts() {
+    std::visit(
+        [&](auto& world) {
+            for (std::size_t i = 0; i < blowing_.size();) {
+                if (world.time < blowing_[i].until) {
+                    ++i;
+                    continue;
+                }
+                world.forces.erase(world.forces.begin() + std::ptrdiff_t(blowing_[i].force));
+                for (auto& other : blowing_)
+                    if (other.force > blowing_[i].force) --other.force;
+                blowing_.erase(blowing_.begin() + std::ptrdiff_t(i));
+            }
+        },
+        world_);
+}
+
+void Session::note(std::string what, std::string where) {
+    if (happening_count_++ < most_happenings) happenings_.push_back({seconds(), std::move(what), std::move(where)});
+}
+
+void Session::note_events() {
+    std::visit(
+        [&](const auto& world) {
+            for (const auto& event : world.events)
+                note(event.type == EventType::torn ? "torn" : "quarantined",
+                     event.figure < world.figures.size() ? world.figures[event.figure].name : "");
+        },
+        world_);
+}
+
+Report Session::report() const {
+    return std::visit(
+        [&](const auto& world) {
+            const auto energies = energy(world);
+            const auto strains = stretch(world);
+            Report report{.seconds = seconds(),
+                          .steps = world.steps,
+                          .particles = world.particles.size(),
+                          .hash = state_hash(world),
+                          .kinetic = energies.kinetic,
+                          .potential = energies.potential,
+                          .stored = energies.stored,
+                          .stretch_max = strains.max,
+                          .stretch_mean = strains.mean,
+                          .max_speed = max_speed(world)};
+            for_each_table(world, [&](const auto& table) { report.constraints += table.size(); });
+            return report;
+        },
+        world_);
+}
+
+} // namespace sinew
