@@ -26,8 +26,7 @@ struct Bone {
     std::string_view part;
     double classic_width, width; ///< as drawn; 0: a support, drawn only when asked for
     Rig rig = Rig::both;
-    double shortest = 1; ///< of its length in the table: below 1 it gives way, as far as this
-    double longest = 1;
+    double strut = 0; ///< not 0: keeps its ends only this share of their distance in the table apart, or more
 };
 
 /// The turn at `at` on the way from -> at -> to stays in a range: degrees, counter-clockwise as seen on screen.
@@ -67,8 +66,8 @@ template <int D, class Real> void build_body(Builder<D, Real>& figure, const Bod
         const auto from = figure.named(bone.from), to = figure.named(bone.to);
         const std::array ends{from, to};
         const double length = figure.template measure<Distance>(ends);
-        figure.template constrain<Distance>(bone.name, {from, to},
-                                            {.limits = between(bone.shortest * length, bone.longest * length)});
+        figure.template constrain<Distance>(
+            bone.name, {from, to}, {.limits = bone.strut > 0 ? at_least(bone.strut * length) : exactly(length)});
         figure.draw(Mark::stroke, bone.part, {from, to}, scale * width, width == 0);
     }
     constexpr double degree = pi<double> / 180;

@@ -39,7 +39,7 @@ struct Box {
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e9});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-9, .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.thickness,
               Field{.name = "thickness", .help = "Of the drawn edges", .unit = unit::length, .low = 0, .high = most});
         visit(self.dot, Field{.name = "dot",

@@ -28,7 +28,7 @@ struct Chain {
     double thickness = 0.06;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6, lightest = 1e-9, heaviest = 1e9;
+        constexpr double least = 1e-6, most = 1e6, lightest = 1e-6, heaviest = 1e9;
         visit(self.links, Field{.name = "links", .help = "How many links", .low = 1, .high = 1e9});
         visit(self.loop, Field{.name = "loop",
                                .help = "Length of a link as it is drawn",

@@ -30,7 +30,7 @@ struct Cloth {
     double spacing = 0.1;
     std::string plane = "vertical";
     std::string pins = "top";
-    std::vector<double> pin_list;
+    std::vector<double> pin_list{};
     std::string diagonals = "both";
     bool bend = false;
     double mass = 1;
@@ -66,7 +66,7 @@ struct Cloth {
                                     .help = "Threads across each cell, which resist shear",
                                     .choices = diagonal_rules});
         visit(self.bend, Field{.name = "bend", .help = "Springs from each particle to the next but one"});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-9, .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.compliance, Field{.name = "compliance",
                                      .help = "How much a thread gives under a force; 0 does not stretch",
                                      .unit = unit::compliance,

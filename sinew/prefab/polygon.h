@@ -45,7 +45,7 @@ struct Polygon {
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e9});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-9, .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Of the outline, which keeps the corners half of it away from walls",
                                     .unit = unit::length,

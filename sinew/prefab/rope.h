@@ -30,7 +30,7 @@ struct Rope {
     double thickness = 0.03;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6, lightest = 1e-9, heaviest = 1e9;
+        constexpr double least = 1e-6, most = 1e6, lightest = 1e-6, heaviest = 1e9;
         visit(self.length, Field{.name = "length",
                                  .help = "From end to end along the rope",
                                  .unit = unit::length,

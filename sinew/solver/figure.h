@@ -47,15 +47,15 @@ std::string name_of(std::size_t number, std::span<const Numbered> numbered);
 
 /// What a prefab built: names for its particles and constraints, and what to draw. Positions are elsewhere, in columns.
 struct Figure {
-    std::string name;
-    std::string prefab;
-    std::vector<ParticleId> particles; ///< as they were built; what is removed leaves its id, which finds nothing
-    std::vector<ConstraintId> constraints;
-    std::vector<std::pair<std::string, ParticleId>> particle_names; ///< in the order they were given
-    std::vector<std::pair<std::string, ConstraintId>> constraint_names;
-    std::vector<Numbered> particle_numbers; ///< further names
-    std::vector<Numbered> constraint_numbers;
-    std::vector<Piece> pieces;
+    std::string name{};
+    std::string prefab{};
+    std::vector<ParticleId> particles{}; ///< as they were built; what is removed leaves its id, which finds nothing
+    std::vector<ConstraintId> constraints{};
+    std::vector<std::pair<std::string, ParticleId>> particle_names{}; ///< in the order they were given
+    std::vector<std::pair<std::string, ConstraintId>> constraint_names{};
+    std::vector<Numbered> particle_numbers{}; ///< further names
+    std::vector<Numbered> constraint_numbers{};
+    std::vector<Piece> pieces{};
     bool quarantined = false;
 };
 
