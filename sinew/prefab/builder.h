@@ -27,41 +27,98 @@ template <int D, class Real> struct Placement {
     }
 };
 
+/// A place in the plane of the screen, in any dimension.
+template <int D> constexpr Vec<D, double> on_screen(double x, double y) {
+    Vec<D, double> place;
+    place[0] = x;
+    place[1] = y;
+    return place;
+}
+
+/// A breaking strain as prefabs take it, where 0 means that nothing tears.
+inline double tears_beyond(double strain) {
+    return strain > 0 ? strain : std::numeric_limits<double>::infinity();
+}
+
+/// Whether a measure changes its sign in a mirror: signed angles do, and areas in the plane, and volumes in space.
+template <class Kind, int D> inline constexpr bool mirrors = Kind::period > 0 || Kind::length_power == D;
+
 template <int D, class RealT> class Builder {
   public:
     using Real = RealT;
+    using Local = Vec<D, double>;
     static constexpr int dimension = D;
 
     Builder(World<D, Real>& world, FigureIndex figure, const Placement<D, Real>& placement, Mode mode)
-        : world_(world), figure_(figure), placement_(placement), mode_(mode) {}
+        : world_(world), figure_(figure), placement_(placement), mode_(mode), first_(Row(world.particles.size())) {}
 
     /// Prefabs may build a classic rig (equal masses, hidden beams) and a physical one.
     Mode mode() const { return mode_; }
     Figure& figure() { return world_.figures[figure_]; }
-    World<D, Real>& world() { return world_; }
 
-    /// A particle at a place of the prefab's frame. An empty name leaves it nameless.
-    ParticleId particle(std::string_view name, const Vec<D, double>& local, double mass = 1, double radius = 0) {
-        const auto id = add_particle(
-            world_,
-            {.position = placement_.place(local), .mass = Real(mass), .radius = Real(radius), .figure = figure_});
+    /// A particle at a place of the prefab's frame. An empty name leaves it nameless. The originals of classic mode
+    /// know points, all alike: there the mass is 1 and the radius 0.
+    ParticleId particle(std::string_view name, const Local& local, double mass, double radius = 0) {
+        const bool classic = mode_ == Mode::classic;
+        const auto id = add_particle(world_, {.position = placement_.place(local),
+                                              .mass = classic ? Real(1) : Real(mass),
+                                              .radius = classic ? Real(0) : Real(radius),
+                                              .figure = figure_});
+        locals_.push_back(local);
         figure().particles.push_back(id);
         if (!name.empty()) figure().particle_names.emplace_back(name, id);
         return id;
     }
 
-    /// A constraint between particles of the figure; without limits, exactly as they stand.
+    /// The particle of that name. Prefabs only ask for names they gave.
+    ParticleId named(std::string_view name) {
+        for (const auto& [given, id] : figure().particle_names)
+            if (given == name) return id;
+        return {};
+    }
+
+    /// What a kind measures in the prefab's frame.
+    template <template <int> class KindOf> double measure(std::span<const ParticleId> members) const {
+        using Kind = KindOf<D>;
+        if constexpr (Kind::arity == any_arity) {
+            std::vector<Local> points, gradient(members.size());
+            for (const auto id : members) points.push_back(local(id));
+            return Kind::evaluate(std::span<const Local>(points), std::span(gradient));
+        } else {
+            Points<Kind::arity, D, double> points{};
+            for (std::size_t i = 0; i < points.size() && i < members.size(); ++i) points[i] = local(members[i]);
+            return Kind::evaluate(points).value;
+        }
+    }
+
+    /// A constraint between particles of the figure; without limits, exactly as they stand. Limits are meant in the
+    /// prefab's frame, and so is what is measured: a figure has the same lengths wherever it stands, to the last digit.
     template <template <int> class Kind>
-    void constrain(std::string_view name, std::initializer_list<ParticleId> members, ConstraintSpec<Real> spec = {}) {
+    void constrain(std::string_view name, std::initializer_list<ParticleId> members, ConstraintSpec<double> spec = {}) {
         constrain<Kind>(name, std::span(members.begin(), members.size()), spec);
     }
     template <template <int> class Kind>
-    void constrain(std::string_view name, std::span<const ParticleId> members, ConstraintSpec<Real> spec = {}) {
-        spec.figure = figure_;
-        const auto id = add_constraint(world_, kind_number<Kind, D>, members, spec);
+    void constrain(std::string_view name, std::span<const ParticleId> members, ConstraintSpec<double> spec = {}) {
+        auto limits = spec.limits ? *spec.limits : exactly(measure<Kind>(members));
+        if (mirrors<Kind<D>, D> && placement_.up < 0) limits = {-limits.high, -limits.low};
+        const auto id = add_constraint(world_, kind_number<Kind, D>, members,
+                                       {.limits = Limits<Real>{Real(limits.low), Real(limits.high)},
+                                        .compliance = Real(spec.compliance),
+                                        .relaxation = Real(spec.relaxation),
+                                        .split = Real(spec.split),
+                                        .breaking_strain = Real(spec.breaking_strain),
+                                        .figure = figure_});
         if (!id) return;
         figure().constraints.push_back(*id);
         if (!name.empty()) figure().constraint_names.emplace_back(name, *id);
+    }
+
+    /// The next `count` particles are called stem_0, stem_1, ...; in rows of `columns`, stem_COLUMN_ROW.
+    void number_particles(std::string_view stem, std::size_t count, std::size_t columns = 0) {
+        figure().particle_numbers.push_back({std::string(stem), figure().particles.size(), count, columns});
+    }
+    void number_constraints(std::string_view stem, std::size_t count, std::size_t columns = 0) {
+        figure().constraint_numbers.push_back({std::string(stem), figure().constraints.size(), count, columns});
     }
 
     void hold(ParticleId id) { pin(world_, id); }
@@ -73,10 +130,26 @@ template <int D, class RealT> class Builder {
     }
 
   private:
+    /// Rows are given out in order, and nothing is removed while a figure is built.
+    const Local& local(ParticleId id) const { return locals_[row_of(world_, id).value_or(first_) - first_]; }
+
     World<D, Real>& world_;
     FigureIndex figure_;
     Placement<D, Real> placement_;
     Mode mode_;
+    Row first_;
+    std::vector<Local> locals_;
 };
+
+/// Adds a figure to a world: build(world, Rope{.length = 3}, "rope", {.at = {{1, 2}}}).
+template <class Prefab, int D, class Real>
+requires(Prefab::dimensions.include(D)) FigureIndex
+    build(World<D, Real>& world, const Prefab& prefab, std::string_view name,
+          const Placement<D, Real>& placement = {}) {
+    const auto figure = add_figure(world, name, Prefab::name);
+    Builder<D, Real> builder(world, figure, placement, world.settings.mode);
+    prefab.build(builder);
+    return figure;
+}
 
 } // namespace sinew

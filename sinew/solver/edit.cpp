@@ -285,29 +285,45 @@ std::optional<FigureIndex> find_figure(const World<D, Real>& world, std::string_
 
 namespace {
 
-/// What a list of names calls the second half of "figure/name".
-template <int D, class Real, class Id>
-std::optional<Id> find_named(const World<D, Real>& world, std::string_view path,
-                             std::vector<std::pair<std::string, Id>> Figure::*names) {
+struct Path {
+    const Figure* figure = nullptr;
+    std::string_view name;
+};
+
+/// The figure of a path "figure/name", and the name.
+template <int D, class Real> Path split(const World<D, Real>& world, std::string_view path) {
     const auto slash = path.find('/');
-    if (slash == std::string_view::npos) return std::nullopt;
+    if (slash == std::string_view::npos) return {};
     const auto figure = find_figure(world, path.substr(0, slash));
-    if (!figure) return std::nullopt;
-    for (const auto& [name, id] : world.figures[*figure].*names)
-        if (name == path.substr(slash + 1)) return id;
-    return std::nullopt;
+    return figure ? Path{&world.figures[*figure], path.substr(slash + 1)} : Path{};
+}
+
+/// What a name stands for: one that was given, or one by number.
+template <class Id>
+std::optional<Id> look_up(std::string_view name, const std::vector<std::pair<std::string, Id>>& given,
+                          const std::vector<Numbered>& numbered, const std::vector<Id>& built) {
+    for (const auto& [called, id] : given)
+        if (called == name) return id;
+    const auto number = number_called(name, numbered);
+    return number && *number < built.size() ? std::optional(built[*number]) : std::nullopt;
 }
 
 } // namespace
 
 template <int D, class Real>
 std::optional<ParticleId> find_particle(const World<D, Real>& world, std::string_view path) {
-    return find_named(world, path, &Figure::particle_names);
+    const auto [figure, name] = split(world, path);
+    if (!figure) return std::nullopt;
+    const auto id = look_up(name, figure->particle_names, figure->particle_numbers, figure->particles);
+    return id && world.particles.slots.find(*id) ? id : std::nullopt;
 }
 
 template <int D, class Real>
 std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::string_view path) {
-    return find_named(world, path, &Figure::constraint_names);
+    const auto [figure, name] = split(world, path);
+    if (!figure) return std::nullopt;
+    const auto id = look_up(name, figure->constraint_names, figure->constraint_numbers, figure->constraints);
+    return id && constraint_state(world, *id) ? id : std::nullopt;
 }
 
 #define SINEW_EDIT(D, Real)                                                                                            \

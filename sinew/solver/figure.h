@@ -2,6 +2,8 @@
 
 #include "sinew/solver/id.h"
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,20 +24,37 @@ enum class Mark : std::uint8_t {
 /// one thing in any colours; how thick it is belongs to its shape.
 struct Piece {
     Mark mark = Mark::stroke;
-    std::string part{};
-    std::vector<ParticleId> particles{};
+    std::string part;
+    std::vector<ParticleId> particles;
     double width = 0;    ///< in world units: line thickness or disc diameter; 0 leaves it to the looks
     bool hidden = false; ///< a support that is only drawn when asked for
 };
+
+/// Names by number, which take no room however many they are: the figure's particles (or constraints) from the one
+/// built as number `first` on are called stem_0, stem_1, ...; in rows of `columns`, where that is not 0,
+/// stem_COLUMN_ROW.
+struct Numbered {
+    std::string stem;
+    std::size_t first = 0;
+    std::size_t count = 0;
+    std::size_t columns = 0;
+};
+
+/// Which number a name stands for, or nothing: "link_7", "particle_3_5".
+std::optional<std::size_t> number_called(std::string_view name, std::span<const Numbered> numbered);
+/// The other way round; empty where the number has no name.
+std::string name_of(std::size_t number, std::span<const Numbered> numbered);
 
 /// What a prefab built: names for its particles and constraints, and what to draw. Positions are elsewhere, in columns.
 struct Figure {
     std::string name{};
     std::string prefab{};
-    std::vector<ParticleId> particles{};
+    std::vector<ParticleId> particles{}; ///< as they were built; what is removed leaves its id, which finds nothing
     std::vector<ConstraintId> constraints{};
     std::vector<std::pair<std::string, ParticleId>> particle_names{}; ///< in the order they were given
     std::vector<std::pair<std::string, ConstraintId>> constraint_names{};
+    std::vector<Numbered> particle_numbers{}; ///< further names
+    std::vector<Numbered> constraint_numbers{};
     std::vector<Piece> pieces{};
     bool quarantined = false;
 };

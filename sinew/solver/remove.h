@@ -31,7 +31,8 @@ template <int D, class Real> void erase_pins(World<D, Real>& world, std::span<co
     world.pin_slots.erase(gone);
 }
 
-/// Takes dead ids out of the figures: what they name is gone.
+/// Takes names and pieces of what is gone out of the figures. Their lists of everything stay as they were built: names
+/// by number count on it.
 template <int D, class Real> void forget_the_dead(World<D, Real>& world) {
     const auto dead_particle = [&](ParticleId id) { return !world.particles.slots.find(id); };
     const auto dead_constraint = [&](const ConstraintId& id) {
@@ -40,8 +41,6 @@ template <int D, class Real> void forget_the_dead(World<D, Real>& world) {
         return !found;
     };
     for (auto& figure : world.figures) {
-        std::erase_if(figure.particles, dead_particle);
-        std::erase_if(figure.constraints, dead_constraint);
         std::erase_if(figure.particle_names, [&](const auto& named) { return dead_particle(named.second); });
         std::erase_if(figure.constraint_names, [&](const auto& named) { return dead_constraint(named.second); });
         std::erase_if(figure.pieces, [&](const Piece& piece) {

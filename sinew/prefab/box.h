@@ -1,0 +1,56 @@
+#pragma once
+
+#include "sinew/prefab/builder.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace sinew {
+
+/// Four corners about the point where it stands: top_left, top_right, bottom_right, bottom_left. Constraints top,
+/// right, bottom, left, then diagonal (top left to bottom right) and other_diagonal.
+struct Box {
+    static constexpr std::string_view name = "box";
+    static constexpr std::string_view about = "A crate: four corners, four edges, one or two braces across.";
+    static constexpr Dimensions dimensions{2, 2};
+    static constexpr std::array<std::string_view, 3> bracings{"one", "both", "none"};
+
+    double width = 0.5;
+    double height = 0.5;
+    std::string braces = "one";
+    double compliance = 0;
+    double mass = 1;
+    double thickness = 0.04;
+    double dot = 0.05;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        constexpr double least = 1e-6, most = 1e6;
+        visit(self.width,
+              Field{.name = "width", .help = "From left to right", .unit = unit::length, .low = least, .high = most});
+        visit(self.height,
+              Field{.name = "height", .help = "From top to bottom", .unit = unit::length, .low = least, .high = most});
+        visit(self.braces, Field{.name = "braces",
+                                 .help = "Diagonals: one from the top left to the bottom right, both, or none, "
+                                         "which lets it fold",
+                                 .choices = bracings});
+        visit(self.compliance, Field{.name = "compliance",
+                                     .help = "How soft edges and diagonals are; 0 is rigid",
+                                     .unit = unit::compliance,
+                                     .low = 0,
+                                     .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.thickness,
+              Field{.name = "thickness", .help = "Of the drawn edges", .unit = unit::length, .low = 0, .high = most});
+        visit(self.dot, Field{.name = "dot",
+                              .help = "Diameter of the corners, which stay half of it away from walls",
+                              .unit = unit::length,
+                              .low = 0,
+                              .high = most});
+    }
+
+    Sizes sizes() const { return {.particles = 4, .constraints = 6}; }
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew

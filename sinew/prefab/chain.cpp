@@ -1,0 +1,50 @@
+#include "sinew/prefab/chain.h"
+
+#include <fmt/format.h>
+
+namespace sinew {
+
+Sizes Chain::sizes() const {
+    const auto n = std::size_t(links);
+    return {.particles = n + 1, .constraints = 2 * n - 1};
+}
+
+std::optional<std::string> Chain::problem(int) const {
+    if (slack == 0) return std::nullopt;
+    if (links == 1) return "a chain of one link cannot hang through: slack needs 2 links or more";
+    const double turn = 2 * half_turn_of_slack(links, slack);
+    if (turn <= bend_limit) return std::nullopt;
+    constexpr double degrees = 180 / pi<double>;
+    return fmt::format(
+        "with this slack the links turn by {:.0f} degrees, and bend_limit is {:.0f}: less slack, a higher "
+        "limit or more links",
+        turn * degrees, bend_limit * degrees);
+}
+
+template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {
+    const bool classic = figure.mode() == Mode::classic;
+    const double pitch = loop + gap;
+    const auto row = build_strand(figure, {.pieces = links,
+                                           .length = pitch * links,
+                                           .angle = angle,
+                                           .slack = slack,
+                                           .mass = mass,
+                                           .weight = weight,
+                                           .radius = thickness / 2});
+    // The original moves the lower of two loops only.
+    link(figure, row,
+         {.limits = exactly(pitch), .split = classic ? 0 : 0.5, .breaking_strain = tears_beyond(breaking_strain)});
+    if (!classic && bend_limit < pi<double> && links > 1)
+        stiffen(figure, row, {.limits = between(-bend_limit, bend_limit)});
+    hold_ends(figure, row, pinned);
+
+    // Seen from the broad side and from the narrow one, in turns.
+    constexpr double narrow = 0.4;
+    for (std::size_t i = 0; i + 1 < row.size(); ++i)
+        figure.draw(Mark::stroke, "link", {row[i], row[i + 1]}, i % 2 == 0 ? thickness : narrow * thickness);
+}
+
+#define SINEW_CHAIN(D, Real) template void Chain::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE(SINEW_CHAIN)
+
+} // namespace sinew

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "sinew/prefab/strand.h"
+
+#include <optional>
+#include <string>
+
+namespace sinew {
+
+/// A chain hanging from the point where it stands: stiff links, each from one particle to the next. Particles
+/// particle_0 (also called start), ..., the last also called end; constraints link_0, ..., and with bend_limit bend_0
+/// (at particle_1), ....
+struct Chain {
+    static constexpr std::string_view name = "chain";
+    static constexpr std::string_view about = "A chain of stiff links.";
+    static constexpr Dimensions dimensions{2, 3};
+
+    int links = 20;
+    double loop = 0.24;
+    double gap = 0.02;
+    double angle = 0;
+    double slack = 0;
+    std::string pinned = "start";
+    double mass = 3;
+    double weight = 0;
+    double bend_limit = pi<double>;
+    double breaking_strain = 0;
+    double thickness = 0.06;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        constexpr double least = 1e-6, most = 1e6, lightest = 1e-6, heaviest = 1e9;
+        visit(self.links, Field{.name = "links", .help = "How many links", .low = 1, .high = 1e9});
+        visit(self.loop, Field{.name = "loop",
+                               .help = "Length of a link as it is drawn",
+                               .unit = unit::length,
+                               .low = least,
+                               .high = most});
+        visit(self.gap, Field{.name = "gap",
+                              .help = "Between one drawn link and the next",
+                              .unit = unit::length,
+                              .low = 0,
+                              .high = most});
+        visit(self.angle, Field{.name = "angle",
+                                .help = "Which way it lies at first: 0 hangs straight down, 90 is level to the right",
+                                .unit = unit::angle,
+                                .low = -4 * pi<double>,
+                                .high = 4 * pi<double>});
+        visit(self.slack, Field{.name = "slack",
+                                .help = "How much longer it is than the way between its ends: 0.1 is a tenth",
+                                .low = 0,
+                                .high = 100});
+        visit(self.pinned, Field{.name = "pinned", .help = "Which ends are held", .choices = strand_ends});
+        visit(self.mass, Field{.name = "mass",
+                               .help = "Of the whole chain, without the weight",
+                               .unit = unit::mass,
+                               .low = lightest,
+                               .high = heaviest});
+        visit(self.weight,
+              Field{.name = "weight", .help = "Mass hung on its end", .unit = unit::mass, .low = 0, .high = heaviest});
+        visit(self.bend_limit, Field{.name = "bend_limit",
+                                     .help = "The most a link turns against the one before it; 180 does not limit. In "
+                                             "physical mode only",
+                                     .unit = unit::angle,
+                                     .low = pi<double> / 180,
+                                     .high = pi<double>});
+        visit(self.breaking_strain, Field{.name = "breaking_strain",
+                                          .help = "A link stretched by this fraction tears; 0 never tears",
+                                          .low = 0,
+                                          .high = 1e6});
+        visit(self.thickness, Field{.name = "thickness",
+                                    .help = "Of a link seen from its broad side; it stays half of it away from walls",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = most});
+    }
+
+    Sizes sizes() const;
+    std::optional<std::string> problem(int dimension) const;
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew

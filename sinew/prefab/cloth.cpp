@@ -1,0 +1,149 @@
+#include "sinew/prefab/cloth.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sinew {
+namespace {
+
+/// A cloth's particles by column and row.
+struct Grid {
+    std::size_t columns, rows;
+    std::vector<ParticleId> particles;
+
+    ParticleId at(std::size_t column, std::size_t row) const { return particles[row * columns + column]; }
+};
+
+/// Threads that lead `across` columns and `down` rows on: from the upper left to the lower right, or rising from the
+/// lower left to the upper right.
+struct Thread {
+    std::string_view stem;
+    std::size_t across, down;
+    bool rising = false;
+};
+
+/// A particle's share of one direction's length: half at the ends.
+double share(std::size_t i, std::size_t n) {
+    return (i == 0 || i + 1 == n ? 0.5 : 1.0) / double(n - 1);
+}
+
+template <int D> Vec<D, double> on_plane(std::string_view plane, double x, double down) {
+    auto place = on_screen<D>(x, -down);
+    if constexpr (D == 3)
+        if (plane == "horizontal") place = {{x, 0, down}};
+    return place;
+}
+
+template <int D, class Real> Grid lay_out(Builder<D, Real>& figure, const Cloth& cloth) {
+    Grid grid{std::size_t(cloth.columns), std::size_t(cloth.rows), {}};
+    grid.particles.reserve(grid.columns * grid.rows);
+    figure.number_particles("particle", grid.columns * grid.rows, grid.columns);
+    const double middle = 0.5 * double(grid.columns - 1);
+    for (std::size_t r = 0; r < grid.rows; ++r)
+        for (std::size_t c = 0; c < grid.columns; ++c) {
+            const auto place =
+                on_plane<D>(cloth.plane, cloth.spacing * (double(c) - middle), cloth.spacing * double(r));
+            const double mass = cloth.mass * share(c, grid.columns) * share(r, grid.rows);
+            grid.particles.push_back(figure.particle("", place, mass, cloth.thickness / 2));
+        }
+    return grid;
+}
+
+template <int D, class Real> void name_corners(Builder<D, Real>& figure, const Grid& grid) {
+    auto& names = figure.figure().particle_names;
+    names.emplace_back("top_left", grid.at(0, 0));
+    names.emplace_back("top_right", grid.at(grid.columns - 1, 0));
+    names.emplace_back("bottom_left", grid.at(0, grid.rows - 1));
+    names.emplace_back("bottom_right", grid.at(grid.columns - 1, grid.rows - 1));
+}
+
+template <int D, class Real>
+void weave(Builder<D, Real>& figure, const Grid& grid, const Thread& thread, ConstraintSpec<double> spec,
+           double spacing) {
+    if (grid.columns <= thread.across || grid.rows <= thread.down) return;
+    const auto columns = grid.columns - thread.across, rows = grid.rows - thread.down;
+    const std::size_t from = thread.rising ? thread.across : 0, to = thread.across - from;
+    spec.limits = exactly(spacing * square_root(double(thread.across * thread.across + thread.down * thread.down)));
+    figure.number_constraints(thread.stem, columns * rows, columns);
+    for (std::size_t r = 0; r < rows; ++r)
+        for (std::size_t c = 0; c < columns; ++c)
+            figure.template constrain<Distance>("", {grid.at(c + from, r), grid.at(c + to, r + thread.down)}, spec);
+}
+
+template <int D, class Real> void weave(Builder<D, Real>& figure, const Grid& grid, const Cloth& cloth) {
+    const auto threads = [&](const Thread& thread, double compliance) {
+        weave(figure, grid, thread, {.compliance = compliance, .breaking_strain = tears_beyond(cloth.breaking_strain)},
+              cloth.spacing);
+    };
+    threads({"across", 1, 0}, cloth.compliance);
+    threads({"down", 0, 1}, cloth.compliance);
+    if (cloth.diagonals != "none") threads({"falling", 1, 1}, cloth.shear_compliance);
+    if (cloth.diagonals == "both") threads({"rising", 1, 1, true}, cloth.shear_compliance);
+    if (cloth.bend) threads({"bend_across", 2, 0}, cloth.bend_compliance);
+    if (cloth.bend) threads({"bend_down", 0, 2}, cloth.bend_compliance);
+}
+
+template <int D, class Real> void hold(Builder<D, Real>& figure, const Grid& grid, const Cloth& cloth) {
+    const auto right = grid.columns - 1, bottom = grid.rows - 1;
+    if (cloth.pins == "top")
+        for (std::size_t c = 0; c <= right; ++c) figure.hold(grid.at(c, 0));
+    if (cloth.pins == "corners" || cloth.pins == "all_corners")
+        for (const auto c : {std::size_t(0), right}) figure.hold(grid.at(c, 0));
+    if (cloth.pins == "all_corners")
+        for (const auto c : {std::size_t(0), right}) figure.hold(grid.at(c, bottom));
+    if (cloth.pins == "list")
+        for (const double number : cloth.pin_list) figure.hold(grid.particles[std::size_t(number)]);
+}
+
+template <int D, class Real> void draw_threads(Builder<D, Real>& figure, const Grid& grid, double width) {
+    for (std::size_t r = 0; r < grid.rows; ++r) {
+        std::vector<ParticleId> row;
+        for (std::size_t c = 0; c < grid.columns; ++c) row.push_back(grid.at(c, r));
+        figure.draw(Mark::stroke, "thread", std::move(row), width);
+    }
+    for (std::size_t c = 0; c < grid.columns; ++c) {
+        std::vector<ParticleId> column;
+        for (std::size_t r = 0; r < grid.rows; ++r) column.push_back(grid.at(c, r));
+        figure.draw(Mark::stroke, "thread", std::move(column), width);
+    }
+}
+
+template <int D, class Real> void draw_cells(Builder<D, Real>& figure, const Grid& grid) {
+    for (std::size_t r = 0; r + 1 < grid.rows; ++r)
+        for (std::size_t c = 0; c + 1 < grid.columns; ++c)
+            figure.draw(D == 3 ? Mark::surface : Mark::fill, "cloth",
+                        {grid.at(c, r), grid.at(c + 1, r), grid.at(c + 1, r + 1), grid.at(c, r + 1)});
+}
+
+} // namespace
+
+Sizes Cloth::sizes() const {
+    const auto particles = std::size_t(columns) * std::size_t(rows);
+    const std::size_t crossing = diagonals == "both" ? 2 : diagonals == "one" ? 1 : 0;
+    return {.particles = particles, .constraints = particles * (2 + crossing + (bend ? 2 : 0))};
+}
+
+std::optional<std::string> Cloth::problem(int dimension) const {
+    if (dimension == 2 && plane == "horizontal") return "a horizontal cloth needs a world of three dimensions";
+    if (!pin_list.empty() && pins != "list") return "pin_list counts only with pins = list";
+    const auto particles = double(columns) * double(rows);
+    for (const double number : pin_list)
+        if (!(number >= 0 && number < particles) || number != std::floor(number))
+            return fmt::format("pin_list holds {}: this cloth's particles are counted from 0 to {:.0f}", number,
+                               particles - 1);
+    return std::nullopt;
+}
+
+template <int D, class Real> void Cloth::build(Builder<D, Real>& figure) const {
+    const auto grid = lay_out(figure, *this);
+    name_corners(figure, grid);
+    weave(figure, grid, *this);
+    hold(figure, grid, *this);
+    if (drawn != "threads") draw_cells(figure, grid);
+    if (drawn != "fill") draw_threads(figure, grid, thickness);
+}
+
+#define SINEW_CLOTH(D, Real) template void Cloth::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE(SINEW_CLOTH)
+
+} // namespace sinew

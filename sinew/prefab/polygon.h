@@ -1,0 +1,61 @@
+#pragma once
+
+#include "sinew/prefab/builder.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace sinew {
+
+/// A regular polygon standing on one of its sides. Particles corner_0 (the right one of the lowest side), corner_1, ...
+/// counter-clockwise, and `center` if it has spokes; constraints edge_0 (corner_0 to corner_1), ..., then spoke_0, ...
+/// or brace_0, ... or `area`.
+struct Polygon {
+    static constexpr std::string_view name = "polygon";
+    static constexpr std::string_view about = "A regular polygon: three sides make a triangle, many a wheel.";
+    static constexpr Dimensions dimensions{2, 2};
+    static constexpr std::array<std::string_view, 4> bracings{"none", "spokes", "braces", "area"};
+
+    int sides = 6;
+    double radius = 0.5;
+    std::string braced = "braces";
+    int brace_span = 2;
+    double compliance = 0;
+    double mass = 1;
+    double thickness = 0.04;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.sides, Field{.name = "sides", .help = "How many sides", .low = 3, .high = 1e9});
+        visit(self.radius, Field{.name = "radius",
+                                 .help = "From the centre, where it stands, to a corner",
+                                 .unit = unit::length,
+                                 .low = 1e-6,
+                                 .high = 1e6});
+        visit(self.braced, Field{.name = "braced",
+                                 .help = "What keeps its shape: spokes to a centre, braces between corners, its area "
+                                         "(jelly, if the edges are soft) or nothing",
+                                 .choices = bracings});
+        visit(self.brace_span, Field{.name = "brace_span",
+                                     .help = "A brace joins a corner and the one so many further on",
+                                     .low = 2,
+                                     .high = 1e9});
+        visit(self.compliance, Field{.name = "compliance",
+                                     .help = "How soft edges, spokes and braces are; 0 is rigid",
+                                     .unit = unit::compliance,
+                                     .low = 0,
+                                     .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.thickness, Field{.name = "thickness",
+                                    .help = "Of the outline, which keeps the corners half of it away from walls",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = 1e6});
+    }
+
+    Sizes sizes() const;
+    std::optional<std::string> problem(int dimension) const;
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "sinew/prefab/box.h"
+#include "sinew/prefab/chain.h"
+#include "sinew/prefab/cloth.h"
+#include "sinew/prefab/polygon.h"
+#include "sinew/prefab/ragdoll.h"
+#include "sinew/prefab/rope.h"
+#include "sinew/prefab/stick_figure.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+/// What a prefab is: a Record whose fields are its parameters, with
+///
+///     name, about        what scene files call it, and one sentence about it
+///     dimensions         {lowest, highest} dimension it exists in
+///     sizes()            the most particles and constraints it makes, told without making any
+///     problem(dimension) optional: what is wrong with parameters that are each in range
+///     build(builder)     makes it
+namespace sinew {
+
+/// The list of prefabs. A new prefab is one new pair of files and one word here.
+using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll>;
+
+namespace detail {
+template <class List> struct VariantOf;
+template <class... Types> struct VariantOf<TypeList<Types...>> { using type = std::variant<Types...>; };
+} // namespace detail
+
+/// Any prefab, with its parameters.
+using AnyPrefab = detail::VariantOf<Prefabs>::type;
+
+/// The prefab of that name with its default parameters.
+std::optional<AnyPrefab> make_prefab(std::string_view name);
+
+std::string_view name_of(const AnyPrefab& prefab);
+Sizes sizes_of(const AnyPrefab& prefab);
+
+/// Why it cannot be built in a world of that dimension, or nothing. Ranges of single parameters are not looked at:
+/// those are in its fields.
+std::optional<std::string> problem_of(const AnyPrefab& prefab, int dimension);
+
+/// Adds it to a world; nothing if it does not exist in that dimension.
+template <int D, class Real>
+std::optional<FigureIndex> build(World<D, Real>& world, const AnyPrefab& prefab, std::string_view name,
+                                 const Placement<D, Real>& placement = {});
+
+} // namespace sinew

@@ -1,0 +1,111 @@
+#include "sinew/prefab/ragdoll.h"
+
+#include "sinew/prefab/body.h"
+
+namespace sinew {
+namespace {
+
+// Places: the Roblox ragdoll, pixels. Shares: the segments of the body after de Leva 1996, each halved between the
+// joints at its ends; the head's between its three.
+// clang-format off
+constexpr Joint joints[] = {
+    // name              x    y    share  radius
+    {"left_shoulder",  -10,   0,  12.2,      7},
+    {"right_shoulder",  10,   0,  12.2,      7},
+    {"left_hip",       -10,  40, 17.95,      7},
+    {"right_hip",       10,  40, 17.95,      7},
+    {"center",           0,   0,     3,      0, Rig::classic},
+    {"head_left",      -10, -30,     2},
+    {"head_right",      10, -30,     2},
+    {"left_elbow",     -45,   5,  2.45,      4},
+    {"right_elbow",     45,   5,  2.45,      4},
+    {"left_hand",      -70,  20,   1.1,      4},
+    {"right_hand",      70,  20,   1.1,      4},
+    {"left_knee",      -25,  80,  9.95,      5},
+    {"right_knee",      25,  80,  9.95,      5},
+    {"left_foot",      -20, 130,  2.85,      5},
+    {"right_foot",      20, 130,  2.85,      5},
+    {"head",             0, -16,     3,     14, Rig::physical},
+};
+// clang-format on
+static_assert(shares_are_whole(joints, Rig::classic) && shares_are_whole(joints, Rig::physical));
+
+constexpr double line = 7, tallness = 160;
+constexpr double torso = 14, upper_arm = 9, forearm = 7, thigh = 12, shin = 9; // widths in physical mode
+constexpr double head_size = 28, hand_size = 8, foot_size = 10;
+
+/// A leg folds until hip and foot are this share of their distance in the table apart: the knee turned by 140 degrees.
+constexpr double folded = 0.36;
+
+// clang-format off
+constexpr Bone bones[] = {
+    // name                from              to                part     classic width  width
+    {"shoulders",        "left_shoulder",  "right_shoulder", "torso", line,          torso},
+    {"pelvis",           "left_hip",       "right_hip",      "torso", line,          torso},
+    {"left_side",        "left_shoulder",  "left_hip",       "torso", line,          torso},
+    {"right_side",       "right_shoulder", "right_hip",      "torso", line,          torso},
+    {"crown",            "head_left",      "head_right",     "head",  line,                  0},
+    {"left_neck",        "left_shoulder",  "head_left",      "head",  line,                  0},
+    {"right_neck",       "right_shoulder", "head_right",     "head",  line,                  0},
+    {"left_upper_arm",   "left_shoulder",  "left_elbow",     "arm",   line,          upper_arm},
+    {"left_forearm",     "left_elbow",     "left_hand",      "arm",   line,          forearm},
+    {"right_upper_arm",  "right_shoulder", "right_elbow",    "arm",   line,          upper_arm},
+    {"right_forearm",    "right_elbow",    "right_hand",     "arm",   line,          forearm},
+    {"left_thigh",       "left_hip",       "left_knee",      "leg",   line,          thigh},
+    {"left_shin",        "left_knee",      "left_foot",      "leg",   line,          shin},
+    {"right_thigh",      "right_hip",      "right_knee",     "leg",   line,          thigh},
+    {"right_shin",       "right_knee",     "right_foot",     "leg",   line,          shin},
+    {"falling_beam",     "left_shoulder",  "right_hip",      "beam",              0,         0},
+    {"rising_beam",      "right_shoulder", "left_hip",       "beam",              0,         0},
+    {"left_head_beam",   "right_shoulder", "head_left",      "beam",              0,         0},
+    {"right_head_beam",  "left_shoulder",  "head_right",     "beam",              0,         0},
+    {"left_leg_beam",    "left_hip",       "left_foot",      "beam",              0,         0, Rig::classic},
+    {"right_leg_beam",   "right_hip",      "right_foot",     "beam",              0,         0, Rig::classic},
+    {"left_leg_beam",    "left_hip",       "left_foot",      "beam",              0,         0, Rig::physical, folded},
+    {"right_leg_beam",   "right_hip",      "right_foot",     "beam",              0,         0, Rig::physical, folded},
+    {"left_head_rest",   "left_shoulder",  "head",           "beam",              0,         0, Rig::physical},
+    {"right_head_rest",  "right_shoulder", "head",           "beam",              0,         0, Rig::physical},
+};
+// clang-format on
+
+// Knees point outwards and elbows up: the right side mirrors the left.
+// clang-format off
+constexpr Bend bends[] = {
+    // name           from              at             to            least  most
+    {"left_elbow",  "left_shoulder",  "left_elbow",  "left_hand",      0,  150, Rig::physical},
+    {"right_elbow", "right_shoulder", "right_elbow", "right_hand",  -150,    0, Rig::physical},
+    {"left_knee",   "left_hip",       "left_knee",   "left_foot",      0,  140, Rig::physical},
+    {"right_knee",  "right_hip",      "right_knee",  "right_foot",  -140,    0, Rig::physical},
+    {"left_hip",    "left_shoulder",  "left_hip",    "left_knee",   -120,   45, Rig::physical},
+    {"right_hip",   "right_shoulder", "right_hip",   "right_knee",   -45,  120, Rig::physical},
+};
+// clang-format on
+
+constexpr Body body{joints, bones, bends};
+
+/// Flesh on the bones.
+template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double scale) {
+    const auto named = [&](std::string_view name) { return figure.named(name); };
+    figure.draw(Mark::fill, "torso",
+                {named("left_shoulder"), named("right_shoulder"), named("right_hip"), named("left_hip")});
+    figure.draw(Mark::dot, "hand", {named("left_hand"), named("right_hand")}, scale * hand_size);
+    figure.draw(Mark::dot, "foot", {named("left_foot"), named("right_foot")}, scale * foot_size);
+    figure.draw(Mark::dot, "head", {named("head")}, scale * head_size);
+}
+
+} // namespace
+
+Sizes Ragdoll::sizes() const {
+    return body.sizes();
+}
+
+template <int D, class Real> void Ragdoll::build(Builder<D, Real>& figure) const {
+    const double scale = height / tallness;
+    build_body(figure, body, scale, mass);
+    if (figure.mode() == Mode::physical) draw_flesh(figure, scale);
+}
+
+template void Ragdoll::build(Builder<2, float>&) const;
+template void Ragdoll::build(Builder<2, double>&) const;
+
+} // namespace sinew

@@ -1,0 +1,42 @@
+#include "sinew/prefab/rope.h"
+
+namespace sinew {
+
+Sizes Rope::sizes() const {
+    const auto n = std::size_t(segments);
+    return {.particles = n + 1, .constraints = n + (bend_stiffness > 0 ? n - 1 : 0)};
+}
+
+std::optional<std::string> Rope::problem(int) const {
+    if (slack > 0 && segments == 1) return "a rope of one segment cannot hang through: slack needs 2 segments or more";
+    return std::nullopt;
+}
+
+template <int D, class Real> void Rope::build(Builder<D, Real>& figure) const {
+    const double piece = length / segments;
+    auto row = build_strand(figure, {.pieces = segments,
+                                     .length = length,
+                                     .angle = angle,
+                                     .slack = slack,
+                                     .mass = mass,
+                                     .weight = weight,
+                                     .radius = thickness / 2});
+    link(figure, row,
+         {.limits = links == "exact" ? exactly(piece) : at_most(piece),
+          .compliance = compliance,
+          .breaking_strain = tears_beyond(breaking_strain)});
+    // A joint stands for the bending of one piece: energy E I / 2 turn^2 / piece.
+    if (bend_stiffness > 0 && segments > 1)
+        stiffen(figure, row, {.limits = exactly(0.0), .compliance = piece / bend_stiffness});
+    hold_ends(figure, row, pinned);
+
+    const auto end = row.back();
+    figure.draw(Mark::stroke, "rope", std::move(row), thickness);
+    constexpr double weight_size = 4; // times as thick as the rope
+    if (weight > 0) figure.draw(Mark::dot, "weight", {end}, weight_size * thickness);
+}
+
+#define SINEW_ROPE(D, Real) template void Rope::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE(SINEW_ROPE)
+
+} // namespace sinew

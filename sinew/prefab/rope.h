@@ -1,0 +1,87 @@
+#pragma once
+
+#include "sinew/prefab/strand.h"
+
+#include <optional>
+#include <string>
+
+namespace sinew {
+
+/// A rope hanging from the point where it stands. Particles particle_0 (also called start), ..., the last also called
+/// end; constraints link_0 (particle_0 to particle_1), ..., and with bend_stiffness bend_0 (at particle_1), ....
+struct Rope {
+    static constexpr std::string_view name = "rope";
+    static constexpr std::string_view about =
+        "A rope that hangs, swings, goes slack and can carry a weight at its end.";
+    static constexpr Dimensions dimensions{2, 3};
+    static constexpr std::array<std::string_view, 2> link_rules{"at_most", "exact"};
+
+    double length = 2;
+    int segments = 20;
+    double angle = 0;
+    double slack = 0;
+    std::string pinned = "start";
+    double mass = 1;
+    double weight = 0;
+    std::string links = "at_most";
+    double compliance = 0;
+    double bend_stiffness = 0;
+    double breaking_strain = 0;
+    double thickness = 0.03;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        constexpr double least = 1e-6, most = 1e6, lightest = 1e-6, heaviest = 1e9;
+        visit(self.length, Field{.name = "length",
+                                 .help = "From end to end along the rope",
+                                 .unit = unit::length,
+                                 .low = least,
+                                 .high = most});
+        visit(self.segments,
+              Field{.name = "segments", .help = "How many straight pieces it is made of", .low = 1, .high = 1e9});
+        visit(self.angle, Field{.name = "angle",
+                                .help = "Which way it lies at first: 0 hangs straight down, 90 is level to the right",
+                                .unit = unit::angle,
+                                .low = -4 * pi<double>,
+                                .high = 4 * pi<double>});
+        visit(self.slack, Field{.name = "slack",
+                                .help = "How much longer it is than the way between its ends: 0.1 is a tenth",
+                                .low = 0,
+                                .high = 100});
+        visit(self.pinned, Field{.name = "pinned", .help = "Which ends are held", .choices = strand_ends});
+        visit(self.mass, Field{.name = "mass",
+                               .help = "Of the whole rope, without the weight",
+                               .unit = unit::mass,
+                               .low = lightest,
+                               .high = heaviest});
+        visit(self.weight,
+              Field{.name = "weight", .help = "Mass hung on its end", .unit = unit::mass, .low = 0, .high = heaviest});
+        visit(self.links, Field{.name = "links",
+                                .help = "at_most: a piece can go slack; exact: it can also push, as a rod does",
+                                .choices = link_rules});
+        visit(self.compliance, Field{.name = "compliance",
+                                     .help = "How much a piece gives under a force; 0 does not stretch",
+                                     .unit = unit::compliance,
+                                     .low = 0,
+                                     .high = 1e9});
+        visit(self.bend_stiffness, Field{.name = "bend_stiffness",
+                                         .help = "Resistance to bending (E I of a rod); 0 is a limp rope",
+                                         .unit = {.length = 3, .mass = 1, .time = -2},
+                                         .low = 0,
+                                         .high = 1e12});
+        visit(self.breaking_strain, Field{.name = "breaking_strain",
+                                          .help = "A piece stretched by this fraction tears; 0 never tears",
+                                          .low = 0,
+                                          .high = 1e6});
+        visit(self.thickness, Field{.name = "thickness",
+                                    .help = "As drawn; it stays half of it away from walls",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = most});
+    }
+
+    Sizes sizes() const;
+    std::optional<std::string> problem(int dimension) const;
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "sinew/prefab/builder.h"
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+/// What ropes and chains share: particles in a row, hanging from the point where the figure stands.
+namespace sinew {
+
+inline constexpr std::array<std::string_view, 4> strand_ends{"start", "end", "both", "none"};
+
+struct Strand {
+    int pieces = 1; ///< between pieces + 1 particles
+    double length = 1;
+    double angle = 0; ///< which way the end lies: 0 straight down, a quarter turn to the right
+    double slack = 0; ///< how much longer it is than the way between its ends, as a fraction of that way
+    double mass = 1;
+    double weight = 0; ///< added to the last particle
+    double radius = 0;
+};
+
+/// Half the turn from one piece to the next of a strand that hangs with some slack in an arc of a circle:
+/// n chords of half angle a span  sin(n a) / (n sin a) = 1 / (1 + slack)  of their length.
+double half_turn_of_slack(int pieces, double slack);
+
+/// The particles of a strand, at equal steps along an arc that hangs through. Each weighs the half of the pieces it
+/// ends, so that what a piece carries is the weight below its middle. The first is called "start", the last "end", all
+/// of them particle_0, particle_1, ...
+template <int D, class Real> std::vector<ParticleId> build_strand(Builder<D, Real>& figure, const Strand& strand) {
+    const auto pieces = std::size_t(strand.pieces);
+    const double piece = strand.length / strand.pieces, share = strand.mass / strand.pieces;
+    const double half_turn = half_turn_of_slack(strand.pieces, strand.slack);
+
+    std::vector<ParticleId> particles;
+    particles.reserve(pieces + 1);
+    figure.number_particles("particle", pieces + 1);
+    particles.push_back(figure.particle("start", {}, share / 2, strand.radius));
+    double x = 0, y = 0;
+    for (std::size_t i = 0; i < pieces; ++i) {
+        const double heading = strand.angle + half_turn * (2 * double(i) - double(pieces - 1));
+        x += piece * sine(heading);
+        y -= piece * cosine(heading);
+        const bool last = i + 1 == pieces;
+        particles.push_back(figure.particle(last ? "end" : "", on_screen<D>(x, y),
+                                            last ? share / 2 + strand.weight : share, strand.radius));
+    }
+    return particles;
+}
+
+/// Joins each particle of a row to the next; the links are called link_0, link_1, ...
+template <int D, class Real>
+void link(Builder<D, Real>& figure, const std::vector<ParticleId>& row, const ConstraintSpec<double>& spec) {
+    figure.number_constraints("link", row.size() - 1);
+    for (std::size_t i = 0; i + 1 < row.size(); ++i)
+        figure.template constrain<Distance>("", {row[i], row[i + 1]}, spec);
+}
+
+/// Limits or resists the turn at each inner particle of a row; called bend_0, bend_1, ... from its second particle on.
+template <int D, class Real>
+void stiffen(Builder<D, Real>& figure, const std::vector<ParticleId>& row, const ConstraintSpec<double>& spec) {
+    figure.number_constraints("bend", row.size() - 2);
+    for (std::size_t i = 0; i + 2 < row.size(); ++i)
+        figure.template constrain<Angle>("", {row[i], row[i + 1], row[i + 2]}, spec);
+}
+
+template <int D, class Real>
+void hold_ends(Builder<D, Real>& figure, const std::vector<ParticleId>& row, std::string_view pinned) {
+    if (pinned == "start" || pinned == "both") figure.hold(row.front());
+    if (pinned == "end" || pinned == "both") figure.hold(row.back());
+}
+
+} // namespace sinew

@@ -1,0 +1,100 @@
+#include "tests/prefab/make.h"
+
+#include <gtest/gtest.h>
+
+namespace sinew {
+namespace {
+
+TEST(Polygon, StandsOnASideAndCountsItsCornersCounterClockwise) {
+    const auto made = make(Polygon{.sides = 4, .radius = std::sqrt(2.0)});
+    const auto expect = [&](const char* name, double x, double y) {
+        EXPECT_NEAR(made.place(name)[0], x, 1e-14) << name;
+        EXPECT_NEAR(made.place(name)[1], y, 1e-14) << name;
+    };
+    expect("corner_0", 1, -1);
+    expect("corner_1", 1, 1);
+    expect("corner_2", -1, 1);
+    expect("corner_3", -1, -1);
+}
+
+std::pair<std::size_t, std::size_t> counts(const Polygon& polygon) {
+    const auto made = make(polygon);
+    return {made.particles(), made.constraints()};
+}
+
+TEST(Polygon, IsBracedAsAsked) {
+    using Counts = std::pair<std::size_t, std::size_t>;
+    EXPECT_EQ(counts({.sides = 7, .braced = "none"}), Counts(7, 7));
+    EXPECT_EQ(counts({.sides = 7, .braced = "spokes"}), Counts(8, 14));
+    EXPECT_EQ(counts({.sides = 7, .braced = "braces"}), Counts(7, 14));
+    EXPECT_EQ(counts({.sides = 7, .braced = "area"}), Counts(7, 8));
+}
+
+TEST(Polygon, NeverJoinsTwoCornersTwice) {
+    for (int sides = 3; sides <= 12; ++sides)
+        for (int span = 2; span <= std::max(2, sides - 2); ++span) {
+            const Polygon polygon{.sides = sides, .brace_span = span};
+            ASSERT_FALSE(problem_of(polygon, 2));
+            const auto made = make(polygon);
+            auto rods = std::get<kind_number<Distance, 2>>(made.world.constraints).members.rows;
+            for (auto& rod : rods) std::sort(rod.begin(), rod.end());
+            std::sort(rods.begin(), rods.end());
+            EXPECT_EQ(std::adjacent_find(rods.begin(), rods.end()), rods.end()) << sides << " " << span;
+        }
+}
+
+TEST(Polygon, RefusesBracesThatWouldBeEdges) {
+    EXPECT_EQ(problem_of(Polygon{.sides = 6, .brace_span = 5}, 2),
+              "brace_span is 5: in a polygon of 6 sides braces span 2 to 4");
+    EXPECT_FALSE(problem_of(Polygon{.sides = 6, .braced = "spokes", .brace_span = 5}, 2));
+}
+
+TEST(Polygon, KeepsItsAreaInWorldsOfEitherUp) {
+    const Polygon square{.sides = 4, .radius = std::sqrt(2.0), .braced = "area"};
+    for (const int up : {-1, 1}) {
+        const auto made = make<2, double>(square, Mode::physical, {.at = {}, .turn = 0, .up = up});
+        EXPECT_NEAR(made.constraint("area").measure, 4 * up, 1e-12);
+        EXPECT_NEAR(made.constraint("area").error, 0, 1e-12);
+    }
+}
+
+TEST(Box, HasTheOriginalsFourEdgesAndOneDiagonal) {
+    const auto made = make<2, double>(Box{}, Mode::classic, {.at = {{3, 3}}, .turn = 0, .up = -1});
+    EXPECT_EQ(made.place("top_left"), (Vec<2, double>{{2.75, 2.75}}));
+    EXPECT_EQ(made.place("bottom_right"), (Vec<2, double>{{3.25, 3.25}}));
+    const auto& rods = std::get<kind_number<Distance, 2>>(made.world.constraints);
+    const std::vector<std::array<Row, 2>> expected{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}};
+    EXPECT_EQ(rods.members.rows, expected);
+    EXPECT_EQ(rods.low[0], 0.5);
+    EXPECT_NEAR(rods.low[4], std::sqrt(0.5), 1e-15);
+}
+
+TEST(Box, HasAsManyDiagonalsAsAsked) {
+    EXPECT_EQ(make(Box{.braces = "none"}).constraints(), 4U);
+    EXPECT_EQ(make(Box{.braces = "one"}).constraints(), 5U);
+    const auto made = make(Box{.width = 3, .height = 4, .braces = "both"});
+    EXPECT_NEAR(made.constraint("diagonal").measure, 5, 1e-12);
+    EXPECT_NEAR(made.constraint("other_diagonal").measure, 5, 1e-12);
+}
+
+TEST(StickFigure, DrawsItsSticksAndHidesItsSupports) {
+    const auto made = make(StickFigure{});
+    EXPECT_EQ(made.particles(), 11U);
+    EXPECT_EQ(made.constraints(), 15U);
+    const auto& pieces = made.figure().pieces;
+    EXPECT_EQ(std::count_if(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.part == "stick"; }),
+              10);
+    EXPECT_EQ(std::count_if(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.hidden; }), 5);
+    for (const auto* name : {"head", "neck", "hips", "left_elbow", "left_hand", "left_knee", "left_foot", "right_elbow",
+                             "right_hand", "right_knee", "right_foot"})
+        EXPECT_TRUE(find_particle(made.world, "it/" + std::string(name))) << name;
+}
+
+TEST(StickFigure, IsAsTallAsItsHeightFromTheTopOfItsHeadToItsFeet) {
+    const auto made = make(StickFigure{.height = 2});
+    const auto& head = made.figure().pieces.back();
+    EXPECT_NEAR(made.place("head")[1] + head.width / 2 - made.place("left_foot")[1], 2, 1e-12);
+}
+
+} // namespace
+} // namespace sinew
