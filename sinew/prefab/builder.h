@@ -102,7 +102,7 @@ template <int D, class RealT> class Builder {
         auto limits = spec.limits ? *spec.limits : exactly(measure<Kind>(members));
         if (mirrors<Kind<D>, D> && placement_.up < 0) limits = {-limits.high, -limits.low};
         const auto id = add_constraint(world_, kind_number<Kind, D>, members,
-                                       {.limits = Limits<Real>{Real(limits.low), Real(limits.high)},
+                                       {.limits = Interval<Real>{Real(limits.low), Real(limits.high)},
                                         .compliance = Real(spec.compliance),
                                         .relaxation = Real(spec.relaxation),
                                         .split = Real(spec.split),

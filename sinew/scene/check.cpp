@@ -1,5 +1,7 @@
 #include "sinew/scene/check.h"
 
+#include "sinew/math/color.h"
+#include "sinew/scene/types.h"
 #include "sinew/solver/edit.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "sinew/scene/check.h"
 #include "sinew/scene/scene.h"
+#include "sinew/math/random.h"
+#include "sinew/scene/types.h"
 #include "sinew/solver/edit.h"
 
 #include <algorithm>
@@ -182,7 +184,7 @@ template <int D, class Real> class Maker {
                                     .hidden = section.hidden});
     }
 
-    static std::optional<Limits<Real>> limits(const ConstraintSection& section) {
+    static std::optional<Interval<Real>> limits(const ConstraintSection& section) {
         const Real in_program = section.kind == "angle" || section.kind == "dihedral" ? pi<Real> / 180 : 1;
         if (section.rest) return exactly(Real(*section.rest) * in_program);
         if (!section.low && !section.high) return std::nullopt;

@@ -27,7 +27,7 @@ template <int D, class Real> void refresh_mobility(World<D, Real>& world, Row ro
 }
 
 template <class Table, class Real>
-void append_row(Table& table, const ConstraintSpec<Real>& spec, Limits<Real> limits) {
+void append_row(Table& table, const ConstraintSpec<Real>& spec, Interval<Real> limits) {
     constexpr auto most = limit::measure<Real>;
     table.low.push_back(clamp(limits.low, -most, most));
     table.high.push_back(clamp(limits.high, -most, most));
@@ -123,7 +123,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
             return;
         }
         table.members.append(rows);
-        append_row(table, spec, spec.limits.value_or(Limits<Real>{0, 0}));
+        append_row(table, spec, spec.limits.value_or(Interval<Real>{0, 0}));
         added = ConstraintId{kind, table.slots.append()};
         if (!spec.limits) {
             const Real rest = Real(constraint_state(world, *added)->measure);

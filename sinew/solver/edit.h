@@ -22,22 +22,22 @@ template <int D, class Real> struct ParticleSpec {
 };
 
 /// The interval a constraint's measure is held in.
-template <class Real> struct Limits { Real low, high; };
-template <class Real> Limits<Real> exactly(Real value) {
+template <class Real> struct Interval { Real low, high; };
+template <class Real> Interval<Real> exactly(Real value) {
     return {value, value};
 }
-template <class Real> Limits<Real> at_most(Real high) {
+template <class Real> Interval<Real> at_most(Real high) {
     return {-std::numeric_limits<Real>::infinity(), high};
 }
-template <class Real> Limits<Real> at_least(Real low) {
+template <class Real> Interval<Real> at_least(Real low) {
     return {low, std::numeric_limits<Real>::infinity()};
 }
-template <class Real> Limits<Real> between(Real low, Real high) {
+template <class Real> Interval<Real> between(Real low, Real high) {
     return {low, high};
 }
 
 template <class Real> struct ConstraintSpec {
-    std::optional<Limits<Real>> limits{}; ///< nothing: exactly what it measures now
+    std::optional<Interval<Real>> limits{}; ///< nothing: exactly what it measures now
     Real compliance = 0;                  ///< 1/stiffness (m/N for distances, rad/(N m) for angles); 0 is rigid
     Real relaxation = 1;                  ///< share of the error removed at once, (0, 1]
     Real split = Real(0.5);               ///< share of the correction the first member takes
