@@ -8,11 +8,10 @@ namespace {
 
 /// The sixteen of HTML 4 and a few that figures like to wear.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 24> names = {{
-    {"black", "#000000"},  {"silver", "#c0c0c0"}, {"gray", "#808080"},    {"white", "#ffffff"},
-    {"maroon", "#800000"}, {"red", "#ff0000"},    {"purple", "#800080"},  {"fuchsia", "#ff00ff"},
-    {"green", "#008000"},  {"lime", "#00ff00"},   {"olive", "#808000"},   {"yellow", "#ffff00"},
-    {"navy", "#000080"},   {"blue", "#0000ff"},   {"teal", "#008080"},    {"aqua", "#00ffff"},
-    {"orange", "#ffa500"}, {"brown", "#8b5a2b"},  {"pink", "#ffc0cb"},    {"gold", "#ffd700"},
+    {"black", "#000000"},  {"silver", "#c0c0c0"}, {"gray", "#808080"},    {"white", "#ffffff"}, {"maroon", "#800000"},
+    {"red", "#ff0000"},    {"purple", "#800080"}, {"fuchsia", "#ff00ff"}, {"green", "#008000"}, {"lime", "#00ff00"},
+    {"olive", "#808000"},  {"yellow", "#ffff00"}, {"navy", "#000080"},    {"blue", "#0000ff"},  {"teal", "#008080"},
+    {"aqua", "#00ffff"},   {"orange", "#ffa500"}, {"brown", "#8b5a2b"},   {"pink", "#ffc0cb"},  {"gold", "#ffd700"},
     {"tomato", "#ff6347"}, {"coral", "#ff7f50"},  {"skyblue", "#87ceeb"}, {"ink", "#2b2d42"},
 }};
 

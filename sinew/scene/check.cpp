@@ -80,7 +80,8 @@ class ValueCheck {
     /// Whether there are too many.
     bool count(std::int64_t found, std::int64_t allowed, std::string_view what, std::string place) {
         if (found <= allowed) return false;
-        document_.error(std::move(place), fmt::format("the scene would have {} {}, at most {} are allowed", found, what, allowed),
+        document_.error(std::move(place),
+                        fmt::format("the scene would have {} {}, at most {} are allowed", found, what, allowed),
                         fmt::format("if you trust the file, raise the limit: limits.{}={}", what, found));
         return true;
     }
@@ -89,8 +90,9 @@ class ValueCheck {
         detail::visit_held(figure.made, [&](const auto& made) {
             if constexpr (requires { made.dimensions; }) {
                 if (!made.dimensions.include(scene_.dimension))
-                    return document_.error(under("figures", i, "prefab"),
-                                           fmt::format("a {} does not exist in {} dimensions", made.name, scene_.dimension));
+                    return document_.error(
+                        under("figures", i, "prefab"),
+                        fmt::format("a {} does not exist in {} dimensions", made.name, scene_.dimension));
             }
             if constexpr (requires { made.problem(scene_.dimension); })
                 if (const auto problem = made.problem(scene_.dimension)) document_.error(under("figures", i), *problem);
@@ -110,18 +112,19 @@ class ValueCheck {
         const auto size = section.between.size();
         const auto wanted = arity(section.kind);
         if (section.kind == "area" ? size < 3 : size != wanted)
-            document_.error(place + "/between", fmt::format("{} {} needs {}{} particles, found {}",
-                                                            section.kind == "angle" || section.kind == "area" ? "an" : "a",
-                                                            section.kind, section.kind == "area" ? "at least " : "", wanted,
-                                                            size));
+            document_.error(place + "/between",
+                            fmt::format("{} {} needs {}{} particles, found {}",
+                                        section.kind == "angle" || section.kind == "area" ? "an" : "a", section.kind,
+                                        section.kind == "area" ? "at least " : "", wanted, size));
         std::set<std::string_view> seen;
         for (const auto& name : section.between)
             if (!seen.insert(name).second)
                 document_.error(place + "/between", fmt::format("\"{}\" is named twice", name));
-        const bool exists = scene_.dimension == 2 ? section.kind != "volume" && section.kind != "dihedral"
-                                                  : section.kind != "area";
+        const bool exists =
+            scene_.dimension == 2 ? section.kind != "volume" && section.kind != "dihedral" : section.kind != "area";
         if (!exists)
-            document_.error(place + "/kind", fmt::format("there is no {} in {} dimensions", section.kind, scene_.dimension));
+            document_.error(place + "/kind",
+                            fmt::format("there is no {} in {} dimensions", section.kind, scene_.dimension));
     }
 
     static std::size_t arity(std::string_view kind) {
@@ -159,7 +162,8 @@ template <int D, class Real> class ReferenceCheck {
         for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
             for (std::size_t k = 0; k < scene_.constraints[i].between.size(); ++k)
                 particle(scene_.constraints[i].between[k], under("constraints", i, "between") + under("", k).substr(1));
-        for (std::size_t i = 0; i < scene_.pins.size(); ++i) particle(scene_.pins[i].particle, under("pins", i, "particle"));
+        for (std::size_t i = 0; i < scene_.pins.size(); ++i)
+            particle(scene_.pins[i].particle, under("pins", i, "particle"));
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
         for (std::size_t i = 0; i < scene_.looks.size(); ++i) look(scene_.looks[i].first);
         for (std::size_t i = 0; i < scene_.events.size(); ++i)
@@ -233,7 +237,8 @@ template <int D, class Real> class ReferenceCheck {
     }
 
     static bool has_part(const Figure& figure, std::string_view part) {
-        return std::any_of(figure.pieces.begin(), figure.pieces.end(), [&](const Piece& piece) { return piece.part == part; });
+        return std::any_of(figure.pieces.begin(), figure.pieces.end(),
+                           [&](const Piece& piece) { return piece.part == part; });
     }
 
     static std::vector<std::string_view> parts_of(const Figure& figure) {
@@ -259,13 +264,16 @@ template <int D, class Real> class ReferenceCheck {
         for (const auto& figure : world_.figures) {
             if (has_part(figure, key)) return;
             for (const auto part : parts_of(figure))
-                if (std::find(candidates.begin(), candidates.end(), part) == candidates.end()) candidates.push_back(part);
+                if (std::find(candidates.begin(), candidates.end(), part) == candidates.end())
+                    candidates.push_back(part);
         }
         unknown("figure or part", key, place, std::move(candidates));
     }
 
     void event(const GrabEvent& grab, std::size_t i) { particle(grab.particle, under("events", i, "grab")); }
-    void event(const ReleaseEvent& release, std::size_t i) { particle(release.particle, under("events", i, "release")); }
+    void event(const ReleaseEvent& release, std::size_t i) {
+        particle(release.particle, under("events", i, "release"));
+    }
     void event(const ImpulseEvent& impulse, std::size_t i) {
         if (!find_figure(world_, impulse.target)) particle(impulse.target, under("events", i, "impulse"));
     }

@@ -5,8 +5,8 @@
 /// What a scene must keep beyond the types and ranges of single values.
 namespace sinew {
 
-/// Before anything is built: names used once, sizes within the limits, prefabs that exist in the scene's dimension, constraints
-/// that make sense.
+/// Before anything is built: names used once, sizes within the limits, prefabs that exist in the scene's dimension,
+/// constraints that make sense.
 void check_values(const Scene& scene, Document& document);
 
 /// Once it is built: every particle, constraint, figure and part that is spoken of exists.

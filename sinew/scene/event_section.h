@@ -72,7 +72,8 @@ struct GustEvent {
     double over = 1;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.velocity, Field{.name = "gust", .help = "Velocity of the air", .unit = unit::speed, .required = true});
+        visit(self.velocity,
+              Field{.name = "gust", .help = "Velocity of the air", .unit = unit::speed, .required = true});
         visit(self.strength, Field{.name = "strength",
                                    .help = "Force on one particle over its speed against the air",
                                    .unit = unit::drag,
@@ -135,7 +136,8 @@ struct EventSection {
     std::variant<GrabEvent, ReleaseEvent, ImpulseEvent, GustEvent, CutEvent, SnipEvent, SetEvent> event;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.at, Field{.name = "at", .help = "When", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
+        visit(self.at,
+              Field{.name = "at", .help = "When", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
         visit(self.event, Field{.required = true});
     }
 };

@@ -38,10 +38,8 @@ struct ConstraintSection {
                                      .help = "How much it gives under a force (1/stiffness); 0 is rigid",
                                      .low = 0,
                                      .high = 1e12});
-        visit(self.relaxation, Field{.name = "relaxation",
-                                     .help = "Share of the error removed at once",
-                                     .low = 0,
-                                     .high = 1});
+        visit(self.relaxation,
+              Field{.name = "relaxation", .help = "Share of the error removed at once", .low = 0, .high = 1});
         visit(self.split, Field{.name = "split",
                                 .help = "Share of the correction the first particle takes: 0.5 is fair",
                                 .low = 0,
@@ -68,11 +66,10 @@ struct ParticleSection {
                                    .help = "Instead of a velocity: where it was one frame ago",
                                    .unit = unit::length});
         visit(self.mass, Field{.name = "mass", .help = "Its mass", .unit = unit::mass, .low = 1e-12, .high = 1e12});
-        visit(self.radius, Field{.name = "radius",
-                                 .help = "How far it stays from walls",
-                                 .unit = unit::length,
-                                 .low = 0,
-                                 .high = 1e6});
+        visit(
+            self.radius,
+            Field{
+                .name = "radius", .help = "How far it stays from walls", .unit = unit::length, .low = 0, .high = 1e6});
         visit(self.pinned, Field{.name = "pinned", .help = "Held where it starts"});
         visit(self.size, Field{.name = "size",
                                .help = "Diameter of its dot as drawn; 0 leaves it to the looks",
@@ -119,11 +116,9 @@ struct FigureSection {
                                .low = -100 * pi<double>,
                                .high = 100 * pi<double>});
         visit(self.velocity, Field{.name = "velocity", .help = "How fast all of it starts", .unit = unit::speed});
-        visit(self.kicks, Field{.name = "kicks",
-                                .help = "More velocity for single particles, by name",
-                                .unit = unit::speed});
-        visit(self.relaxation,
-              Field{.name = "relaxation", .help = "Of all its constraints", .low = 0, .high = 1});
+        visit(self.kicks,
+              Field{.name = "kicks", .help = "More velocity for single particles, by name", .unit = unit::speed});
+        visit(self.relaxation, Field{.name = "relaxation", .help = "Of all its constraints", .low = 0, .high = 1});
         visit(self.split, Field{.name = "split", .help = "Of all its constraints", .low = 0, .high = 1});
         visit(self.looks, Field{.name = "looks", .help = "How its parts look, by part; \"all\" for the whole"});
         visit(self.made, Field{.name = "prefab", .help = "What it is; left out: by_hand"});
@@ -145,10 +140,9 @@ struct PinSection {
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e12});
-        visit(self.damping, Field{.name = "damping",
-                                  .help = "Of a pin that gives, as a fraction of critical",
-                                  .low = 0,
-                                  .high = 1000});
+        visit(
+            self.damping,
+            Field{.name = "damping", .help = "Of a pin that gives, as a fraction of critical", .low = 0, .high = 1000});
         visit(self.max_force, Field{.name = "max_force",
                                     .help = "Most it pulls with; 0 means no limit",
                                     .unit = unit::force,

@@ -1,6 +1,6 @@
+#include "sinew/math/random.h"
 #include "sinew/scene/check.h"
 #include "sinew/scene/scene.h"
-#include "sinew/math/random.h"
 #include "sinew/scene/types.h"
 #include "sinew/solver/edit.h"
 
@@ -81,7 +81,9 @@ template <int D, class Real> class Maker {
     RandomPush<D, Real> field(const RandomPushForce& force) const {
         return {vector(force.low), vector(force.high), seed(force.seed)};
     }
-    std::uint64_t seed(std::int64_t own) const { return std::uint64_t(own) ^ random::mix(std::uint64_t(scene_.solver.seed)); }
+    std::uint64_t seed(std::int64_t own) const {
+        return std::uint64_t(own) ^ random::mix(std::uint64_t(scene_.solver.seed));
+    }
 
     void bounds() {
         if (!scene_.world.bounds) return;
@@ -96,7 +98,8 @@ template <int D, class Real> class Maker {
             }
         for (const auto& plane : bounds.planes) {
             const auto normal = direction(vector(plane.normal));
-            world_.bounds.push_back({normal, dot(normal, vector(plane.through)), Real(plane.bounce.value_or(bounds.bounce)),
+            world_.bounds.push_back({normal, dot(normal, vector(plane.through)),
+                                     Real(plane.bounce.value_or(bounds.bounce)),
                                      Real(plane.friction.value_or(bounds.friction))});
         }
     }
@@ -108,8 +111,10 @@ template <int D, class Real> class Maker {
         for (const auto id : world_.figures[figure].particles) speed_up(id, section.velocity);
         for (const auto& [particle, kick] : section.kicks)
             if (const auto id = find_particle(world_, std::string(name) + "/" + particle)) speed_up(*id, kick);
-        override_column(figure, section.relaxation, [](auto& table) -> auto& { return table.relaxation; });
-        override_column(figure, section.split, [](auto& table) -> auto& { return table.split; });
+        override_column(
+            figure, section.relaxation, [](auto& table) -> auto& { return table.relaxation; });
+        override_column(
+            figure, section.split, [](auto& table) -> auto& { return table.split; });
     }
 
     void speed_up(ParticleId id, const Point& velocity) {
@@ -154,17 +159,20 @@ template <int D, class Real> class Maker {
         }
         for (const auto& constraint : by_hand.constraints) join(constraint, figure, std::string(name) + "/");
         for (const auto& [called, particle] : by_hand.particles)
-            world_.figures[figure].pieces.push_back({.mark = Mark::dot,
-                                                     .part = called,
-                                                     .particles = {*find_particle(world_, std::string(name) + "/" + called)},
-                                                     .width = particle.size});
+            world_.figures[figure].pieces.push_back(
+                {.mark = Mark::dot,
+                 .part = called,
+                 .particles = {*find_particle(world_, std::string(name) + "/" + called)},
+                 .width = particle.size});
         return figure;
     }
 
-    /// A constraint between particles whose names begin with `prefix`. References are checked later: one to nothing is left out.
+    /// A constraint between particles whose names begin with `prefix`. References are checked later: one to nothing is
+    /// left out.
     void join(const ConstraintSection& section, FigureIndex figure, const std::string& prefix) {
         std::vector<ParticleId> members;
-        for (const auto& name : section.between) members.push_back(find_particle(world_, prefix + name).value_or(ParticleId{}));
+        for (const auto& name : section.between)
+            members.push_back(find_particle(world_, prefix + name).value_or(ParticleId{}));
         ConstraintSpec<Real> spec{.limits = limits(section),
                                   .compliance = Real(section.compliance),
                                   .relaxation = Real(section.relaxation.value_or(1)),

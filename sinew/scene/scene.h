@@ -13,8 +13,8 @@
 #include <variant>
 #include <vector>
 
-/// A scene file as data: what it says, not what becomes of it. Every section is a record, which is all there is to know about
-/// reading, checking, describing and writing it.
+/// A scene file as data: what it says, not what becomes of it. Every section is a record, which is all there is to know
+/// about reading, checking, describing and writing it.
 namespace sinew {
 
 struct UnitsSection {
@@ -90,7 +90,8 @@ struct Scene {
     double seconds = 10;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.version, Field{.name = "sinew", .help = "Version of the format", .low = 1, .high = 1, .required = true});
+        visit(self.version,
+              Field{.name = "sinew", .help = "Version of the format", .low = 1, .high = 1, .required = true});
         visit(self.about, Field{.name = "about", .help = "What it shows, in a sentence or two"});
         visit(self.source, Field{.name = "source", .help = "Where the idea is from"});
         visit(self.dimension, Field{.name = "dimension", .help = "2 or 3", .low = 2, .high = 3});
@@ -123,8 +124,9 @@ struct Opened {
     AnyWorld world; ///< at its start
 };
 
-/// Reads the scene of a document and builds its world. Nothing where anything is wrong with it, also beyond single values (names
-/// that are used twice or stand for nothing, more than the limits allow): then the document's diagnostics say what.
+/// Reads the scene of a document and builds its world. Nothing where anything is wrong with it, also beyond single
+/// values (names that are used twice or stand for nothing, more than the limits allow): then the document's diagnostics
+/// say what.
 std::optional<Opened> open_scene(Document& document);
 
 /// How long a step of the scene is, in its own time unit.

@@ -35,9 +35,8 @@ struct BoundsSection {
     double friction = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.box, Field{.name = "box",
-                              .help = "Two opposite corners of a room that nothing leaves",
-                              .unit = unit::length});
+        visit(self.box,
+              Field{.name = "box", .help = "Two opposite corners of a room that nothing leaves", .unit = unit::length});
         visit(self.planes, Field{.name = "planes", .help = "Planes that things stay on one side of"});
         visit(self.bounce, Field{.name = "bounce",
                                  .help = "Share of its speed that what strikes a wall keeps; 0 does not rebound",
@@ -204,8 +203,8 @@ struct RulesSection {
               Field{.name = "time_scale", .help = "Slow motion below 1, fast above", .low = 0, .high = 100});
         visit(self.longest_step,
               Field{.name = "longest_step", .help = "Frames that a stall counts as, at most", .low = 1, .high = 1000});
-        visit(self.outward_bounce,
-              Field{.name = "outward_bounce", .help = "Known bug (Roblox): top and right walls keep the outward speed"});
+        visit(self.outward_bounce, Field{.name = "outward_bounce",
+                                         .help = "Known bug (Roblox): top and right walls keep the outward speed"});
         visit(self.points_only_passes,
               Field{.name = "points_only_passes",
                     .help = "Known bug (Roblox): the passes move the points, the constraints are swept once"});
@@ -234,8 +233,7 @@ struct SolverSection {
         visit(self.mode, Field{.name = "mode",
                                .help = "physical: as it should be; classic: as the original demo behaved",
                                .choices = modes});
-        visit(self.precision,
-              Field{.name = "precision", .help = "Of all numbers in the world", .choices = precisions});
+        visit(self.precision, Field{.name = "precision", .help = "Of all numbers in the world", .choices = precisions});
         visit(self.substeps, Field{.name = "substeps",
                                    .help = "Parts that a step is divided into (physical mode)",
                                    .low = 1,

@@ -21,11 +21,14 @@ template <class WorldT> Gravity<WorldT::dimension, typename WorldT::Real>* gravi
 
 /// Whether the segments a b and c d cross.
 bool cross_each_other(Vec2<double> a, Vec2<double> b, Vec2<double> c, Vec2<double> d) {
-    const auto side = [](Vec2<double> from, Vec2<double> to, Vec2<double> point) { return cross(to - from, point - from); };
+    const auto side = [](Vec2<double> from, Vec2<double> to, Vec2<double> point) {
+        return cross(to - from, point - from);
+    };
     return (side(a, b, c) > 0) != (side(a, b, d) > 0) && (side(c, d, a) > 0) != (side(c, d, b) > 0);
 }
 
-template <class WorldT> std::vector<ConstraintId> distances_across(const WorldT& world, const std::array<Point, 2>& line) {
+template <class WorldT>
+std::vector<ConstraintId> distances_across(const WorldT& world, const std::array<Point, 2>& line) {
     std::vector<ConstraintId> crossed;
     const auto& distances = std::get<kind_number<Distance, WorldT::dimension>>(world.constraints);
     const auto flat = [&](Row row) {
@@ -101,7 +104,8 @@ template <class WorldT> struct Doer {
 
 } // namespace
 
-Session::Session(Opened opened) : scene_(std::move(opened.scene)), world_(std::move(opened.world)) {
+Session::Session(Opened opened)
+    : scene_(std::move(opened.scene)), world_(std::move(opened.world)), focus_(focus_of(scene_, world_)) {
     std::stable_sort(scene_.events.begin(), scene_.events.end(),
                      [](const EventSection& a, const EventSection& b) { return a.at < b.at; });
 }

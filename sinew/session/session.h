@@ -3,9 +3,11 @@
 #include "sinew/scene/scene.h"
 #include "sinew/session/picture.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace sinew {
@@ -24,12 +26,15 @@ struct Report {
 /// Something that happened, and when.
 struct Happening {
     double seconds = 0;
-    std::string what; ///< "torn", "quarantined", or the name of a scene event ("grab")
+    std::string what;  ///< "torn", "quarantined", or the name of a scene event ("grab")
     std::string where; ///< the figure or particle, as the scene calls it; may be empty
 };
 
-/// A scene that runs: its world, a clock, the scene's events and a pointer. Headless; the window, the command and the web page feed
-/// it and paint its picture.
+/// Two corners around what a world shows.
+std::array<Point, 2> focus_of(const Scene& scene, const AnyWorld& world);
+
+/// A scene that runs: its world, a clock, the scene's events and a pointer. Headless; the window, the command and the
+/// web page feed it and paint its picture.
 class Session {
   public:
     explicit Session(Opened opened);
@@ -79,6 +84,7 @@ class Session {
 
     Scene scene_;
     AnyWorld world_;
+    std::array<Point, 2> focus_; ///< two corners around what the scene shows at its start
     std::size_t next_event_ = 0;
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;
