@@ -20,6 +20,7 @@ template <int D, class Real> Real verlet_interval(const World<D, Real>& world) {
 /// Pinned hard and quarantined particles are immovable to the solver; the others weigh what they weigh.
 template <int D, class Real> void refresh_mobility(World<D, Real>& world, Row row) {
     auto& particles = world.particles;
+    world.forest.stale = true;
     const auto id = particles.slots.id_of(row);
     const bool pinned = std::any_of(world.pins.begin(), world.pins.end(),
                                     [&](const auto& pin) { return pin.particle == id && pin.hard(); });
@@ -122,6 +123,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         } else if (rows.size() != std::size_t(Kind::arity)) {
             return;
         }
+        world.forest.stale = true;
         table.members.append(rows);
         append_row(table, spec, spec.limits.value_or(Interval<Real>{0, 0}));
         added = ConstraintId{kind, table.slots.append()};

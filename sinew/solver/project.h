@@ -131,7 +131,9 @@ template <class Mover, int D, class Real> void project_all(World<D, Real>& world
     for (const auto& run : world.sweep)
         visit_table(world, run.kind, [&](auto& table) {
             auto& row = next[std::size_t(run.kind)];
-            for (const Row end = row + run.count; row < end; ++row) project_row(world, table, row, mover);
+            for (const Row end = row + run.count; row < end; ++row)
+                if (!mover.template solved_at_once<typename std::decay_t<decltype(table)>::Kind>(row))
+                    project_row(world, table, row, mover);
         });
 }
 

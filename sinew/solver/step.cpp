@@ -15,8 +15,13 @@ template <int D, class RealT> struct SubstepMover {
     using Real = RealT;
     static constexpr int dimension = D;
     Particles<D, Real>& particles;
+    const Forest<D, Real>& forest;
     Real h, per_h;
     bool first_iteration = true;
+
+    template <class Kind> bool solved_at_once(Row row) const {
+        return std::is_same_v<Kind, Distance<D>> && forest.in_tree[row];
+    }
 
     Vec<D, Real> point(Row row) const {
         return clamp_components(particles.position[row] + particles.velocity[row] * h, limit::coordinate<Real>);
@@ -158,13 +163,15 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) {
     const int substeps = std::max(world.settings.substeps, 1);
     const Real h = dt / Real(substeps), per_h = Real(1) / h;
+    find_trees(world);
     for (int s = 1; s <= substeps; ++s) {
         const Real share = Real(s) / Real(substeps);
         predict(world, h);
         move_pins(world, share, per_h);
-        SubstepMover<D, Real> mover{world.particles, h, per_h};
+        SubstepMover<D, Real> mover{world.particles, world.forest, h, per_h};
         for (int i = 0; i < world.settings.iterations; ++i) {
             mover.first_iteration = i == 0;
+            solve_trees(world, h, mover.first_iteration);
             detail::project_all(world, mover);
             pull_pins(world, share, mover);
             keep_in_bounds(world, mover);
