@@ -21,6 +21,22 @@ template <int D, class T> struct Matrix {
     }
 };
 
+template <int D, class T> constexpr Matrix<D, T>& operator+=(Matrix<D, T>& a, const Matrix<D, T>& b) {
+    for (int i = 0; i < D; ++i) a.column[std::size_t(i)] += b.column[std::size_t(i)];
+    return a;
+}
+
+template <int D, class T> constexpr Matrix<D, T>& operator-=(Matrix<D, T>& a, const Matrix<D, T>& b) {
+    for (int i = 0; i < D; ++i) a.column[std::size_t(i)] -= b.column[std::size_t(i)];
+    return a;
+}
+
+template <int D, class T> constexpr Matrix<D, T> operator*(const Matrix<D, T>& a, const Matrix<D, T>& b) {
+    Matrix<D, T> product;
+    for (int i = 0; i < D; ++i) product.column[std::size_t(i)] = a * b.column[std::size_t(i)];
+    return product;
+}
+
 /// m += a b^T
 template <int D, class T> constexpr void add_outer(Matrix<D, T>& m, const Vec<D, T>& a, const Vec<D, T>& b) {
     for (int i = 0; i < D; ++i) m.column[std::size_t(i)] += a * b[i];
@@ -39,6 +55,13 @@ template <class T> constexpr Vec<3, T> solve(const Matrix<3, T>& m, const Vec<3,
     const T determinant = dot(x, yz);
     const T per = determinant == T(0) ? T(0) : T(1) / determinant;
     return {{dot(b, yz) * per, dot(x, cross(b, z)) * per, dot(x, cross(y, b)) * per}};
+}
+
+/// The x with m x = b.
+template <int D, class T> constexpr Matrix<D, T> solve(const Matrix<D, T>& m, const Matrix<D, T>& b) {
+    Matrix<D, T> x;
+    for (int i = 0; i < D; ++i) x.column[std::size_t(i)] = solve(m, b.column[std::size_t(i)]);
+    return x;
 }
 
 } // namespace sinew

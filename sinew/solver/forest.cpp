@@ -15,7 +15,7 @@ template <int D, class Real> class Finder {
     void run() {
         forest_.edges.clear();
         forest_.trees.clear();
-        forest_.in_tree.assign(distances_.size(), 0);
+        forest_.solved.assign(distances_.size(), 0);
         find_components();
         list_edges();
         forest_.visited.assign(particles_.size(), 0);
@@ -30,7 +30,7 @@ template <int D, class Real> class Finder {
   private:
     Particles<D, Real>& particles_;
     Constraints<Distance<D>, Real>& distances_;
-    Forest<D, Real>& forest_;
+    Forest<D>& forest_;
 
     bool mobile(Row particle) const { return particles_.mobility[particle] > Real(0); }
     Row end(Row edge, std::size_t i) const { return distances_.members.rows[edge][i]; }
@@ -103,12 +103,12 @@ template <int D, class Real> class Finder {
     }
 
     void follow(Row edge, Row parent, Row seed, bool from_ground) {
-        if (forest_.in_tree[edge]) return;
+        if (forest_.solved[edge]) return;
         const Row child = end(edge, 0) == parent ? end(edge, 1) : end(edge, 0);
         if (from_ground && (child != seed || forest_.visited[child])) return; // only the edge to the seed is the root's
         if (mobile(child) && forest_.visited[child]) return;
         if (mobile(child)) forest_.visited[child] = 1;
-        forest_.in_tree[edge] = 1;
+        forest_.solved[edge] = 1;
         forest_.edges.push_back({edge, child, parent, 0});
         forest_.queue.push_back(child);
     }
@@ -117,7 +117,7 @@ template <int D, class Real> class Finder {
     void close(std::uint32_t begin) {
         const auto count = std::uint32_t(forest_.edges.size()) - begin;
         if (count < 2) {
-            for (auto i = begin; i < forest_.edges.size(); ++i) forest_.in_tree[forest_.edges[i].constraint] = 0;
+            for (auto i = begin; i < forest_.edges.size(); ++i) forest_.solved[forest_.edges[i].constraint] = 0;
             forest_.edges.resize(begin);
             return;
         }
@@ -140,11 +140,8 @@ template <int D, class Real> void find_trees(World<D, Real>& world) {
     auto& forest = world.forest;
     if (!forest.stale) return;
     Finder(world).run();
-    // A pin that comes or goes changes who is whose root, not how much there is to solve: room for all that could be.
-    const auto nodes = forest.trees.empty() ? 0 : 2 * world.particles.size();
-    forest.stiffness.resize(nodes);
-    for (auto* column : {&forest.bias, &forest.moved, &forest.normal, &forest.along}) column->resize(nodes);
-    for (auto* column : {&forest.pivot, &forest.wanted, &forest.side}) column->resize(nodes);
+    // A pin that comes or goes changes whose root is whose, not how much there is to solve: room for all that could be.
+    forest.resize(forest.trees.empty() ? 0 : 2 * world.particles.size());
 }
 
 #define SINEW_FOREST(D, Real) template void find_trees(World<D, Real>&);

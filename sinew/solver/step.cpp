@@ -15,12 +15,12 @@ template <int D, class RealT> struct SubstepMover {
     using Real = RealT;
     static constexpr int dimension = D;
     Particles<D, Real>& particles;
-    const Forest<D, Real>& forest;
+    const Forest<D>& forest;
     Real h, per_h;
     bool first_iteration = true;
 
     template <class Kind> bool solved_at_once(Row row) const {
-        return std::is_same_v<Kind, Distance<D>> && forest.in_tree[row];
+        return std::is_same_v<Kind, Distance<D>> && forest.solved[row];
     }
 
     Vec<D, Real> point(Row row) const {

@@ -244,7 +244,7 @@ template <int D, class RealT> struct World {
     std::uint64_t steps = 0;
     Real last_substep = 0;       ///< its length; a change of it corrects the Verlet step
     std::vector<Event> events;   ///< of the last step
-    Forest<D, Real> forest;      ///< what is solved at once instead of in the sweep
+    Forest<D> forest;            ///< what is solved at once instead of in the sweep
     std::vector<Vector> scratch; ///< room for the points and gradients of the widest constraint
 };
 
