@@ -9,7 +9,7 @@ std::string Path::text() const {
     constexpr std::size_t longest = 500; // bytes; keys can be long
     std::string text = parent_->text();
     if (text.size() > longest) return text;
-    return concat(text, "/", is_index_ ? std::to_string(index_) : json::pointer_step(key_.substr(0, longest)));
+    return concat(text, is_index_ ? concat("/", index_) : json::pointer_step(key_.substr(0, longest)));
 }
 
 namespace detail {
@@ -22,10 +22,10 @@ std::string help_of(const Field& field) {
 
 /// "a number from 0 to 100 px"
 std::string expected_number(std::string_view noun, const Range& range, const Field& field, const Reading& in) {
-    std::string text(noun);
-    if (const auto limits = range_text(range); !limits.empty()) text += concat(" ", limits);
-    if (const auto unit = in.units.text(field.unit); !unit.empty()) text += concat(" ", unit);
-    return text;
+    const auto limits = range_text(range);
+    const auto unit = in.units.text(field.unit);
+    const auto between = unit.empty() ? "" : limits.empty() ? " in " : " ";
+    return concat(noun, limits.empty() ? "" : " ", limits, between, unit);
 }
 
 /// `"a", "b" or "c"`; many are left to the help line.
