@@ -39,7 +39,7 @@ template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {
     hold_ends(figure, row, pinned);
 
     // Seen from the broad side and from the narrow one, in turns.
-    constexpr double narrow = 0.4;
+    constexpr double narrow = 0.5;
     for (std::size_t i = 0; i + 1 < row.size(); ++i)
         figure.draw(Mark::stroke, "link", {row[i], row[i + 1]}, i % 2 == 0 ? thickness : narrow * thickness);
 }

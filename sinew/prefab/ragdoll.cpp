@@ -40,10 +40,10 @@ constexpr double folded = 0.36;
 // clang-format off
 constexpr Bone bones[] = {
     // name                from              to                part     classic width  width
-    {"shoulders",        "left_shoulder",  "right_shoulder", "torso", line,          torso},
-    {"pelvis",           "left_hip",       "right_hip",      "torso", line,          torso},
-    {"left_side",        "left_shoulder",  "left_hip",       "torso", line,          torso},
-    {"right_side",       "right_shoulder", "right_hip",      "torso", line,          torso},
+    {"shoulders",        "left_shoulder",  "right_shoulder", "torso", line,                  0},
+    {"pelvis",           "left_hip",       "right_hip",      "torso", line,                  0},
+    {"left_side",        "left_shoulder",  "left_hip",       "torso", line,                  0},
+    {"right_side",       "right_shoulder", "right_hip",      "torso", line,                  0},
     {"crown",            "head_left",      "head_right",     "head",  line,                  0},
     {"left_neck",        "left_shoulder",  "head_left",      "head",  line,                  0},
     {"right_neck",       "right_shoulder", "head_right",     "head",  line,                  0},
@@ -83,13 +83,14 @@ constexpr Bend bends[] = {
 
 constexpr Body body{joints, bones, bends};
 
-/// Flesh on the bones.
+/// Flesh on the bones, in front of the limbs.
 template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double scale) {
     const auto named = [&](std::string_view name) { return figure.named(name); };
-    figure.draw(Mark::fill, "torso",
-                {named("left_shoulder"), named("right_shoulder"), named("right_hip"), named("left_hip")});
+    const std::vector trunk{named("left_shoulder"), named("right_shoulder"), named("right_hip"), named("left_hip")};
     figure.draw(Mark::dot, "hand", {named("left_hand"), named("right_hand")}, scale * hand_size);
     figure.draw(Mark::dot, "foot", {named("left_foot"), named("right_foot")}, scale * foot_size);
+    figure.draw(Mark::fill, "torso", trunk);
+    figure.draw(Mark::loop, "torso", trunk, scale * torso);
     figure.draw(Mark::dot, "head", {named("head")}, scale * head_size);
 }
 

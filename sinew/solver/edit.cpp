@@ -41,6 +41,18 @@ void append_row(Table& table, const ConstraintSpec<Real>& spec, Interval<Real> l
     table.torn.push_back(0);
 }
 
+bool any_twice(std::span<const Row> rows) {
+    constexpr std::size_t few = 8; // so few are compared faster than sorted
+    if (rows.size() <= few) {
+        for (auto row = rows.begin(); row != rows.end(); ++row)
+            if (std::find(rows.begin(), row, *row) != row) return true;
+        return false;
+    }
+    std::vector<Row> sorted(rows.begin(), rows.end());
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
 } // namespace
 
 template <int D, class Real> void reserve(World<D, Real>& world, Sizes sizes) {
@@ -109,9 +121,10 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
     rows.reserve(members.size());
     for (const auto id : members) {
         const auto row = world.particles.slots.find(id);
-        if (!row || std::find(rows.begin(), rows.end(), *row) != rows.end()) return std::nullopt;
+        if (!row) return std::nullopt;
         rows.push_back(*row);
     }
+    if (any_twice(rows)) return std::nullopt;
 
     std::optional<ConstraintId> added;
     visit_table(world, kind, [&](auto& table) {

@@ -51,7 +51,8 @@ struct AnyValue {
     }
     void operator()(double& value, const Field& field) const {
         const double low = std::max(field.low, -1e3), high = std::min(field.high, 1e3);
-        value = low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0;
+        const double share = *rc::gen::inRange(0, 1001) / 1000.0;
+        value = low + (high - low) * share * share * share * share; // more small ones than large ones
     }
     void operator()(bool& value, const Field&) const { value = *rc::gen::arbitrary<bool>(); }
     void operator()(std::string& value, const Field& field) const {
@@ -65,10 +66,12 @@ struct AnyValue {
 
 /// A prefab with random parameters in their ranges, that fit together.
 template <class Prefab> Prefab any(int dimension) {
-    Prefab prefab;
-    Prefab::fields(prefab, AnyValue{});
-    if constexpr (requires { prefab.problem(dimension); }) RC_PRE(!prefab.problem(dimension));
-    return prefab;
+    for (int tries = 0; tries < 100; ++tries) {
+        Prefab prefab;
+        Prefab::fields(prefab, AnyValue{});
+        if (!problem_of(prefab, dimension)) return prefab;
+    }
+    RC_DISCARD("no parameters that fit together");
 }
 
 /// Calls check(D, Real, prefab) with every prefab in every world it exists in; each with random parameters.

@@ -58,6 +58,10 @@ TEST(Polygon, KeepsItsAreaInWorldsOfEitherUp) {
     }
 }
 
+TEST(Polygon, OfAHundredThousandSidesIsMadeInNoTime) {
+    EXPECT_EQ(counts({.sides = 100'000, .braced = "area"}), std::pair(std::size_t(100'000), std::size_t(100'001)));
+}
+
 TEST(Box, HasTheOriginalsFourEdgesAndOneDiagonal) {
     const auto made = make<2, double>(Box{}, Mode::classic, {.at = {{3, 3}}, .turn = 0, .up = -1});
     EXPECT_EQ(made.place("top_left"), (Vec<2, double>{{2.75, 2.75}}));
