@@ -140,8 +140,16 @@ template <int D, class Real> void find_trees(World<D, Real>& world) {
     auto& forest = world.forest;
     if (!forest.stale) return;
     Finder(world).run();
-    // A pin that comes or goes changes whose root is whose, not how much there is to solve: room for all that could be.
-    forest.resize(forest.trees.empty() ? 0 : 2 * world.particles.size());
+    // Room for all that could be, not for what is: a pin that comes or goes, or a thread that tears, must not make a step allocate.
+    const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
+    const bool may_tear = std::any_of(distances.breaking_strain.begin(), distances.breaking_strain.end(),
+                                      [](Real strain) { return strain < limit::measure<Real>; });
+    const auto most = std::min(distances.size(), 2 * world.particles.size());
+    if (forest.trees.empty() && !may_tear) return;
+    forest.edges.reserve(most);
+    forest.trees.reserve(most);
+    forest.queue.reserve(2 * most + 1);
+    forest.resize(std::max(forest.place.size(), 2 * most));
 }
 
 #define SINEW_FOREST(D, Real) template void find_trees(World<D, Real>&);
