@@ -1,6 +1,8 @@
 #include "canvas/progress.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <functional>
 #include <gtest/gtest.h>
 #include <pty.h>
@@ -39,8 +41,7 @@ TEST(Progress, ShowsLabelBarAndPercentAndWipesThemAtTheEnd) {
         Progress progress("ragdoll.mp4", 4, stream);
         progress.update(1);
     });
-    EXPECT_TRUE(text.starts_with("\rragdoll.mp4  [##########------------------------------]   25 %  0:00 left\033[K"))
-        << text;
+    EXPECT_TRUE(text.starts_with("\rragdoll.mp4  [##########------------------------------]   25 %  0:0")) << text;
     EXPECT_TRUE(text.ends_with("\r\033[K")) << text;
 }
 
@@ -50,8 +51,9 @@ TEST(Progress, TakesTheTimeLeftFromTheTimePassed) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         progress.update(1);
     });
-    // At least 99 times 50 ms.
-    EXPECT_TRUE(text.find(" 1 %  0:0") != std::string::npos && text.find("0:04") == std::string::npos) << text;
+    int minutes = 0, seconds = 0;
+    ASSERT_EQ(std::sscanf(text.c_str() + text.find('%'), "%% %d:%d left", &minutes, &seconds), 2) << text;
+    EXPECT_GE(60 * minutes + seconds, 5) << "99 times the 50 ms that the first hundredth took";
 }
 
 TEST(Progress, NeverWrapsANarrowTerminal) {
@@ -63,11 +65,13 @@ TEST(Progress, NeverWrapsANarrowTerminal) {
 }
 
 TEST(Progress, RedrawsAtMostTenTimesASecond) {
+    const auto begin = std::chrono::steady_clock::now();
     const std::string text = on_terminal(100, [](std::FILE* stream) {
         Progress progress("x", 1000, stream);
         for (std::size_t i = 0; i < 1000; ++i) progress.update(i);
     });
-    EXPECT_LT(text.size(), 500u);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    EXPECT_LE(double(std::ranges::count(text, '\r')), 10 * elapsed.count() + 2) << "one at once, and one wipes";
 }
 
 TEST(Progress, IsSilentInAPipe) {
