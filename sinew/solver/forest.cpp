@@ -140,7 +140,8 @@ template <int D, class Real> void find_trees(World<D, Real>& world) {
     auto& forest = world.forest;
     if (!forest.stale) return;
     Finder(world).run();
-    // Room for all that could be, not for what is: a pin that comes or goes, or a thread that tears, must not make a step allocate.
+    // Room for all that could be, not for what is: a pin that comes or goes, or a thread that tears, must not make a
+    // step allocate.
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     const bool may_tear = std::any_of(distances.breaking_strain.begin(), distances.breaking_strain.end(),
                                       [](Real strain) { return strain < limit::measure<Real>; });

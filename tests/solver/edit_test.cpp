@@ -160,7 +160,7 @@ TYPED_TEST(Edit, StateTellsErrorAndStrainAgainstTheLimitThatBroke) {
     using Vector = typename TypeParam::Vector;
     typename TypeParam::World world;
     const auto a = add_particle(world, {}), b = add_particle(world, {.position = at<Vector>(3, 0)});
-    const auto strain = [&](Limits<Real> limits) {
+    const auto strain = [&](Interval<Real> limits) {
         return constraint_state(world, *add<Distance>(world, {a, b}, {.limits = limits}))->strain;
     };
     EXPECT_DOUBLE_EQ(strain(exactly(Real(2))), 0.5);
