@@ -24,8 +24,8 @@ enum class Mark : std::uint8_t {
 /// one thing in any colours; how thick it is belongs to its shape.
 struct Piece {
     Mark mark = Mark::stroke;
-    std::string part;
-    std::vector<ParticleId> particles;
+    std::string part{};
+    std::vector<ParticleId> particles{};
     double width = 0;    ///< in world units: line thickness or disc diameter; 0 leaves it to the looks
     bool hidden = false; ///< a support that is only drawn when asked for
 };
