@@ -1,4 +1,4 @@
-#include "sinew/solver/phases.h"
+#include "sinew/solver/step.h"
 
 #include <algorithm>
 
@@ -136,7 +136,7 @@ template <int D, class Real> class Finder {
 
 } // namespace
 
-template <int D, class Real> void find_trees(World<D, Real>& world) {
+template <int D, class Real> void prepare(World<D, Real>& world) {
     auto& forest = world.forest;
     if (!forest.stale) return;
     Finder(world).run();
@@ -146,14 +146,15 @@ template <int D, class Real> void find_trees(World<D, Real>& world) {
     const bool may_tear = std::any_of(distances.breaking_strain.begin(), distances.breaking_strain.end(),
                                       [](Real strain) { return strain < limit::measure<Real>; });
     const auto most = std::min(distances.size(), 2 * world.particles.size());
-    if (forest.trees.empty() && !may_tear) return;
+    constexpr std::size_t small = 100'000; // distances; of more that are all in loops, room for trees would be waste
+    if (forest.trees.empty() && !may_tear && distances.size() > small) return;
     forest.edges.reserve(most);
     forest.trees.reserve(most);
     forest.queue.reserve(2 * most + 1);
     forest.resize(std::max(forest.place.size(), 2 * most));
 }
 
-#define SINEW_FOREST(D, Real) template void find_trees(World<D, Real>&);
+#define SINEW_FOREST(D, Real) template void prepare(World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_FOREST)
 
 } // namespace sinew

@@ -24,9 +24,6 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 /// tear.cpp: removes constraints strained beyond their breaking point.
 template <int D, class Real> void tear(World<D, Real>& world);
 
-/// forest.cpp: looks for trees again if anything has changed that decides them.
-template <int D, class Real> void find_trees(World<D, Real>& world);
-
 /// direct.cpp: solves every tree; what it cannot solve this time it leaves to the sweep.
 template <int D, class Real> void solve_trees(World<D, Real>& world, Real h, bool first_iteration);
 

@@ -189,7 +189,7 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) {
     const int substeps = std::max(world.settings.substeps, 1);
     const Real h = dt / Real(substeps);
-    find_trees(world);
+    prepare(world);
     for (int s = 1; s <= substeps; ++s) {
         const Real share = Real(s) / Real(substeps);
         SubstepMover<D, Real> mover{world.particles, world.forest, h};

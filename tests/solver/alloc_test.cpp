@@ -57,6 +57,7 @@ TYPED_TEST(Allocation, AStepAllocatesNothing) {
             auto world = menagerie<TypeParam::dimension, Real>(mode);
             world.events.reserve(events_per_step); // a copy starts without room for them
             world.settings.classic.order = order;
+            prepare(world);
             world.particles.velocity[3][0] = std::numeric_limits<Real>::quiet_NaN(); // quarantined in the first step
             std::size_t torn = 0, quarantined = 0;
             const long before = allocations;
