@@ -157,10 +157,9 @@ std::array<std::size_t, 5> widths_of(const std::vector<Row>& rows) {
 
 /// Cells in columns; one that is too wide pushes what follows to the right.
 template <class Cells> std::string columns(const Cells& cells, const std::array<std::size_t, 5>& widths) {
-    std::string line = " ";
+    std::string line;
     for (std::size_t i = 0, column = 0; i < widths.size(); ++i) {
-        line += " ";
-        line += cells[i];
+        line += concat("  ", cells[i]);
         column += widths[i] + 2;
         if (line.size() < column) line.resize(column, ' ');
     }

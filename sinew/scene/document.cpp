@@ -178,7 +178,8 @@ void apply_mode(Document& document) {
     const Member patches = std::move(*found);
     root.erase(found);
 
-    const Path path(Path{}, "modes");
+    const Path top;
+    const Path path(top, "modes");
     const auto* by_mode = patches.value.as<Object>();
     if (!by_mode) {
         document.diagnostics.error(patches.value.span, path.text(),

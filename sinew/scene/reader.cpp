@@ -22,10 +22,10 @@ std::string help_of(const Field& field) {
 
 /// "a number from 0 to 100 px"
 std::string expected_number(std::string_view noun, const Range& range, const Field& field, const Reading& in) {
-    std::string text(noun);
-    if (const auto limits = range_text(range); !limits.empty()) text += concat(" ", limits);
-    if (const auto unit = in.units.text(field.unit); !unit.empty()) text += concat(" ", unit);
-    return text;
+    const auto limits = range_text(range);
+    const auto unit = in.units.text(field.unit);
+    const auto between = unit.empty() ? "" : limits.empty() ? " in " : " ";
+    return concat(noun, limits.empty() ? "" : " ", limits, between, unit);
 }
 
 /// `"a", "b" or "c"`; many are left to the help line.

@@ -29,6 +29,8 @@ class Path {
     Path() = default;
     Path(const Path& parent, std::string_view key) : parent_(&parent), key_(key) {}
     Path(const Path& parent, std::size_t index) : parent_(&parent), index_(index), is_index_(true) {}
+    Path(Path&& parent, std::string_view key) = delete; // the parent has to stay
+    Path(Path&& parent, std::size_t index) = delete;
     /// A JSON pointer.
     std::string text() const;
 
@@ -103,11 +105,13 @@ bool read(const json::Value& value, T& target, const Field& field, const Path& p
         return read_truth(value, target, field, path, in);
     } else if constexpr (Integer<T>) {
         static_assert(sizeof(T) < 8 || std::signed_integral<T>, "numbers of JSON are read as 64 bits with a sign");
-        const Range range = range_in_file(field, in.units);
-        using Limit = std::numeric_limits<T>;
+        Range range = range_in_file(field, in.units);
+        if constexpr (sizeof(T) < 8) {
+            range.low = maximum(range.low, double(std::numeric_limits<T>::min()));
+            range.high = minimum(range.high, double(std::numeric_limits<T>::max()));
+        }
         std::int64_t number = 0;
-        const Range both{maximum(range.low, double(Limit::min())), minimum(range.high, double(Limit::max()))};
-        if (!read_integer(value, number, both, field, path, in)) return false;
+        if (!read_integer(value, number, range, field, path, in)) return false;
         target = T(number);
         return true;
     } else if constexpr (std::floating_point<T>) {
