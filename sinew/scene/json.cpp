@@ -235,7 +235,7 @@ class Builder {
         for (std::size_t i = 0; i < open_.size() && path.size() < longest_path; ++i) {
             const auto* items = open_[i].container.as<Array>();
             const bool inside = i + 1 < open_.size() || items || after_key_;
-            if (inside) path += concat("/", items ? std::to_string(items->size()) : pointer_step(open_[i].key));
+            if (inside) path += items ? concat("/", items->size()) : pointer_step(open_[i].key);
         }
         return path;
     }
@@ -462,7 +462,7 @@ const Value* find(const Value& root, std::string_view pointer) {
     const Value* value = &root;
     while (value && !pointer.empty()) {
         const auto end = std::min(pointer.find('/', 1), pointer.size());
-        const auto step = pointer.substr(1, end - 1);
+        const auto step = pointer.substr(0, end), digits = step.substr(1);
         pointer.remove_prefix(end);
         const Value* next = nullptr;
         if (const auto* object = value->as<Object>()) {
@@ -470,8 +470,8 @@ const Value* find(const Value& root, std::string_view pointer) {
                 if (pointer_step(member.key) == step) next = &member.value;
         } else if (const auto* items = value->as<Array>()) {
             std::size_t index = 0;
-            const auto [stop, problem] = std::from_chars(step.data(), step.data() + step.size(), index);
-            if (problem == std::errc() && stop == step.data() + step.size() && index < items->size())
+            const auto [stop, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+            if (problem == std::errc() && stop == digits.data() + digits.size() && index < items->size())
                 next = &(*items)[index];
         }
         value = next;
@@ -480,7 +480,7 @@ const Value* find(const Value& root, std::string_view pointer) {
 }
 
 std::string pointer_step(std::string_view key) {
-    std::string step;
+    std::string step = "/";
     for (const char c : key) {
         if (c == '~')
             step += "~0";

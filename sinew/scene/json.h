@@ -80,7 +80,7 @@ Member* find(Object& object, std::string_view key);
 /// The value under a JSON pointer (RFC 6901) such as "/figures/0/name", or null.
 const Value* find(const Value& root, std::string_view pointer);
 
-/// `key` as one step of a JSON pointer.
+/// `key` as one step of a JSON pointer, with the slash before it.
 std::string pointer_step(std::string_view key);
 
 /// Reads a source of the diagnostics: JSON with // and /* */ comments. What is wrong with it is reported there; nothing

@@ -9,7 +9,7 @@ std::string Path::text() const {
     constexpr std::size_t longest = 500; // bytes; keys can be long
     std::string text = parent_->text();
     if (text.size() > longest) return text;
-    return concat(text, "/", is_index_ ? std::to_string(index_) : json::pointer_step(key_.substr(0, longest)));
+    return concat(text, is_index_ ? concat("/", index_) : json::pointer_step(key_.substr(0, longest)));
 }
 
 namespace detail {

@@ -1,6 +1,7 @@
 #include "sinew/scene/document.h"
 #include "sinew/scene/reader.h"
 
+#include "tests/scene/laws.h"
 #include "tests/scene/sample.h"
 
 #include <chrono>
@@ -267,14 +268,7 @@ RC_GTEST_PROP(DocumentLaw, AGoodSceneWithAnyValueReplacedIsReadOrRefusedWithPlac
     Diagnostics diagnostics;
     const auto root = json::parse(diagnostics.add_source("a.json", text), diagnostics);
     std::vector<Span> spans;
-    const auto collect = [&](const json::Value& value, const auto& self) -> void {
-        spans.push_back(value.span);
-        if (const auto* items = value.as<json::Array>())
-            for (const auto& item : *items) self(item, self);
-        if (const auto* members = value.as<json::Object>())
-            for (const auto& member : *members) self(member.value, self);
-    };
-    collect(*root, collect);
+    laws::each_value(*root, [&](const json::Value& value) { spans.push_back(value.span); });
     const auto span = *rc::gen::elementOf(spans);
     text.replace(span.begin, span.end - span.begin,
                  *rc::gen::element<std::string>("null", "true", "0", "-1e9", "2.5", "\"\"", "\"rope\"", "[]",

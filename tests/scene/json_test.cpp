@@ -1,5 +1,6 @@
 #include "sinew/scene/json.h"
 
+#include "tests/scene/laws.h"
 #include "tests/scene/sample.h"
 
 #include <chrono>
@@ -190,15 +191,6 @@ INSTANTIATE_TEST_SUITE_P(Json, HostileFile, testing::ValuesIn(hostile_files), na
 
 // --- laws -------------------------------------------------------------------------------------------------------
 
-/// Calls visit(value) for the value and all in it.
-template <class Visit> void each_value(const json::Value& value, const Visit& visit) {
-    visit(value);
-    if (const auto* items = value.as<json::Array>())
-        for (const auto& item : *items) each_value(item, visit);
-    if (const auto* members = value.as<json::Object>())
-        for (const auto& member : *members) each_value(member.value, visit);
-}
-
 rc::Gen<json::Value> any_value(int depth) {
     using namespace rc;
     const auto text = gen::map(gen::container<std::string>(gen::inRange<char>(0, 127)),
@@ -230,7 +222,7 @@ RC_GTEST_PROP(JsonLaw, EverySpanReadAloneGivesItsValue, ()) {
     const auto text = json::to_text(*any_value(4));
     const auto result = parsed(text);
     RC_ASSERT(result.value.has_value());
-    each_value(*result.value, [&](const json::Value& value) {
+    laws::each_value(*result.value, [&](const json::Value& value) {
         RC_ASSERT(parsed(std::string(result.diagnostics.text(value.span))).value == value);
     });
 }
@@ -238,7 +230,7 @@ RC_GTEST_PROP(JsonLaw, EverySpanReadAloneGivesItsValue, ()) {
 TEST(JsonLaw, EverySpanOfACommentedSceneReadAloneGivesItsValue) {
     const auto result = parsed(std::string(sample::good_scene));
     ASSERT_TRUE(result.value);
-    each_value(*result.value, [&](const json::Value& value) {
+    laws::each_value(*result.value, [&](const json::Value& value) {
         EXPECT_EQ(parsed(std::string(result.diagnostics.text(value.span))).value, value);
     });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/scene/json.h"
 #include "sinew/scene/types.h"
 
 #include <algorithm>
@@ -25,6 +26,15 @@ template <Record R> bool each_key_once(std::vector<std::string_view> around = {}
     });
     std::sort(around.begin(), around.end());
     return once && std::adjacent_find(around.begin(), around.end()) == around.end();
+}
+
+/// Calls visit(value) for the value and all in it.
+template <class Visit> void each_value(const json::Value& value, const Visit& visit) {
+    visit(value);
+    if (const auto* items = value.as<json::Array>())
+        for (const auto& item : *items) each_value(item, visit);
+    if (const auto* members = value.as<json::Object>())
+        for (const auto& member : *members) each_value(member.value, visit);
 }
 
 } // namespace sinew::laws
