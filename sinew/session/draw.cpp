@@ -249,7 +249,7 @@ template <class WorldT> class Drawer {
     void draw_surface(const Piece& piece, const Style& style) {
         const auto patch = patch_of(piece);
         if (!patch || !trace(piece)) return;
-        constexpr float finest = 3.5F; // pixels
+        constexpr float finest = 4.5F; // pixels
         constexpr int most = 8;
         float side = 0;
         for (std::size_t i = 0; i < 4; ++i) side = maximum(side, distance(outline_[i], outline_[(i + 1) % 4]));
@@ -335,7 +335,7 @@ template <class WorldT> class Drawer {
             const auto below_eye = onto(camera.eye);
             const double reach = maximum(0.93 * distance(below_eye, middle), 1.2 * distance(below_eye, camera.eye));
             const auto across = direction(cross(normal, view_.towards_eye())), along = cross(across, normal);
-            constexpr int rings = 40, corners = 64;
+            constexpr int rings = 24, corners = 64; // more are closer than one shade
             for (int ring = 0; ring < rings; ++ring) {
                 const double t = double(ring + 1) / rings, radius = reach * (1 - double(ring) / rings);
                 outline_.clear();
