@@ -17,6 +17,8 @@ template <int D, class Real> void Box::build(Builder<D, Real>& figure) const {
     join("bottom", bottom_right, bottom_left);
     join("left", bottom_left, top_left);
 
+    const std::vector corners{top_left, top_right, bottom_right, bottom_left};
+    if (figure.mode() == Mode::physical) figure.draw(Mark::fill, "inside", corners); // the original is all lines
     const auto brace = [&](std::string_view called, ParticleId a, ParticleId b) {
         join(called, a, b);
         figure.draw(Mark::stroke, "brace", {a, b}, thickness, true);
@@ -24,8 +26,6 @@ template <int D, class Real> void Box::build(Builder<D, Real>& figure) const {
     if (braces != "none") brace("diagonal", top_left, bottom_right);
     if (braces == "both") brace("other_diagonal", top_right, bottom_left);
 
-    const std::vector corners{top_left, top_right, bottom_right, bottom_left};
-    if (figure.mode() == Mode::physical) figure.draw(Mark::fill, "inside", corners); // the original is all lines
     figure.draw(Mark::loop, "edge", corners, thickness);
     figure.draw(Mark::dot, "corner", corners, dot);
 }

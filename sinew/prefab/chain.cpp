@@ -38,10 +38,13 @@ template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {
         stiffen(figure, row, {.limits = between(-bend_limit, bend_limit)});
     hold_ends(figure, row, pinned);
 
-    // Seen from the broad side and from the narrow one, in turns.
-    constexpr double narrow = 0.5;
-    for (std::size_t i = 0; i + 1 < row.size(); ++i)
-        figure.draw(Mark::stroke, "link", {row[i], row[i + 1]}, i % 2 == 0 ? thickness : narrow * thickness);
+    // Seen from the broad side and from the narrow one, in turns; the last from the broad one.
+    constexpr double narrow = 0.3; // as thick as the wire of a ring
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+        const bool broad = (row.size() - i) % 2 == 0;
+        figure.draw(broad ? Mark::ring : Mark::stroke, "link", {row[i], row[i + 1]},
+                    broad ? thickness : narrow * thickness);
+    }
 }
 
 #define SINEW_CHAIN(D, Real) template void Chain::build(Builder<D, Real>&) const;

@@ -99,19 +99,19 @@ template <int D, class Real> void draw_threads(Builder<D, Real>& figure, const G
     for (std::size_t r = 0; r < grid.rows; ++r) {
         std::vector<ParticleId> row;
         for (std::size_t c = 0; c < grid.columns; ++c) row.push_back(grid.at(c, r));
-        figure.draw(Mark::stroke, "thread", std::move(row), width);
+        figure.draw(Mark::curve, "thread", std::move(row), width);
     }
     for (std::size_t c = 0; c < grid.columns; ++c) {
         std::vector<ParticleId> column;
         for (std::size_t r = 0; r < grid.rows; ++r) column.push_back(grid.at(c, r));
-        figure.draw(Mark::stroke, "thread", std::move(column), width);
+        figure.draw(Mark::curve, "thread", std::move(column), width);
     }
 }
 
 template <int D, class Real> void draw_cells(Builder<D, Real>& figure, const Grid& grid) {
     for (std::size_t r = 0; r + 1 < grid.rows; ++r)
         for (std::size_t c = 0; c + 1 < grid.columns; ++c)
-            figure.draw(D == 3 ? Mark::surface : Mark::fill, "cloth",
+            figure.draw(Mark::surface, "cloth",
                         {grid.at(c, r), grid.at(c + 1, r), grid.at(c + 1, r + 1), grid.at(c, r + 1)});
 }
 

@@ -31,8 +31,9 @@ constexpr Joint joints[] = {
 static_assert(shares_are_whole(joints, Rig::classic) && shares_are_whole(joints, Rig::physical));
 
 constexpr double line = 7, tallness = 160;
-constexpr double torso = 14, upper_arm = 9, forearm = 7, thigh = 12, shin = 9; // widths in physical mode
-constexpr double head_size = 28, hand_size = 8, foot_size = 10;
+// Widths in physical mode.
+constexpr double torso = 14, hip = 14, ankle = 8, shoulder = 10, elbow = 9, sleeve = 12, wrist = 6;
+constexpr double head_size = 29, hand_size = 9, foot_size = 12;
 
 /// A leg folds until hip and foot are this share of their distance in the table apart: the knee turned by 140 degrees.
 constexpr double folded = 0.36;
@@ -47,14 +48,14 @@ constexpr Bone bones[] = {
     {"crown",            "head_left",      "head_right",     "head",  line,                  0},
     {"left_neck",        "left_shoulder",  "head_left",      "head",  line,                  0},
     {"right_neck",       "right_shoulder", "head_right",     "head",  line,                  0},
-    {"left_upper_arm",   "left_shoulder",  "left_elbow",     "arm",   line,          upper_arm},
-    {"left_forearm",     "left_elbow",     "left_hand",      "arm",   line,          forearm},
-    {"right_upper_arm",  "right_shoulder", "right_elbow",    "arm",   line,          upper_arm},
-    {"right_forearm",    "right_elbow",    "right_hand",     "arm",   line,          forearm},
-    {"left_thigh",       "left_hip",       "left_knee",      "leg",   line,          thigh},
-    {"left_shin",        "left_knee",      "left_foot",      "leg",   line,          shin},
-    {"right_thigh",      "right_hip",      "right_knee",     "leg",   line,          thigh},
-    {"right_shin",       "right_knee",     "right_foot",     "leg",   line,          shin},
+    {"left_upper_arm",   "left_shoulder",  "left_elbow",     "arm",   line,                  0},
+    {"left_forearm",     "left_elbow",     "left_hand",      "arm",   line,                0},
+    {"right_upper_arm",  "right_shoulder", "right_elbow",    "arm",   line,                  0},
+    {"right_forearm",    "right_elbow",    "right_hand",     "arm",   line,                0},
+    {"left_thigh",       "left_hip",       "left_knee",      "leg",   line,              0},
+    {"left_shin",        "left_knee",      "left_foot",      "leg",   line,             0},
+    {"right_thigh",      "right_hip",      "right_knee",     "leg",   line,              0},
+    {"right_shin",       "right_knee",     "right_foot",     "leg",   line,             0},
     {"falling_beam",     "left_shoulder",  "right_hip",      "beam",              0,         0},
     {"rising_beam",      "right_shoulder", "left_hip",       "beam",              0,         0},
     {"left_head_beam",   "right_shoulder", "head_left",      "beam",              0,         0},
@@ -83,15 +84,30 @@ constexpr Bend bends[] = {
 
 constexpr Body body{joints, bones, bends};
 
-/// Flesh on the bones, in front of the limbs.
+/// Flesh on the bones, back to front: legs, trunk, arms, head.
 template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double scale) {
-    const auto named = [&](std::string_view name) { return figure.named(name); };
-    const std::vector trunk{named("left_shoulder"), named("right_shoulder"), named("right_hip"), named("left_hip")};
-    figure.draw(Mark::dot, "hand", {named("left_hand"), named("right_hand")}, scale * hand_size);
-    figure.draw(Mark::dot, "foot", {named("left_foot"), named("right_foot")}, scale * foot_size);
+    const auto named = [&](std::initializer_list<std::string_view> names) {
+        std::vector<ParticleId> particles;
+        for (const auto name : names) particles.push_back(figure.named(name));
+        return particles;
+    };
+    const auto limb = [&](std::string_view part, std::initializer_list<std::string_view> names, double from,
+                          double to) { figure.draw_limb(part, named(names), scale * from, scale * to); };
+    for (const auto* foot : {"left_foot", "right_foot"})
+        figure.draw(Mark::dot, "foot", named({foot}), scale * foot_size);
+    limb("leg", {"left_hip", "left_knee", "left_foot"}, hip, ankle);
+    limb("leg", {"right_hip", "right_knee", "right_foot"}, hip, ankle);
+    const auto trunk = named({"left_shoulder", "right_shoulder", "right_hip", "left_hip"});
     figure.draw(Mark::fill, "torso", trunk);
     figure.draw(Mark::loop, "torso", trunk, scale * torso);
-    figure.draw(Mark::dot, "head", {named("head")}, scale * head_size);
+    figure.draw(Mark::stroke, "belt", named({"left_hip", "right_hip"}), scale * hip);
+    limb("arm", {"left_shoulder", "left_elbow", "left_hand"}, shoulder, wrist);
+    limb("arm", {"right_shoulder", "right_elbow", "right_hand"}, shoulder, wrist);
+    for (const auto* hand : {"left_hand", "right_hand"})
+        figure.draw(Mark::dot, "hand", named({hand}), scale * hand_size);
+    limb("sleeve", {"left_shoulder", "left_elbow"}, sleeve, elbow);
+    limb("sleeve", {"right_shoulder", "right_elbow"}, sleeve, elbow);
+    figure.draw(Mark::dot, "head", named({"head"}), scale * head_size);
 }
 
 } // namespace

@@ -31,7 +31,7 @@ template <int D, class Real> void Rope::build(Builder<D, Real>& figure) const {
     hold_ends(figure, row, pinned);
 
     const auto end = row.back();
-    figure.draw(Mark::stroke, "rope", std::move(row), thickness);
+    figure.draw(Mark::curve, "rope", std::move(row), thickness);
     constexpr double weight_size = 4; // times as thick as the rope
     if (weight > 0) figure.draw(Mark::dot, "weight", {end}, weight_size * thickness);
 }

@@ -39,6 +39,10 @@ class ValueCheck {
         for (std::size_t i = 0; i < scene_.looks.size(); ++i)
             look(scene_.looks[i].second, "/looks" + json::pointer_step(scene_.looks[i].first));
         bounds();
+        for (std::size_t i = 0; i < scene_.pins.size(); ++i)
+            detail::visit_held(scene_.pins[i].driver, [&](const auto& driver) {
+                if constexpr (requires { driver.keys; }) keys(driver.keys, under("pins", i, "keys"));
+            });
         for (std::size_t i = 0; i < scene_.events.size(); ++i)
             if (std::holds_alternative<CutEvent>(scene_.events[i].event) && scene_.dimension != 2)
                 document_.error(under("events", i, "cut"), "a cut along a line needs a scene of 2 dimensions",
@@ -137,6 +141,14 @@ class ValueCheck {
             if (!text.empty() && !parse_color(text))
                 document_.error(place + key, fmt::format("\"{}\" is no colour", text),
                                 "a name such as tomato or teal, #rgb, #rrggbb, #rrggbbaa or none");
+    }
+
+    void keys(const std::vector<Keyframe>& keys, const std::string& place) {
+        for (std::size_t i = 1; i < keys.size(); ++i)
+            if (keys[i].at <= keys[i - 1].at)
+                document_.error(
+                    fmt::format("{}/{}/at", place, i),
+                    fmt::format("{} is not after {}, the time of the key before it", keys[i].at, keys[i - 1].at));
     }
 
     void bounds() {

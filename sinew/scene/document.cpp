@@ -340,6 +340,7 @@ std::string mode_of(const Document& document, const std::vector<Assignment>& ass
 } // namespace
 
 void Document::error(std::string_view pointer, std::string message, std::string help) {
+    if (diagnostics.full()) return diagnostics.count_one_more();
     std::string path(pointer);
     const Value* value = json::find(root, pointer);
     while (!value) {

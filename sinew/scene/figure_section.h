@@ -2,6 +2,7 @@
 
 #include "sinew/math/point.h"
 #include "sinew/prefab/prefabs.h"
+#include "sinew/scene/driver_section.h"
 #include "sinew/scene/look_section.h"
 
 #include <array>
@@ -131,6 +132,7 @@ struct PinSection {
     double compliance = 0;
     double damping = 1;
     double max_force = 0;
+    std::optional<Driver> driver;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.particle, Field{.name = "particle", .help = "Which, as figure/name", .required = true});
@@ -148,6 +150,7 @@ struct PinSection {
                                     .unit = unit::force,
                                     .low = 0,
                                     .high = 1e15});
+        visit(self.driver, Field{.name = "driver", .help = "What moves it by itself; left out: nothing"});
     }
 };
 

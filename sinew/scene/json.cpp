@@ -458,23 +458,41 @@ Member* find(Object& object, std::string_view key) {
     return const_cast<Member*>(find(std::as_const(object), key));
 }
 
+namespace {
+
+/// The key that a step of a pointer stands for.
+std::string key_of(std::string_view step) {
+    std::string key;
+    for (std::size_t i = 0; i < step.size(); ++i) {
+        const auto rest = step.substr(i);
+        if (rest.starts_with("~0") || rest.starts_with("~1"))
+            key += step[++i] == '0' ? '~' : '/';
+        else
+            key += step[i];
+    }
+    return key;
+}
+
+const Value* element(const Array& items, std::string_view digits) {
+    std::size_t index = 0;
+    const auto [stop, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    const bool whole = problem == std::errc() && stop == digits.data() + digits.size();
+    return whole && index < items.size() ? &items[index] : nullptr;
+}
+
+} // namespace
+
 const Value* find(const Value& root, std::string_view pointer) {
     const Value* value = &root;
     while (value && !pointer.empty()) {
+        if (pointer[0] != '/') return nullptr;
         const auto end = std::min(pointer.find('/', 1), pointer.size());
-        const auto step = pointer.substr(0, end), digits = step.substr(1);
+        const auto step = pointer.substr(1, end - 1);
         pointer.remove_prefix(end);
-        const Value* next = nullptr;
-        if (const auto* object = value->as<Object>()) {
-            for (const auto& member : *object)
-                if (pointer_step(member.key) == step) next = &member.value;
-        } else if (const auto* items = value->as<Array>()) {
-            std::size_t index = 0;
-            const auto [stop, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-            if (problem == std::errc() && stop == digits.data() + digits.size() && index < items->size())
-                next = &(*items)[index];
-        }
-        value = next;
+        const Member* member = nullptr;
+        if (const auto* object = value->as<Object>()) member = find(*object, key_of(step));
+        const auto* items = value->as<Array>();
+        value = member ? &member->value : items ? element(*items, step) : nullptr;
     }
     return value;
 }

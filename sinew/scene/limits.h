@@ -14,6 +14,7 @@ struct Limits {
     std::int64_t depth = 64;
     std::int64_t values = 500'000;
     std::int64_t string_bytes = 65'536;
+    std::int64_t memory = 100'000'000;
     std::int64_t errors = 100;
     std::int64_t figures = 10'000;
     std::int64_t particles = 1'000'000;
@@ -29,6 +30,10 @@ struct Limits {
         visit(self.values,
               Field{.name = "values", .help = "Values in the scene file, of any type", .low = 1, .high = most});
         visit(self.string_bytes, Field{.name = "string_bytes", .help = "Length of one string", .low = 1, .high = most});
+        visit(self.memory, Field{.name = "memory",
+                                 .help = "Bytes that the lists of the scene take once read",
+                                 .low = 1,
+                                 .high = 1e12});
         visit(self.errors,
               Field{.name = "errors", .help = "Errors shown before the rest is counted", .low = 1, .high = 200});
         visit(self.figures, Field{.name = "figures", .help = "Figures in the scene", .low = 0, .high = most});

@@ -38,13 +38,22 @@ std::string one_of(std::span<const std::string_view> words) {
     return text;
 }
 
+/// Whether one more message would be kept; counted where not.
+bool room(const Reading& in) {
+    if (!in.diagnostics.full()) return true;
+    in.diagnostics.count_one_more();
+    return false;
+}
+
+Span opening_brace(const json::Value& object) {
+    return {object.span.source, object.span.begin, std::min(object.span.begin + 1, object.span.end)};
+}
+
 } // namespace
 
 bool refuse(const json::Value& value, const Field& field, const Path& path, const Reading& in,
             std::string_view expected) {
-    if (in.diagnostics.full())
-        in.diagnostics.count_one_more();
-    else
+    if (room(in))
         in.diagnostics.error(value.span, path.text(), concat("expected ", expected, ", found ", json::describe(value)),
                              help_of(field));
     return false;
@@ -84,7 +93,7 @@ bool read_string(const json::Value& value, std::string& target, const Field& fie
         return true;
     }
     if (any) return refuse(value, field, path, in, "a string");
-    if (in.diagnostics.full()) return in.diagnostics.count_one_more(), false;
+    if (!room(in)) return false;
     const std::vector<std::string_view> choices(field.choices.begin(), field.choices.end());
     in.diagnostics.error(value.span, path.text(),
                          concat("expected ", one_of(field.choices), ", found ", json::describe(value)),
@@ -100,10 +109,25 @@ const json::Array* array_of(const json::Value& value, std::size_t size, const Fi
     return nullptr;
 }
 
+bool take_memory(const json::Value& list, std::size_t count, std::size_t bytes_each, const Path& path,
+                 const Reading& in) {
+    const auto bytes = std::int64_t(count * bytes_each);
+    if (bytes > in.memory) {
+        if (room(in))
+            in.diagnostics.error(
+                list.span, path.text(),
+                concat("a list of ", count, " takes ", bytes, " bytes, of which only ", in.memory, " are left"),
+                "limits.memory=N allows more");
+        return false;
+    }
+    in.memory -= bytes;
+    return true;
+}
+
 void report_missing(const json::Value& object, const Field& field, const Path& path, const Reading& in) {
-    if (in.diagnostics.full()) return in.diagnostics.count_one_more();
-    const Span brace{object.span.source, object.span.begin, std::min(object.span.begin + 1, object.span.end)};
-    in.diagnostics.error(brace, path.text(), concat("missing property ", in_quotes(field.name)), help_of(field));
+    if (room(in))
+        in.diagnostics.error(opening_brace(object), path.text(), concat("missing property ", in_quotes(field.name)),
+                             help_of(field));
 }
 
 bool report_unknown(const json::Object& object, const std::vector<std::string_view>& allowed, const Path& path,
@@ -112,9 +136,7 @@ bool report_unknown(const json::Object& object, const std::vector<std::string_vi
     for (const auto& member : object) {
         if (std::ranges::find(allowed, member.key) != allowed.end()) continue;
         any = true;
-        if (in.diagnostics.full())
-            in.diagnostics.count_one_more();
-        else
+        if (room(in))
             in.diagnostics.error(member.key_span, path.text(), concat("unknown property ", in_quotes(member.key)),
                                  suggest(member.key, allowed));
     }
@@ -123,6 +145,10 @@ bool report_unknown(const json::Object& object, const std::vector<std::string_vi
 
 bool FieldReader::finish() {
     if (good_ && taken_ == object_.size()) return true;
+    if (in_.diagnostics.full()) {
+        for (auto unknown = object_.size(); unknown > taken_; --unknown) in_.diagnostics.count_one_more();
+        return false;
+    }
     return !report_unknown(object_, allowed_, path_, in_) && good_;
 }
 
@@ -145,7 +171,7 @@ std::size_t choose_by_value(const json::Member& tag, const Alternatives& alterna
         in.diagnostics.count_one_more();
     else
         in.diagnostics.error(tag.value.span, path.text(), concat("unknown ", tag.key, " ", in_quotes(*word)),
-                             suggest(*word, alternatives.names));
+                             suggest(*word, {alternatives.names.begin(), alternatives.names.end()}));
     return wrong;
 }
 
@@ -157,9 +183,10 @@ std::size_t choose_by_key(const json::Object& object, const Alternatives& altern
         const auto index = index_of(alternatives.names, member.key);
         if (index == none) continue;
         if (chosen != none) {
-            in.diagnostics.error(member.key_span, path.text(),
-                                 concat(in_quotes(member.key), " beside ", in_quotes(alternatives.names[chosen])),
-                                 "only one of them can be here");
+            if (room(in))
+                in.diagnostics.error(member.key_span, path.text(),
+                                     concat(in_quotes(member.key), " beside ", in_quotes(alternatives.names[chosen])),
+                                     "only one of them can be here");
             return wrong;
         }
         chosen = index;
@@ -178,9 +205,10 @@ std::size_t choose(const json::Value& value, const Alternatives& alternatives, c
     if (chosen != none || !field.required) return chosen;
 
     if (!field.name.empty()) return report_missing(value, field, path, in), wrong;
-    const Span brace{value.span.source, value.span.begin, std::min(value.span.begin + 1, value.span.end)};
-    in.diagnostics.error(brace, path.text(), concat("expected a property ", one_of(alternatives.names)),
-                         suggest({}, alternatives.names));
+    if (room(in))
+        in.diagnostics.error(opening_brace(value), path.text(),
+                             concat("expected a property ", one_of(alternatives.names)),
+                             suggest({}, {alternatives.names.begin(), alternatives.names.end()}));
     return wrong;
 }
 

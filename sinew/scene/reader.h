@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,7 @@ struct Reading {
     Diagnostics& diagnostics;
     int dimension = 2;
     Units units = {};
+    mutable std::int64_t memory = Limits{}.memory; ///< bytes left for lists
 };
 
 /// Where in the document the reader is; a chain on the stack, made text only for a message.
@@ -61,9 +63,13 @@ void report_missing(const json::Value& object, const Field& field, const Path& p
 bool report_unknown(const json::Object& object, const std::vector<std::string_view>& allowed, const Path& path,
                     const Reading& in);
 
+/// Takes the memory of that many elements, or reports that there is not enough.
+bool take_memory(const json::Value& list, std::size_t count, std::size_t bytes_each, const Path& path,
+                 const Reading& in);
+
 /// The alternatives of a variant field as the file knows them.
 struct Alternatives {
-    std::vector<std::string_view> names;
+    std::span<const std::string_view> names;
     const Field& field;
 };
 /// Which alternative an object means: an index into the names, `none` where it does not say, `wrong` (reported) where
@@ -84,6 +90,13 @@ class FieldReader {
   private:
     template <class T> void read_field(T& target, const Field& field);
     template <class T> void read_variant(T& target, const Field& field);
+
+    /// Not knowing which alternative of the variant is meant, calls nothing unknown that any of them has.
+    template <class T> void allow_all();
+    /// Names are for messages: once no more of those are kept, nobody asks.
+    void allow(std::string_view name) {
+        if (!in_.diagnostics.full()) allowed_.push_back(name);
+    }
 
     const json::Value& value_;
     const json::Object& object_;
@@ -141,7 +154,9 @@ bool read(const json::Value& value, T& target, const Field& field, const Path& p
     } else if constexpr (is_map<T>) {
         const auto* members = value.as<json::Object>();
         if (!members) return refuse(value, field, path, in, "an object");
+        if (!take_memory(value, members->size(), sizeof(target[0]), path, in)) return false;
         target.clear();
+        target.reserve(members->size());
         bool good = true;
         for (const auto& [key, item, span] : *members) {
             target.emplace_back(key, fresh<typename T::value_type::second_type>(field, in.units));
@@ -152,6 +167,7 @@ bool read(const json::Value& value, T& target, const Field& field, const Path& p
         static_assert(!std::same_as<T, std::vector<bool>>, "a vector of bool has no elements to read into");
         const auto* items = value.as<json::Array>();
         if (!items) return refuse(value, field, path, in, "an array");
+        if (!take_memory(value, items->size(), sizeof(target[0]), path, in)) return false;
         target.clear();
         target.reserve(items->size());
         bool good = true;
@@ -192,7 +208,7 @@ template <Record R> bool FieldReader::read_fields(R& record) {
 }
 
 template <class T> void FieldReader::read_field(T& target, const Field& field) {
-    allowed_.push_back(field.name);
+    allow(field.name);
     if (const auto* member = json::find(object_, field.name)) {
         ++taken_;
         good_ &= read(member->value, target, field, Path(path_, field.name), in_);
@@ -203,34 +219,36 @@ template <class T> void FieldReader::read_field(T& target, const Field& field) {
 }
 
 template <class T> void FieldReader::read_variant(T& target, const Field& field) {
-    Alternatives alternatives{{}, field};
-    each_alternative(std::type_identity<T>{},
-                     [&]<class A>(std::type_identity<A>) { alternatives.names.push_back(A::name); });
+    const Alternatives alternatives{alternative_names<T>, field};
     if (!field.name.empty()) {
-        allowed_.push_back(field.name);
+        allow(field.name);
         if (json::find(object_, field.name)) ++taken_;
     }
 
     const auto chosen = choose(value_, alternatives, path_, in_);
     good_ &= chosen != wrong;
     if (chosen == none) {
-        if (field.name.empty()) allowed_.insert(allowed_.end(), alternatives.names.begin(), alternatives.names.end());
+        if (field.name.empty())
+            for (const auto name : alternatives.names) allow(name);
         return visit_held(target, [&](auto& record) { this->read_fields(record); });
     }
+    if (chosen == wrong) return allow_all<T>();
     std::size_t index = 0;
     each_alternative(std::type_identity<T>{}, [&]<class A>(std::type_identity<A>) {
-        if (index++ == chosen) {
-            auto record = fresh<A>({}, in_.units);
-            this->read_fields(record);
-            target = std::move(record);
-        } else if (chosen == wrong) {
-            // Not knowing which is meant, call nothing unknown that any of them has.
-            for (const auto name : names_of<A>()) {
-                allowed_.push_back(name);
-                if (json::find(object_, name)) ++taken_;
-            }
-        }
+        if (index++ != chosen) return;
+        auto record = fresh<A>({}, in_.units);
+        this->read_fields(record);
+        target = std::move(record);
     });
+}
+
+template <class T> void FieldReader::allow_all() {
+    if (in_.diagnostics.full())
+        taken_ = object_.size();
+    else
+        each_alternative(std::type_identity<T>{}, [&]<class A>(std::type_identity<A>) {
+            for (const auto name : names_of<A>()) allow(name);
+        });
 }
 
 } // namespace detail

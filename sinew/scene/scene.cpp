@@ -57,7 +57,10 @@ std::optional<Opened> open_scene(Document& document) {
     const Header header(document, heard_again);
     Opened opened;
     read(document.root, opened.scene,
-         Reading{.diagnostics = document.diagnostics, .dimension = header.dimension, .units = measures(header.units)});
+         Reading{.diagnostics = document.diagnostics,
+                 .dimension = header.dimension,
+                 .units = measures(header.units),
+                 .memory = document.limits.memory});
     if (!document.diagnostics.ok()) return std::nullopt;
     check_values(opened.scene, document);
     if (!document.diagnostics.ok()) return std::nullopt;

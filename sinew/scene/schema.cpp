@@ -11,6 +11,7 @@ using json::Object;
 using json::Value;
 
 Value schema(const Shape& shape);
+Object by_type(const Shape& shape);
 
 /// A bound that holds whatever units a scene has.
 bool same_in_all_units(Unit unit, double bound) {
@@ -44,7 +45,7 @@ Object number(std::string_view type, const Shape& shape) {
 }
 
 Object list(const Shape& shape) {
-    Object schema{{"type", "array"}, {"items", sinew::schema(shape.parts[0])}};
+    Object schema{{"type", "array"}, {"items", by_type(shape.parts[0])}};
     if (shape.least > 0) schema.push_back({"minItems", shape.least});
     if (shape.most != Shape::no_limit) schema.push_back({"maxItems", shape.most});
     return schema;
@@ -182,7 +183,7 @@ Object by_type(const Shape& shape) {
     case Shape::Type::list:
         return list(shape);
     case Shape::Type::map:
-        return {{"type", "object"}, {"additionalProperties", schema(shape.parts[0])}};
+        return {{"type", "object"}, {"additionalProperties", by_type(shape.parts[0])}};
     case Shape::Type::record:
         return record(shape);
     case Shape::Type::choice:

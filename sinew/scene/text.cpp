@@ -34,7 +34,13 @@ std::string printable(std::string_view text, std::size_t most_characters) {
 std::string number_text(double number) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    return std::string(digits.data(), end);
+    std::string text(digits.data(), end);
+    const auto exponent = text.find('e');
+    if (exponent == std::string::npos) return text;
+    // to_chars writes 1e+06 and 1e-06; people write 1e6 and 1e-6.
+    const bool negative = text[exponent + 1] == '-';
+    const auto value = text.substr(text.find_first_not_of("+-0", exponent + 1));
+    return concat(text.substr(0, exponent), negative ? "e-" : "e", value);
 }
 
 } // namespace sinew

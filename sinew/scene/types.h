@@ -55,6 +55,14 @@ template <class T> inline constexpr bool is_variant = false;
 template <class... T> inline constexpr bool is_variant<std::variant<T...>> = true;
 template <class... T> inline constexpr bool is_variant<std::optional<std::variant<T...>>> = true;
 
+/// The names of a variant's alternatives, in its order.
+template <class T> inline constexpr std::array<std::string_view, 0> alternative_names{};
+template <class... R>
+inline constexpr std::array<std::string_view, sizeof...(R)> alternative_names<std::variant<R...>> = {R::name...};
+template <class... R>
+inline constexpr std::array<std::string_view, sizeof...(R)> alternative_names<std::optional<std::variant<R...>>> = {
+    R::name...};
+
 /// N numbers or other things, where N is fixed by the type; 0 elsewhere.
 template <class T> inline constexpr std::size_t array_size = 0;
 template <class T, std::size_t N> inline constexpr std::size_t array_size<std::array<T, N>> = N;

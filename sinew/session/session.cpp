@@ -1,6 +1,7 @@
 #include "sinew/session/session.h"
 
 #include "sinew/scene/reader.h"
+#include "sinew/session/driver.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/measure.h"
 #include "sinew/solver/step.h"
@@ -108,10 +109,12 @@ Session::Session(Opened opened)
     : scene_(std::move(opened.scene)), world_(std::move(opened.world)), focus_(focus_of(scene_, world_)) {
     std::stable_sort(scene_.events.begin(), scene_.events.end(),
                      [](const EventSection& a, const EventSection& b) { return a.at < b.at; });
+    find_driven();
 }
 
 void Session::restart() {
     world_ = instantiate(scene_);
+    find_driven();
     next_event_ = 0;
     held_.clear();
     blowing_.clear();
@@ -135,6 +138,7 @@ void Session::step() {
     while (next_event_ < scene_.events.size() && scene_.events[next_event_].at <= now + dt * 1e-6)
         happen(scene_.events[next_event_++]);
     still_gusts();
+    drive();
     carry_held();
     std::visit([&]<class WorldT>(WorldT& world) { sinew::step(world, typename WorldT::Real(dt)); }, world_);
     note_events();
@@ -179,6 +183,37 @@ void Session::happen(const EventSection& event) {
                 }
                 note(std::string(Event::name), where);
             });
+        },
+        world_);
+}
+
+/// The scene's pins are the last that were made, in its order.
+void Session::find_driven() {
+    driven_.clear();
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            std::size_t row = world.pins.size();
+            for (std::size_t i = scene_.pins.size(); i-- > 0 && row-- > 0;) {
+                if (!scene_.pins[i].driver) continue;
+                Point rest;
+                for (int k = 0; k < WorldT::dimension; ++k) rest[k] = double(world.pins[row].target[k]);
+                driven_.push_back({world.pin_slots.id_of(Row(row)), i, rest});
+            }
+        },
+        world_);
+}
+
+void Session::drive() {
+    const int up = scene_.units.up == "-y" ? -1 : 1;
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            const double then = world.time + step_length(scene_);
+            for (const auto& driven : driven_) {
+                const auto& driver = *scene_.pins[driven.section].driver;
+                const bool follows = pointer_ && std::holds_alternative<PointerDriver>(driver);
+                const auto place = follows ? *pointer_ : driven_to(driver, driven.rest, then, up);
+                move_pin(world, driven.pin, place.template as<WorldT::dimension, typename WorldT::Real>());
+            }
         },
         world_);
 }

@@ -52,6 +52,9 @@ class Session {
     void run_until(double seconds);
     double seconds() const;
 
+    /// Where the pointer is, for pins that follow it; nothing: where their scenes say a pointer would be.
+    void point_at(std::optional<Point> place) { pointer_ = place; }
+
     Report report() const;
     /// All that happened so far; at most `most_happenings`, then only counted.
     const std::vector<Happening>& happenings() const { return happenings_; }
@@ -76,6 +79,15 @@ class Session {
         double until = 0;
     };
 
+    /// A pin that moves by itself.
+    struct Driven {
+        PinId pin;
+        std::size_t section = 0; ///< of the scene's pins
+        Point rest;
+    };
+
+    void find_driven();
+    void drive();
     void happen(const EventSection& event);
     void carry_held();
     void still_gusts();
@@ -86,6 +98,8 @@ class Session {
     AnyWorld world_;
     std::array<Point, 2> focus_; ///< two corners around what the scene shows at its start
     std::size_t next_event_ = 0;
+    std::vector<Driven> driven_;
+    std::optional<Point> pointer_;
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;
     std::vector<Happening> happenings_;

@@ -10,11 +10,29 @@ namespace sinew {
 
 /// Colours of what has no looks of its own.
 struct Theme {
-    Color background, wall, ink;
+    /// What parts of that name are made of, in any figure: skin, denim, steel.
+    struct Material {
+        std::string_view part;
+        Color color;
+    };
+
+    Color background;
+    Color ground;       ///< beyond walls; the floor in 3D
+    Color wall;         ///< the line along them
+    Color shadow;       ///< on the background
+    Color floor_shadow; ///< on the ground
+    Color ink;
     float outline_shade = 0; ///< how far outlines are drawn from a line's colour towards ink
     std::array<Color, 6> palette;
+    std::array<Material, 8> materials;
 
     const Color& color_of(std::size_t figure) const { return palette[figure % palette.size()]; }
+    /// Null for parts that are as colourful as their figure.
+    const Color* material_of(std::string_view part) const {
+        for (const auto& material : materials)
+            if (material.part == part) return &material.color;
+        return nullptr;
+    }
 };
 
 /// "light" or "dark".

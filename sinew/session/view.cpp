@@ -10,6 +10,7 @@ View::View(const Scene& scene, const std::array<Point, 2>& focus, int width, int
     : flat_(scene.dimension == 2), up_(scene.units.up == "-y" ? -1 : 1), middle_pixel_{{width * 0.5, height * 0.5}} {
     const auto& view = scene.view;
     if (flat_) {
+        above_ = Vec3<double>{{0, up_, 0}};
         const double nominal_width = view.size[0], nominal_height = view.size[1];
         const bool screen = scene.units.length == "px";
         constexpr double margin = 1.15;

@@ -26,14 +26,18 @@ class View {
 
     /// Unit vector from what is looked at to the eye; towards the reader in 2D.
     const Vec3<double>& towards_eye() const { return back_; }
+    /// Unit vectors to the right and to the top of the picture.
+    const Vec3<double>& right() const { return right_; }
+    const Vec3<double>& above() const { return above_; }
 
   private:
     bool flat_;
     double scale_ = 1; ///< 2D: pixels a unit; 3D: pixels a unit at unit depth
     double up_ = 1;
     Vec2<double> middle_pixel_;
-    Vec2<double> center_{};                  // 2D
-    Vec3<double> eye_{}, right_{}, above_{}; // 3D
+    Vec2<double> center_{}; // 2D
+    Vec3<double> eye_{};    // 3D
+    Vec3<double> right_{{1, 0, 0}}, above_{{0, 1, 0}};
     Vec3<double> back_{{0, 0, 1}};
 };
 

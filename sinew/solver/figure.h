@@ -14,10 +14,12 @@ namespace sinew {
 /// How a part of a figure is drawn.
 enum class Mark : std::uint8_t {
     stroke, ///< a line through its particles
-    loop,   ///< the same, closed
+    curve,  ///< a smooth line through them
+    loop,   ///< a closed line
+    ring,   ///< a long ring around two particles: a link of a chain, seen from its broad side
     dot,    ///< a disc at each particle
     fill,   ///< a filled polygon
-    surface ///< 3D: a filled polygon shaded by its tilt
+    surface ///< a patch of cloth, four particles: shaded by its tilt, smoothly from patch to patch
 };
 
 /// One drawn piece. What it looks like is said by the scene's looks, by part ("arm", "head"), so that a figure stays
@@ -26,8 +28,9 @@ struct Piece {
     Mark mark = Mark::stroke;
     std::string part{};
     std::vector<ParticleId> particles{};
-    double width = 0;    ///< in world units: line thickness or disc diameter; 0 leaves it to the looks
-    bool hidden = false; ///< a support that is only drawn when asked for
+    double width = 0;     ///< in world units: line thickness or disc diameter; 0 leaves it to the looks
+    double end_width = 0; ///< of a stroke that tapers: its width at the last particle
+    bool hidden = false;  ///< a support that is only drawn when asked for
 };
 
 /// Names by number, which take no room however many they are: the figure's particles (or constraints) from the one

@@ -188,13 +188,13 @@ TEST(Overrides, APathThroughNothingIsAnError) {
 TEST(Overrides, RaiseLimits) {
     EXPECT_FALSE(loaded("[[[1]]]", {"limits.depth=2"}).diagnostics.ok());
     EXPECT_EQ(loaded("{}", {"limits.particles=5e6"}).limits.particles, 5000000);
-    EXPECT_EQ(
-        errors_of("{\"sinew\": 1}", {"limits.partcles=5"}),
-        "<command line>:1:8: error: unknown property \"partcles\" at /limits\n"
-        "    1 | limits.partcles=5\n"
-        "      |        ^~~~~~~~\n"
-        "      = help: did you mean \"particles\"? (allowed here: bytes, constraints, depth, errors, events, figures, "
-        "particles, string_bytes, values)\n");
+    EXPECT_EQ(errors_of("{\"sinew\": 1}", {"limits.partcles=5"}),
+              "<command line>:1:8: error: unknown property \"partcles\" at /limits\n"
+              "    1 | limits.partcles=5\n"
+              "      |        ^~~~~~~~\n"
+              "      = help: did you mean \"particles\"? (allowed here: bytes, constraints, depth, errors, events, "
+              "figures, memory, "
+              "particles, string_bytes, values)\n");
 }
 
 // --- the whole --------------------------------------------------------------------------------------------------

@@ -82,6 +82,11 @@ TEST(Json, PointersNameMembersAndElements) {
     EXPECT_EQ(json::find(value, "/a~1b/~0/1/2"), nullptr);
 }
 
+TEST(Json, NumbersAreWrittenAsShortAsTheyReadBack) {
+    EXPECT_EQ(json::to_text(json::Array{0.1, 1e-6, 1e22, -2.5e-300, 1e6, 123456789}),
+              "[0.1, 1e-6, 1e22, -2.5e-300, 1000000, 123456789]");
+}
+
 TEST(Json, LongValuesAreWrittenOneItemALine) {
     json::Array items(30, "some text");
     const auto text = json::to_text(json::Object{{"items", items}, {"short", json::Array{1, 2}}});

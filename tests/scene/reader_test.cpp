@@ -207,6 +207,17 @@ TEST(Reader, AFileOfNothingButErrorsIsRefusedWithTheFirst) {
     EXPECT_TRUE(to_text(result.diagnostics).ends_with("\nand 49900 more errors\n"));
 }
 
+TEST(Reader, ListsThatTakeTooMuchMemoryAreNotRead) {
+    Diagnostics diagnostics;
+    const auto value =
+        json::parse(diagnostics.add_source("a.json", R"({"sinew": 1, "figures": [{}, {}, {}]})"), diagnostics);
+    sample::Scene scene;
+    EXPECT_TRUE(read(*value, scene, Reading{.diagnostics = diagnostics, .memory = 3 * sizeof(sample::Figure)}));
+    EXPECT_FALSE(read(*value, scene, Reading{.diagnostics = diagnostics, .memory = 2 * sizeof(sample::Figure)}));
+    EXPECT_EQ(diagnostics.in_order().at(0).path, "/figures");
+    EXPECT_TRUE(scene.figures.empty());
+}
+
 // --- writing ----------------------------------------------------------------------------------------------------
 
 TEST(Writer, LeavesOutWhatIsTheDefault) {

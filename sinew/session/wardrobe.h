@@ -1,0 +1,40 @@
+#pragma once
+
+#include "sinew/scene/scene.h"
+#include "sinew/session/theme.h"
+
+#include <optional>
+#include <string>
+
+namespace sinew {
+
+/// How a part is drawn.
+struct Style {
+    Color color, fill;
+    std::optional<double> width;
+    std::optional<bool> hidden;
+};
+
+/// The looks of one figure's parts, the general before the particular: theme, part anywhere, figure, all of it, its
+/// part.
+class Wardrobe {
+  public:
+    /// All three are kept by reference.
+    Wardrobe(const Scene& scene, const Theme& theme, std::size_t figure, const std::string& name);
+
+    /// Good until the next call.
+    const Style& of(const std::string& part);
+
+  private:
+    Style plain(const std::string& part) const;
+
+    const Scene& scene_;
+    const Theme& theme_;
+    std::size_t figure_;
+    const std::string& name_;
+    Style last_;
+    std::string last_part_;
+    bool dressed_ = false;
+};
+
+} // namespace sinew

@@ -1,0 +1,146 @@
+#include "sinew/session/outline.h"
+#include "sinew/session/session.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+/// What a session looks like, as laws of its display list.
+namespace sinew {
+namespace {
+
+std::string scene(const std::string& figures, const std::string& more = "") {
+    return R"({"sinew": 1, "units": {"length": "px", "time": "frame", "up": "-y"}, "view": {"size": [640, 480]})" +
+           more + R"(, "figures": [)" + figures + "]}";
+}
+
+Picture drawn(const std::string& text, int width = 640, int height = 480) {
+    auto document = load(text, "test.json");
+    auto opened = open_scene(document);
+    EXPECT_TRUE(opened) << to_text(document.diagnostics);
+    Picture picture;
+    picture.width = width;
+    picture.height = height;
+    if (opened) Session(std::move(*opened)).draw(picture);
+    return picture;
+}
+
+std::vector<Picture::Item> of_color(const Picture& picture, std::string_view color) {
+    std::vector<Picture::Item> items;
+    for (const auto& item : picture.items)
+        if (item.color == *parse_color(color)) items.push_back(item);
+    return items;
+}
+
+const std::string ball = R"({"name": "ball", "particles": {"a": {"at": [100, 120], "size": 30}},
+                             "looks": {"all": {"color": "#ff0000"}}})";
+
+TEST(Draw, ADotIsADiscWhereItsParticleIs) {
+    const auto picture = drawn(scene(ball));
+    const auto discs = of_color(picture, "#ff0000");
+    ASSERT_EQ(discs.size(), 1U);
+    EXPECT_EQ(discs[0].shape, Shape::disc);
+    EXPECT_EQ(discs[0].width, 30);
+    EXPECT_EQ(picture.points[discs[0].first], (Vec2<float>{{100, 120}}));
+}
+
+TEST(Draw, APictureTwiceAsLargeHasEverythingTwiceAsLarge) {
+    const auto small = drawn(scene(ball)), large = drawn(scene(ball), 1280, 960);
+    ASSERT_EQ(small.items.size(), large.items.size());
+    for (std::size_t i = 0; i < small.items.size(); ++i)
+        EXPECT_NEAR(large.items[i].width, 2 * small.items[i].width, 1e-4);
+    for (std::size_t i = 0; i < small.points.size(); ++i)
+        EXPECT_NEAR(distance(large.points[i], small.points[i] * 2.0F), 0, 1e-3);
+}
+
+TEST(Draw, ShadowsLieBehindAllFigures) {
+    const std::string other = R"({"name": "other", "particles": {"a": {"at": [110, 130], "size": 30}},
+                                  "looks": {"all": {"color": "#00ff00"}}})";
+    const auto picture = drawn(scene(ball + "," + other));
+    std::size_t first_body = picture.items.size(), discs_behind = 0;
+    for (std::size_t i = 0; i < picture.items.size(); ++i)
+        if (picture.items[i].color == *parse_color("#ff0000")) first_body = std::min(first_body, i);
+    for (std::size_t i = 0; i < first_body; ++i) discs_behind += picture.items[i].shape == Shape::disc;
+    EXPECT_EQ(discs_behind, 2 * 3 + 1U); // three layers a shadow, and the outline of the first ball
+}
+
+TEST(Draw, SticksThatHangTogetherHaveOneOutlineAndCrossingOnesTwo) {
+    const auto sticks = [](const std::string& second_from) {
+        return scene(R"({"name": "x", "looks": {"all": {"color": "#ff0000", "width": 10}, "a": {"hidden": true},
+            "b": {"hidden": true}, "c": {"hidden": true}, "d": {"hidden": true}},
+            "particles": {"a": {"at": [100, 100]}, "b": {"at": [200, 100]}, "c": {"at": [150, 50]}, "d": {"at": [150, 150]}},
+            "constraints": [{"name": "stick", "between": ["a", "b"]}, {"name": "stick", "between": [")" +
+                     second_from + R"(", "d"]}]})");
+    };
+    const auto order = [](const Picture& picture) { // o: outline, b: body
+        std::string text;
+        for (const auto& item : picture.items) {
+            if (item.color == *parse_color("#ff0000")) text += 'b';
+            if (item.width > 12 && item.width < 13) text += 'o';
+        }
+        return text;
+    };
+    EXPECT_EQ(order(drawn(sticks("b"))), "oobb");
+    EXPECT_EQ(order(drawn(sticks("c"))), "obob");
+}
+
+TEST(Draw, WhatIsHiddenIsNotThere) {
+    const auto hidden =
+        R"({"name": "ball", "particles": {"a": {"at": [100, 120]}}, "looks": {"all": {"hidden": true}}})";
+    EXPECT_TRUE(drawn(scene(hidden)).items.empty());
+}
+
+TEST(Draw, BeyondTheWallsIsGround) {
+    const auto picture = drawn(scene(ball, R"(, "world": {"bounds": {"box": [[20, 30], [600, 440]]}})"));
+    std::size_t bars = 0;
+    for (const auto& item : picture.items) bars += item.shape == Shape::polygon;
+    EXPECT_EQ(bars, 4U);
+}
+
+double area(std::span<const Vec2<float>> outline) {
+    double sum = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        sum += double(cross(outline[i], outline[(i + 1) % outline.size()])) / 2;
+    return std::abs(sum);
+}
+
+// Two discs and the band that touches both: the discs' two sectors, and two trapezes between.
+TEST(Outline, ATaperedLimbCoversItsDiscsAndTheBandBetween) {
+    Pixels shape;
+    taper({{10, 20}}, 40, {{110, 20}}, 20, shape);
+    const double r0 = 20, r1 = 10, d = 100, side = std::acos((r0 - r1) / d);
+    const double pi_ = pi<double>;
+    const double exact = (pi_ - side) * r0 * r0 + side * r1 * r1 + (r0 + r1) * std::sqrt(d * d - (r0 - r1) * (r0 - r1));
+    EXPECT_NEAR(area(shape), exact, 0.02 * exact); // arcs are of eight chords
+}
+
+TEST(Outline, ALimbShorterThanItsWidthIsItsLargerDisc) {
+    Pixels shape;
+    taper({{10, 20}}, 40, {{12, 20}}, 20, shape);
+    EXPECT_NEAR(area(shape), pi<double> * 400, 0.12 * pi<double> * 400);
+}
+
+TEST(Outline, ASmoothCurveRunsThroughItsPoints) {
+    const Pixels points = {{{0, 0}}, {{30, 10}}, {{60, -5}}, {{90, 20}}};
+    Pixels curve;
+    smooth(points, curve);
+    EXPECT_GT(curve.size(), 3 * points.size());
+    for (const auto& point : points)
+        EXPECT_TRUE(std::any_of(curve.begin(), curve.end(), [&](const auto& p) { return distance(p, point) < 1e-4F; }));
+}
+
+TEST(Outline, ARingReachesBeyondItsEndsByHalfItsWire) {
+    Pixels loop;
+    ring({{0, 0}}, {{26, 0}}, 18, 6, loop);
+    float low = 0, high = 0, across = 0;
+    for (const auto& point : loop) {
+        low = std::min(low, point[0]);
+        high = std::max(high, point[0]);
+        across = std::max(across, std::abs(point[1]));
+    }
+    EXPECT_NEAR(low, -3, 0.1);
+    EXPECT_NEAR(high, 29, 0.1);
+    EXPECT_NEAR(across, 6, 1e-3);
+}
+
+} // namespace
+} // namespace sinew

@@ -1,0 +1,123 @@
+#include "sinew/session/driver.h"
+#include "sinew/session/session.h"
+#include "sinew/solver/edit.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+/// Pins that move by themselves.
+namespace sinew {
+namespace {
+
+constexpr Point rest{{450, 100, 0}};
+
+void expect_near(const Point& a, const Point& b, double tolerance = 1e-9) {
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
+}
+
+// Coding Math's crank: 100 px at 0.05 radians a frame. A quarter turn is up, also where y points down.
+TEST(Driver, OrbitGoesRoundCounterClockwiseAsSeen) {
+    const OrbitDriver crank{.radius = 100, .rate = 0.05};
+    expect_near(driven_to(crank, rest, 0, -1), {{550, 100, 0}});
+    expect_near(driven_to(crank, rest, pi<double> / 2 / 0.05, -1), {{450, 0, 0}});
+    expect_near(driven_to(crank, rest, pi<double> / 2 / 0.05, 1), {{450, 200, 0}});
+    expect_near(driven_to(crank, rest, 2 * pi<double> / 0.05, -1), {{550, 100, 0}});
+}
+
+// The Bezier humanoid's root: x += 42 sin (120 frames), y += 24 sin (60 frames).
+TEST(Driver, BobSwingsEachAxisInItsOwnTime) {
+    const BobDriver root{.by = {{42, 24, 0}}, .period = {{120, 60, 1}}};
+    expect_near(driven_to(root, rest, 0, -1), rest);
+    expect_near(driven_to(root, rest, 30, -1), {{492, 100, 0}});
+    expect_near(driven_to(root, rest, 15, -1), {{450 + 42 * std::sqrt(0.5), 124, 0}});
+    expect_near(driven_to(root, rest, 120, -1), rest);
+}
+
+const std::vector<Keyframe> keys = {{10, {{460, 100, 0}}}, {20, {{460, 120, 0}}}, {40, {{450, 100, 0}}}};
+
+TEST(Driver, PathIsAtItsKeysOnTimeAndStraightBetween) {
+    const PathDriver path{.keys = keys};
+    expect_near(driven_to(path, rest, 0, 1), rest);
+    expect_near(driven_to(path, rest, 5, 1), {{455, 100, 0}});
+    for (const auto& key : keys) expect_near(driven_to(path, rest, key.at, 1), key.to);
+    expect_near(driven_to(path, rest, 30, 1), {{455, 110, 0}});
+    expect_near(driven_to(path, rest, 1000, 1), keys.back().to);
+}
+
+TEST(Driver, PathRepeats) {
+    const PathDriver path{.keys = keys, .repeat = true};
+    for (const double t : {0.0, 5.0, 17.0, 33.0})
+        expect_near(driven_to(path, rest, t + 80, 1), driven_to(path, rest, t, 1));
+}
+
+TEST(Driver, ASmoothPathPassesItsKeysAndTurnsThereWithoutACorner) {
+    const PathDriver path{.keys = {{10, {{10, 0, 0}}}, {20, {{20, 10, 0}}}, {30, {{30, 0, 0}}}}, .smooth = true};
+    const Point start{};
+    for (const auto& key : path.keys) expect_near(driven_to(path, start, key.at, 1), key.to);
+    constexpr double h = 1e-4;
+    for (int i = 0; i < 2; ++i) {
+        const double before = driven_to(path, start, 20, 1)[i] - driven_to(path, start, 20 - h, 1)[i];
+        const double after = driven_to(path, start, 20 + h, 1)[i] - driven_to(path, start, 20, 1)[i];
+        EXPECT_NEAR(before / h, after / h, 1e-3);
+    }
+}
+
+TEST(Driver, WithoutKeysAPinStaysWhereItIs) {
+    expect_near(driven_to(PointerDriver{}, rest, 17, 1), rest);
+}
+
+Session session_of(const std::string& driver, const std::string& mode = "physical") {
+    auto document = load(fmt::format(R"({{"sinew": 1, "units": {{"length": "px", "time": "frame", "up": "-y"}},
+        "solver": {{"mode": "{}"}},
+        "figures": [{{"name": "f", "particles": {{"a": {{"at": [450, 100], "pinned": true}}, "b": {{"at": [450, 100]}}}}}}],
+        "pins": [{{"particle": "f/b", {}}}]}})",
+                                     mode, driver),
+                         "test.json");
+    auto opened = open_scene(document);
+    EXPECT_TRUE(opened) << to_text(document.diagnostics);
+    return Session(std::move(*opened));
+}
+
+Vec2<double> place(const Session& session, std::string_view name) {
+    const auto& world = std::get<World<2, double>>(session.world());
+    return *position_of(world, *find_particle(world, name));
+}
+
+TEST(Driver, CarriesItsParticleInBothModesAndNoOther) {
+    for (const std::string mode : {"physical", "classic"}) {
+        auto session = session_of(R"("driver": "orbit", "radius": 100, "rate": 3)", mode); // degrees a frame
+        for (int frame = 0; frame < 30; ++frame) session.step();
+        EXPECT_NEAR(place(session, "f/b")[0], 450, 1e-9) << mode;
+        EXPECT_NEAR(place(session, "f/b")[1], 0, 1e-9) << mode;
+        EXPECT_EQ(place(session, "f/a"), (Vec2<double>{{450, 100}})) << mode;
+        session.restart();
+        for (int frame = 0; frame < 60; ++frame) session.step();
+        EXPECT_NEAR(place(session, "f/b")[0], 350, 1e-9) << mode;
+    }
+}
+
+TEST(Driver, FollowsThePointerOrThePathThatStandsInForIt) {
+    auto session = session_of(R"("driver": "pointer", "keys": [{"at": 10, "to": [500, 100]}])");
+    for (int frame = 0; frame < 10; ++frame) session.step();
+    EXPECT_NEAR(place(session, "f/b")[0], 500, 1e-9);
+    session.point_at(Point{{320, 240, 0}});
+    session.step();
+    EXPECT_NEAR(place(session, "f/b")[0], 320, 1e-9);
+    EXPECT_NEAR(place(session, "f/b")[1], 240, 1e-9);
+    session.point_at({});
+    session.step();
+    EXPECT_NEAR(place(session, "f/b")[0], 500, 1e-9);
+}
+
+TEST(Driver, KeysOutOfOrderAreAnError) {
+    auto document = load(R"({"sinew": 1, "figures": [{"name": "f", "particles": {"a": {"at": [0, 0]}}}],
+        "pins": [{"particle": "f/a", "driver": "path", "keys": [{"at": 2, "to": [0, 1]}, {"at": 1, "to": [0, 2]}]}]})",
+                         "test.json");
+    EXPECT_FALSE(open_scene(document));
+    const auto text = to_text(document.diagnostics);
+    EXPECT_NE(text.find("/pins/0/keys/1/at"), std::string::npos) << text;
+    EXPECT_NE(text.find("not after"), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace sinew
