@@ -99,7 +99,8 @@ std::string long_name(const std::string& names) {
 bool parse(CLI::App& parser, std::span<const std::string> arguments) {
     parser.allow_extras();
     try {
-        parser.parse({arguments.rbegin(), arguments.rend()}); // CLI11 takes them from the end
+        std::vector<std::string> from_the_end(arguments.rbegin(), arguments.rend()); // as CLI11 wants them
+        parser.parse(std::move(from_the_end));
     } catch (const CLI::CallForHelp&) {
         return false;
     } catch (const CLI::ParseError& error) {

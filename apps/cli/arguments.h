@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/scene/document.h"
+#include "sinew/scene/units.h"
 
 #include <array>
 #include <optional>

@@ -9,15 +9,15 @@
 namespace sinew::cli {
 namespace {
 
-std::string counts_text(const Scene& scene) {
+std::string counts_text(const Opened& opened) {
     return std::visit(
         [&](const auto& world) {
             std::size_t constraints = 0;
             for_each_table(world, [&](const auto& table) { constraints += table.size(); });
-            return fmt::format("{} figures, {} particles, {} constraints, {} events", scene.figures.size(),
-                               world.particles.size(), constraints, scene.events.size());
+            return fmt::format("{} figures, {} particles, {} constraints, {} events", world.figures.size(),
+                               world.particles.size(), constraints, opened.scene.events.size());
         },
-        instantiate(scene));
+        opened.world);
 }
 
 class CheckCommand final : public Command {
@@ -47,8 +47,7 @@ class CheckCommand final : public Command {
 
     bool check(const std::string& word) const {
         try {
-            const auto [name, scene] = open_scene(word, words.overrides);
-            print(fmt::format("{}: ok ({})\n", name, counts_text(scene)));
+            print(fmt::format("{}: ok ({})\n", word, counts_text(open_file(word, words.overrides))));
             return true;
         } catch (const GiveUp& end) {
             print_error(end.message);

@@ -193,9 +193,10 @@ class InfoCommand final : public Command {
     }
 
     int run() override {
-        const auto [name, scene] = open_scene(words.scene, words.overrides);
+        Run run(open_file(words.scene, words.overrides));
         canvas::catch_interrupts();
-        Run run(scene);
+        const auto& scene = run.session.scene();
+        const auto& name = words.scene;
         const auto figures = figures_of(run.session.world());
         const auto kinds = constraints_of(run.session.world());
         const auto pins = pins_of(run.session.world());

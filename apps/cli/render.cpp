@@ -153,11 +153,10 @@ class RenderCommand final : public Command {
     }
 
     int run() override {
-        const auto [name, scene] = open_scene(words.scene, words.overrides);
-        if (path.empty()) path = fmt::format("out/{}.png", title_of(name));
+        Run run(open_file(words.scene, words.overrides));
+        if (path.empty()) path = fmt::format("out/{}.png", title_of(words.scene));
         canvas::catch_interrupts();
-        Run run(scene);
-        auto job = begin_file(path, wishes, scene);
+        auto job = begin_file(path, wishes, run.session.scene());
         write_frames(job, run, path);
         print(written_text(path, job));
         return done;

@@ -112,9 +112,10 @@ class RunCommand final : public Command {
     }
 
     int run() override {
-        const auto [name, scene] = open_scene(words.scene, words.overrides);
+        Run run(open_file(words.scene, words.overrides));
         canvas::catch_interrupts();
-        Run run(scene);
+        const auto& scene = run.session.scene();
+        const auto& name = words.scene;
         const auto times = timed(run, steps_until(scene, seconds.value_or(scene.seconds)), title_of(name));
         const auto milliseconds = times.median();
         print(as_json ? to_line(to_json(name, run.session, milliseconds)) : summary(name, run.session, milliseconds));

@@ -89,10 +89,9 @@ Document open_document(const std::string& word, std::span<const Override> overri
     return load(read_path(path, most), path.string(), overrides);
 }
 
-NamedScene open_scene(const std::string& word, std::span<const Override> overrides) {
+Opened open_file(const std::string& word, std::span<const Override> overrides) {
     auto document = open_document(word, overrides);
-    auto scene = read_scene(document);
-    if (document.diagnostics.ok()) return {word, std::move(scene)};
+    if (auto opened = open_scene(document)) return std::move(*opened);
     const PrintStyle style{.color = has_color(stderr), .most = std::size_t(document.limits.errors)};
     throw GiveUp{bad_input, to_text(document.diagnostics, style)};
 }

@@ -5,6 +5,7 @@
 #include "canvas/progress.h"
 
 #include <cstdint>
+#include <utility>
 
 namespace sinew::cli {
 
@@ -16,7 +17,7 @@ std::uint64_t steps_until(const Scene& scene, double seconds);
 /// A session and how many steps it took.
 class Run {
   public:
-    explicit Run(const Scene& scene) : session(scene) {}
+    explicit Run(Opened opened) : session(std::move(opened)) {}
 
     /// Steps on until `steps` are taken in all. Gives up on Ctrl-C.
     void advance(std::uint64_t steps);

@@ -34,7 +34,7 @@ template <class T> Shape shape_of(const T& value, const Field& field);
 template <Record R> Shape shape_of() {
     Shape shape = shape_of(R{}, Field{});
     if constexpr (requires { R::name; }) shape.name = R::name;
-    if constexpr (requires { R::about; }) shape.about = R::about;
+    if constexpr (requires { typename std::bool_constant<std::string_view(R::about).empty()>; }) shape.about = R::about;
     return shape;
 }
 
