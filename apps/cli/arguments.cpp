@@ -33,7 +33,8 @@ std::string option_help(const CLI::App& parser, std::string_view word) {
 
 void refuse_unknown_options(const CLI::App& parser) {
     for (const auto& word : parser.remaining())
-        misused(fmt::format("{} has no option {}", parser.get_name(), printable(word)), option_help(parser, word));
+        if (word != "--")
+            misused(fmt::format("{} has no option {}", parser.get_name(), printable(word)), option_help(parser, word));
 }
 
 /// What someone may have meant by a word where none was expected.
@@ -85,9 +86,9 @@ SceneWords scene_of(const CLI::App& parser, Words words) {
     return {plain[0], std::move(words.overrides)};
 }
 
-CLI::Option* declare_text(CLI::App& parser, const std::string& names, const std::string& placeholder,
-                          const std::string& help, const std::function<void(const std::string&)>& take) {
-    return parser.add_option_function<std::string>(names, take, help)->type_name(placeholder)->take_last();
+void declare_taken(CLI::App& parser, const std::string& names, const std::string& placeholder, const std::string& help,
+                   const std::function<void(const std::string&)>& take) {
+    parser.add_option_function<std::string>(names, take, help)->type_name(placeholder)->take_last();
 }
 
 std::string long_name(const std::string& names) {
@@ -128,9 +129,18 @@ void declare_scene(CLI::App& parser, SceneWords& target) {
     });
 }
 
+void declare_flag(CLI::App& parser, const std::string& names, bool& target, const std::string& help) {
+    parser.add_flag(names, target, help)->disable_flag_override();
+}
+
+void declare_text(CLI::App& parser, const std::string& names, std::string& target, const std::string& placeholder,
+                  const std::string& help) {
+    declare_taken(parser, names, placeholder, help, [&target](const std::string& text) { target = text; });
+}
+
 void declare_number(CLI::App& parser, const std::string& names, std::optional<double>& target, Range range,
                     const std::string& placeholder, const std::string& help) {
-    declare_text(parser, names, placeholder, help, [=, &target](const std::string& text) {
+    declare_taken(parser, names, placeholder, help, [=, &target](const std::string& text) {
         target = number_of<double>(text);
         if (!target || !(*target >= range.low && *target <= range.high))
             misused(fmt::format("{}: expected a number {}, found {}", long_name(names), range_text(range),
@@ -140,7 +150,7 @@ void declare_number(CLI::App& parser, const std::string& names, std::optional<do
 
 void declare_pair(CLI::App& parser, const std::string& names, std::optional<std::array<int, 2>>& target,
                   const std::string& placeholder, const std::string& help) {
-    declare_text(parser, names, placeholder, help, [=, &target](const std::string& text) {
+    declare_taken(parser, names, placeholder, help, [=, &target](const std::string& text) {
         const auto cross = std::min(text.find('x'), text.size());
         const auto first = number_of<int>(std::string_view(text).substr(0, cross));
         const auto second = number_of<int>(std::string_view(text).substr(std::min(cross + 1, text.size())));

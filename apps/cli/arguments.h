@@ -35,6 +35,11 @@ void declare_words(CLI::App& parser, Words& target);
 /// The same, where exactly one of the others is the scene: anything else is wrong usage.
 void declare_scene(CLI::App& parser, SceneWords& target);
 
+/// An option that is there or not.
+void declare_flag(CLI::App& parser, const std::string& names, bool& target, const std::string& help);
+/// An option that takes any text.
+void declare_text(CLI::App& parser, const std::string& names, std::string& target, const std::string& placeholder,
+                  const std::string& help);
 /// An option that takes a number in a range.
 void declare_number(CLI::App& parser, const std::string& names, std::optional<double>& target, Range range,
                     const std::string& placeholder, const std::string& help);

@@ -14,8 +14,9 @@ std::string counts_text(const Opened& opened) {
         [&](const auto& world) {
             std::size_t constraints = 0;
             for_each_table(world, [&](const auto& table) { constraints += table.size(); });
-            return fmt::format("{} figures, {} particles, {} constraints, {} events", world.figures.size(),
-                               world.particles.size(), constraints, opened.scene.events.size());
+            return fmt::format("{}, {}, {}, {}", count_of(world.figures.size(), "figure"),
+                               count_of(world.particles.size(), "particle"), count_of(constraints, "constraint"),
+                               count_of(opened.scene.events.size(), "event"));
         },
         opened.world);
 }

@@ -102,6 +102,10 @@ std::string bold(std::string_view text) {
     return painted(text, "1", stdout);
 }
 
+std::string count_of(std::size_t count, std::string_view thing) {
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
 std::string table(const std::vector<std::vector<std::string>>& rows) {
     constexpr std::size_t narrowest = 24; // what the last column keeps on a narrow terminal
     const auto widths = widths_of(rows);

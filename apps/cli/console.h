@@ -37,6 +37,9 @@ bool has_color(std::FILE* stream);
 /// The text in bold, where standard output has colour.
 std::string bold(std::string_view text);
 
+/// "1 figure", "2 figures"
+std::string count_of(std::size_t count, std::string_view thing);
+
 /// Rows in columns that are two spaces apart, indented by two. On a terminal the last column is wrapped.
 std::string table(const std::vector<std::vector<std::string>>& rows);
 

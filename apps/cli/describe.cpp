@@ -1,6 +1,7 @@
 #include "sinew/scene/limits.h"
 #include "sinew/scene/scene.h"
 #include "sinew/scene/shape.h"
+#include "sinew/scene/text.h"
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
@@ -9,19 +10,21 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace sinew::cli {
 namespace {
 
 /// Something that has a table: a section of a scene file, or one of several things that a section can be.
 struct Topic {
-    std::string path; ///< "solver.rules", "figures.rope"; empty for the whole scene
+    std::string path; ///< "solver.rules", "figures.rope"
     std::string_view about;
     const Shape* record;
+    bool shadowed = false; ///< an outer one has the same name
 
-    std::string_view name() const {
-        return std::string_view(path).substr(path.rfind('.') + 1); // npos + 1 is 0
-    }
+    std::string_view last() const { return std::string_view(path).substr(path.rfind('.') + 1); } // npos + 1 is 0
+    /// What it is called: "rope".
+    std::string_view name() const { return shadowed ? std::string_view(path) : last(); }
     auto depth() const { return std::ranges::count(path, '.'); }
 };
 
@@ -56,23 +59,24 @@ std::vector<Topic> topics_of(const Shapes& shapes) {
         {"scene", "A scene file", &shapes.scene},
         {"limits", "What a scene may ask for before it is refused; only on the command line", &shapes.limits}};
     collect(topics, shapes.scene, "");
-    std::ranges::stable_sort(topics, {}, &Topic::depth); // the outer of two that share a name is meant
+    std::ranges::stable_sort(topics, {}, &Topic::depth);
+    std::set<std::string_view> taken;
+    for (auto& topic : topics) topic.shadowed = !taken.insert(topic.last()).second;
     return topics;
 }
 
 const Topic& topic_called(const std::vector<Topic>& topics, const std::string& word) {
-    auto found = std::ranges::find(topics, word, &Topic::path);
-    if (found == topics.end()) found = std::ranges::find(topics, std::string_view(word), &Topic::name);
-    if (found != topics.end()) return *found;
     std::vector<std::string_view> names;
-    for (const auto& topic : topics)
-        if (std::ranges::find(names, topic.name()) == names.end()) names.push_back(topic.name());
-    misused(fmt::format("there is nothing called \"{}\" to describe", word), suggest(word, std::move(names)));
+    for (const auto& topic : topics) {
+        if (word == topic.path || word == topic.name()) return topic;
+        names.push_back(topic.name());
+    }
+    misused(fmt::format("there is nothing called {} to describe", in_quotes(word)), suggest(word, std::move(names)));
 }
 
 std::string overview(const std::vector<Topic>& topics) {
     std::vector<std::vector<std::string>> rows;
-    for (const auto& topic : topics) rows.push_back({topic.path, std::string(topic.about)});
+    for (const auto& topic : topics) rows.push_back({std::string(topic.name()), std::string(topic.about)});
     return fmt::format("{}\n{}", bold("what can be described"), table(rows));
 }
 
@@ -93,13 +97,14 @@ class DescribeCommand final : public Command {
 
     void declare(CLI::App& parser) override {
         declare_words(parser, words);
-        auto* schema_flag = parser.add_flag("--schema", schema, "as a JSON Schema (draft 07)");
-        parser.add_flag("--markdown", markdown, "as tables for documentation")->excludes(schema_flag);
+        declare_flag(parser, "--schema", schema, "as a JSON Schema (draft 07)");
+        declare_flag(parser, "--markdown", markdown, "as tables for documentation");
     }
 
     int run() override {
         const Shapes shapes;
         const auto topics = topics_of(shapes);
+        if (schema && markdown) misused("describe: --schema or --markdown, not both");
         if (!words.overrides.empty()) misused("describe changes no values");
         if (words.plain.empty()) print(overview(topics));
         for (const auto& word : words.plain) print(text_of(topic_called(topics, word), &shapes.scene));
@@ -107,9 +112,9 @@ class DescribeCommand final : public Command {
     }
 
     std::string text_of(const Topic& topic, const Shape* scene) const {
-        if (schema) return json::to_text(schema_of(*topic.record, topic.path, topic.record == scene)) + "\n";
+        if (schema) return json::to_text(schema_of(*topic.record, topic.name(), topic.record == scene)) + "\n";
         Shape titled = *topic.record;
-        titled.name = topic.path;
+        titled.name = topic.name();
         titled.about = topic.about;
         return markdown ? describe_markdown(titled) : sinew::describe(titled);
     }

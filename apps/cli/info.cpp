@@ -117,7 +117,7 @@ std::string bounds_of(const Scene& scene) {
     const auto& bounds = *scene.world.bounds;
     const auto planes = bounds.planes.size();
     if (planes == 0) return bounds.box ? "a box" : "none";
-    return fmt::format("{}{} planes", bounds.box ? "a box, " : "", planes);
+    return fmt::format("{}{}", bounds.box ? "a box, " : "", count_of(planes, "plane"));
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -133,7 +133,7 @@ json::Array in_json(const std::vector<std::string>& words) {
 std::string figures_text(const std::vector<FigureSummary>& figures, const Scene& scene) {
     Rows rows;
     for (const auto& figure : figures)
-        rows.push_back({figure.name, figure.prefab, fmt::format("{} particles", figure.particles),
+        rows.push_back({figure.name, figure.prefab, count_of(figure.particles, "particle"),
                         quantity(figure.mass, unit::mass, scene), in_words(figure.constraints)});
     return table(rows);
 }
@@ -188,8 +188,8 @@ class InfoCommand final : public Command {
         declare_scene(parser, words);
         declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S",
                        "when it is looked at again; else when the scene says it is over");
-        parser.add_flag("--names", names, "names of all particles and constraints");
-        parser.add_flag("--json", as_json, "one line of JSON");
+        declare_flag(parser, "--names", names, "names of all particles and constraints");
+        declare_flag(parser, "--json", as_json, "one line of JSON");
     }
 
     int run() override {

@@ -76,7 +76,7 @@ class ListCommand final : public Command {
 
     void declare(CLI::App& parser) override {
         declare_words(parser, words);
-        parser.add_flag("--json", as_json, "one line of JSON: {\"scenes\": [...], \"prefabs\": [...]}");
+        declare_flag(parser, "--json", as_json, "one line of JSON: {\"scenes\": [...], \"prefabs\": [...]}");
     }
 
     int run() override {

@@ -19,6 +19,7 @@ struct Frames {
     double first = 0;
     double between = 0;
     std::size_t count = 1;
+    double end = first;
 
     double time(std::size_t frame) const { return first + between * double(frame); }
 };
@@ -38,18 +39,20 @@ double duration(const Wishes& wishes, const Scene& scene) {
 }
 
 Frames still_frame(const Wishes& wishes, const Scene& scene) {
-    return {wishes.at.value_or(wishes.seconds.value_or(telling_moment * scene.seconds)), 0, 1};
+    return {.first = wishes.at.value_or(wishes.seconds.value_or(telling_moment * scene.seconds))};
 }
 
 Frames film_frames(const Wishes& wishes, const Scene& scene, double fps) {
     const auto count = std::fmax(std::round(duration(wishes, scene) * fps), 1);
-    return {wishes.at.value_or(0), 1 / fps, std::size_t(count)};
+    const auto first = wishes.at.value_or(0);
+    return {first, 1 / fps, std::size_t(count), first + count / fps};
 }
 
 /// The last frame is the end.
 Frames sheet_frames(const Wishes& wishes, const Scene& scene) {
     const auto count = std::size_t((*wishes.sheet)[0]) * std::size_t((*wishes.sheet)[1]);
-    return {wishes.at.value_or(0), count > 1 ? duration(wishes, scene) / double(count - 1) : 0, count};
+    const auto first = wishes.at.value_or(0), length = duration(wishes, scene);
+    return {first, count > 1 ? length / double(count - 1) : 0, count, first + length};
 }
 
 /// A file that was begun, and what goes into it.
@@ -90,7 +93,9 @@ void settle(const canvas::Failure& failure) {
 }
 
 void write_frames(Job& job, Run& run, const std::string& label) {
-    Picture picture{.width = job.size[0], .height = job.size[1]};
+    Picture picture;
+    picture.width = job.size[0];
+    picture.height = job.size[1];
     const auto steps_at = [&](std::size_t frame) { return steps_before(run.session.scene(), job.frames.time(frame)); };
     canvas::Progress progress(label, std::size_t(steps_at(job.frames.count - 1)));
     for (std::size_t frame = 0; frame < job.frames.count; ++frame) {
@@ -108,13 +113,13 @@ std::string bytes_text(std::uintmax_t bytes) {
 }
 
 std::string written_text(const std::string& path, const Job& job) {
-    const auto& [first, between, count] = job.frames;
+    const auto& frames = job.frames;
     std::error_code unknown;
     const auto bytes = bytes_text(std::filesystem::file_size(path, unknown));
     const auto size = fmt::format("{}x{}", job.size[0], job.size[1]);
-    if (count == 1) return fmt::format("{}: {} at {:.3g} s, {}\n", path, size, first, bytes);
-    return fmt::format("{}: {} frames of {}, {:.3g} s from {:.3g} s on, {}\n", path, count, size,
-                       between * double(count), first, bytes);
+    if (frames.count == 1) return fmt::format("{}: {} at {:.4g} s, {}\n", path, size, frames.first, bytes);
+    return fmt::format("{}: {} frames of {} from {:.4g} to {:.4g} s, {}\n", path, frames.count, size, frames.first,
+                       frames.end, bytes);
 }
 
 std::string kinds_text() {
@@ -140,9 +145,7 @@ class RenderCommand final : public Command {
 
     void declare(CLI::App& parser) override {
         declare_scene(parser, words);
-        parser.add_option("-o,--output", path, "file to write, replaced where it exists; else out/NAME.png")
-            ->type_name("FILE")
-            ->take_last();
+        declare_text(parser, "-o,--output", path, "FILE", "file to write, replaced where it exists; else out/NAME.png");
         declare_number(parser, "-s,--seconds", wishes.seconds, possible_seconds, "S",
                        "how long; else what the scene says");
         declare_number(parser, "--fps", wishes.fps, {1e-3, 1000}, "F", "frames a second of a film");

@@ -34,16 +34,17 @@ std::string percent(double fraction) {
 }
 
 std::vector<std::vector<std::string>> report_rows(const Report& report, const Scene& scene) {
-    const auto energy = [&](double joules) { return quantity(joules, energy_unit, scene); };
+    const auto energy = [&](double value) { return quantity(value, energy_unit, scene); };
     return {
         {"simulated", fmt::format("{:g} s in {} steps", report.seconds, report.steps)},
         {"particles", std::to_string(report.particles)},
         {"constraints", std::to_string(report.constraints)},
-        {"energy", fmt::format("{} (kinetic {:.5g}, potential {:.5g}, stored {:.5g})",
-                               energy(report.kinetic + report.potential + report.stored), report.kinetic,
-                               report.potential, report.stored)},
-        {"stretch",
-         fmt::format("{} at most, {} on average", percent(report.stretch_max), percent(report.stretch_mean))},
+        {"energy", energy(report.kinetic + report.potential + report.stored)},
+        {"  kinetic", energy(report.kinetic)},
+        {"  potential", energy(report.potential)},
+        {"  stored", energy(report.stored)},
+        {"largest stretch", percent(report.stretch_max)},
+        {"mean stretch", percent(report.stretch_mean)},
         {"top speed", quantity(report.max_speed, unit::speed, scene)},
         {"hash", hash_text(report.hash)},
     };

@@ -108,7 +108,7 @@ class RunCommand final : public Command {
     void declare(CLI::App& parser) override {
         declare_scene(parser, words);
         declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S", "how long; else what the scene says");
-        parser.add_flag("--json", as_json, "ends with one line of JSON");
+        declare_flag(parser, "--json", as_json, "ends with one line of JSON");
     }
 
     int run() override {

@@ -42,7 +42,7 @@ fs::path path_of(const std::string& word) {
     if (!is_name(word)) return word;
     std::error_code unknown;
     if (const auto path = catalogue_path(word); fs::exists(path, unknown)) return path;
-    if (fs::is_regular_file(word, unknown)) return word;
+    if (fs::exists(word, unknown)) return word;
     refuse_name(word);
 }
 
