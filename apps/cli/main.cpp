@@ -42,8 +42,7 @@ std::unique_ptr<Command> command_of(const std::string& word) {
     for (auto& command : all_commands())
         if (command->manual().name == word) return std::move(command);
     if (word.starts_with("-"))
-        misused(fmt::format("no option {} here", printable(word)),
-                "options follow the command: sinew COMMAND OPTIONS");
+        misused(fmt::format("no option {} here", printable(word)), "options follow the command: sinew COMMAND OPTIONS");
     misused(fmt::format("there is no command {}", in_quotes(word)), command_help(word));
 }
 

@@ -24,7 +24,7 @@ TEST(Run, EndsWithOneObject) {
     EXPECT_EQ(result["precision"], "double");
     EXPECT_EQ(result["dimension"], 2);
     EXPECT_EQ(result["units"], json({{"length", "m"}, {"mass", "kg"}, {"time", "s"}}));
-    EXPECT_EQ(result["seconds"], 1);
+    EXPECT_NEAR(result["seconds"], 1, 1e-12);
     EXPECT_EQ(result["steps"], 60);
     EXPECT_EQ(result["particles"], 2);
     EXPECT_EQ(result["constraints"], 1);
@@ -54,7 +54,9 @@ TEST(Run, TellsWhatHappened) {
     const auto result = json_of({"run", "tearing", "--json"});
     ASSERT_EQ(result["events_count"], 3);
     const auto events = result["events"];
-    EXPECT_EQ(events[0], json({{"seconds", 0.5}, {"what", "impulse"}, {"where", "weight/bob"}}));
+    EXPECT_NEAR(events[0]["seconds"], 0.5, 1e-12);
+    EXPECT_EQ(events[0]["what"], "impulse");
+    EXPECT_EQ(events[0]["where"], "weight/bob");
     EXPECT_EQ(events[1]["what"], "torn");
     EXPECT_EQ(events[2]["where"], "crate");
     EXPECT_TRUE(has(sinew({"run", "tearing"}).out, "2 impulse, 1 torn"));

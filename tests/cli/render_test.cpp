@@ -34,6 +34,12 @@ class Render : public testing::Test {
         EXPECT_EQ(folder.names(), nothing);
     }
 
+    void wait_for_files(std::size_t count) {
+        for (int i = 0; i < 2000 && folder.names().size() < count; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        EXPECT_GE(folder.names().size(), count);
+    }
+
     std::string content(const std::string& name) { return text_of(folder / name); }
 
     ScratchFolder folder;
@@ -117,7 +123,7 @@ TEST_F(Render, AMissingFfmpegIsTold) {
 TEST_F(Render, CtrlCLeavesNothing) {
     for (const auto* file : {"long.mp4", "long.gif", "long.png"}) {
         Running render({"render", "pendulum", "-o", file, "--seconds", "1000000"}, {.folder = folder.path});
-        while (folder.names().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        wait_for_files(1);
         std::this_thread::sleep_for(std::chrono::milliseconds(50)); // in the midst of it
         render.interrupt();
         const auto outcome = render.wait();
@@ -131,7 +137,7 @@ TEST_F(Render, CtrlCSparesTheFileOfThatName) {
     written({"pendulum", "-o", "a.svg"});
     const auto before = content("a.svg");
     Running render({"render", "pendulum", "-o", "a.svg", "--at", "1000000"}, {.folder = folder.path});
-    while (folder.names().size() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    wait_for_files(2);
     render.interrupt();
     EXPECT_EQ(render.wait().code, 130);
     EXPECT_EQ(folder.names(), std::vector<std::string>{"a.svg"});
