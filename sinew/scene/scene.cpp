@@ -52,7 +52,8 @@ double step_length(const Scene& scene) {
 }
 
 std::optional<Opened> open_scene(Document& document) {
-    if (!document.diagnostics.ok()) return std::nullopt;
+    const bool unreadable = document.root.as<json::Object>()->empty() && !document.diagnostics.ok();
+    if (unreadable) return std::nullopt;
     Diagnostics heard_again = document.diagnostics; // what the header says wrong, the whole reading says too
     const Header header(document, heard_again);
     Opened opened;

@@ -164,7 +164,7 @@ template <int D, class Real> class ClassicStep {
         const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, p_.position[row]);
         if (depth < Real(0)) return;
         const auto velocity = p_.position[row] - p_.previous[row];
-        p_.position[row] += plane.normal * depth;
+        p_.position[row] = clamp_components(p_.position[row] + plane.normal * depth, limit::coordinate<Real>);
         if (rules_.bounce == Real(0) && rules_.floor_keep == Real(1)) return;
         const Real approach = -dot(plane.normal, velocity);
         if (approach < Real(0)) return;

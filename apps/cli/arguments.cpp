@@ -1,0 +1,164 @@
+#include "apps/cli/arguments.h"
+
+#include "sinew/scene/text.h"
+
+#include "apps/cli/command.h"
+#include "apps/cli/console.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <functional>
+#include <memory>
+
+namespace sinew::cli {
+namespace {
+
+std::vector<std::string> option_names(const CLI::App& parser) {
+    std::vector<std::string> names;
+    for (const auto* option : parser.get_options())
+        for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+/// "did you mean --seconds?", or else where to read on.
+std::string option_help(const CLI::App& parser, std::string_view word) {
+    const auto names = option_names(parser);
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const auto meant = nearest(word.substr(0, word.find('=')), views);
+    return meant.empty() ? fmt::format("see `sinew help {}`", parser.get_name())
+                         : fmt::format("did you mean {}?", meant);
+}
+
+void refuse_unknown_options(const CLI::App& parser) {
+    for (const auto& word : parser.remaining())
+        if (word != "--")
+            misused(fmt::format("{} has no option {}", parser.get_name(), printable(word)), option_help(parser, word));
+}
+
+/// What someone may have meant by a word where none was expected.
+std::string stray_help(const CLI::App& parser, const std::string& word, const std::string* next) {
+    if (word == "classic" || word == "physical") return fmt::format("did you mean mode={}?", word);
+    if (word == "float" || word == "double") return fmt::format("did you mean precision={}?", word);
+    if (next && word.find('.') != std::string::npos) return fmt::format("did you mean {}={}?", word, *next);
+    return option_help(parser, "--" + word);
+}
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
+}
+
+/// Paths begin with a letter and have no slash: solver.substeps=16 is an override, ./a=b.json a file.
+bool is_override(std::string_view word) {
+    const auto equals = word.find('=');
+    return equals != std::string_view::npos && equals > 0 && is_letter(word[0]) &&
+           word.substr(0, equals).find('/') == std::string_view::npos;
+}
+
+template <class Number> std::optional<Number> number_of(std::string_view text) {
+    Number number{};
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (problem != std::errc() || end != text.data() + text.size()) return {};
+    return number;
+}
+
+Words sorted(const std::vector<std::string>& words) {
+    Words all;
+    for (const auto& word : words) {
+        if (is_override(word))
+            all.overrides.push_back({word});
+        else
+            all.plain.push_back(word);
+    }
+    return all;
+}
+
+SceneWords scene_of(const CLI::App& parser, Words words) {
+    const auto& plain = words.plain;
+    if (plain.empty())
+        misused(
+            fmt::format("{}: no scene given", parser.get_name()),
+            fmt::format("sinew {} SCENE, where SCENE is a file or a name that `sinew list` tells", parser.get_name()));
+    if (plain.size() > 1)
+        misused(fmt::format("{} is neither an option nor key=value", in_quotes(plain[1])),
+                stray_help(parser, plain[1], plain.size() > 2 ? &plain[2] : nullptr));
+    return {plain[0], std::move(words.overrides)};
+}
+
+void declare_taken(CLI::App& parser, const std::string& names, const std::string& placeholder, const std::string& help,
+                   const std::function<void(const std::string&)>& take) {
+    parser.add_option_function<std::string>(names, take, help)->type_name(placeholder)->take_last();
+}
+
+std::string long_name(const std::string& names) {
+    return names.substr(names.find("--"));
+}
+
+} // namespace
+
+bool parse(CLI::App& parser, std::span<const std::string> arguments) {
+    parser.allow_extras();
+    try {
+        std::vector<std::string> from_the_end(arguments.rbegin(), arguments.rend()); // as CLI11 wants them
+        parser.parse(std::move(from_the_end));
+    } catch (const CLI::CallForHelp&) {
+        return false;
+    } catch (const CLI::ParseError& error) {
+        misused(error.what(), fmt::format("see `sinew help {}`", parser.get_name()));
+    }
+    refuse_unknown_options(parser);
+    return true;
+}
+
+void declare_words(CLI::App& parser, Words& target) {
+    const auto words = std::make_shared<std::vector<std::string>>();
+    parser.add_option("words", *words);
+    parser.final_callback([&parser, &target, words] {
+        refuse_unknown_options(parser); // first: what follows one may be its value, not a word
+        target = sorted(*words);
+    });
+}
+
+void declare_scene(CLI::App& parser, SceneWords& target) {
+    const auto words = std::make_shared<std::vector<std::string>>();
+    parser.add_option("words", *words);
+    parser.final_callback([&parser, &target, words] {
+        refuse_unknown_options(parser);
+        target = scene_of(parser, sorted(*words));
+    });
+}
+
+void declare_flag(CLI::App& parser, const std::string& names, bool& target, const std::string& help) {
+    parser.add_flag(names, target, help)->disable_flag_override();
+}
+
+void declare_text(CLI::App& parser, const std::string& names, std::string& target, const std::string& placeholder,
+                  const std::string& help) {
+    declare_taken(parser, names, placeholder, help, [&target](const std::string& text) { target = text; });
+}
+
+void declare_number(CLI::App& parser, const std::string& names, std::optional<double>& target, Range range,
+                    const std::string& placeholder, const std::string& help) {
+    declare_taken(parser, names, placeholder, help, [=, &target](const std::string& text) {
+        target = number_of<double>(text);
+        if (!target || !(*target >= range.low && *target <= range.high))
+            misused(fmt::format("{}: expected a number {}, found {}", long_name(names), range_text(range),
+                                in_quotes(text)));
+    });
+}
+
+void declare_pair(CLI::App& parser, const std::string& names, std::optional<std::array<int, 2>>& target,
+                  const std::string& placeholder, const std::string& help) {
+    declare_taken(parser, names, placeholder, help, [=, &target](const std::string& text) {
+        const auto cross = std::min(text.find('x'), text.size());
+        const auto first = number_of<int>(std::string_view(text).substr(0, cross));
+        const auto second = number_of<int>(std::string_view(text).substr(std::min(cross + 1, text.size())));
+        if (!first || !second || *first < 1 || *second < 1)
+            misused(fmt::format("{}: expected {}, two whole numbers, found {}", long_name(names), placeholder,
+                                in_quotes(text)));
+        target = {*first, *second};
+    });
+}
+
+} // namespace sinew::cli

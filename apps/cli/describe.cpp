@@ -1,0 +1,132 @@
+#include "sinew/scene/limits.h"
+#include "sinew/scene/scene.h"
+#include "sinew/scene/shape.h"
+#include "sinew/scene/text.h"
+
+#include "apps/cli/arguments.h"
+#include "apps/cli/command.h"
+#include "apps/cli/console.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace sinew::cli {
+namespace {
+
+/// Something that has a table: a section of a scene file, or one of several things that a section can be.
+struct Topic {
+    std::string path; ///< "solver.rules", "figures.rope"
+    std::string_view about;
+    const Shape* record;
+    bool shadowed = false; ///< an outer one has the same name
+
+    std::string_view last() const { return std::string_view(path).substr(path.rfind('.') + 1); } // npos + 1 is 0
+    /// What it is called: "rope".
+    std::string_view name() const { return shadowed ? std::string_view(path) : last(); }
+    auto depth() const { return std::ranges::count(path, '.'); }
+};
+
+/// The record that a field holds, one or many of.
+const Shape* record_in(const Shape& shape) {
+    if (shape.type == Shape::Type::record) return &shape;
+    const bool many = shape.type == Shape::Type::list || shape.type == Shape::Type::map;
+    return many ? record_in(shape.parts[0]) : nullptr;
+}
+
+void collect(std::vector<Topic>& topics, const Shape& record, const std::string& prefix) {
+    const auto add = [&](const Shape& part, std::string_view name, std::string_view about) {
+        topics.push_back({prefix + std::string(name), about, &part});
+        collect(topics, part, topics.back().path + ".");
+    };
+    for (const auto& field : record.parts) {
+        if (field.type == Shape::Type::choice)
+            for (const auto& alternative : field.parts) add(alternative, alternative.name, alternative.about);
+        else if (const auto* inside = record_in(field))
+            add(*inside, field.field.name, field.field.help);
+    }
+}
+
+/// Shapes that topics point into.
+struct Shapes {
+    Shape scene = shape_of<Scene>();
+    Shape limits = shape_of<Limits>();
+};
+
+std::vector<Topic> topics_of(const Shapes& shapes) {
+    std::vector<Topic> topics{
+        {"scene", "A scene file", &shapes.scene},
+        {"limits", "What a scene may ask for before it is refused; only on the command line", &shapes.limits}};
+    collect(topics, shapes.scene, "");
+    std::ranges::stable_sort(topics, {}, &Topic::depth);
+    std::set<std::string_view> taken;
+    for (auto& topic : topics) topic.shadowed = !taken.insert(topic.last()).second;
+    return topics;
+}
+
+const Topic& topic_called(const std::vector<Topic>& topics, const std::string& word) {
+    std::vector<std::string_view> names;
+    for (const auto& topic : topics) {
+        if (word == topic.path || word == topic.name()) return topic;
+        names.push_back(topic.name());
+    }
+    misused(fmt::format("there is nothing called {} to describe", in_quotes(word)), suggest(word, std::move(names)));
+}
+
+std::string overview(const std::vector<Topic>& topics) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& topic : topics) rows.push_back({std::string(topic.name()), std::string(topic.about)});
+    return fmt::format("{}\n{}", bold("what can be described"), table(rows));
+}
+
+class DescribeCommand final : public Command {
+    Manual manual() const override {
+        return {
+            .name = "describe",
+            .usage = "PREFAB | scene | SECTION [--schema] [--markdown]",
+            .about = "tells what a scene file can say: parameters, units, defaults, ranges",
+            .details = "Without a name it lists everything that has one. Defaults and ranges are in metres, kilograms\n"
+                       "and seconds; in a scene in px they are 100 times that a metre, in one in frames 60 a second.\n",
+            .examples = "sinew describe\n"
+                        "sinew describe rope\n"
+                        "sinew describe solver.rules\n"
+                        "sinew describe scene --schema > scene.schema.json    for editors\n",
+        };
+    }
+
+    void declare(CLI::App& parser) override {
+        declare_words(parser, words);
+        declare_flag(parser, "--schema", schema, "as a JSON Schema (draft 07)");
+        declare_flag(parser, "--markdown", markdown, "as tables for documentation");
+    }
+
+    int run() override {
+        const Shapes shapes;
+        const auto topics = topics_of(shapes);
+        if (schema && markdown) misused("describe: --schema or --markdown, not both");
+        if (!words.overrides.empty()) misused("describe changes no values");
+        if (words.plain.empty()) print(overview(topics));
+        for (const auto& word : words.plain) print(text_of(topic_called(topics, word), &shapes.scene));
+        return done;
+    }
+
+    std::string text_of(const Topic& topic, const Shape* scene) const {
+        if (schema) return json::to_text(schema_of(*topic.record, topic.name(), topic.record == scene)) + "\n";
+        Shape titled = *topic.record;
+        titled.name = topic.name();
+        titled.about = topic.about;
+        return markdown ? describe_markdown(titled) : sinew::describe(titled);
+    }
+
+    Words words;
+    bool schema = false, markdown = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> command::describe() {
+    return std::make_unique<DescribeCommand>();
+}
+
+} // namespace sinew::cli

@@ -1,0 +1,250 @@
+#include "apps/cli/arguments.h"
+#include "apps/cli/command.h"
+#include "apps/cli/console.h"
+#include "apps/cli/json_line.h"
+#include "apps/cli/report_text.h"
+#include "apps/cli/scene_file.h"
+#include "apps/cli/stepping.h"
+#include "canvas/interrupt.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace sinew::cli {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// How many constraints there are of each kind, in the order of the list of kinds.
+struct KindCount {
+    std::string_view kind;
+    std::size_t count = 0;
+};
+using KindCounts = std::vector<KindCount>;
+
+/// What a world says about one of its figures.
+struct FigureSummary {
+    std::string name, prefab;
+    std::size_t particles = 0;
+    double mass = 0;
+    KindCounts constraints;
+    std::vector<std::string> particle_names, constraint_names;
+};
+
+template <int D> KindCounts no_constraints() {
+    KindCounts counts;
+    Kinds<D>::for_each([&]<class Kind>(std::type_identity<Kind>) { counts.push_back({Kind::name}); });
+    return counts;
+}
+
+template <int D, class Real> double mass_of(const World<D, Real>& world, const Figure& figure) {
+    double mass = 0;
+    for (const auto particle : figure.particles) {
+        const auto row = row_of(world, particle);
+        const auto inverse = row ? double(world.particles.inverse_mass[*row]) : 0;
+        if (inverse > 0) mass += 1 / inverse;
+    }
+    return mass;
+}
+
+template <class Id> std::vector<std::string> names_in(const std::vector<std::pair<std::string, Id>>& named) {
+    std::vector<std::string> names;
+    for (const auto& [name, id] : named) names.push_back(name);
+    return names;
+}
+
+template <int D, class Real> FigureSummary summary_of(const World<D, Real>& world, const Figure& figure) {
+    FigureSummary summary{figure.name,
+                          figure.prefab,
+                          figure.particles.size(),
+                          mass_of(world, figure),
+                          no_constraints<D>(),
+                          names_in(figure.particle_names),
+                          names_in(figure.constraint_names)};
+    for (const auto& constraint : figure.constraints) ++summary.constraints[std::size_t(constraint.kind)].count;
+    return summary;
+}
+
+std::vector<FigureSummary> figures_of(const AnyWorld& any) {
+    std::vector<FigureSummary> figures;
+    std::visit(
+        [&](const auto& world) {
+            for (const auto& figure : world.figures) figures.push_back(summary_of(world, figure));
+        },
+        any);
+    return figures;
+}
+
+KindCounts constraints_of(const AnyWorld& any) {
+    return std::visit(
+        []<int D, class Real>(const World<D, Real>& world) {
+            auto counts = no_constraints<D>();
+            std::size_t kind = 0;
+            for_each_table(world, [&](const auto& table) { counts[kind++].count = table.size(); });
+            return counts;
+        },
+        any);
+}
+
+std::size_t pins_of(const AnyWorld& any) {
+    return std::visit([](const auto& world) { return world.pins.size(); }, any);
+}
+
+std::string in_words(const KindCounts& counts) {
+    std::string text;
+    for (const auto& [kind, count] : counts)
+        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, kind);
+    return text.empty() ? "none" : text;
+}
+
+json::Object in_json(const KindCounts& counts) {
+    json::Object object;
+    for (const auto& [kind, count] : counts) object.push_back({std::string(kind), count});
+    return object;
+}
+
+/// Gravity first, which is no force field in the file but a property of the world.
+std::vector<std::string> forces_of(const Scene& scene) {
+    std::vector<std::string> names;
+    if (scene.world.gravity != Point{}) names.push_back("gravity");
+    for (const auto& section : scene.world.forces)
+        std::visit([&]<class Force>(const Force&) { names.push_back(std::string(Force::name)); }, section.force);
+    return names;
+}
+
+std::string bounds_of(const Scene& scene) {
+    if (!scene.world.bounds) return "none";
+    const auto& bounds = *scene.world.bounds;
+    const auto planes = bounds.planes.size();
+    if (planes == 0) return bounds.box ? "a box" : "none";
+    return fmt::format("{}{}", bounds.box ? "a box, " : "", count_of(planes, "plane"));
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text.empty() ? "none" : text;
+}
+
+json::Array in_json(const std::vector<std::string>& words) {
+    return {words.begin(), words.end()};
+}
+
+std::string figures_text(const std::vector<FigureSummary>& figures, const Scene& scene) {
+    Rows rows;
+    for (const auto& figure : figures)
+        rows.push_back({figure.name, figure.prefab, count_of(figure.particles, "particle"),
+                        quantity(figure.mass, unit::mass, scene), in_words(figure.constraints)});
+    return table(rows);
+}
+
+std::string names_text(const std::vector<FigureSummary>& figures) {
+    Rows rows;
+    for (const auto& figure : figures) {
+        for (const auto& name : figure.particle_names) rows.push_back({figure.name + "/" + name, "particle"});
+        for (const auto& name : figure.constraint_names) rows.push_back({figure.name + "/" + name, "constraint"});
+    }
+    return table(rows);
+}
+
+json::Array figures_json(const std::vector<FigureSummary>& figures, bool names) {
+    json::Array items;
+    for (const auto& figure : figures) {
+        json::Object item{{"name", figure.name},
+                          {"prefab", figure.prefab},
+                          {"particles", figure.particles},
+                          {"mass", figure.mass},
+                          {"constraints", in_json(figure.constraints)}};
+        if (names) {
+            item.push_back({"particle_names", in_json(figure.particle_names)});
+            item.push_back({"constraint_names", in_json(figure.constraint_names)});
+        }
+        items.push_back(std::move(item));
+    }
+    return items;
+}
+
+/// Two columns of values beside one of names.
+Rows side_by_side(const Rows& before, const Rows& after) {
+    Rows rows{{"", "at the start", "then"}};
+    for (std::size_t i = 0; i < before.size(); ++i) rows.push_back({before[i][0], before[i][1], after[i][1]});
+    return rows;
+}
+
+class InfoCommand final : public Command {
+    Manual manual() const override {
+        return {
+            .name = "info",
+            .usage = "SCENE [--seconds S] [--names] [--json] [key=value...]",
+            .about = "tells what is in a scene: figures, constraints, forces, energy, stretch",
+            .details = "Energy, stretch and speed are told as they are at the start and after some seconds.\n",
+            .examples = "sinew info ragdoll\n"
+                        "sinew info ragdoll --names                what events and pins can refer to\n"
+                        "sinew info cloth_wind --seconds 1 mode=classic\n",
+        };
+    }
+
+    void declare(CLI::App& parser) override {
+        declare_scene(parser, words);
+        declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S",
+                       "when it is looked at again; else when the scene says it is over");
+        declare_flag(parser, "--names", names, "names of all particles and constraints");
+        declare_flag(parser, "--json", as_json, "one line of JSON");
+    }
+
+    int run() override {
+        Run run(open_file(words.scene, words.overrides));
+        canvas::catch_interrupts();
+        const auto& scene = run.session.scene();
+        const auto& name = words.scene;
+        const auto figures = figures_of(run.session.world());
+        const auto kinds = constraints_of(run.session.world());
+        const auto pins = pins_of(run.session.world());
+        const auto before = run.session.report();
+        const auto steps = steps_until(scene, seconds.value_or(scene.seconds));
+        {
+            canvas::Progress progress(title_of(name), std::size_t(steps));
+            run.advance(steps, progress);
+        }
+        const auto after = run.session.report();
+
+        if (as_json) {
+            auto object = scene_json(name, scene);
+            object.push_back({"about", scene.about});
+            object.push_back({"figures", figures_json(figures, names)});
+            object.push_back({"constraints", in_json(kinds)});
+            object.push_back({"pins", pins});
+            object.push_back({"forces", in_json(forces_of(scene))});
+            object.push_back({"events", scene.events.size()});
+            object.push_back({"start", report_json(before)});
+            object.push_back({"then", report_json(after)});
+            print(to_line(object));
+            return done;
+        }
+        print(fmt::format("{} {}\n", bold(name), scene_text(scene)));
+        if (!scene.about.empty()) print(scene.about + "\n");
+        print(fmt::format("\n{}\n{}", bold("figures"), figures_text(figures, scene)));
+        print(fmt::format("\n{}\n{}", bold("world"),
+                          table({{"constraints", in_words(kinds)},
+                                 {"pins", std::to_string(pins)},
+                                 {"forces", joined(forces_of(scene))},
+                                 {"bounds", bounds_of(scene)},
+                                 {"events", std::to_string(scene.events.size())}})));
+        print(fmt::format("\n{}\n{}", bold("state"),
+                          table(side_by_side(report_rows(before, scene), report_rows(after, scene)))));
+        if (names) print(fmt::format("\n{}\n{}", bold("names"), names_text(figures)));
+        return done;
+    }
+
+    SceneWords words;
+    std::optional<double> seconds;
+    bool names = false, as_json = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> command::info() {
+    return std::make_unique<InfoCommand>();
+}
+
+} // namespace sinew::cli

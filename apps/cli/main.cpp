@@ -1,0 +1,94 @@
+#include "sinew/scene/diagnostic.h"
+#include "sinew/scene/text.h"
+
+#include "apps/cli/arguments.h"
+#include "apps/cli/catalogue.h"
+#include "apps/cli/command.h"
+#include "apps/cli/console.h"
+#include "apps/cli/help.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <fmt/format.h>
+#include <new>
+
+namespace sinew::cli {
+
+#define SINEW_MAKE(name) all.push_back(command::name());
+std::vector<std::unique_ptr<Command>> all_commands() {
+    std::vector<std::unique_ptr<Command>> all;
+    SINEW_COMMANDS(SINEW_MAKE)
+    return all;
+}
+#undef SINEW_MAKE
+
+namespace {
+
+using Arguments = std::span<const std::string>;
+
+/// "did you mean "render"? (commands: ...)"; of a scene's name, what can be done with it.
+std::string command_help(const std::string& word) {
+    if (std::ranges::count(catalogue_names(), word) > 0 || word.ends_with(".json"))
+        return fmt::format("to draw a scene: sinew render {}", word);
+    std::vector<std::string_view> names;
+    const auto commands = all_commands();
+    for (const auto& command : commands) names.push_back(command->manual().name);
+    return suggest(word, names);
+}
+
+std::unique_ptr<Command> command_of(const std::string& word) {
+    for (auto& command : all_commands())
+        if (command->manual().name == word) return std::move(command);
+    if (word.starts_with("-"))
+        misused(fmt::format("no option {} here", printable(word)), "options follow the command: sinew COMMAND OPTIONS");
+    misused(fmt::format("there is no command {}", in_quotes(word)), command_help(word));
+}
+
+int run_command(Command& command, Arguments arguments) {
+    CLI::App parser("", std::string(command.manual().name));
+    parser.set_help_flag("-h,--help", "this text");
+    command.declare(parser);
+    if (parse(parser, arguments)) return command.run();
+    print(manual_text(command));
+    return done;
+}
+
+int help(Arguments topics) {
+    if (topics.empty()) print(overview_text());
+    for (const auto& topic : topics) print(manual_text(*command_of(topic)));
+    return done;
+}
+
+int run(Arguments arguments) {
+    if (arguments.empty()) return help({});
+    const auto& first = arguments[0];
+    const auto rest = arguments.subspan(1);
+    if (first == "help" || first == "--help" || first == "-h") return help(rest);
+    if (first == "--version") return print("sinew " SINEW_VERSION "\n"), int(done);
+    return run_command(*command_of(first), rest);
+}
+
+int run_or_explain(Arguments arguments) {
+    try {
+        return run(arguments);
+    } catch (const GiveUp& end) {
+        print_error(end.message);
+        return end.code;
+    } catch (const std::bad_alloc&) {
+        print_error(error_text("sinew", "out of memory"));
+    } catch (const std::exception& error) {
+        print_error(error_text("sinew", error.what()));
+    }
+    return bad_input;
+}
+
+} // namespace
+} // namespace sinew::cli
+
+int main(int count, char** words) {
+    std::signal(SIGPIPE, SIG_IGN); // a write into a closed pipe returns an error instead
+    const std::vector<std::string> arguments(words + std::min(count, 1), words + count);
+    return sinew::cli::close_output(sinew::cli::run_or_explain(arguments));
+}

@@ -1,0 +1,104 @@
+#include "apps/cli/scene_file.h"
+
+#include "sinew/scene/text.h"
+
+#include "apps/cli/catalogue.h"
+#include "apps/cli/command.h"
+#include "apps/cli/console.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+
+namespace sinew::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+/// Bare words are names; what has a dot or a slash is a path.
+bool is_name(const std::string& word) {
+    return word.find_first_of("./") == std::string::npos;
+}
+
+[[noreturn]] void refuse_name(const std::string& word) {
+    const auto names = catalogue_names();
+    const auto message = fmt::format("no scene is called {}", in_quotes(word));
+    if (names.empty())
+        refuse(
+            "sinew", message,
+            fmt::format("the catalogue, {}, is empty; SINEW_SCENES=FOLDER names another", catalogue_folder().string()));
+    refuse("sinew", message, suggest(word, {names.begin(), names.end()}));
+}
+
+/// A name of the catalogue comes before a file that has the same name.
+fs::path path_of(const std::string& word) {
+    if (!is_name(word)) return word;
+    std::error_code unknown;
+    if (const auto path = catalogue_path(word); fs::exists(path, unknown)) return path;
+    if (fs::exists(word, unknown)) return word;
+    refuse_name(word);
+}
+
+/// What comes out of the file, and one byte more than is allowed at most: enough to see that it is too long.
+std::string read_at_most(std::FILE* file, const std::string& name, std::size_t most) {
+    std::string text;
+    while (text.size() <= most) {
+        char block[16384];
+        const auto wanted = std::min(sizeof block, most + 1 - text.size());
+        const auto read = std::fread(block, 1, wanted, file);
+        text.append(block, read);
+        if (std::ferror(file)) refuse(name, std::strerror(errno));
+        if (read < wanted) return text;
+    }
+    refuse(name, fmt::format("more than {} bytes", most), "limits.bytes=N allows more");
+}
+
+[[noreturn]] void refuse_path(const fs::path& path, int reason) {
+    const auto names = catalogue_names();
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const auto meant = reason == ENOENT ? nearest(path.stem().string(), views) : std::string_view();
+    refuse(path.string(), std::strerror(reason), meant.empty() ? "" : fmt::format("the catalogue has {}", meant));
+}
+
+std::string read_path(const fs::path& path, std::size_t most) {
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown)) refuse(path.string(), "a folder, not a scene file");
+    const File file(std::fopen(path.c_str(), "rb"));
+    if (!file) refuse_path(path, errno);
+    return read_at_most(file.get(), path.string(), most);
+}
+
+/// What the overrides alone say about it.
+std::size_t bytes_allowed(std::span<const Override> overrides) {
+    return std::size_t(load("{}", {}, overrides).limits.bytes);
+}
+
+} // namespace
+
+Document open_document(const std::string& word, std::span<const Override> overrides) {
+    const auto most = bytes_allowed(overrides);
+    if (word == "-") return load(read_at_most(stdin, "<stdin>", most), "<stdin>", overrides);
+    const auto path = path_of(word);
+    return load(read_path(path, most), path.string(), overrides);
+}
+
+Opened open_file(const std::string& word, std::span<const Override> overrides) {
+    auto document = open_document(word, overrides);
+    if (auto opened = open_scene(document)) return std::move(*opened);
+    const PrintStyle style{.color = has_color(stderr), .most = std::size_t(document.limits.errors)};
+    throw GiveUp{bad_input, to_text(document.diagnostics, style)};
+}
+
+std::string title_of(const std::string& word) {
+    const auto stem = fs::path(word).stem().string();
+    return word == "-" || stem.empty() ? "scene" : stem;
+}
+
+} // namespace sinew::cli

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "sinew/scene/scene.h"
+
+#include <span>
+#include <string>
+
+namespace sinew::cli {
+
+/// Finds, reads and builds a scene: `word` is the path of a file, the name of one of the catalogue, or - for standard
+/// input. Throws GiveUp with all that is wrong with it.
+Opened open_file(const std::string& word, std::span<const Override> overrides = {});
+
+/// The file as it is, unchecked; what is wrong with it is in its diagnostics.
+Document open_document(const std::string& word, std::span<const Override> overrides = {});
+
+/// What files made of the scene are called: "ragdoll", "mine", "scene".
+std::string title_of(const std::string& word);
+
+} // namespace sinew::cli

@@ -1,0 +1,43 @@
+#include "apps/cli/stepping.h"
+
+#include "apps/cli/console.h"
+#include "canvas/interrupt.h"
+
+#include <cmath>
+
+namespace sinew::cli {
+namespace {
+
+/// Parts of a step. 0.1 s at 60 Hz are 6 steps, though rounding makes them 6.000000000000001 or 5.999999999999999.
+constexpr double rounding = 1e-6;
+
+} // namespace
+
+std::uint64_t steps_before(const Scene& scene, double seconds) {
+    return std::uint64_t(std::floor(seconds * scene.solver.rate + rounding));
+}
+
+std::uint64_t steps_until(const Scene& scene, double seconds) {
+    return std::uint64_t(std::ceil(std::fmax(seconds * scene.solver.rate - rounding, 0)));
+}
+
+void Run::advance(std::uint64_t steps) {
+    for (; taken < steps; ++taken) {
+        give_up_if_interrupted();
+        session.step();
+    }
+}
+
+void Run::advance(std::uint64_t steps, canvas::Progress& progress) {
+    for (; taken < steps; ++taken) {
+        give_up_if_interrupted();
+        session.step();
+        progress.update(std::size_t(taken));
+    }
+}
+
+void give_up_if_interrupted() {
+    if (canvas::interrupted()) throw GiveUp{canvas::interrupt_exit_code(), "sinew: interrupted\n"};
+}
+
+} // namespace sinew::cli

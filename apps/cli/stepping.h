@@ -1,0 +1,38 @@
+#pragma once
+
+#include "sinew/session/session.h"
+
+#include "canvas/progress.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace sinew::cli {
+
+/// How many steps of the scene's rate are over when it is so late.
+std::uint64_t steps_before(const Scene& scene, double seconds);
+/// How many it takes until at least so many seconds are simulated.
+std::uint64_t steps_until(const Scene& scene, double seconds);
+
+/// A session and how many steps it took.
+class Run {
+  public:
+    explicit Run(Opened opened) : session(std::move(opened)) {}
+
+    /// Steps on until `steps` are taken in all. Gives up on Ctrl-C.
+    void advance(std::uint64_t steps);
+    /// With a progress bar.
+    void advance(std::uint64_t steps, canvas::Progress& progress);
+
+    std::uint64_t steps() const { return taken; }
+
+    Session session;
+
+  private:
+    std::uint64_t taken = 0;
+};
+
+/// Throws what ends a command after Ctrl-C, if that was pressed.
+void give_up_if_interrupted();
+
+} // namespace sinew::cli

@@ -1,0 +1,183 @@
+#include "tests/cli/command.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+/// What commands that do not draw tell, for people and as JSON.
+namespace sinew::cli_test {
+namespace {
+
+using nlohmann::json;
+
+json json_of(const Arguments& arguments) {
+    const auto outcome = sinew(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return json::parse(outcome.last_line());
+}
+
+TEST(Run, EndsWithOneObject) {
+    const auto result = json_of({"run", "pendulum", "--seconds", "1", "--json"});
+    EXPECT_EQ(result["scene"], "pendulum");
+    EXPECT_EQ(result["mode"], "physical");
+    EXPECT_EQ(result["precision"], "double");
+    EXPECT_EQ(result["dimension"], 2);
+    EXPECT_EQ(result["units"], json({{"length", "m"}, {"mass", "kg"}, {"time", "s"}}));
+    EXPECT_NEAR(result["seconds"], 1, 1e-12);
+    EXPECT_EQ(result["steps"], 60);
+    EXPECT_EQ(result["particles"], 2);
+    EXPECT_EQ(result["constraints"], 1);
+    const std::string hash = result["hash"];
+    EXPECT_EQ(hash.size(), 16u);
+    EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos);
+    EXPECT_GT(result["ms_per_step"], 0);
+    EXPECT_EQ(result["events"], json::array());
+    EXPECT_EQ(result["events_count"], 0);
+}
+
+/// A weight of 2 kg that falls by h from rest at height 0 has E = m v^2 / 2 - m g h = 0.
+TEST(Run, MeasuresTheWorld) {
+    const auto result = json_of({"run", "pendulum", "--seconds", "0.5", "--json"});
+    const auto& energy = result["energy"];
+    EXPECT_GT(energy["kinetic"], 1);
+    EXPECT_LT(energy["potential"], -1);
+    EXPECT_EQ(energy["stored"], 0);
+    EXPECT_NEAR(energy["total"], 0, 1e-3);
+    const double speed = result["max_speed"];
+    EXPECT_NEAR(speed * speed, energy["kinetic"].get<double>(), 1e-9); // v^2 = 2 E / m
+    EXPECT_LT(result["stretch_max"], 1e-9);
+    EXPECT_LE(result["stretch_mean"], result["stretch_max"]);
+}
+
+TEST(Run, TellsWhatHappened) {
+    const auto result = json_of({"run", "tearing", "--json"});
+    ASSERT_EQ(result["events_count"], 3);
+    const auto events = result["events"];
+    EXPECT_NEAR(events[0]["seconds"], 0.5, 1e-12);
+    EXPECT_EQ(events[0]["what"], "impulse");
+    EXPECT_EQ(events[0]["where"], "weight/bob");
+    EXPECT_EQ(events[1]["what"], "torn");
+    EXPECT_EQ(events[2]["where"], "crate");
+    EXPECT_TRUE(has(sinew({"run", "tearing"}).out, "2 impulse, 1 torn"));
+}
+
+TEST(Run, TwiceIsTheSame) {
+    for (const auto* mode : {"mode=classic", "mode=physical"})
+        for (const auto* precision : {"precision=float", "precision=double"}) {
+            auto first = json_of({"run", "tearing", "--json", mode, precision});
+            auto second = json_of({"run", "tearing", "--json", mode, precision});
+            first.erase("ms_per_step");
+            second.erase("ms_per_step");
+            EXPECT_EQ(first, second);
+        }
+}
+
+TEST(Run, TakesAsManySteps) {
+    const auto steps = [](const char* seconds, const char* rate) {
+        return json_of({"run", "pendulum", "--json", "--seconds", seconds, rate})["steps"].get<int>();
+    };
+    EXPECT_EQ(steps("0", "solver.rate=60"), 0);
+    EXPECT_EQ(steps("0.1", "solver.rate=60"), 6);
+    EXPECT_EQ(steps("0.3", "solver.rate=10"), 3);
+    EXPECT_EQ(steps("0.01", "solver.rate=60"), 1); // at least so long
+    EXPECT_EQ(steps("0.7", "solver.rate=100"), 70);
+}
+
+/// Numbers that a scene may state, and that overflow once they are squared.
+TEST(Run, NeverPrintsWhatIsNoJson) {
+    const auto outcome =
+        sinew({"run", "pendulum", "--json", "world.gravity=[0,-1e300]", "figures.clock.velocity=[1e300,0]"});
+    if (outcome.code == 0) {
+        EXPECT_TRUE(json::accept(outcome.last_line())) << outcome.out;
+    } else {
+        EXPECT_EQ(outcome.code, 1);
+    }
+}
+
+TEST(Run, StartsInThirtyMilliseconds) {
+    if (sanitized()) GTEST_SKIP() << "sanitizers are slow to start";
+    double fastest = 1;
+    for (int i = 0; i < 20; ++i)
+        fastest = std::min(fastest, sinew({"run", "pendulum", "--seconds", "0.1", "--json"}).seconds);
+    EXPECT_LT(fastest, 0.030);
+}
+
+TEST(Check, CountsWhatIsGoodAndTellsAllThatIsNot) {
+    const auto good = sinew({"check", "pendulum", "tearing"});
+    EXPECT_EQ(good.code, 0) << good.err;
+    EXPECT_EQ(good.out, "pendulum: ok (1 figure, 2 particles, 1 constraint, 0 events)\n"
+                        "tearing: ok (2 figures, 6 particles, 6 constraints, 2 events)\n");
+
+    const auto mixed = sinew({"check", "-", "nothing", "pendulum"},
+                             {.input = "{\"sinew\": 1,\n \"dimension\": 4,\n \"secnds\": 3}\n"});
+    EXPECT_EQ(mixed.code, 1);
+    EXPECT_TRUE(has(mixed.err, "<stdin>:2:15: error: expected an integer from 2 to 3"));
+    EXPECT_TRUE(has(mixed.err, "<stdin>:3:2: error: unknown property \"secnds\""));
+    EXPECT_TRUE(has(mixed.err, "no scene is called \"nothing\""));
+    EXPECT_TRUE(has(mixed.out, "pendulum: ok"));
+}
+
+TEST(Info, TellsWhatIsThere) {
+    const auto text = sinew({"info", "tearing", "--names"}).out;
+    for (const auto* part : {"A blow tears", "weight  by_hand  2 particles", "crate", "5 distance", "gravity",
+                             "weight/bob", "weight/thread", "crate/top_left", "at the start"})
+        EXPECT_TRUE(has(text, part));
+}
+
+TEST(Info, IsJsonToo) {
+    const auto info = json_of({"info", "tearing", "--json", "--names", "--seconds", "1"});
+    EXPECT_EQ(info["figures"][0]["name"], "weight");
+    EXPECT_EQ(info["figures"][0]["constraints"]["distance"], 1);
+    EXPECT_EQ(info["figures"][0]["particle_names"], json({"nail", "bob"}));
+    EXPECT_EQ(info["figures"][1]["prefab"], "box");
+    EXPECT_EQ(info["forces"], json({"gravity"}));
+    EXPECT_EQ(info["start"]["steps"], 0);
+    EXPECT_EQ(info["then"]["steps"], 60);
+    EXPECT_EQ(info["start"]["constraints"], 6);
+    EXPECT_EQ(info["then"]["constraints"], 5); // one is torn
+}
+
+TEST(List, NamesScenesAndPrefabs) {
+    const auto text = sinew({"list"}).out;
+    EXPECT_TRUE(has(text, "  pendulum  A weight on a string.\n"));
+    EXPECT_TRUE(has(text, "  tearing   A blow tears"));
+    EXPECT_TRUE(has(text, "prefabs\n"));
+    EXPECT_TRUE(has(text, "  rope "));
+
+    const auto lists = json_of({"list", "--json"});
+    EXPECT_EQ(lists["scenes"].size(), 2u);
+    EXPECT_EQ(lists["scenes"][0]["name"], "pendulum");
+    EXPECT_EQ(lists["scenes"][0]["about"], "A weight on a string.");
+    EXPECT_EQ(lists["scenes"][0]["file"], (catalogue() / "pendulum.json").string());
+    EXPECT_TRUE(std::ranges::any_of(lists["prefabs"], [](const json& prefab) { return prefab["name"] == "ragdoll"; }));
+}
+
+TEST(Describe, HasATableForEverythingItNames) {
+    const auto topics = sinew({"describe"}).out;
+    for (const auto* topic : {"scene", "limits", "rope", "ragdoll", "rules", "wind", "grab", "solver", "camera"}) {
+        EXPECT_TRUE(has(topics, std::string("  ") + topic + " "));
+        const auto table = sinew({"describe", topic});
+        EXPECT_EQ(table.code, 0) << table.err;
+        EXPECT_TRUE(has(table.out, "default"));
+        EXPECT_TRUE(has(sinew({"describe", topic, "--markdown"}).out, "| name | type |"));
+        EXPECT_TRUE(json::accept(sinew({"describe", topic, "--schema"}).out));
+    }
+    EXPECT_EQ(sinew({"describe", "solver.rules"}).out, sinew({"describe", "rules"}).out);
+}
+
+TEST(Describe, CorrectsNames) {
+    const auto outcome = sinew({"describe", "ragdol"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_TRUE(has(outcome.err, "did you mean \"ragdoll\"?"));
+}
+
+TEST(Describe, MakesASchemaForEditors) {
+    const auto schema = json::parse(sinew({"describe", "scene", "--schema"}).out);
+    EXPECT_TRUE(schema.contains("$schema"));
+    EXPECT_TRUE(schema["properties"].contains("figures"));
+    EXPECT_TRUE(schema["properties"].contains("modes"));
+}
+
+} // namespace
+} // namespace sinew::cli_test
