@@ -17,6 +17,9 @@ void* counted(std::size_t size, std::size_t alignment) {
 }
 } // namespace
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete" // with both replaced by malloc and free they do match
+#endif
 void* operator new(std::size_t size) {
     return counted(size, alignof(std::max_align_t));
 }
