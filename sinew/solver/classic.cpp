@@ -195,7 +195,8 @@ template <int D, class Real> class ClassicStep {
     /// For those who ask: classic mode itself lives on x and x_prev.
     void read_velocities() {
         const Real per_h = inverse_or_zero(h_);
-        for (Row row = 0; row < p_.size(); ++row) p_.velocity[row] = (p_.position[row] - p_.previous[row]) * per_h;
+        for (Row row = 0; row < p_.size(); ++row)
+            p_.velocity[row] = clamp_components((p_.position[row] - p_.previous[row]) * per_h, limit::speed<Real>);
     }
 };
 
