@@ -25,13 +25,13 @@ template <int D> struct Dihedral {
         const auto e = c - b;
         const auto m = cross(b - a, c - a), n = cross(c - d, b - d);
         const T length = norm(e), per_length = inverse_or_zero(length);
-        const auto da = m * (length * inverse_or_zero(dot(m, m)));
-        const auto dd = n * (length * inverse_or_zero(dot(n, n)));
+        const auto da = direction(m) * (length * inverse_or_zero(norm(m))); // |m| / |e| is a's height over the edge
+        const auto dd = direction(n) * (length * inverse_or_zero(norm(n)));
         const T a_along = dot(a - b, e) * per_length * per_length; // 0 at b, 1 at c
         const T d_along = dot(d - b, e) * per_length * per_length;
         const auto dc = -(da * a_along + dd * d_along);
         const auto db = -(da * (T(1) - a_along) + dd * (T(1) - d_along));
-        return {arctangent(-dot(cross(m, n), e) * per_length, dot(m, n)), {da, db, dc, dd}};
+        return {arctangent(-dot(cross(m, n), e * per_length), dot(m, n)), {da, db, dc, dd}};
     }
 };
 

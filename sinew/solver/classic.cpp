@@ -31,9 +31,12 @@ template <int D, class Real> class ClassicStep {
   public:
     ClassicStep(World<D, Real>& world, Real dt)
         : world_(world), p_(world.particles), rules_(world.settings.classic),
-          h_(minimum(dt, rules_.longest_step * world.settings.frame) * rules_.time_scale), mover_{p_} {}
+          h_(clamp(minimum(dt, rules_.longest_step * world.settings.frame) * rules_.time_scale, Real(0),
+                   limit::step<Real>)),
+          mover_{p_} {}
 
     void run() {
+        if (h_ == Real(0) && !rules_.unscaled_inertia) return; // time stands still
         carry_pins();
         switch (rules_.order) {
         case PassOrder::sweeps_last:
@@ -53,6 +56,7 @@ template <int D, class Real> class ClassicStep {
             walls();
             break;
         }
+        let_go();
         read_velocities();
         if (h_ > Real(0)) world_.last_substep = h_;
     }
@@ -64,19 +68,24 @@ template <int D, class Real> class ClassicStep {
     Real h_;
     ClassicMover<D, Real> mover_;
 
-    /// Held points: x_prev = x, x = target.
+    /// Held points, however softly: x_prev = x, x = target, and nothing else moves them.
     void carry_pins() {
         for (const auto& pin : world_.pins) {
             const auto row = p_.slots.find(pin.particle);
             if (!row || p_.quarantined[*row]) continue;
             p_.previous[*row] = p_.position[*row];
-            p_.position[*row] = clamp_components(pin.target, limit::coordinate<Real>);
+            p_.position[*row] = pin.target;
+            p_.mobility[*row] = Real(0);
         }
     }
 
-    bool is_held(Row row) const {
-        return std::any_of(world_.pins.begin(), world_.pins.end(),
-                           [&, id = p_.slots.id_of(row)](const auto& pin) { return pin.particle == id; });
+    /// In physical mode a soft pin lets its particle move.
+    void let_go() {
+        for (const auto& pin : world_.pins)
+            if (const auto row = p_.slots.find(pin.particle); row && !p_.quarantined[*row])
+                p_.mobility[*row] = p_.inverse_mass[*row];
+        for (const auto& pin : world_.pins)
+            if (const auto row = p_.slots.find(pin.particle); row && pin.hard()) p_.mobility[*row] = Real(0);
     }
 
     /// v = x - x_prev; x_prev = x; x += keep v + a h^2
@@ -87,7 +96,8 @@ template <int D, class Real> class ClassicStep {
         const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
         const auto velocity = (p_.position[row] - p_.previous[row]) * inertia;
         const auto push = push_on(world_, row);
-        const auto pushed = push.acceleration * (h_ * h_ * share) - velocity * minimum(Real(1), push.drag_rate * h_);
+        const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
+        const auto pushed = fallen - velocity * minimum(Real(1), push.drag_rate * h_);
         const auto moved =
             rules_.damp_after_force ? (velocity + pushed) * rules_.keep : velocity * rules_.keep + pushed;
         p_.previous[row] = p_.position[row];
@@ -134,8 +144,9 @@ template <int D, class Real> class ClassicStep {
         const auto ends = std::as_const(table.members)[row];
         const auto ab = p_.position[ends[1]] - p_.position[ends[0]];
         const Real squared = dot(ab, ab);
-        const Real rest =
-            square_root(clamp(squared, square(maximum(table.low[row], Real(0))), square(table.high[row])));
+        constexpr Real most = limit::coordinate<Real>;
+        const Real rest = square_root(
+            clamp(squared, square(clamp(table.low[row], Real(0), most)), square(clamp(table.high[row], Real(0), most))));
         const Real s = rest * rest * inverse_or_zero(squared + rest * rest) - Real(0.5);
         const auto both = ab * (Real(2) * s * table.relaxation[row]);
         mover_.push(ends[0], -both * table.split[row]);

@@ -8,7 +8,8 @@ namespace sinew {
 namespace {
 
 template <class Real> Real inverse_of_mass(Real mass) {
-    if (mass == std::numeric_limits<Real>::infinity() || !(mass > Real(0))) return Real(0);
+    if (mass == std::numeric_limits<Real>::infinity() || mass <= Real(0)) return Real(0);
+    if (!is_finite(mass)) return mass; // not a number: the next step puts its figure in quarantine
     return Real(1) / clamp(mass, Real(1) / limit::mass<Real>, limit::mass<Real>);
 }
 
@@ -30,7 +31,7 @@ template <class Table, class Real>
 void append_row(Table& table, const ConstraintSpec<Real>& spec, Interval<Real> limits) {
     constexpr auto most = limit::measure<Real>;
     table.low.push_back(clamp(limits.low, -most, most));
-    table.high.push_back(clamp(limits.high, -most, most));
+    table.high.push_back(clamp(limits.high, table.low.back(), most));
     table.compliance.push_back(clamp(spec.compliance, Real(0), most));
     table.relaxation.push_back(clamp(spec.relaxation, Real(0), Real(1)));
     table.split.push_back(clamp(spec.split, Real(0), Real(1)));
@@ -68,7 +69,7 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
     const Real h = verlet_interval(world);
     p.position.push_back(spec.position);
     p.previous.push_back(spec.previous.value_or(spec.position - spec.velocity * h));
-    p.velocity.push_back(spec.previous ? (spec.position - *spec.previous) * (Real(1) / world.settings.frame)
+    p.velocity.push_back(spec.previous ? (spec.position - *spec.previous) * inverse_or_zero(world.settings.frame)
                                        : spec.velocity);
     p.residual.push_back({});
     p.force.push_back({});
@@ -130,8 +131,8 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         using Kind = typename std::decay_t<decltype(table)>::Kind;
         if constexpr (Kind::arity == any_arity) {
             if (int(rows.size()) < Kind::least_arity) return;
-            // the widest constraint's points and gradients, at the substep's start and end
-            world.scratch.resize(std::max(world.scratch.size(), 4 * rows.size()));
+            // the widest constraint's points, gradients and directions
+            world.scratch.resize(std::max(world.scratch.size(), 3 * rows.size()));
         } else if (rows.size() != std::size_t(Kind::arity)) {
             return;
         }
@@ -214,13 +215,14 @@ template <int D, class Real>
 std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSpec<D, Real>& spec) {
     const auto row = world.particles.slots.find(particle);
     if (!row) return std::nullopt;
-    const auto target = spec.target.value_or(world.particles.position[*row]);
+    const auto position = world.particles.position[*row];
+    constexpr auto most = limit::measure<Real>;
     world.pins.push_back({.particle = particle,
-                          .from = target,
-                          .target = target,
-                          .compliance = maximum(spec.compliance, Real(0)),
-                          .damping = maximum(spec.damping, Real(0)),
-                          .max_force = maximum(spec.max_force, Real(0))});
+                          .from = position,
+                          .target = spec.target.value_or(position),
+                          .compliance = clamp(spec.compliance, Real(0), most),
+                          .damping = clamp(spec.damping, Real(0), most),
+                          .max_force = clamp(spec.max_force, Real(0), most)});
     const auto id = world.pin_slots.append();
     refresh_mobility(world, *row);
     return id;

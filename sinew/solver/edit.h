@@ -46,7 +46,7 @@ template <class Real> struct ConstraintSpec {
 };
 
 template <int D, class Real> struct PinSpec {
-    std::optional<Vec<D, Real>> target{}; ///< nothing: where the particle is
+    std::optional<Vec<D, Real>> target{}; ///< nothing: where the particle is; else the next step carries it there
     Real compliance = 0;
     Real damping = 1;
     Real max_force = 0;

@@ -16,34 +16,45 @@ template <class Real> Real noise(double t, std::uint64_t seed, std::uint64_t str
 }
 
 template <int D, class Real> Vec<D, Real> wind_at(const Wind<D, Real>& wind, const Vec<D, Real>& place, double time) {
-    const Real behind = wind.gust_size > Real(0) ? dot(place, direction(wind.velocity)) / wind.gust_size : Real(0);
+    constexpr double most = 1e15; // gusts; beyond it a double no longer tells one from the next
+    const double behind = double(dot(place, direction(wind.velocity)) * inverse_or_zero(wind.gust_size));
     const double t =
-        clamp(time / double(wind.gust_period), -1e15, 1e15) - double(clamp(behind, Real(-1e15), Real(1e15)));
-    return wind.velocity +
-           Vec<D, Real>::map([&](int i) { return wind.gust[i] * noise<Real>(t, wind.seed, std::uint64_t(i)); });
+        clamp(time * inverse_or_zero(double(wind.gust_period)), -most, most) - clamp(behind, -most, most);
+    const auto gust = Vec<D, Real>::map([&](int i) { return wind.gust[i] * noise<Real>(t, wind.seed, std::uint64_t(i)); });
+    return clamp_components(wind.velocity + gust, limit::speed<Real>);
 }
 
-/// Adds what one field does to one particle. A new field is one more of these.
+/// Nothing is pushed harder: the largest force on the lightest particle.
+template <class Real> constexpr Real largest_acceleration = limit::force<Real> * limit::mass<Real>;
+
+/// Adds what one field does to one particle. A new field is one more of these. Each is held at the limits, whatever
+/// numbers the field was given.
 template <int D, class Real> struct Adder {
     const World<D, Real>& world;
     Row row;
     Push<D, Real>& push;
 
     const Vec<D, Real>& place() const { return world.particles.position[row]; }
-    Real weight() const { return world.particles.mobility[row]; }
+    Real rate(Real strength) const {
+        return clamp(strength * world.particles.mobility[row], Real(0), limit::measure<Real>);
+    }
+    void accelerate(const Vec<D, Real>& acceleration) const {
+        push.acceleration += clamp_components(acceleration, largest_acceleration<Real>);
+    }
 
-    void operator()(const Gravity<D, Real>& gravity) const { push.acceleration += gravity.acceleration; }
-    void operator()(const Drag<D, Real>& drag) const { push.drag_rate += drag.strength * weight(); }
+    void operator()(const Gravity<D, Real>& gravity) const { accelerate(gravity.acceleration); }
+    void operator()(const Drag<D, Real>& drag) const { push.drag_rate += rate(drag.strength); }
     void operator()(const Wind<D, Real>& wind) const {
-        const Real rate = wind.strength * weight();
-        push.acceleration += wind_at(wind, place(), world.time) * rate;
-        push.drag_rate += rate;
+        accelerate(wind_at(wind, place(), world.time) * rate(wind.strength));
+        push.drag_rate += rate(wind.strength);
     }
     void operator()(const Attractor<D, Real>& attractor) const {
         const auto offset = place() - attractor.center;
         const Real softened = square_root(dot(offset, offset) + square(attractor.softness));
         const Real per_length = inverse_or_zero(softened);
-        push.acceleration -= offset * (attractor.strength * per_length * per_length * per_length);
+        const Real pull = clamp(attractor.strength * per_length * per_length, -largest_acceleration<Real>,
+                                largest_acceleration<Real>);
+        accelerate(offset * per_length * -pull);
     }
     void operator()(const RandomPush<D, Real>&) const {} // strikes once a step: apply_random_pushes
 };
@@ -54,9 +65,9 @@ template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, 
     Push<D, Real> push;
     const Adder<D, Real> add{world, row, push};
     for (const auto& force : world.forces) std::visit(add, force);
-    push.acceleration += world.particles.force[row] * world.particles.mobility[row];
-    push.acceleration = clamp_components(push.acceleration, limit::force<Real> * limit::mass<Real>);
-    push.drag_rate = clamp(push.drag_rate, Real(0), limit::measure<Real>);
+    add.accelerate(world.particles.force[row] * world.particles.mobility[row]);
+    push.acceleration = clamp_components(push.acceleration, largest_acceleration<Real>);
+    push.drag_rate = minimum(push.drag_rate, limit::measure<Real>);
     return push;
 }
 
@@ -68,8 +79,10 @@ template <int D, class Real> void apply_random_pushes(World<D, Real>& world) {
         if (!random_push) continue;
         const auto row = std::size_t(random::whole(0, std::int64_t(p.size()) - 1, random_push->seed, D, world.steps));
         p.force[row] += Vec<D, Real>::map([&](int i) {
-            return Real(random::whole(std::int64_t(random_push->low[i]), std::int64_t(random_push->high[i]),
-                                      random_push->seed, std::uint64_t(i), world.steps));
+            constexpr Real most = Real(1e9); // whole() draws from fewer than 2^32 numbers
+            const auto low = std::int64_t(clamp(random_push->low[i], -most, most));
+            const auto high = std::int64_t(clamp(random_push->high[i], Real(low), most));
+            return Real(random::whole(low, high, random_push->seed, std::uint64_t(i), world.steps));
         });
     }
 }

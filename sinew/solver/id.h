@@ -23,15 +23,10 @@ template <class Tag> class Slots {
   public:
     /// The id of a new row at the end.
     Id<Tag> append() {
-        const Row row = Row(slot_of_row_.size());
-        if (free_.empty()) {
-            free_.push_back(std::uint32_t(entries_.size()));
-            entries_.push_back({});
-            free_.reserve(entries_.capacity()); // erasing, which happens in a step, then never allocates
-        }
-        const std::uint32_t slot = free_.back();
-        free_.pop_back();
-        entries_[slot].row = row;
+        if (first_free_ == entries_.size()) entries_.push_back({.row = first_free_ + 1});
+        const std::uint32_t slot = first_free_;
+        first_free_ = entries_[slot].row;
+        entries_[slot].row = Row(slot_of_row_.size());
         slot_of_row_.push_back(slot);
         return {slot, entries_[slot].generation};
     }
@@ -43,14 +38,14 @@ template <class Tag> class Slots {
 
     Id<Tag> id_of(Row row) const { return {slot_of_row_[row], entries_[slot_of_row_[row]].generation}; }
 
-    /// Forgets the rows whose flag in `gone` is set; the rest close up in order.
+    /// Forgets the rows whose flag in `gone` is set; the rest close up in order. Allocates nothing.
     void erase(std::span<const char> gone) {
         Row kept = 0;
         for (Row row = 0; row < slot_of_row_.size(); ++row) {
             const std::uint32_t slot = slot_of_row_[row];
             if (gone[row]) {
-                ++entries_[slot].generation;
-                free_.push_back(slot);
+                entries_[slot] = {.row = first_free_, .generation = entries_[slot].generation + 1};
+                first_free_ = slot;
             } else {
                 entries_[slot].row = kept;
                 slot_of_row_[kept++] = slot;
@@ -66,12 +61,12 @@ template <class Tag> class Slots {
 
   private:
     struct Entry {
-        Row row = 0;
+        Row row = 0; ///< of a slot that is free: the next free slot
         std::uint32_t generation = 0;
     };
     std::vector<std::uint32_t> slot_of_row_;
     std::vector<Entry> entries_;
-    std::vector<std::uint32_t> free_;
+    std::uint32_t first_free_ = 0; ///< entries_.size(): none is
 };
 
 struct ParticleTag;

@@ -1,6 +1,5 @@
 #include "sinew/solver/measure.h"
 
-#include "sinew/math/hash.h"
 #include "sinew/solver/project.h"
 
 #include <algorithm>
@@ -53,10 +52,8 @@ ConstraintState state_of(const Table& table, Row row, double measured, Real subs
     const double low = double(table.low[row]), high = double(table.high[row]);
     ConstraintState state;
     state.measure = detail::unwrap<Kind>(measured, low, high);
-    const double nearest = clamp(state.measure, low, high);
-    state.error = state.measure - nearest;
-    const double rest = Kind::length_power > 0 ? absolute(nearest) : 1.0;
-    state.strain = state.error == 0 ? 0 : state.error * inverse_or_zero(rest);
+    state.error = state.measure - clamp(state.measure, low, high);
+    state.strain = detail::strain<Kind>(measured, low, high);
     state.tension = -double(table.multiplier[row]) * inverse_or_zero(square(double(substep)));
     return state;
 }
@@ -157,23 +154,6 @@ template <int D, class Real> Stretch stretch(const World<D, Real>& world) {
     return result;
 }
 
-template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& world) {
-    const auto& p = world.particles;
-    Hash hash;
-    hash.add(p.size());
-    hash.add(p.position);
-    hash.add(p.previous);
-    hash.add(p.velocity);
-    hash.add(p.residual);
-    hash.add(p.mobility);
-    for_each_table(world, [&](const auto& table) {
-        hash.add(table.size());
-        hash.add(table.multiplier);
-    });
-    hash.add(world.steps);
-    return hash.value();
-}
-
 #define SINEW_MEASURE(D, Real)                                                                                         \
     template std::optional<ConstraintState> constraint_state(const World<D, Real>&, const ConstraintId&);              \
     template Energy energy(const World<D, Real>&);                                                                     \
@@ -182,8 +162,7 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     template Vec<D, double> center_of_mass(const World<D, Real>&);                                                     \
     template double total_mass(const World<D, Real>&);                                                                 \
     template double max_speed(const World<D, Real>&);                                                                  \
-    template Stretch stretch(const World<D, Real>&);                                                                   \
-    template std::uint64_t state_hash(const World<D, Real>&);
+    template Stretch stretch(const World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_MEASURE)
 
 } // namespace sinew

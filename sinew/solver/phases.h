@@ -18,6 +18,9 @@ template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
 /// quarantine.cpp: figures and loose particles that are not finite stand still from now on, where they last were.
 template <int D, class Real> void quarantine_non_finite(World<D, Real>& world);
 
+/// quarantine.cpp: what is finite but beyond the stated limits is held at them.
+template <int D, class Real> void hold_in_limits(World<D, Real>& world);
+
 /// tear.cpp: removes constraints strained beyond their breaking point.
 template <int D, class Real> void tear(World<D, Real>& world);
 

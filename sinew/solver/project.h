@@ -14,11 +14,18 @@
 /// and classic.cpp.
 namespace sinew::detail {
 
-/// Room for one constraint's points and gradients.
+/// Room for one constraint's points and gradients. `each` visits its members; where the kind knows their number they are
+/// written out one by one, and the stencil lives in registers.
 template <class Kind, int D, class Real> struct Stencil {
     Points<Kind::arity, D, Real> points, gradient, direction;
 
     explicit Stencil(World<D, Real>&, std::size_t) {}
+    template <class Visit> static void each(Visit&& visit) {
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            (visit(I), ...);
+        }
+        (std::make_index_sequence<std::size_t(Kind::arity)>{});
+    }
     static Real evaluate(const Points<Kind::arity, D, Real>& x, Points<Kind::arity, D, Real>& gradient) {
         const auto evaluated = Kind::evaluate(x);
         gradient = evaluated.gradient;
@@ -33,6 +40,9 @@ requires(Kind::arity == any_arity) struct Stencil<Kind, D, Real> {
     explicit Stencil(World<D, Real>& world, std::size_t n)
         : points(std::span(world.scratch).subspan(0, n)), gradient(std::span(world.scratch).subspan(n, n)),
           direction(std::span(world.scratch).subspan(2 * n, n)) {}
+    template <class Visit> void each(Visit&& visit) const {
+        for (std::size_t i = 0; i < points.size(); ++i) visit(i);
+    }
     static Real evaluate(std::span<Vec<D, Real>> x, std::span<Vec<D, Real>> gradient) {
         return Kind::evaluate(std::span<const Vec<D, Real>>(x), gradient);
     }
@@ -47,6 +57,14 @@ template <class Kind, class Real> Real unwrap(Real measure, Real low, Real high)
     } else {
         return measure;
     }
+}
+
+/// How far a measure is outside its limits, as a fraction of the limit it broke; an angle in radians. What may have no
+/// size at all never strains.
+template <class Kind, class Real> Real strain(Real measure, Real low, Real high) {
+    const Real unwrapped = unwrap<Kind>(measure, low, high);
+    const Real nearest = clamp(unwrapped, low, high);
+    return (unwrapped - nearest) * inverse_or_zero(Kind::length_power > 0 ? absolute(nearest) : Real(1));
 }
 
 /// A multiplier pushes where the measure is below its low limit, pulls above the high one and rests in between; alike
@@ -66,15 +84,22 @@ template <int D, class Real> Vec<D, Real> own_direction(std::uint64_t constraint
 }
 
 /// Particles in a heap (coincident, collinear) give no direction to correct in: part them a little, each constraint its
-/// own way, the same way on every machine.
+/// own way, the same way on every machine. The light give way to the heavy, so that momentum stays what it was.
 template <class Mover, class Real>
 [[gnu::noinline]] void part(Mover& mover, std::span<const Row> members, Row constraint, Real rest) {
     constexpr auto share = Real(1e-3);
-    Real extent = 0;
-    for (const Row member : members) extent = maximum(extent, distance(mover.point(member), mover.point(members[0])));
-    const Real size = share * (extent > Real(0) ? extent : absolute(rest));
-    for (std::size_t i = 0; i < members.size(); ++i)
-        mover.push(members[i], own_direction<Mover::dimension, Real>(constraint, i) * size);
+    Real extent = 0, lightest = 0;
+    Vec<Mover::dimension, Real> mean{};
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        extent = maximum(extent, distance(mover.point(members[i]), mover.point(members[0])));
+        lightest = maximum(lightest, mover.weight(members[i]));
+        mean += own_direction<Mover::dimension, Real>(constraint, i) * (Real(1) / Real(members.size()));
+    }
+    const Real size = share * (extent > Real(0) ? extent : minimum(absolute(rest), limit::coordinate<Real>));
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const Real agility = mover.weight(members[i]) * inverse_or_zero(lightest);
+        mover.push(members[i], (own_direction<Mover::dimension, Real>(constraint, i) - mean) * (size * agility));
+    }
 }
 
 /// Twice the share of a correction that member i takes: 1 where the split is fair.
@@ -89,17 +114,17 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     const auto members = std::as_const(table.members)[row];
     Stencil<Kind, D, Real> stencil(world, members.size());
 
-    for (std::size_t i = 0; i < members.size(); ++i) stencil.points[i] = mover.point(members[i]);
+    stencil.each([&](std::size_t i) { stencil.points[i] = mover.point(members[i]); });
     const Real low = table.low[row], high = table.high[row], split = table.split[row];
     const Real measure = unwrap<Kind>(stencil.evaluate(stencil.points, stencil.gradient), low, high);
     mover.choose_direction(stencil, members);
 
     Real resistance = 0, steepness = 0;
-    for (std::size_t i = 0; i < members.size(); ++i) {
+    stencil.each([&](std::size_t i) {
         const Real w = mover.weight(members[i]) * handicap(split, i);
         resistance += w * dot(stencil.gradient[i], stencil.direction[i]);
         steepness += dot(stencil.gradient[i], stencil.gradient[i]);
-    }
+    });
     const Real error = measure - clamp(measure, low, high);
     if (steepness == Real(0) && error != Real(0)) return false;
 
@@ -107,12 +132,13 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     const Real lambda = mover.first_iteration ? Real(0) : table.multiplier[row];
     const Real solved =
         limited_multiplier(lambda, measure - low, measure - high, alpha, inverse_or_zero(resistance + alpha));
-    const Real next =
-        clamp(lambda + table.relaxation[row] * (solved - lambda), -limit::measure<Real>, limit::measure<Real>);
+    constexpr Real most = limit::multiplier<Real>;
+    const Real next = clamp(lambda + table.relaxation[row] * (solved - lambda), -most, most);
     table.multiplier[row] = next;
-    for (std::size_t i = 0; i < members.size(); ++i)
+    stencil.each([&](std::size_t i) {
         mover.push(members[i],
                    stencil.direction[i] * (mover.weight(members[i]) * handicap(split, i) * (next - lambda)));
+    });
     return true;
 }
 

@@ -43,7 +43,24 @@ template <int D, class Real> void quarantine_non_finite(World<D, Real>& world) {
     }
 }
 
-#define SINEW_QUARANTINE(D, Real) template void quarantine_non_finite(World<D, Real>&);
+template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
+    auto& p = world.particles;
+    for (Row row = 0; row < p.size(); ++row) {
+        p.position[row] = clamp_components(p.position[row], limit::coordinate<Real>);
+        p.previous[row] = clamp_components(p.previous[row], limit::coordinate<Real>);
+        p.velocity[row] = clamp_components(p.velocity[row], limit::speed<Real>);
+        p.force[row] = clamp_components(p.force[row], limit::force<Real>);
+        p.radius[row] = clamp(p.radius[row], Real(0), limit::coordinate<Real>);
+    }
+    for (auto& pin : world.pins) {
+        pin.from = clamp_components(pin.from, limit::coordinate<Real>);
+        pin.target = clamp_components(pin.target, limit::coordinate<Real>);
+    }
+}
+
+#define SINEW_QUARANTINE(D, Real)                                                                                      \
+    template void quarantine_non_finite(World<D, Real>&);                                                              \
+    template void hold_in_limits(World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_QUARANTINE)
 
 } // namespace sinew

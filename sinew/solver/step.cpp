@@ -11,33 +11,36 @@ namespace {
 
 /// Constraints act on velocities: a particle is where it will be when the substep ends, x + h v, and a correction of
 /// that place is a correction of v. Small differences of large coordinates are never taken, so float loses least.
+/// Nothing is faster than what crosses the world in one substep: places stay finite.
 template <int D, class RealT> struct SubstepMover {
     using Real = RealT;
     static constexpr int dimension = D;
     Particles<D, Real>& particles;
-    Real h, per_h;
+    Real h;
+    Real per_h = Real(1) / h;
+    Real fastest = minimum(limit::speed<Real>, Real(2) * limit::coordinate<Real> * per_h);
     bool first_iteration = true;
 
-    Vec<D, Real> point(Row row) const {
-        return clamp_components(particles.position[row] + particles.velocity[row] * h, limit::coordinate<Real>);
-    }
+    Vec<D, Real> point(Row row) const { return particles.position[row] + particles.velocity[row] * h; }
     Real weight(Row row) const { return particles.mobility[row]; }
     Real alpha(Real compliance) const { return minimum(compliance * per_h * per_h, limit::measure<Real>); }
-    void push(Row row, const Vec<D, Real>& displacement) { particles.velocity[row] += displacement * per_h; }
+    void push(Row row, const Vec<D, Real>& displacement) { accelerate(row, displacement * per_h); }
+    void accelerate(Row row, const Vec<D, Real>& change) {
+        particles.velocity[row] = clamp_components(particles.velocity[row] + change, fastest);
+    }
 
     /// Corrections along the gradient where the substep began (SHAKE: Ryckaert, Ciccotti and Berendsen 1977) keep a
     /// swing's energy; along the gradient where it ends they bleed it. Where the two have come apart only the latter
     /// still corrects.
     template <class Stencil> void choose_direction(Stencil& stencil, std::span<const Row> members) const {
-        for (std::size_t i = 0; i < members.size(); ++i) stencil.points[i] = particles.position[members[i]];
+        stencil.each([&](std::size_t i) { stencil.points[i] = particles.position[members[i]]; });
         stencil.evaluate(stencil.points, stencil.direction);
         Real along = 0, now = 0, then = 0;
-        for (std::size_t i = 0; i < members.size(); ++i) {
-            const Real w = weight(members[i]);
-            along += w * dot(stencil.gradient[i], stencil.direction[i]);
-            now += w * dot(stencil.gradient[i], stencil.gradient[i]);
-            then += w * dot(stencil.direction[i], stencil.direction[i]);
-        }
+        stencil.each([&](std::size_t i) {
+            along += dot(stencil.gradient[i], stencil.direction[i]);
+            now += dot(stencil.gradient[i], stencil.gradient[i]);
+            then += dot(stencil.direction[i], stencil.direction[i]);
+        });
         constexpr Real least_agreement = Real(0.99);
         if (along < least_agreement * maximum(now, then)) stencil.direction = stencil.gradient;
     }
@@ -45,8 +48,9 @@ template <int D, class RealT> struct SubstepMover {
 
 /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
 /// middle of this one. Drag is implicit, so no strength of it can turn a velocity round.
-template <int D, class Real> void predict(World<D, Real>& world, Real h) {
+template <int D, class Real> void predict(World<D, Real>& world, const SubstepMover<D, Real>& mover) {
     auto& p = world.particles;
+    const Real h = mover.h;
     const Real kick = Real(0.5) * (world.last_substep + h);
     const Real keep = exponential(-world.settings.damping * h);
     for (Row row = 0; row < p.size(); ++row) {
@@ -54,19 +58,20 @@ template <int D, class Real> void predict(World<D, Real>& world, Real h) {
         if (p.mobility[row] == Real(0)) continue;
         const auto push = push_on(world, row);
         const auto pushed = (p.velocity[row] + push.acceleration * kick) * (keep / (Real(1) + push.drag_rate * kick));
-        p.velocity[row] = clamp_components(pushed, limit::speed<Real>);
+        p.velocity[row] = clamp_components(pushed, mover.fastest);
     }
     world.last_substep = h;
 }
 
 /// Hard pins are where they are told to be; the substep's share of the way gives the particle its velocity.
-template <int D, class Real> void move_pins(World<D, Real>& world, Real share, Real per_h) {
+template <int D, class Real>
+void move_pins(World<D, Real>& world, Real share, const SubstepMover<D, Real>& mover) {
     auto& p = world.particles;
     for (const auto& pin : world.pins) {
         const auto row = p.slots.find(pin.particle);
         if (!row || !pin.hard() || p.quarantined[*row]) continue;
         const auto goal = pin.from + (pin.target - pin.from) * share;
-        p.velocity[*row] = clamp_components((goal - p.position[*row]) * per_h, limit::speed<Real>);
+        p.velocity[*row] = clamp_components((goal - p.position[*row]) * mover.per_h, mover.fastest);
     }
 }
 
@@ -74,23 +79,26 @@ template <int D, class Real> void move_pins(World<D, Real>& world, Real share, R
 /// e the way to the target and u how much the substep adds to it; its force never exceeds max_force.
 template <int D, class Real> void pull_pins(World<D, Real>& world, Real share, SubstepMover<D, Real>& mover) {
     auto& p = world.particles;
+    const Real share_of_substep = Real(1) / Real(std::max(world.settings.substeps, 1));
     for (auto& pin : world.pins) {
         const auto row = p.slots.find(pin.particle);
         if (!row || pin.hard() || p.mobility[*row] == Real(0)) continue;
         const Real w = p.mobility[*row];
         const Real alpha = mover.alpha(pin.compliance);
         // a critical damper of stiffness 1/c on mass 1/w has 2 / sqrt(c w); gamma = damper * compliance / h
-        const Real gamma = Real(2) * pin.damping * square_root(pin.compliance * inverse_or_zero(w)) * mover.per_h;
+        const Real gamma = minimum(
+            Real(2) * pin.damping * square_root(pin.compliance * inverse_or_zero(w)) * mover.per_h, limit::measure<Real>);
         const auto goal = pin.from + (pin.target - pin.from) * share;
         const auto error = mover.point(*row) - goal;
-        const auto drift = mover.point(*row) - p.position[*row];
+        const auto last_goal = pin.from + (pin.target - pin.from) * (share - share_of_substep);
+        const auto drift = error - (p.position[*row] - last_goal);
         const auto lambda = mover.first_iteration ? Vec<D, Real>{} : pin.multiplier;
         auto next = lambda - (error + lambda * alpha + drift * gamma) * inverse_or_zero(w * (Real(1) + gamma) + alpha);
         if (pin.max_force > Real(0)) {
             const Real most = pin.max_force * mover.h * mover.h;
             next *= minimum(Real(1), most * inverse_or_zero(norm(next)));
         }
-        p.velocity[*row] += (next - lambda) * (w * mover.per_h);
+        mover.push(*row, (next - lambda) * w);
         pin.multiplier = next;
     }
 }
@@ -103,12 +111,12 @@ template <int D, class Real> void keep_in_bounds(World<D, Real>& world, SubstepM
         for (Row row = 0; row < p.size(); ++row) {
             if (p.mobility[row] == Real(0)) continue;
             const Real depth = plane.offset + p.radius[row] - dot(plane.normal, mover.point(row));
-            if (depth <= Real(0)) continue;
+            if (!(depth > Real(0))) continue;
             const Real approach = -dot(plane.normal, p.velocity[row]);
             const auto along = p.velocity[row] + plane.normal * approach;
-            const Real stopped = depth * mover.per_h;
+            const Real stopped = minimum(depth * mover.per_h, mover.fastest);
             const Real slowed = minimum(Real(1), plane.friction * stopped * inverse_or_zero(norm(along)));
-            p.velocity[row] += plane.normal * stopped - along * slowed;
+            mover.accelerate(row, plane.normal * stopped - along * slowed);
             if (!mover.first_iteration) continue;
             const Real resting = Real(4) * mover.h * norm(push_on(world, row).acceleration);
             if (approach > resting) p.rebound[row] += plane.normal * (plane.restitution * approach);
@@ -120,7 +128,6 @@ template <int D, class Real> void keep_in_bounds(World<D, Real>& world, SubstepM
 template <int D, class Real> void advance(World<D, Real>& world, Real h) {
     auto& p = world.particles;
     for (Row row = 0; row < p.size(); ++row) {
-        p.velocity[row] = clamp_components(p.velocity[row], limit::speed<Real>);
         const auto move = p.velocity[row] * h + p.residual[row];
         const auto moved = p.position[row] + move;
         const auto held = clamp_components(moved, limit::coordinate<Real>);
@@ -144,6 +151,7 @@ template <int D, class Real> void rebound(World<D, Real>& world) {
 template <int D, class Real> void begin(World<D, Real>& world) {
     world.events.clear();
     quarantine_non_finite(world);
+    hold_in_limits(world);
     apply_random_pushes(world);
 }
 
@@ -157,12 +165,12 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 
 template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) {
     const int substeps = std::max(world.settings.substeps, 1);
-    const Real h = dt / Real(substeps), per_h = Real(1) / h;
+    const Real h = dt / Real(substeps);
     for (int s = 1; s <= substeps; ++s) {
         const Real share = Real(s) / Real(substeps);
-        predict(world, h);
-        move_pins(world, share, per_h);
-        SubstepMover<D, Real> mover{world.particles, h, per_h};
+        SubstepMover<D, Real> mover{world.particles, h};
+        predict(world, mover);
+        move_pins(world, share, mover);
         for (int i = 0; i < world.settings.iterations; ++i) {
             mover.first_iteration = i == 0;
             detail::project_all(world, mover);

@@ -1,8 +1,20 @@
-#include "sinew/solver/edit.h"
 #include "sinew/solver/phases.h"
+#include "sinew/solver/project.h"
 #include "sinew/solver/remove.h"
 
 namespace sinew {
+namespace {
+
+template <class Table, int D, class Real> Real strain_of(World<D, Real>& world, const Table& table, Row row) {
+    using Kind = typename Table::Kind;
+    const auto members = table.members[row];
+    detail::Stencil<Kind, D, Real> stencil(world, members.size());
+    stencil.each([&](std::size_t i) { stencil.points[i] = world.particles.position[members[i]]; });
+    const Real measure = stencil.evaluate(stencil.points, stencil.gradient);
+    return detail::strain<Kind>(measure, table.low[row], table.high[row]);
+}
+
+} // namespace
 
 template <int D, class Real> void tear(World<D, Real>& world) {
     bool any = false;
@@ -11,9 +23,8 @@ template <int D, class Real> void tear(World<D, Real>& world) {
         bool torn = false;
         for (Row row = 0; row < table.size(); ++row) {
             if (table.breaking_strain[row] >= limit::measure<Real> || world.events.size() >= events_per_step) continue;
+            if (absolute(strain_of(world, table, row)) <= table.breaking_strain[row]) continue;
             const ConstraintId id{kind, table.slots.id_of(row)};
-            const auto state = constraint_state(world, id);
-            if (absolute(state->strain) <= double(table.breaking_strain[row])) continue;
             table.torn[row] = 1;
             torn = true;
             world.events.push_back({.type = EventType::torn, .figure = table.figure[row], .constraint = id});

@@ -1,0 +1,88 @@
+#include "sinew/math/hash.h"
+#include "sinew/solver/measure.h"
+
+namespace sinew {
+namespace {
+
+/// Structs are taken apart by structured bindings: one with a new field does not compile until the field is hashed.
+class Digest {
+  public:
+    template <class... T> void add(const T&... values) { (add_one(values), ...); }
+    std::uint64_t value() const { return hash_.value(); }
+
+  private:
+    Hash hash_;
+
+    template <class T> void add_bytes(const T& value) { hash_.add(std::as_bytes(std::span(&value, 1))); }
+
+    template <class T>
+    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void add_one(T value) { add_bytes(value); }
+    template <int D, class Real> void add_one(const Vec<D, Real>& vector) { add_bytes(vector.component); }
+    template <class T> void add_one(const std::vector<T>& column) { // of numbers: nothing lies between them
+        hash_.add(column.size());
+        hash_.add(column);
+    }
+
+    template <class Real> void add_one(const Settings<Real>& settings) {
+        const auto& [mode, substeps, iterations, damping, frame, classic] = settings;
+        add(mode, substeps, iterations, damping, frame, classic);
+    }
+    template <class Real> void add_one(const ClassicRules<Real>& rules) {
+        const auto& [passes, order, keep, damp_after_force, root_free, bounce, floor_keep, time_scale, longest_step,
+                     outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration] = rules;
+        add(passes, order, keep, damp_after_force, root_free, bounce, floor_keep, time_scale, longest_step,
+            outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration);
+    }
+
+    template <int D, class Real> void add_one(const Force<D, Real>& force) {
+        add(force.index());
+        std::visit([&](const auto& field) { add_field(field); }, force);
+    }
+    template <int D, class Real> void add_field(const Gravity<D, Real>& gravity) { add(gravity.acceleration); }
+    template <int D, class Real> void add_field(const Drag<D, Real>& drag) { add(drag.strength); }
+    template <int D, class Real> void add_field(const Wind<D, Real>& wind) {
+        const auto& [velocity, strength, gust, gust_period, gust_size, seed] = wind;
+        add(velocity, strength, gust, gust_period, gust_size, seed);
+    }
+    template <int D, class Real> void add_field(const Attractor<D, Real>& attractor) {
+        const auto& [center, strength, softness] = attractor;
+        add(center, strength, softness);
+    }
+    template <int D, class Real> void add_field(const RandomPush<D, Real>& push) {
+        const auto& [low, high, seed] = push;
+        add(low, high, seed);
+    }
+
+    template <int D, class Real> void add_one(const HalfSpace<D, Real>& plane) {
+        const auto& [normal, offset, restitution, friction] = plane;
+        add(normal, offset, restitution, friction);
+    }
+};
+
+} // namespace
+
+template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& world) {
+    Digest digest;
+    const auto& p = world.particles;
+    digest.add(world.settings, world.time, world.steps, world.last_substep);
+    digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.mobility, p.radius, p.figure,
+               p.quarantined);
+    for_each_table(world, [&](const auto& table) {
+        for (Row row = 0; row < table.size(); ++row)
+            for (const Row member : table.members[row]) digest.add(member);
+        digest.add(table.low, table.high, table.compliance, table.relaxation, table.split, table.breaking_strain,
+                   table.multiplier);
+    });
+    for (const auto& run : world.sweep) digest.add(run.kind, run.count);
+    for (const auto& pin : world.pins)
+        digest.add(p.slots.find(pin.particle).value_or(Row(p.size())), pin.from, pin.target, pin.compliance,
+                   pin.damping, pin.max_force);
+    for (const auto& force : world.forces) digest.add(force);
+    for (const auto& plane : world.bounds) digest.add(plane);
+    return digest.value();
+}
+
+#define SINEW_STATE_HASH(D, Real) template std::uint64_t state_hash(const World<D, Real>&);
+SINEW_INSTANTIATE(SINEW_STATE_HASH)
+
+} // namespace sinew
