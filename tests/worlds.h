@@ -1,0 +1,107 @@
+#pragma once
+
+#include "sinew/math/random.h"
+#include "sinew/solver/edit.h"
+#include "sinew/solver/measure.h"
+#include "sinew/solver/step.h"
+
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+/// Small worlds for tests.
+namespace sinew::test {
+
+/// A dimension and a precision, for typed tests.
+template <int D, class RealT> struct In {
+    static constexpr int dimension = D;
+    using Real = RealT;
+    using World = sinew::World<D, Real>;
+    using Vector = Vec<D, Real>;
+    static constexpr bool precise = sizeof(Real) == 8;
+};
+
+using Everywhere = ::testing::Types<In<2, float>, In<2, double>, In<3, float>, In<3, double>>;
+
+struct Names {
+    template <class Type> static std::string GetName(int) {
+        return std::to_string(Type::dimension) + "D" + (Type::precise ? "double" : "float");
+    }
+};
+
+/// (x, y) or (x, y, 0).
+template <class Vector> Vector at(double x, double y) {
+    Vector place{};
+    place[0] = decltype(place[0] + 0)(x);
+    place[1] = decltype(place[0] + 0)(y);
+    return place;
+}
+
+template <class World> void fall(World& world, double g) {
+    using Real = typename World::Real;
+    world.forces.push_back(Gravity<World::dimension, Real>{at<typename World::Vector>(0, -g)});
+}
+
+/// Steps `seconds` on at `rate` steps a second.
+template <class World> void run(World& world, double seconds, double rate = 60) {
+    using Real = typename World::Real;
+    const int steps = int(seconds * rate + 0.5);
+    for (int i = 0; i < steps; ++i) step(world, Real(1 / rate));
+}
+
+/// A row of particles from `from`, `spacing` apart, each linked to the next by a distance; unit masses.
+template <class World>
+std::vector<ParticleId> chain(World& world, int particles, typename World::Vector from,
+                              typename World::Vector spacing) {
+    using Real = typename World::Real;
+    std::vector<ParticleId> ids;
+    for (int i = 0; i < particles; ++i) ids.push_back(add_particle(world, {.position = from + spacing * Real(i)}));
+    for (int i = 0; i + 1 < particles; ++i) add<Distance>(world, {ids[std::size_t(i)], ids[std::size_t(i) + 1]});
+    return ids;
+}
+
+/// Something of everything, moving: links of every kind of limit, soft and hard, a tearing link, pins hard, moving and
+/// soft, forces of every kind, bounds with bounce and friction. Two figures.
+template <int D, class Real> World<D, Real> menagerie(Mode mode = Mode::physical) {
+    using Vector = Vec<D, Real>;
+    World<D, Real> world;
+    world.settings.mode = mode;
+    world.settings.substeps = 4;
+    world.settings.damping = Real(0.1);
+    world.settings.classic = {.passes = 2, .keep = Real(0.99), .bounce = Real(0.5), .floor_keep = Real(0.9)};
+    world.forces = {Gravity<D, Real>{at<Vector>(0, -10)}, Drag<D, Real>{Real(0.05)},
+                    Wind<D, Real>{.velocity = at<Vector>(2, 0), .strength = Real(0.1), .gust = at<Vector>(1, 1)},
+                    Attractor<D, Real>{.center = at<Vector>(3, 3), .strength = 5},
+                    RandomPush<D, Real>{at<Vector>(-2, 0), at<Vector>(6, 3), 11}};
+    world.bounds = {{at<Vector>(0, 1), -6, Real(0.5), Real(0.3)}, {at<Vector>(1, 0), -6, 0, 0}};
+
+    const auto rope = chain(world, 8, at<Vector>(-4, 2), at<Vector>(0.5, 0.1));
+    pin(world, rope[0]);
+    const FigureIndex body = add_figure(world, "body");
+    std::vector<ParticleId> p;
+    for (int i = 0; i < 6; ++i) {
+        Vector place{};
+        for (int axis = 0; axis < D; ++axis)
+            place[axis] = random::symmetric<Real>(5, std::uint64_t(i), std::uint64_t(axis));
+        p.push_back(add_particle(world, {.position = place, .mass = Real(1 + i), .radius = Real(0.1), .figure = body}));
+    }
+    world.figures[body].particles = p;
+    add<Distance>(world, {p[0], p[1]}, {.limits = at_most(Real(1)), .figure = body});
+    add<Distance>(world, {p[1], p[2]}, {.limits = at_least(Real(0.5)), .compliance = Real(1e-3)});
+    add<Distance>(world, {p[2], p[3]}, {.limits = between(Real(0.4), Real(0.8)), .relaxation = Real(0.7)});
+    add<Distance>(world, {p[3], p[4]}, {.split = Real(0.2), .breaking_strain = Real(1e-4)});
+    add<Angle>(world, {p[0], p[1], p[2]}, {.limits = between(Real(0.2), Real(1)), .compliance = Real(1e-2)});
+    if constexpr (D == 2) {
+        add<Area>(world, {p[0], p[1], p[2], p[4], p[5]}, {.compliance = Real(1e-4), .breaking_strain = Real(5)});
+    } else {
+        add<Volume>(world, {p[0], p[1], p[2], p[3]}, {.compliance = Real(1e-4)});
+        add<Dihedral>(world, {p[1], p[2], p[3], p[4]}, {.compliance = Real(1e-2), .breaking_strain = Real(20)});
+    }
+    pin(world, p[5], {.target = at<Vector>(2, 2), .compliance = Real(1e-2), .max_force = Real(300)});
+    const auto carried = pin(world, rope[7]);
+    move_pin(world, *carried, at<Vector>(1, 1));
+    apply_impulse(world, p[4], at<Vector>(3, 1));
+    return world;
+}
+
+} // namespace sinew::test
