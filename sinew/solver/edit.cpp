@@ -208,7 +208,8 @@ template <int D, class Real> bool apply_impulse(World<D, Real>& world, ParticleI
     const auto row = world.particles.slots.find(id);
     if (!row) return false;
     const auto& p = world.particles;
-    return set_velocity(world, id, p.velocity[*row] + impulse * p.mobility[*row]);
+    return set_velocity(world, id,
+                        p.velocity[*row] + impulse * (p.mobility[*row] > Real(0) ? p.inverse_mass[*row] : Real(0)));
 }
 
 template <int D, class Real>

@@ -18,14 +18,14 @@ template <class Real> Real noise(double t, std::uint64_t seed, std::uint64_t str
 template <int D, class Real> Vec<D, Real> wind_at(const Wind<D, Real>& wind, const Vec<D, Real>& place, double time) {
     constexpr double most = 1e15; // gusts; beyond it a double no longer tells one from the next
     const double behind = double(dot(place, direction(wind.velocity)) * inverse_or_zero(wind.gust_size));
-    const double t =
-        clamp(time * inverse_or_zero(double(wind.gust_period)), -most, most) - clamp(behind, -most, most);
-    const auto gust = Vec<D, Real>::map([&](int i) { return wind.gust[i] * noise<Real>(t, wind.seed, std::uint64_t(i)); });
+    const double t = clamp(time * inverse_or_zero(double(wind.gust_period)), -most, most) - clamp(behind, -most, most);
+    const auto gust =
+        Vec<D, Real>::map([&](int i) { return wind.gust[i] * noise<Real>(t, wind.seed, std::uint64_t(i)); });
     return clamp_components(wind.velocity + gust, limit::speed<Real>);
 }
 
 /// Nothing is pushed harder: the largest force on the lightest particle.
-template <class Real> constexpr Real largest_acceleration = limit::force<Real> * limit::mass<Real>;
+template <class Real> constexpr Real largest_acceleration = limit::force<Real>* limit::mass<Real>;
 
 /// Adds what one field does to one particle. A new field is one more of these. Each is held at the limits, whatever
 /// numbers the field was given.
@@ -36,7 +36,7 @@ template <int D, class Real> struct Adder {
 
     const Vec<D, Real>& place() const { return world.particles.position[row]; }
     Real rate(Real strength) const {
-        return clamp(strength * world.particles.mobility[row], Real(0), limit::measure<Real>);
+        return clamp(strength * world.particles.inverse_mass[row], Real(0), limit::measure<Real>);
     }
     void accelerate(const Vec<D, Real>& acceleration) const {
         push.acceleration += clamp_components(acceleration, largest_acceleration<Real>);
@@ -65,7 +65,7 @@ template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, 
     Push<D, Real> push;
     const Adder<D, Real> add{world, row, push};
     for (const auto& force : world.forces) std::visit(add, force);
-    add.accelerate(world.particles.force[row] * world.particles.mobility[row]);
+    add.accelerate(world.particles.force[row] * world.particles.inverse_mass[row]);
     push.acceleration = clamp_components(push.acceleration, largest_acceleration<Real>);
     push.drag_rate = minimum(push.drag_rate, limit::measure<Real>);
     return push;

@@ -14,8 +14,8 @@
 /// and classic.cpp.
 namespace sinew::detail {
 
-/// Room for one constraint's points and gradients. `each` visits its members; where the kind knows their number they are
-/// written out one by one, and the stencil lives in registers.
+/// Room for one constraint's points and gradients. `each` visits its members; where the kind knows their number they
+/// are written out one by one, and the stencil lives in registers.
 template <class Kind, int D, class Real> struct Stencil {
     Points<Kind::arity, D, Real> points, gradient, direction;
 

@@ -65,7 +65,7 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     Digest digest;
     const auto& p = world.particles;
     digest.add(world.settings, world.time, world.steps, world.last_substep);
-    digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.mobility, p.radius, p.figure,
+    digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.radius, p.figure,
                p.quarantined);
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)

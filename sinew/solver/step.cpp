@@ -46,26 +46,43 @@ template <int D, class RealT> struct SubstepMover {
     }
 };
 
+/// What drag leaves, over some time, of a velocity and of the velocity that a steady push would have given:
+///
+///     keep = exp(-rate time)      yield = (1 - exp(-rate time)) / (rate time)
+template <class Real> struct Decay {
+    Real rate = 0;
+    Real keep = 1, yield = 1;
+
+    static Decay of(Real rate, Real time) {
+        const double turns = double(rate) * double(time);
+        if (turns < 1e-12) return {rate, Real(1), Real(1)};
+        const double keep = exponential(-turns);
+        return {rate, Real(keep), Real((1 - keep) / turns)};
+    }
+};
+
 /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
-/// middle of this one. Drag is implicit, so no strength of it can turn a velocity round.
+/// middle of this one. What holds against a push is held back by drag as the push is: a weight at rest pulls with its
+/// weight, however it is damped.
 template <int D, class Real> void predict(World<D, Real>& world, const SubstepMover<D, Real>& mover) {
     auto& p = world.particles;
-    const Real h = mover.h;
-    const Real kick = Real(0.5) * (world.last_substep + h);
-    const Real keep = exponential(-world.settings.damping * h);
+    const Real kick = Real(0.5) * (world.last_substep + mover.h);
+    Decay<Real> decay; // most particles have the same
     for (Row row = 0; row < p.size(); ++row) {
         p.rebound[row] = {};
         if (p.mobility[row] == Real(0)) continue;
         const auto push = push_on(world, row);
-        const auto pushed = (p.velocity[row] + push.acceleration * kick) * (keep / (Real(1) + push.drag_rate * kick));
+        const Real rate = clamp(world.settings.damping + push.drag_rate, Real(0), limit::measure<Real>);
+        if (rate != decay.rate) decay = Decay<Real>::of(rate, kick);
+        const auto pushed = p.velocity[row] * decay.keep + push.acceleration * (kick * decay.yield);
         p.velocity[row] = clamp_components(pushed, mover.fastest);
+        p.mobility[row] = maximum(p.inverse_mass[row] * decay.yield, std::numeric_limits<Real>::min());
     }
-    world.last_substep = h;
+    world.last_substep = mover.h;
 }
 
 /// Hard pins are where they are told to be; the substep's share of the way gives the particle its velocity.
-template <int D, class Real>
-void move_pins(World<D, Real>& world, Real share, const SubstepMover<D, Real>& mover) {
+template <int D, class Real> void move_pins(World<D, Real>& world, Real share, const SubstepMover<D, Real>& mover) {
     auto& p = world.particles;
     for (const auto& pin : world.pins) {
         const auto row = p.slots.find(pin.particle);
@@ -86,8 +103,9 @@ template <int D, class Real> void pull_pins(World<D, Real>& world, Real share, S
         const Real w = p.mobility[*row];
         const Real alpha = mover.alpha(pin.compliance);
         // a critical damper of stiffness 1/c on mass 1/w has 2 / sqrt(c w); gamma = damper * compliance / h
-        const Real gamma = minimum(
-            Real(2) * pin.damping * square_root(pin.compliance * inverse_or_zero(w)) * mover.per_h, limit::measure<Real>);
+        const Real gamma =
+            minimum(Real(2) * pin.damping * square_root(pin.compliance * inverse_or_zero(w)) * mover.per_h,
+                    limit::measure<Real>);
         const auto goal = pin.from + (pin.target - pin.from) * share;
         const auto error = mover.point(*row) - goal;
         const auto last_goal = pin.from + (pin.target - pin.from) * (share - share_of_substep);

@@ -24,10 +24,10 @@ namespace limit {
 template <class Real> inline constexpr Real coordinate = Real(1e8);
 template <class Real> inline constexpr Real speed = Real(1e12);
 template <class Real> inline constexpr Real force = Real(1e15);
-template <class Real> inline constexpr Real mass = Real(1e12); ///< and its inverse
+template <class Real> inline constexpr Real mass = Real(1e12);       ///< and its inverse
 template <class Real> inline constexpr Real measure = Real(1e26);    ///< a constraint's limits, compliance / h^2
 template <class Real> inline constexpr Real multiplier = Real(1e25); ///< a constraint's multiplier
-template <class Real> inline constexpr Real step = Real(1e6); ///< time units a step may last
+template <class Real> inline constexpr Real step = Real(1e6);        ///< time units a step may last
 } // namespace limit
 
 template <int D, class Real> struct Particles {
@@ -38,7 +38,7 @@ template <int D, class Real> struct Particles {
     std::vector<Vec<D, Real>> force;    ///< applied for one step, then cleared
     std::vector<Vec<D, Real>> rebound;  ///< scratch: the velocity with which it leaves what it struck
     std::vector<Real> inverse_mass;     ///< 0: nothing moves it
-    std::vector<Real> mobility;         ///< the inverse mass the solver sees: 0 while pinned, held or quarantined
+    std::vector<Real> mobility; ///< the inverse mass the solver sees, less by drag; 0 while pinned or quarantined
     std::vector<Real> radius;
     std::vector<FigureIndex> figure;
     std::vector<char> quarantined; ///< stands still: it or its figure was found non-finite
@@ -204,7 +204,7 @@ template <class Real> struct Settings {
     Mode mode = Mode::physical;
     int substeps = 16;
     int iterations = 1;
-    Real damping = 0;            ///< velocity decays as exp(-damping t)
+    Real damping = 0;            ///< velocity decays as exp(-damping t); not negative
     Real frame = Real(1.0 / 60); ///< how long a frame is in the user's time unit; classic mode's tick
     ClassicRules<Real> classic;
 };

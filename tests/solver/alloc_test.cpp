@@ -1,0 +1,74 @@
+#include "tests/worlds.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+/// Counts every allocation of the test program through the C++ heap.
+namespace {
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size, std::size_t alignment) {
+    ++allocations;
+    const std::size_t whole = (size + alignment - 1) / alignment * alignment;
+    void* memory = std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
+    if (!memory) std::abort();
+    return memory;
+}
+} // namespace
+
+void* operator new(std::size_t size) {
+    return counted(size, alignof(std::max_align_t));
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return counted(size, std::size_t(alignment));
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+
+namespace sinew {
+namespace {
+
+using namespace test;
+
+template <class Type> struct Allocation : ::testing::Test {};
+TYPED_TEST_SUITE(Allocation, Everywhere, Names);
+
+TYPED_TEST(Allocation, TheCounterCounts) {
+    const long before = allocations;
+    delete new int;
+    EXPECT_EQ(allocations - before, 1);
+}
+
+TYPED_TEST(Allocation, AStepAllocatesNothing) {
+    using Real = typename TypeParam::Real;
+    for (const Mode mode : {Mode::physical, Mode::classic})
+        for (const PassOrder order : {PassOrder::sweeps_last, PassOrder::walls_each_pass, PassOrder::interleaved}) {
+            auto world = menagerie<TypeParam::dimension, Real>(mode);
+            world.events.reserve(events_per_step); // a copy starts without room for them
+            world.settings.classic.order = order;
+            world.particles.velocity[3][0] = std::numeric_limits<Real>::quiet_NaN(); // quarantined in the first step
+            std::size_t torn = 0, quarantined = 0;
+            const long before = allocations;
+            for (int i = 0; i < 120; ++i) {
+                step(world, Real(1.0 / 60));
+                for (const auto& event : world.events) ++(event.type == EventType::torn ? torn : quarantined);
+            }
+            EXPECT_EQ(allocations - before, 0);
+            EXPECT_GE(torn, 1U);
+            EXPECT_EQ(quarantined, 1U);
+        }
+}
+
+} // namespace
+} // namespace sinew

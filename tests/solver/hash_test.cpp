@@ -1,0 +1,81 @@
+#include "tests/worlds.h"
+
+namespace sinew {
+namespace {
+
+using namespace test;
+
+template <class Type> struct StateHash : ::testing::Test {};
+TYPED_TEST_SUITE(StateHash, Everywhere, Names);
+
+TYPED_TEST(StateHash, ACopyHasTheSameHashAndTheSameFuture) {
+    using Real = typename TypeParam::Real;
+    for (const Mode mode : {Mode::physical, Mode::classic}) {
+        auto world = menagerie<TypeParam::dimension, Real>(mode);
+        run(world, 0.5);
+        auto copy = world;
+        EXPECT_EQ(state_hash(copy), state_hash(world));
+        run(world, 0.5);
+        run(copy, 0.5);
+        EXPECT_EQ(state_hash(copy), state_hash(world));
+    }
+}
+
+TYPED_TEST(StateHash, ChangesWithEverythingThatDecidesTheFuture) {
+    using World = typename TypeParam::World;
+    using Vector = typename TypeParam::Vector;
+    const auto edits = {
+        +[](World& w) { w.particles.position[2][1] += 1; },
+        +[](World& w) { w.particles.previous[2][1] += 1; },
+        +[](World& w) { w.particles.velocity[2][1] += 1; },
+        +[](World& w) { w.particles.residual[2][1] += 1; },
+        +[](World& w) { apply_force(w, w.particles.slots.id_of(1), at<Vector>(1, 0)); },
+        +[](World& w) { set_mass(w, w.particles.slots.id_of(1), typename World::Real(7)); },
+        +[](World& w) { w.particles.radius[1] += 1; },
+        +[](World& w) { w.particles.quarantined[1] = 1; },
+        +[](World& w) { add_particle(w, {}); },
+        +[](World& w) { std::get<0>(w.constraints).low[0] += 1; },
+        +[](World& w) { std::get<1>(w.constraints).high[0] += 1; },
+        +[](World& w) { std::get<2>(w.constraints).compliance[0] += 1; },
+        +[](World& w) { std::get<0>(w.constraints).relaxation[0] -= typename World::Real(0.5); },
+        +[](World& w) { std::get<0>(w.constraints).split[0] += typename World::Real(0.1); },
+        +[](World& w) { std::get<0>(w.constraints).breaking_strain[0] = 1; },
+        +[](World& w) { std::get<0>(w.constraints).members[0][0] = 3; },
+        +[](World& w) { std::swap(w.sweep[0].count, w.sweep[1].count); },
+        +[](World& w) { unpin(w, w.pin_slots.id_of(0)); },
+        +[](World& w) { move_pin(w, w.pin_slots.id_of(0), at<Vector>(9, 9)); },
+        +[](World& w) { w.pins[0].compliance = 1; },
+        +[](World& w) { w.forces.pop_back(); },
+        +[](World& w) { std::get<Wind<World::dimension, typename World::Real>>(w.forces[2]).seed += 1; },
+        +[](World& w) { std::get<Attractor<World::dimension, typename World::Real>>(w.forces[3]).softness += 1; },
+        +[](World& w) { w.bounds[0].restitution = 0; },
+        +[](World& w) { w.bounds.pop_back(); },
+        +[](World& w) { w.settings.substeps += 1; },
+        +[](World& w) { w.settings.damping += 1; },
+        +[](World& w) { w.settings.mode = Mode::classic; },
+        +[](World& w) { w.settings.classic.halved_acceleration = true; },
+        +[](World& w) { w.time += 1; },
+        +[](World& w) { w.steps += 1; },
+        +[](World& w) { w.last_substep *= 2; },
+    };
+    auto world = menagerie<TypeParam::dimension, typename TypeParam::Real>();
+    run(world, 0.25);
+    int number = 0;
+    for (const auto& edit : edits) {
+        auto changed = world;
+        edit(changed);
+        EXPECT_NE(state_hash(changed), state_hash(world)) << "edit " << number;
+        ++number;
+    }
+}
+
+TYPED_TEST(StateHash, IgnoresNamesAndDrawing) {
+    auto world = menagerie<TypeParam::dimension, typename TypeParam::Real>();
+    const auto hash = state_hash(world);
+    world.figures[0].name = "somebody else";
+    world.figures[0].pieces.push_back({.part = "arm"});
+    EXPECT_EQ(state_hash(world), hash);
+}
+
+} // namespace
+} // namespace sinew
