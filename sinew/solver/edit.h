@@ -38,9 +38,9 @@ template <class Real> Interval<Real> between(Real low, Real high) {
 
 template <class Real> struct ConstraintSpec {
     std::optional<Interval<Real>> limits{}; ///< nothing: exactly what it measures now
-    Real compliance = 0;                  ///< 1/stiffness (m/N for distances, rad/(N m) for angles); 0 is rigid
-    Real relaxation = 1;                  ///< share of the error removed at once, (0, 1]
-    Real split = Real(0.5);               ///< share of the correction the first member takes
+    Real compliance = 0;                    ///< 1/stiffness (m/N for distances, rad/(N m) for angles); 0 is rigid
+    Real relaxation = 1;                    ///< share of the error removed at once, (0, 1]
+    Real split = Real(0.5);                 ///< share of the correction the first member takes
     Real breaking_strain = std::numeric_limits<Real>::infinity();
     FigureIndex figure = no_figure;
 };

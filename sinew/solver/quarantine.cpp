@@ -56,6 +56,11 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
         pin.from = clamp_components(pin.from, limit::coordinate<Real>);
         pin.target = clamp_components(pin.target, limit::coordinate<Real>);
     }
+    for (auto& plane : world.bounds) {
+        plane.offset = clamp(plane.offset, -limit::measure<Real>, limit::measure<Real>);
+        plane.restitution = clamp(plane.restitution, Real(0), Real(1));
+        plane.friction = clamp(plane.friction, Real(0), limit::measure<Real>);
+    }
 }
 
 #define SINEW_QUARANTINE(D, Real)                                                                                      \
