@@ -24,14 +24,15 @@ template <int D> struct Dihedral {
         const auto &a = x[0], &b = x[1], &c = x[2], &d = x[3];
         const auto e = c - b;
         const auto m = cross(b - a, c - a), n = cross(c - d, b - d);
+        const auto m1 = direction(m), n1 = direction(n);
         const T length = norm(e), per_length = inverse_or_zero(length);
-        const auto da = direction(m) * (length * inverse_or_zero(norm(m))); // |m| / |e| is a's height over the edge
-        const auto dd = direction(n) * (length * inverse_or_zero(norm(n)));
+        const auto da = m1 * (length * inverse_or_zero(norm(m))); // |m| / |e| is a's height over the edge
+        const auto dd = n1 * (length * inverse_or_zero(norm(n)));
         const T a_along = dot(a - b, e) * per_length * per_length; // 0 at b, 1 at c
         const T d_along = dot(d - b, e) * per_length * per_length;
         const auto dc = -(da * a_along + dd * d_along);
         const auto db = -(da * (T(1) - a_along) + dd * (T(1) - d_along));
-        return {arctangent(-dot(cross(m, n), e * per_length), dot(m, n)), {da, db, dc, dd}};
+        return {arctangent(-dot(cross(m1, n1), e * per_length), dot(m1, n1)), {da, db, dc, dd}};
     }
 };
 

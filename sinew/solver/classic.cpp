@@ -27,16 +27,24 @@ template <int D, class RealT> struct ClassicMover {
     }
 };
 
+/// Factors that no original ever had are held where what they multiply stays finite.
+template <class Real> ClassicRules<Real> held_in_limits(ClassicRules<Real> rules) {
+    constexpr auto most = Real(1e6);
+    for (Real* factor : {&rules.keep, &rules.bounce, &rules.floor_keep, &rules.time_scale, &rules.longest_step})
+        *factor = clamp(*factor, Real(0), most);
+    return rules;
+}
+
 template <int D, class Real> class ClassicStep {
   public:
     ClassicStep(World<D, Real>& world, Real dt)
-        : world_(world), p_(world.particles), rules_(world.settings.classic),
+        : world_(world), p_(world.particles), rules_(held_in_limits(world.settings.classic)),
           h_(clamp(minimum(dt, rules_.longest_step * world.settings.frame) * rules_.time_scale, Real(0),
                    limit::step<Real>)),
           mover_{p_} {}
 
     void run() {
-        if (h_ == Real(0) && !rules_.unscaled_inertia) return; // time stands still
+        if (h_ < limit::shortest_step<Real> && !rules_.unscaled_inertia) return; // time stands still
         carry_pins();
         switch (rules_.order) {
         case PassOrder::sweeps_last:
@@ -64,7 +72,7 @@ template <int D, class Real> class ClassicStep {
   private:
     World<D, Real>& world_;
     Particles<D, Real>& p_;
-    const ClassicRules<Real>& rules_;
+    const ClassicRules<Real> rules_;
     Real h_;
     ClassicMover<D, Real> mover_;
 
@@ -188,15 +196,18 @@ template <int D, class Real> class ClassicStep {
     Vec<D, Real> gravity() const {
         Vec<D, Real> sum{};
         for (const auto& force : world_.forces)
-            if (const auto* gravity = std::get_if<Gravity<D, Real>>(&force)) sum += gravity->acceleration;
+            if (const auto* gravity = std::get_if<Gravity<D, Real>>(&force))
+                sum += clamp_components(gravity->acceleration, limit::measure<Real>);
         return sum;
     }
 
     /// For those who ask: classic mode itself lives on x and x_prev.
     void read_velocities() {
         const Real per_h = inverse_or_zero(h_);
-        for (Row row = 0; row < p_.size(); ++row)
-            p_.velocity[row] = clamp_components((p_.position[row] - p_.previous[row]) * per_h, limit::speed<Real>);
+        for (Row row = 0; row < p_.size(); ++row) {
+            const auto velocity = (p_.position[row] - p_.previous[row]) * per_h;
+            p_.velocity[row] = clamp_components(velocity, limit::speed<Real>);
+        }
     }
 };
 

@@ -142,7 +142,8 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         append_row(table, spec, spec.limits.value_or(Interval<Real>{0, 0}));
         added = ConstraintId{kind, table.slots.append()};
         if (!spec.limits) {
-            const Real rest = Real(constraint_state(world, *added)->measure);
+            constexpr double most = limit::measure<double>;
+            const Real rest = Real(clamp(constraint_state(world, *added)->measure, -most, most));
             table.low.back() = table.high.back() = rest;
         }
         if (world.sweep.empty() || world.sweep.back().kind != kind) world.sweep.push_back({kind, 0});

@@ -14,6 +14,11 @@
 /// and classic.cpp.
 namespace sinew::detail {
 
+/// An angle's gradient grows without bound as its legs shrink: held where its square still fits a float.
+template <class Kind, int D, class Real> Vec<D, Real> gentle(const Vec<D, Real>& gradient) {
+    return Kind::length_power > 0 ? gradient : clamp_components(gradient, Real(1e15));
+}
+
 /// Room for one constraint's points and gradients. `each` visits its members; where the kind knows their number they
 /// are written out one by one, and the stencil lives in registers.
 template <class Kind, int D, class Real> struct Stencil {
@@ -28,7 +33,7 @@ template <class Kind, int D, class Real> struct Stencil {
     }
     static Real evaluate(const Points<Kind::arity, D, Real>& x, Points<Kind::arity, D, Real>& gradient) {
         const auto evaluated = Kind::evaluate(x);
-        gradient = evaluated.gradient;
+        each([&](std::size_t i) { gradient[i] = gentle<Kind>(evaluated.gradient[i]); });
         return evaluated.value;
     }
 };
@@ -130,10 +135,11 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
 
     const Real alpha = mover.alpha(table.compliance[row]);
     const Real lambda = mover.first_iteration ? Real(0) : table.multiplier[row];
-    const Real solved =
-        limited_multiplier(lambda, measure - low, measure - high, alpha, inverse_or_zero(resistance + alpha));
     constexpr Real most = limit::multiplier<Real>;
-    const Real next = clamp(lambda + table.relaxation[row] * (solved - lambda), -most, most);
+    const Real solved =
+        clamp(limited_multiplier(lambda, measure - low, measure - high, alpha, inverse_or_zero(resistance + alpha)),
+              -most, most);
+    const Real next = lambda + table.relaxation[row] * (solved - lambda);
     table.multiplier[row] = next;
     stencil.each([&](std::size_t i) {
         mover.push(members[i],

@@ -75,7 +75,10 @@ template <int D, class Real> void predict(World<D, Real>& world, const SubstepMo
     Decay<Real> decay; // most particles have the same
     for (Row row = 0; row < p.size(); ++row) {
         p.rebound[row] = {};
-        if (p.mobility[row] == Real(0)) continue;
+        if (p.mobility[row] == Real(0)) {
+            p.velocity[row] = {}; // it stands, unless a pin carries it
+            continue;
+        }
         const auto push = push_on(world, row);
         const Real rate = clamp(world.settings.damping + push.drag_rate, Real(0), limit::measure<Real>);
         if (rate != decay.rate) decay = Decay<Real>::of(rate, kick);
@@ -109,14 +112,16 @@ template <int D, class Real> void pull_pins(World<D, Real>& world, Real share, S
         const Real alpha = mover.alpha(pin.compliance);
         // a critical damper of stiffness 1/c on mass 1/w has 2 / sqrt(c w); gamma = damper * compliance / h
         const Real gamma =
-            minimum(Real(2) * pin.damping * square_root(pin.compliance * inverse_or_zero(w)) * mover.per_h,
+            minimum(Real(2) * pin.damping * square_root(pin.compliance) * square_root(inverse_or_zero(w)) * mover.per_h,
                     limit::measure<Real>);
         const auto goal = pin.from + (pin.target - pin.from) * share;
         const auto error = mover.point(*row) - goal;
         const auto last_goal = pin.from + (pin.target - pin.from) * (share - share_of_substep);
         const auto drift = error - (p.position[*row] - last_goal);
         const auto lambda = mover.first_iteration ? Vec<D, Real>{} : pin.multiplier;
-        auto next = lambda - (error + lambda * alpha + drift * gamma) * inverse_or_zero(w * (Real(1) + gamma) + alpha);
+        const Real per_resistance = inverse_or_zero(w * (Real(1) + gamma) + alpha);
+        auto next = clamp_components(lambda - (error + lambda * alpha + drift * gamma) * per_resistance,
+                                     limit::multiplier<Real>);
         if (pin.max_force > Real(0)) {
             const Real most = pin.max_force * mover.h * mover.h;
             next *= minimum(Real(1), most * inverse_or_zero(norm(next)));
@@ -210,8 +215,7 @@ template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) 
 } // namespace
 
 template <int D, class Real> void step(World<D, Real>& world, Real dt) {
-    constexpr Real shortest = Real(1e-9);
-    if (!(dt >= shortest)) return;
+    if (!(dt >= limit::shortest_step<Real>)) return;
     dt = minimum(dt, limit::step<Real>);
     begin(world);
     if (world.settings.mode == Mode::classic)

@@ -25,10 +25,11 @@ namespace limit {
 template <class Real> inline constexpr Real coordinate = Real(1e8);
 template <class Real> inline constexpr Real speed = Real(1e12);
 template <class Real> inline constexpr Real force = Real(1e15);
-template <class Real> inline constexpr Real mass = Real(1e12);       ///< and its inverse
-template <class Real> inline constexpr Real measure = Real(1e26);    ///< a constraint's limits, compliance / h^2
-template <class Real> inline constexpr Real multiplier = Real(1e25); ///< a constraint's multiplier
-template <class Real> inline constexpr Real step = Real(1e6);        ///< time units a step may last
+template <class Real> inline constexpr Real mass = Real(1e12);          ///< and its inverse
+template <class Real> inline constexpr Real measure = Real(1e26);       ///< a constraint's limits, compliance / h^2
+template <class Real> inline constexpr Real multiplier = Real(1e25);    ///< a constraint's multiplier
+template <class Real> inline constexpr Real step = Real(1e6);           ///< time units a step may last
+template <class Real> inline constexpr Real shortest_step = Real(1e-9); ///< a shorter one is none
 } // namespace limit
 
 template <int D, class Real> struct Particles {

@@ -7,7 +7,7 @@
 #include <thread>
 
 /// The same bits on every compiler, processor and thread. After a change that is meant to change the numbers, renew
-/// worlds.txt with   SINEW_RENEW=1 build/tests/sinew_tests --gtest_filter='SameBits.*'
+/// worlds.txt with   SINEW_RENEW_GOLDEN=1 build/tests/sinew_tests --gtest_filter='SameBits.*'
 namespace sinew {
 namespace {
 
@@ -35,7 +35,7 @@ std::map<std::string, std::uint64_t> futures() {
 
 TEST(SameBits, AsInTheTable) {
     const auto now = futures();
-    if (std::getenv("SINEW_RENEW")) {
+    if (std::getenv("SINEW_RENEW_GOLDEN")) {
         std::ofstream table(table_path);
         for (const auto& [name, hash] : now) table << name << ' ' << std::hex << hash << '\n';
     }

@@ -73,7 +73,7 @@ TYPED_TEST(StateHash, IgnoresNamesAndDrawing) {
     auto world = menagerie<TypeParam::dimension, typename TypeParam::Real>();
     const auto hash = state_hash(world);
     world.figures[0].name = "somebody else";
-    world.figures[0].pieces.push_back({.part = "arm"});
+    world.figures[0].pieces.emplace_back().part = "arm";
     EXPECT_EQ(state_hash(world), hash);
 }
 
