@@ -4,10 +4,26 @@
 #include <cstdlib>
 #include <new>
 
-/// Counts every allocation of the test program through the C++ heap.
+/// Counts every allocation of the test program: through the sanitizer where there is one, else by replacing the C++
+/// heap.
 namespace {
 std::atomic<long> allocations{0};
+}
 
+#if defined(__SANITIZE_ADDRESS__)
+#define SINEW_SANITIZED 1
+#elif defined(__has_feature)
+#define SINEW_SANITIZED __has_feature(address_sanitizer)
+#endif
+
+#if SINEW_SANITIZED
+#include <sanitizer/allocator_interface.h>
+namespace {
+const int hooked = __sanitizer_install_malloc_and_free_hooks([](const volatile void*, std::size_t) { ++allocations; },
+                                                             [](const volatile void*) {});
+}
+#else
+namespace {
 void* counted(std::size_t size, std::size_t alignment) {
     ++allocations;
     const std::size_t whole = (size + alignment - 1) / alignment * alignment;
@@ -38,6 +54,7 @@ void operator delete(void* memory, std::align_val_t) noexcept {
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
     std::free(memory);
 }
+#endif
 
 namespace sinew {
 namespace {
