@@ -19,6 +19,7 @@ std::string scene_text(const Scene& scene) {
     const auto units = scene.measures();
     const auto& solver = scene.solver;
     const auto effort = solver.mode == "classic" ? fmt::format("{} passes", solver.passes)
+                        : solver.substeps == 0   ? std::string("as many substeps as it takes")
                                                  : fmt::format("{} substeps", solver.substeps);
     return fmt::format("{}D, in {}, {} and {}; {}, {}, {:g} steps a second of {}", scene.dimension, units.length,
                        units.mass, units.time, solver.mode, solver.precision, solver.rate, effort);

@@ -37,31 +37,31 @@ template <int D, class T> constexpr Matrix<D, T> operator*(const Matrix<D, T>& a
     return product;
 }
 
-/// m += a b^T
-template <int D, class T> constexpr void add_outer(Matrix<D, T>& m, const Vec<D, T>& a, const Vec<D, T>& b) {
-    for (int i = 0; i < D; ++i) m.column[std::size_t(i)] += a * b[i];
+/// a b^T
+template <int D, class T> Matrix<D, T> outer(const Vec<D, T>& a, const Vec<D, T>& b) {
+    Matrix<D, T> m;
+    for (int i = 0; i < D; ++i) m.column[std::size_t(i)] = a * b[i];
+    return m;
 }
 
-/// The x with m x = b, by Cramer's rule; zero where m is singular.
-template <class T> constexpr Vec<2, T> solve(const Matrix<2, T>& m, const Vec<2, T>& b) {
-    const T determinant = cross(m.column[0], m.column[1]);
+/// Zero where m is singular.
+template <class T> constexpr Matrix<2, T> inverse(const Matrix<2, T>& m) {
+    const auto& [x, y] = m.column;
+    const T determinant = cross(x, y);
     const T per = determinant == T(0) ? T(0) : T(1) / determinant;
-    return {{cross(b, m.column[1]) * per, cross(m.column[0], b) * per}};
+    return {{Vec<2, T>{{y[1] * per, -x[1] * per}}, Vec<2, T>{{-y[0] * per, x[0] * per}}}};
 }
 
-template <class T> constexpr Vec<3, T> solve(const Matrix<3, T>& m, const Vec<3, T>& b) {
+template <class T> constexpr Matrix<3, T> inverse(const Matrix<3, T>& m) {
     const auto& [x, y, z] = m.column;
-    const auto yz = cross(y, z);
+    const auto yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
     const T determinant = dot(x, yz);
     const T per = determinant == T(0) ? T(0) : T(1) / determinant;
-    return {{dot(b, yz) * per, dot(x, cross(b, z)) * per, dot(x, cross(y, b)) * per}};
-}
-
-/// The x with m x = b.
-template <int D, class T> constexpr Matrix<D, T> solve(const Matrix<D, T>& m, const Matrix<D, T>& b) {
-    Matrix<D, T> x;
-    for (int i = 0; i < D; ++i) x.column[std::size_t(i)] = solve(m, b.column[std::size_t(i)]);
-    return x;
+    Matrix<3, T> rows{{yz * per, zx * per, xy * per}};
+    Matrix<3, T> result;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) result.column[std::size_t(i)][k] = rows.column[std::size_t(k)][i];
+    return result;
 }
 
 } // namespace sinew

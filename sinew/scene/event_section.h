@@ -115,7 +115,7 @@ struct Changes {
         visit(self.bounce, Field{.name = "bounce", .help = "Of all walls", .low = 0, .high = 1});
         visit(self.friction, Field{.name = "friction", .help = "Of all walls", .low = 0, .high = 100});
         visit(self.time_scale, Field{.name = "time_scale", .help = "As in solver.rules", .low = 0, .high = 100});
-        visit(self.substeps, Field{.name = "substeps", .help = "As in solver", .low = 1, .high = 1000});
+        visit(self.substeps, Field{.name = "substeps", .help = "As in solver", .low = 0, .high = 1000});
         visit(self.iterations, Field{.name = "iterations", .help = "As in solver", .low = 1, .high = 1000});
         visit(self.passes, Field{.name = "passes", .help = "As in solver", .low = 0, .high = 1000});
     }

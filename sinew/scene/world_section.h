@@ -219,7 +219,7 @@ struct RulesSection {
 struct SolverSection {
     std::string mode = "physical";
     std::string precision = "double";
-    int substeps = 16;
+    int substeps = 0;
     int iterations = 1;
     double rate = 60;
     int passes = 1;
@@ -235,8 +235,9 @@ struct SolverSection {
                                .choices = modes});
         visit(self.precision, Field{.name = "precision", .help = "Of all numbers in the world", .choices = precisions});
         visit(self.substeps, Field{.name = "substeps",
-                                   .help = "Parts that a step is divided into (physical mode)",
-                                   .low = 1,
+                                   .help = "Parts that a step is divided into (physical mode); 0: 16 for what is swept, as "
+                                           "few as it takes for what is solved at once",
+                                   .low = 0,
                                    .high = 1000});
         visit(self.iterations, Field{.name = "iterations",
                                      .help = "Sweeps over the constraints in each substep (physical mode)",

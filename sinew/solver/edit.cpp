@@ -21,7 +21,7 @@ template <int D, class Real> Real verlet_interval(const World<D, Real>& world) {
 /// Pinned hard and quarantined particles are immovable to the solver; the others weigh what they weigh.
 template <int D, class Real> void refresh_mobility(World<D, Real>& world, Row row) {
     auto& particles = world.particles;
-    world.forest.stale = true;
+    world.blocks.stale = true;
     const auto id = particles.slots.id_of(row);
     const bool pinned = std::any_of(world.pins.begin(), world.pins.end(),
                                     [&](const auto& pin) { return pin.particle == id && pin.hard(); });
@@ -137,7 +137,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         } else if (rows.size() != std::size_t(Kind::arity)) {
             return;
         }
-        world.forest.stale = true;
+        world.blocks.stale = true;
         table.members.append(rows);
         append_row(table, spec, spec.limits.value_or(Interval<Real>{0, 0}));
         added = ConstraintId{kind, table.slots.append()};
@@ -228,7 +228,7 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
                           .damping = clamp(spec.damping, Real(0), most),
                           .max_force = clamp(spec.max_force, Real(0), most)});
     if (world.pins.back().hard()) world.particles.mobility[*row] = Real(0);
-    world.forest.stale = true;
+    world.blocks.stale = true;
     return world.pin_slots.append();
 }
 

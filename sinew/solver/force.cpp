@@ -32,9 +32,9 @@ template <class Real> constexpr Real largest_acceleration = limit::force<Real>* 
 template <int D, class Real> struct Adder {
     const World<D, Real>& world;
     Row row;
+    const Vec<D, Real>& place;
     Push<D, Real>& push;
 
-    const Vec<D, Real>& place() const { return world.particles.position[row]; }
     Real rate(Real strength) const {
         return clamp(strength * world.particles.inverse_mass[row], Real(0), limit::measure<Real>);
     }
@@ -45,11 +45,11 @@ template <int D, class Real> struct Adder {
     void operator()(const Gravity<D, Real>& gravity) const { accelerate(gravity.acceleration); }
     void operator()(const Drag<D, Real>& drag) const { push.drag_rate += rate(drag.strength); }
     void operator()(const Wind<D, Real>& wind) const {
-        accelerate(wind_at(wind, place(), world.time) * rate(wind.strength));
+        accelerate(wind_at(wind, place, world.time) * rate(wind.strength));
         push.drag_rate += rate(wind.strength);
     }
     void operator()(const Attractor<D, Real>& attractor) const {
-        const auto offset = place() - attractor.center;
+        const auto offset = place - attractor.center;
         const Real softened = square_root(dot(offset, offset) + square(attractor.softness));
         const Real per_length = inverse_or_zero(softened);
         const Real pull = clamp(attractor.strength * per_length * per_length, -largest_acceleration<Real>,
@@ -61,9 +61,10 @@ template <int D, class Real> struct Adder {
 
 } // namespace
 
-template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row) {
+template <int D, class Real>
+Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& place) {
     Push<D, Real> push;
-    const Adder<D, Real> add{world, row, push};
+    const Adder<D, Real> add{world, row, place, push};
     for (const auto& force : world.forces) std::visit(add, force);
     add.accelerate(world.particles.force[row] * world.particles.inverse_mass[row]);
     push.acceleration = clamp_components(push.acceleration, largest_acceleration<Real>);
@@ -88,7 +89,7 @@ template <int D, class Real> void apply_random_pushes(World<D, Real>& world) {
 }
 
 #define SINEW_FORCE(D, Real)                                                                                           \
-    template Push<D, Real> push_on(const World<D, Real>&, Row);                                                        \
+    template Push<D, Real> push_on(const World<D, Real>&, Row, const Vec<D, Real>&);                                                        \
     template void apply_random_pushes(World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_FORCE)
 

@@ -7,7 +7,10 @@
 namespace sinew {
 namespace {
 
-template <int D, class Real> Vec<D, double> middle_of_substep(const Particles<D, Real>& p, Row row) {
+/// Where a particle is when it has its velocity: in the middle of the last substep; in a block, at its end.
+template <int D, class Real> Vec<D, double> place_of_velocity(const World<D, Real>& world, Row row) {
+    const auto& p = world.particles;
+    if (world.settings.mode == Mode::physical && world.blocks.contains(row)) return cast<double>(p.position[row]);
     return (cast<double>(p.position[row]) + cast<double>(p.previous[row])) * 0.5;
 }
 
@@ -81,12 +84,12 @@ template <int D, class Real> Energy energy(const World<D, Real>& world) {
         const auto velocity = cast<double>(p.velocity[row]);
         sum.kinetic += 0.5 * mass * dot(velocity, velocity);
         for (const auto& force : world.forces)
-            sum.potential += std::visit(PotentialOf<D, Real>{mass, middle_of_substep(p, row)}, force);
+            sum.potential += std::visit(PotentialOf<D, Real>{mass, place_of_velocity(world, row)}, force);
     }
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row) {
             if (table.compliance[row] == Real(0)) continue;
-            const auto middle = [&](Row particle) { return middle_of_substep(p, particle); };
+            const auto middle = [&](Row particle) { return place_of_velocity(world, particle); };
             const auto state = state_of(table, row, measure_row(table, row, middle), world.last_substep);
             sum.stored += 0.5 * square(state.error) / double(table.compliance[row]);
         }
@@ -94,7 +97,7 @@ template <int D, class Real> Energy energy(const World<D, Real>& world) {
     for (const auto& pin : world.pins) {
         const auto row = p.slots.find(pin.particle);
         if (!row || !(pin.compliance > Real(0))) continue;
-        const auto offset = middle_of_substep(p, *row) - cast<double>(pin.target);
+        const auto offset = place_of_velocity(world, *row) - cast<double>(pin.target);
         sum.stored += 0.5 * dot(offset, offset) / double(pin.compliance);
     }
     return sum;
@@ -113,7 +116,7 @@ template <int D, class Real> Vec3<double> angular_momentum(const World<D, Real>&
     for (Row row = 0; row < p.size(); ++row) {
         Vec3<double> arm{}, impulse{};
         for (int i = 0; i < D; ++i) {
-            arm[i] = middle_of_substep(p, row)[i];
+            arm[i] = place_of_velocity(world, row)[i];
             impulse[i] = double(p.velocity[row][i]) * mass_of(p, row);
         }
         sum += cross(arm, impulse);

@@ -5,12 +5,16 @@
 /// The parts of a step that both modes share, each in a file of its own.
 namespace sinew {
 
-/// force.cpp: what acts on a particle: a velocity v changes by acceleration - drag_rate v.
+/// force.cpp: what acts on a particle, where it is or at another place: a velocity v changes by acceleration - drag_rate v.
 template <int D, class Real> struct Push {
     Vec<D, Real> acceleration{};
     Real drag_rate = 0;
 };
-template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row);
+template <int D, class Real>
+Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& place);
+template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row) {
+    return push_on(world, row, world.particles.position[row]);
+}
 
 /// force.cpp: hands out the forces that strike one particle a step, into particles.force.
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
@@ -24,8 +28,8 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 /// tear.cpp: removes constraints strained beyond their breaking point.
 template <int D, class Real> void tear(World<D, Real>& world);
 
-/// direct.cpp: solves every tree; what it cannot solve this time it leaves to the sweep.
-template <int D, class Real> void solve_trees(World<D, Real>& world, Real h, bool first_iteration);
+/// block_step.cpp: moves every block over a step; tensions are told as multipliers of a substep of that length.
+template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep);
 
 /// classic.cpp: a step by the originals' rules.
 template <int D, class Real> void classic_step(World<D, Real>& world, Real dt);

@@ -157,16 +157,22 @@ void project_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     correct_row(world, table, row, mover);
 }
 
+/// Consecutive constraints of one kind.
+template <class Mover, int D, class Real>
+void project_run(World<D, Real>& world, const SweepRun& run, Mover& mover) {
+    visit_table(world, run.kind, [&](auto& table) {
+        for (Row row = run.rows.first; row < run.rows.last; ++row) project_row(world, table, row, mover);
+    });
+}
+
 /// Every constraint once, in the order of the world's sweep.
 template <class Mover, int D, class Real> void project_all(World<D, Real>& world, Mover& mover) {
     std::array<Row, std::size_t(Kinds<D>::size)> next{};
-    for (const auto& run : world.sweep)
-        visit_table(world, run.kind, [&](auto& table) {
-            auto& row = next[std::size_t(run.kind)];
-            for (const Row end = row + run.count; row < end; ++row)
-                if (!mover.template solved_at_once<typename std::decay_t<decltype(table)>::Kind>(row))
-                    project_row(world, table, row, mover);
-        });
+    for (const auto& run : world.sweep) {
+        auto& row = next[std::size_t(run.kind)];
+        project_run(world, {run.kind, {row, row + run.count}}, mover);
+        row += run.count;
+    }
 }
 
 } // namespace sinew::detail

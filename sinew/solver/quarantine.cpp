@@ -33,7 +33,7 @@ template <int D, class Real> void quarantine_non_finite(World<D, Real>& world) {
         if (sound(p, row)) continue;
         const FigureIndex figure = p.figure[row];
         freeze(p, row);
-        world.forest.stale = true;
+        world.blocks.stale = true;
         if (figure < world.figures.size()) freeze_figure(world, figure);
         if (world.events.size() < events_per_step)
             world.events.push_back({.type = EventType::quarantined, .figure = figure, .particle = p.slots.id_of(row)});

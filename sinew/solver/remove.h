@@ -20,7 +20,7 @@ inline void erase_from_sweep(std::vector<Run>& sweep, int kind, std::span<const 
 
 template <int D, class Real, class Table>
 void erase_constraints(World<D, Real>& world, Table& table, int kind, std::span<const char> gone) {
-    world.forest.stale = true;
+    world.blocks.stale = true;
     erase_from_sweep(world.sweep, kind, gone);
     table.members.erase(gone);
     erase_rows(table, gone);

@@ -1,6 +1,6 @@
 #include "sinew/solver/step.h"
 
-#include "sinew/math/trig.h"
+#include "sinew/solver/decay.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
 
@@ -16,15 +16,10 @@ template <int D, class RealT> struct SubstepMover {
     using Real = RealT;
     static constexpr int dimension = D;
     Particles<D, Real>& particles;
-    const Forest<D>& forest;
     Real h;
     Real per_h = Real(1) / h;
     Real fastest = minimum(limit::speed<Real>, Real(2) * limit::coordinate<Real> * per_h);
     bool first_iteration = true;
-
-    template <class Kind> bool solved_at_once(Row row) const {
-        return std::is_same_v<Kind, Distance<D>> && forest.solved[row];
-    }
 
     Vec<D, Real> point(Row row) const { return particles.position[row] + particles.velocity[row] * h; }
     Real weight(Row row) const { return particles.mobility[row]; }
@@ -51,20 +46,10 @@ template <int D, class RealT> struct SubstepMover {
     }
 };
 
-/// What drag leaves, over some time, of a velocity and of the velocity that a steady push would have given:
-///
-///     keep = exp(-rate time)      yield = (1 - exp(-rate time)) / (rate time)
-template <class Real> struct Decay {
-    Real rate = 0;
-    Real keep = 1, yield = 1;
-
-    static Decay of(Real rate, Real time) {
-        const double turns = double(rate) * double(time);
-        if (turns < 1e-12) return {rate, Real(1), Real(1)};
-        const double keep = exponential(-turns);
-        return {rate, Real(keep), Real((1 - keep) / turns)};
-    }
-};
+/// The rows of particles that no block moves.
+template <int D, class Real> RowRange loose(const World<D, Real>& world) {
+    return RowRange{world.blocks.loose};
+}
 
 /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
 /// middle of this one. What holds against a push is held back by drag as the push is: a weight at rest pulls with its
@@ -73,7 +58,7 @@ template <int D, class Real> void predict(World<D, Real>& world, const SubstepMo
     auto& p = world.particles;
     const Real kick = Real(0.5) * (world.last_substep + mover.h);
     Decay<Real> decay; // most particles have the same
-    for (Row row = 0; row < p.size(); ++row) {
+    for (const Row row : loose(world)) {
         p.rebound[row] = {};
         if (p.mobility[row] == Real(0)) {
             p.velocity[row] = {}; // it stands, unless a pin carries it
@@ -102,12 +87,11 @@ template <int D, class Real> void move_pins(World<D, Real>& world, Real share, c
 
 /// A compliant pin is a damped spring to its target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) + alpha),
 /// e the way to the target and u how much the substep adds to it; its force never exceeds max_force.
-template <int D, class Real> void pull_pins(World<D, Real>& world, Real share, SubstepMover<D, Real>& mover) {
+template <int D, class Real> void pull_pins(World<D, Real>& world, Real share, Real share_of_substep, SubstepMover<D, Real>& mover) {
     auto& p = world.particles;
-    const Real share_of_substep = Real(1) / Real(std::max(world.settings.substeps, 1));
     for (auto& pin : world.pins) {
         const auto row = p.slots.find(pin.particle);
-        if (!row || pin.hard() || p.mobility[*row] == Real(0)) continue;
+        if (!row || pin.hard() || p.mobility[*row] == Real(0) || world.blocks.holds[*row]) continue;
         const Real w = p.mobility[*row];
         const Real alpha = mover.alpha(pin.compliance);
         // a critical damper of stiffness 1/c on mass 1/w has 2 / sqrt(c w); gamma = damper * compliance / h
@@ -136,7 +120,7 @@ template <int D, class Real> void pull_pins(World<D, Real>& world, Real share, S
 template <int D, class Real> void keep_in_bounds(World<D, Real>& world, SubstepMover<D, Real>& mover) {
     auto& p = world.particles;
     for (const auto& plane : world.bounds)
-        for (Row row = 0; row < p.size(); ++row) {
+        for (const Row row : loose(world)) {
             if (p.mobility[row] == Real(0)) continue;
             const Real depth = plane.offset + p.radius[row] - dot(plane.normal, mover.point(row));
             if (!(depth > Real(0))) continue;
@@ -155,7 +139,7 @@ template <int D, class Real> void keep_in_bounds(World<D, Real>& world, SubstepM
 /// unit in the last place a substep would stand still.
 template <int D, class Real> void advance(World<D, Real>& world, Real h) {
     auto& p = world.particles;
-    for (Row row = 0; row < p.size(); ++row) {
+    for (const Row row : loose(world)) {
         const auto move = p.velocity[row] * h + p.residual[row];
         const auto moved = p.position[row] + move;
         const auto held = clamp_components(moved, limit::coordinate<Real>);
@@ -168,7 +152,7 @@ template <int D, class Real> void advance(World<D, Real>& world, Real h) {
 /// What struck a plane leaves it with its restitution.
 template <int D, class Real> void rebound(World<D, Real>& world) {
     auto& p = world.particles;
-    for (Row row = 0; row < p.size(); ++row) {
+    for (const Row row : loose(world)) {
         const Real speed = norm(p.rebound[row]);
         if (speed == Real(0)) continue;
         const auto away = p.rebound[row] * inverse_or_zero(speed);
@@ -191,25 +175,31 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
     ++world.steps;
 }
 
-template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) {
-    const int substeps = std::max(world.settings.substeps, 1);
-    const Real h = dt / Real(substeps);
-    prepare(world);
+/// What is in no block: substeps of projections.
+template <int D, class Real> void sweep_substeps(World<D, Real>& world, int substeps, Real h) {
+    const Real share_of_substep = Real(1) / Real(substeps);
     for (int s = 1; s <= substeps; ++s) {
         const Real share = Real(s) / Real(substeps);
-        SubstepMover<D, Real> mover{world.particles, world.forest, h};
+        SubstepMover<D, Real> mover{world.particles, h};
         predict(world, mover);
         move_pins(world, share, mover);
         for (int i = 0; i < world.settings.iterations; ++i) {
             mover.first_iteration = i == 0;
-            solve_trees(world, h, mover.first_iteration);
-            detail::project_all(world, mover);
-            pull_pins(world, share, mover);
+            for (const auto& run : world.blocks.runs) detail::project_run(world, run, mover);
+            pull_pins(world, share, share_of_substep, mover);
             keep_in_bounds(world, mover);
         }
         advance(world, h);
         rebound(world);
     }
+}
+
+template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) {
+    const int substeps = world.settings.substeps > 0 ? world.settings.substeps : usual_substeps;
+    const Real h = dt / Real(substeps);
+    prepare(world);
+    step_blocks(world, dt, h);
+    sweep_substeps(world, substeps, h);
 }
 
 } // namespace

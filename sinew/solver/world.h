@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sinew/constraint/kinds.h"
+#include "sinew/solver/block.h"
 #include "sinew/solver/columns.h"
-#include "sinew/solver/direct.h"
 #include "sinew/solver/figure.h"
 #include "sinew/solver/force.h"
 #include "sinew/solver/id.h"
@@ -202,9 +202,12 @@ template <class Real> struct ClassicRules {
     bool halved_acceleration = false; ///< tearable cloth: x += v + a/2 dt^2
 };
 
+/// Of a sweep, where the settings leave it open.
+inline constexpr int usual_substeps = 16;
+
 template <class Real> struct Settings {
     Mode mode = Mode::physical;
-    int substeps = 16;
+    int substeps = 0; ///< 0: as many as it takes, `usual_substeps` where constraints are swept
     int iterations = 1;
     Real damping = 0;            ///< velocity decays as exp(-damping t); not negative
     Real frame = Real(1.0 / 60); ///< how long a frame is in the user's time unit; classic mode's tick
@@ -246,7 +249,7 @@ template <int D, class RealT> struct World {
     std::uint64_t steps = 0;
     Real last_substep = 0;       ///< its length; a change of it corrects the Verlet step
     std::vector<Event> events;   ///< of the last step
-    Forest<D> forest;            ///< what is solved at once instead of in the sweep
+    Blocks<D> blocks;            ///< what is solved at once instead of in the sweep
     std::vector<Vector> scratch; ///< room for the points and gradients of the widest constraint
 };
 

@@ -1,0 +1,168 @@
+#pragma once
+
+#include "sinew/math/matrix.h"
+#include "sinew/solver/elimination.h"
+
+#include <cstdint>
+#include <vector>
+
+/// What is solved at once instead of in a sweep: ropes, chains, trees, and figures with few loops. A block is a connected
+/// part of the world whose equations have a sparse factorisation; it depends on nothing outside it, so it is moved by
+/// itself, with substeps of its own. In double whatever the world's precision: a heavy weight on light links has no
+/// digits to spare.
+namespace sinew {
+
+/// A particle of a block. Its equation is   diagonal move + sum of entries = residual.
+template <int D> struct BlockNode {
+    Row row = 0;
+    double mass = 0;
+    Vec<D, double> start{};    ///< where the substep began
+    Vec<D, double> place{};    ///< where it is going to be
+    Vec<D, double> velocity{}; ///< when the substep began, less what drag took
+    Vec<D, double> push{};     ///< the acceleration of all force fields
+    Vec<D, double> aim{};      ///< where it would go by itself
+    double inertia = 0;        ///< what holds it there
+    Matrix<D, double> diagonal{};
+    Vec<D, double> residual{}, move{};
+};
+
+/// A distance between two nodes, held in [low, high].
+template <int D> struct BlockLink {
+    Row constraint = 0;
+    std::uint32_t a = 0, b = 0; ///< nodes
+    std::uint32_t entry = 0;    ///< of the matrix; none if one of them is fixed
+    double low = 0, high = 0, compliance = 0;
+    double length = 0; ///< the limit that counts for its scale
+    Vec<D, double> start{};
+    double before = 0;  ///< the tension when the substep began
+    double tension = 0; ///< over the length: the multiplier of (length^2 - limit^2) / 2
+    double pull = 0;    ///< what it is in this iteration
+    double stiffness = 0;
+    int side = 0;  ///< at its high limit: 1, at its low one: -1, between them: 0
+    int flips = 0; ///< how often it came to a limit in this substep
+    Vec<D, double> along{};
+};
+
+/// What couples a node to a later one.
+template <int D> struct BlockEntry {
+    std::uint32_t node = 0;
+    Matrix<D, double> lower{}, upper{}; ///< in the later node's rows, and in its columns
+};
+
+/// Nodes stand in the order of elimination; those that cannot move come last and are no unknowns.
+struct Block {
+    std::uint32_t first_node = 0, unknowns = 0, nodes = 0;
+    std::uint32_t first_link = 0, links = 0;
+};
+
+/// Rows [first, last) of a table.
+struct Rows {
+    Row first = 0, last = 0;
+};
+
+/// All rows of some ranges, one after the other.
+class RowRange {
+  public:
+    explicit RowRange(std::span<const Rows> ranges) : ranges_(ranges) {}
+
+    class Iterator {
+      public:
+        explicit Iterator(const Rows* range, const Rows* end) : range_(range), end_(end), row_(range == end ? 0 : range->first) {}
+        Row operator*() const { return row_; }
+        Iterator& operator++() {
+            if (++row_ == range_->last && ++range_ != end_) row_ = range_->first;
+            return *this;
+        }
+        bool operator!=(const Iterator& other) const { return range_ != other.range_; }
+
+      private:
+        const Rows *range_, *end_;
+        Row row_;
+    };
+    Iterator begin() const { return Iterator(ranges_.data(), ranges_.data() + ranges_.size()); }
+    Iterator end() const { return Iterator(ranges_.data() + ranges_.size(), ranges_.data() + ranges_.size()); }
+
+  private:
+    std::span<const Rows> ranges_;
+};
+
+struct SweepRun {
+    int kind = 0;
+    Rows rows;
+};
+
+/// Room for finding the blocks.
+struct BlockRoom {
+    /// An island, as far as it matters to whether it becomes a block.
+    struct About {
+        std::uint32_t particles = 0, links = 0, inner_links = 0;
+        bool only_links = true;
+    };
+    std::vector<About> about; ///< by the island's first particle
+    std::vector<Row> node_of, first_link, link_at, members, first_member, cursor;
+};
+
+/// All of it follows from the rest of the world: a copy begins without, and looks again.
+template <int D> struct Blocks {
+    static constexpr auto none = ~std::uint32_t(0);
+
+    std::vector<Block> list;
+    std::vector<BlockNode<D>> nodes;
+    std::vector<BlockLink<D>> links;
+    std::vector<std::uint32_t> first_entry; ///< of each node, and one more
+    std::vector<BlockEntry<D>> entries;
+    std::vector<std::uint32_t> first_pair; ///< of each node: for its entries e < g, where their product goes
+    std::vector<std::uint32_t> pairs;
+
+    // What is left to the sweep.
+    std::vector<char> holds;    ///< per particle: it is in a block
+    std::vector<Rows> loose;    ///< particles
+    std::vector<SweepRun> runs; ///< constraints, in the order of the sweep
+
+    // Room for a step.
+    std::vector<std::uint32_t> pin_of, next_pin; ///< per particle its first pin, per pin the next of the same particle
+    std::vector<double> pressure;                ///< per node and plane: the force of the contact
+    std::vector<Vec<D, double>> grip;            ///< and of its friction
+
+    Islands islands;
+    Elimination elimination;
+    BlockRoom room;
+    bool stale = true; ///< the topology, or who can move, has changed: the next step looks again
+
+    Blocks() = default;
+    Blocks(const Blocks&) {}
+    Blocks& operator=(const Blocks&) {
+        stale = true;
+        return *this;
+    }
+    Blocks(Blocks&&) = default;
+    Blocks& operator=(Blocks&&) = default;
+    ~Blocks() = default;
+
+    bool contains(Row particle) const { return !stale && holds[particle]; }
+
+    void clear() {
+        for (auto* column : {&first_entry, &first_pair, &pairs}) column->clear();
+        list.clear();
+        nodes.clear();
+        links.clear();
+        entries.clear();
+        loose.clear();
+        runs.clear();
+    }
+
+    /// Room for whatever becomes of so many particles and distances as they tear.
+    void reserve(std::size_t particles, std::size_t distances) {
+        list.reserve(particles / 2 + 1);
+        nodes.reserve(particles + distances);
+        links.reserve(distances);
+        for (auto* column : {&first_entry, &first_pair}) column->reserve(particles + distances + 1);
+        entries.reserve(8 * distances + 1024);
+        pairs.reserve(16 * distances + 1024);
+        loose.reserve(particles);
+        runs.reserve(2 * distances + particles);
+        elimination.reserve(particles, 2 * distances);
+    }
+};
+
+} // namespace sinew

@@ -1,0 +1,252 @@
+#include "sinew/solver/step.h"
+
+#include <algorithm>
+
+/// Finding the blocks: which parts of the world hang together, and whether their equations stay sparse.
+namespace sinew {
+namespace {
+
+template <int D, class Real> class Finder {
+  public:
+    explicit Finder(World<D, Real>& world)
+        : world_(world), particles_(world.particles),
+          distances_(std::get<kind_number<Distance, D>>(world.constraints)), blocks_(world.blocks),
+          islands_(world.blocks.islands), elimination_(world.blocks.elimination), room_(world.blocks.room) {}
+
+    void run() {
+        blocks_.clear();
+        blocks_.holds.assign(particles_.size(), 0);
+        blocks_.pin_of.resize(particles_.size());
+        blocks_.next_pin.resize(world_.pins.size());
+        room_.node_of.assign(particles_.size(), no_row);
+        elimination_.reset(particles_.size());
+        join_islands();
+        take_stock();
+        list_links();
+        for (Row row = 0; row < particles_.size(); ++row)
+            if (mobile(row) && islands_.of(row) == row && worthwhile(room_.about[row])) build(row);
+        blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
+        list_loose();
+        blocks_.stale = false;
+    }
+
+  private:
+    using About = BlockRoom::About;
+
+    World<D, Real>& world_;
+    Particles<D, Real>& particles_;
+    Constraints<Distance<D>, Real>& distances_;
+    Blocks<D>& blocks_;
+    Islands& islands_;
+    Elimination& elimination_;
+    BlockRoom& room_;
+
+    bool mobile(Row particle) const { return particles_.mobility[particle] > Real(0); }
+
+    /// What shares no constraint moves by itself. What cannot move joins nothing.
+    void join_islands() {
+        islands_.reset(particles_.size());
+        for_each_table(world_, [&](const auto& table) {
+            for (Row row = 0; row < table.size(); ++row) {
+                Row first = no_row;
+                for (const Row member : table.members[row]) {
+                    if (!mobile(member)) continue;
+                    if (first == no_row) first = member;
+                    islands_.join(first, member);
+                }
+            }
+        });
+    }
+
+    /// A single link is as well solved in the sweep, whose one step is then exact. With many loops the factors fill in.
+    static bool worthwhile(const About& about) {
+        const auto loops = about.inner_links + 1 > about.particles ? about.inner_links + 1 - about.particles : 0;
+        return about.only_links && about.links >= 2 && loops <= about.particles / 2 + 32;
+    }
+
+    /// Shares and relaxations other than the natural ones are wishes about the sweep; a link without a length has no
+    /// direction.
+    bool natural(Row link) const {
+        constexpr auto shortest = Real(1e-6);
+        return distances_.split[link] == Real(0.5) && distances_.relaxation[link] == Real(1) &&
+               distances_.high[link] >= shortest;
+    }
+
+    Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
+
+    void take_stock() {
+        room_.about.assign(particles_.size(), {});
+        for (Row row = 0; row < particles_.size(); ++row)
+            if (mobile(row)) ++room_.about[islands_.of(row)].particles;
+        for_each_table(world_, [&](const auto& table) {
+            using Kind = typename std::decay_t<decltype(table)>::Kind;
+            for (Row row = 0; row < table.size(); ++row) {
+                Row island = no_row;
+                std::uint32_t moving = 0;
+                for (const Row member : table.members[row])
+                    if (mobile(member)) island = islands_.of(member), ++moving;
+                if (island == no_row) continue;
+                auto& about = room_.about[island];
+                if constexpr (std::is_same_v<Kind, Distance<D>>) {
+                    ++about.links;
+                    about.inner_links += moving == 2;
+                    about.only_links = about.only_links && natural(row);
+                } else {
+                    about.only_links = false;
+                }
+            }
+        });
+        // particles by island
+        room_.first_member.assign(particles_.size() + 1, 0);
+        for (Row row = 0; row < particles_.size(); ++row)
+            if (mobile(row)) ++room_.first_member[islands_.of(row) + 1];
+        for (std::size_t i = 1; i < room_.first_member.size(); ++i) room_.first_member[i] += room_.first_member[i - 1];
+        room_.members.resize(room_.first_member.back());
+        auto& next = room_.cursor;
+        next = room_.first_member;
+        for (Row row = 0; row < particles_.size(); ++row)
+            if (mobile(row)) room_.members[next[islands_.of(row)]++] = row;
+    }
+
+    /// The links of each particle, side by side.
+    void list_links() {
+        room_.first_link.assign(particles_.size() + 1, 0);
+        for (Row link = 0; link < distances_.size(); ++link)
+            for (const std::size_t i : {0U, 1U}) ++room_.first_link[end(link, i) + 1];
+        for (std::size_t i = 1; i < room_.first_link.size(); ++i) room_.first_link[i] += room_.first_link[i - 1];
+        room_.link_at.resize(2 * distances_.size());
+        auto& next = room_.cursor;
+        next = room_.first_link;
+        for (Row link = 0; link < distances_.size(); ++link)
+            for (const std::size_t i : {0U, 1U}) room_.link_at[next[end(link, i)]++] = link;
+    }
+
+    std::span<const Row> links_of(Row particle) const {
+        return std::span(room_.link_at).subspan(room_.first_link[particle], room_.first_link[particle + 1] - room_.first_link[particle]);
+    }
+    Row other_end(Row link, Row particle) const { return end(link, 0) == particle ? end(link, 1) : end(link, 0); }
+
+    void build(Row island) {
+        const auto members = std::span(std::as_const(room_.members))
+                                 .subspan(room_.first_member[island], room_.first_member[island + 1] - room_.first_member[island]);
+        elimination_.begin_graph();
+        for (const Row row : members) {
+            elimination_.begin_row(row);
+            for (const Row link : links_of(row))
+                if (const Row other = other_end(link, row); mobile(other))
+                    elimination_.add_neighbour(other);
+            elimination_.end_row(row);
+        }
+        if (!elimination_.run(members)) return;
+
+        Block block{.first_node = std::uint32_t(blocks_.nodes.size()), .unknowns = std::uint32_t(members.size())};
+        for (const Row row : elimination_.order()) add_node(row);
+        add_entries(block);
+        block.first_link = std::uint32_t(blocks_.links.size());
+        for (const Row row : elimination_.order()) add_links(row);
+        block.links = std::uint32_t(blocks_.links.size()) - block.first_link;
+        block.nodes = std::uint32_t(blocks_.nodes.size()) - block.first_node;
+        for (std::size_t i = block.unknowns; i < block.nodes; ++i) {
+            blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
+            blocks_.first_pair.push_back(std::uint32_t(blocks_.pairs.size()));
+        }
+        blocks_.list.push_back(block);
+    }
+
+    void add_node(Row row) {
+        room_.node_of[row] = Row(blocks_.nodes.size());
+        blocks_.nodes.push_back({.row = row});
+        blocks_.holds[row] = 1;
+    }
+
+    std::uint32_t entry_of(std::uint32_t column, std::uint32_t node) const {
+        auto entry = blocks_.first_entry[column];
+        while (blocks_.entries[entry].node != node) ++entry;
+        return entry;
+    }
+
+    void add_entries(const Block& block) {
+        for (std::uint32_t i = 0; i < block.unknowns; ++i) {
+            blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
+            const auto begin = std::ptrdiff_t(blocks_.entries.size());
+            for (const Row neighbour : elimination_.neighbours(elimination_.order()[i]))
+                blocks_.entries.push_back({.node = block.first_node + elimination_.position(neighbour)});
+            std::sort(blocks_.entries.begin() + begin, blocks_.entries.end(),
+                      [](const auto& a, const auto& b) { return a.node < b.node; });
+        }
+        blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
+        for (std::uint32_t i = block.first_node; i < block.first_node + block.unknowns; ++i) {
+            blocks_.first_pair.push_back(std::uint32_t(blocks_.pairs.size()));
+            for (auto e = blocks_.first_entry[i]; e < blocks_.first_entry[i + 1]; ++e)
+                for (auto g = e + 1; g < blocks_.first_entry[i + 1]; ++g)
+                    blocks_.pairs.push_back(entry_of(blocks_.entries[e].node, blocks_.entries[g].node));
+        }
+        blocks_.first_entry.pop_back();
+    }
+
+    /// Those of a particle that no earlier one of the block has added.
+    void add_links(Row row) {
+        for (const Row link : links_of(row)) {
+            const Row other = other_end(link, row);
+            const bool inner = mobile(other);
+            if (inner && elimination_.position(other) < elimination_.position(row)) continue;
+            const auto a = room_.node_of[row];
+            if (!inner) blocks_.nodes.push_back({.row = other});
+            const auto b = inner ? room_.node_of[other] : std::uint32_t(blocks_.nodes.size() - 1);
+            const double low = maximum(double(distances_.low[link]), 0.0), high = double(distances_.high[link]);
+            constexpr double far = 1e12; // as good as no limit
+            blocks_.links.push_back({.constraint = link,
+                                     .a = a,
+                                     .b = b,
+                                     .entry = inner ? entry_of(a, b) : Blocks<D>::none,
+                                     .low = low,
+                                     .high = high,
+                                     .compliance = double(distances_.compliance[link]),
+                                     .length = high < far ? high : maximum(low, 1e-6)});
+        }
+    }
+
+    /// What is left: particles and constraints in no block.
+    void list_loose() {
+        blocks_.loose.clear();
+        for (Row row = 0; row < particles_.size(); ++row) {
+            if (blocks_.holds[row]) continue;
+            if (blocks_.loose.empty() || blocks_.loose.back().last != row) blocks_.loose.push_back({row, row});
+            blocks_.loose.back().last = row + 1;
+        }
+        blocks_.runs.clear();
+        std::array<Row, std::size_t(Kinds<D>::size)> next{};
+        for (const auto& run : world_.sweep)
+            visit_table(world_, run.kind, [&](const auto& table) {
+                auto& row = next[std::size_t(run.kind)];
+                for (const Row last = row + run.count; row < last; ++row) {
+                    const auto members = table.members[row];
+                    if (std::any_of(members.begin(), members.end(), [&](Row m) { return blocks_.holds[m] != 0; }))
+                        continue;
+                    auto* end = blocks_.runs.empty() ? nullptr : &blocks_.runs.back();
+                    if (!end || end->kind != run.kind || end->rows.last != row)
+                        blocks_.runs.push_back({run.kind, {row, row}});
+                    blocks_.runs.back().rows.last = row + 1;
+                }
+            });
+    }
+};
+
+} // namespace
+
+template <int D, class Real> void prepare(World<D, Real>& world) {
+    auto& blocks = world.blocks;
+    if (!blocks.stale) return;
+    Finder(world).run();
+    // Room for all that could be, not for what is: a thread that tears must not make a step allocate.
+    const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
+    constexpr std::size_t small = 100'000; // distances; of more, the room would be waste
+    const bool may_tear = std::any_of(distances.breaking_strain.begin(), distances.breaking_strain.end(),
+                                      [](Real strain) { return strain < limit::measure<Real>; });
+    if (may_tear && distances.size() <= small) blocks.reserve(world.particles.size(), distances.size());
+}
+
+#define SINEW_BLOCK_FIND(D, Real) template void prepare(World<D, Real>&);
+SINEW_INSTANTIATE(SINEW_BLOCK_FIND)
+
+} // namespace sinew

@@ -1,0 +1,305 @@
+#pragma once
+
+#include "sinew/solver/block_matrix.h"
+
+/// One substep of one block: Newton's method on
+///
+///     sum inertia/2 |x - aim|^2  +  sum tension C + k/2 C^2,        C = (|x_b - x_a|^2 - limit^2) / 2
+///
+/// the augmented Lagrangian of its links, their geometric stiffness kept, the tensions of the last substep for a start.
+/// Each iteration gains about four digits, whatever the masses.
+namespace sinew::detail {
+
+/// How a substep gets from where it began to where it ends.
+enum class Rule {
+    swing,  ///< the midpoint rule, links pulling along the mean of their old and new directions (LaBudde and Greenspan
+            ///< 1976; Gonzalez 1999): keeps energy to rounding, whatever the step
+    implicit, ///< backward Euler, links pulling along their new directions: loses energy, and stands anything
+    place     ///< no time passes: the nearest place where the links have their lengths
+};
+
+template <int D> class BlockSolve {
+  public:
+    using Vector = Vec<D, double>;
+
+    BlockSolve(Blocks<D>& blocks, const Block& block, double substep)
+        : blocks_(blocks), block_(block), h_(substep), per_h_(1 / substep) {
+        for (const auto& node : unknowns()) total_mass_ += node.mass;
+    }
+
+    std::span<BlockNode<D>> nodes() const { return std::span(blocks_.nodes).subspan(block_.first_node, block_.nodes); }
+    std::span<BlockNode<D>> unknowns() const {
+        return std::span(blocks_.nodes).subspan(block_.first_node, block_.unknowns);
+    }
+    std::span<BlockLink<D>> links() const { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
+    double stiffness() const { return relative_stiffness * total_mass_ * per_h_ * per_h_; }
+    /// The length of all links.
+    double reach() const { return reach_; }
+
+    /// Finds every `place`. `hold(assemble)` adds what else acts on the nodes to their equations. False where it did not
+    /// converge.
+    template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
+        set_out(rule);
+        double before = 0;
+        for (int i = 0;; ++i) {
+            const double worst = assemble(rule);
+            hold();
+            if (i > 0 && worst <= good_enough && moved_ <= good_enough * reach_) return true;
+            if (i > 0 && !(worst <= absurd)) return false;
+            if (i % patience == 0) { // a solution that exists comes nearer
+                if (i > 0 && worst > 0.5 * before && worst > acceptable) return false;
+                before = worst;
+            }
+            if (i == most_iterations)
+                return worst <= acceptable && moved_ <= acceptable * reach_; // links that cannot decide to be taut
+            solve_block(blocks_, block_);
+            take_step();
+        }
+    }
+
+    /// How far the worst rigid link is outside its limits, relative to its length, at the places or at the start.
+    template <class At> double worst_strain(At&& at) const {
+        double worst = 0;
+        for (const auto& link : links()) {
+            if (soft(link)) continue;
+            const double length = norm(at(node(link.b)) - at(node(link.a)));
+            worst = maximum(worst, absolute(length - clamp(length, link.low, link.high)) / link.length);
+        }
+        return worst;
+    }
+    static const Vector& start_of(const BlockNode<D>& node) { return node.start; }
+    static const Vector& place_of(const BlockNode<D>& node) { return node.place; }
+
+    /// What the constraints did to the velocities is not along the links: those that pull keep the lengths they have
+    /// (n . v = 0), for the least change of momentum. `hold(assemble)` as above, for velocities.
+    template <class Hold> void settle(Hold&& hold) {
+        constexpr double relative = 1e3;
+        constexpr int rounds = 3;
+        for (auto& link : links()) link.pull = 0;
+        for (auto& node : nodes()) node.aim = node.velocity;
+        for (int i = 0; i < rounds; ++i) {
+            for (auto& node : unknowns()) {
+                node.diagonal = Matrix<D, double>::diagonal(node.mass);
+                node.residual = (node.aim - node.velocity) * node.mass;
+            }
+            clear_entries();
+            for (auto& link : links()) {
+                link.along = node(link.b).place - node(link.a).place;
+                const double k = relative * total_mass_ / square(link.length);
+                const double rate = dot(link.along, node(link.b).velocity - node(link.a).velocity);
+                const double pull = link.pull + k * rate;
+                const bool resists = link.low == link.high || (link.tension > 0 && pull > 0) ||
+                                     (link.tension < 0 && pull < 0);
+                link.stiffness = resists && !soft(link) ? k : 0;
+                if (link.stiffness == 0) continue;
+                link.pull = pull;
+                add(link, outer(link.along * k, link.along), link.along * pull);
+            }
+            hold(relative * total_mass_);
+            solve_block(blocks_, block_);
+            for (auto& node : unknowns()) node.velocity += node.move;
+            for (auto& link : links())
+                if (link.stiffness > 0)
+                    link.pull += link.stiffness * dot(link.along, move_of(node(link.b)) - move_of(node(link.a)));
+        }
+    }
+
+    /// Where Newton does not find the lengths: sweeps over the links come nearer to them.
+    void sweep() {
+        constexpr int rounds = 20;
+        for (auto& node : unknowns()) node.place = node.start;
+        for (int i = 0; i < rounds; ++i)
+            for (auto& link : links()) {
+                auto &a = node(link.a), &b = node(link.b);
+                const double wa = weight(link.a), wb = weight(link.b);
+                const auto now = b.place - a.place;
+                const double length = norm(now);
+                const auto correction = now * ((length - clamp(length, link.low, link.high)) * inverse_or_zero(length) *
+                                               inverse_or_zero(wa + wb));
+                a.place += correction * wa;
+                b.place -= correction * wb;
+            }
+    }
+
+    /// Half the sum of m v^2.
+    double kinetic() const {
+        double sum = 0;
+        for (const auto& node : unknowns()) sum += 0.5 * node.mass * dot(node.velocity, node.velocity);
+        return sum;
+    }
+
+    double stored(const BlockLink<D>& link, const Vector& span) const {
+        if (!soft(link)) return 0;
+        const double length = norm(span);
+        return 0.5 * square(length - clamp(length, link.low, link.high)) / link.compliance;
+    }
+
+    BlockNode<D>& node(std::uint32_t i) const { return blocks_.nodes[i]; }
+    const Vector& move_of(const BlockNode<D>& node) const { return node.move; } // zero of what is fixed
+
+  private:
+    static constexpr double relative_stiffness = 1e4; ///< of a rigid link, over all mass / h^2
+    static constexpr double good_enough = 1e-7;
+    static constexpr double acceptable = 1e-5;
+    static constexpr double absurd = 100;
+    static constexpr int patience = 10; ///< iterations
+    static constexpr double most_change = 0.5; ///< of a link in one iteration, as a share of its length
+    static constexpr double as_good_as_taut = 1e-6;
+    static constexpr int most_flips = 2;
+
+    Blocks<D>& blocks_;
+    const Block& block_;
+    double h_, per_h_;
+    double total_mass_ = 0, reach_ = 0, moved_ = 0;
+    double slight_ = 0; ///< a tension that is none
+
+    double weight(std::uint32_t i) const {
+        return i < block_.first_node + block_.unknowns ? inverse_or_zero(node(i).mass) : 0;
+    }
+
+    /// A spring; one so stiff that the penalty is softer is as good as rigid.
+    bool soft(const BlockLink<D>& link) const { return link.compliance * stiffness() > 1; }
+
+    void clear_entries() {
+        const auto begin = blocks_.first_entry[block_.first_node];
+        const auto end = blocks_.first_entry[block_.first_node + block_.unknowns];
+        for (auto e = begin; e < end; ++e) blocks_.entries[e].lower = blocks_.entries[e].upper = {};
+    }
+
+    /// Where it would go by itself, and a first guess.
+    void set_out(Rule rule) {
+        const double share = rule == Rule::swing ? 0.5 : rule == Rule::implicit ? 1 : 0;
+        for (auto& node : unknowns()) {
+            node.inertia = node.mass * per_h_ * per_h_ * (rule == Rule::swing ? 2 : 1);
+            const auto flight = rule == Rule::place ? Vector{} : node.velocity * h_;
+            node.place = node.start + flight;
+            node.aim = node.place + node.push * (share * h_ * h_);
+        }
+        reach_ = 0;
+        for (auto& link : links()) {
+            link.start = node(link.b).start - node(link.a).start;
+            reach_ += link.length;
+            choose_side(link);
+        }
+        double weight = 0;
+        for (const auto& node : unknowns()) weight += node.mass * norm(node.push);
+        slight_ = 1e-6 * weight * inverse_or_zero(reach_) * double(block_.links);
+    }
+
+    /// Which limit holds when the substep begins. What is as good as taut counts as taut: else a falling rope would
+    /// tighten link by link.
+    void choose_side(BlockLink<D>& link) const {
+        link.flips = 0;
+        const double length = norm(link.start), margin = as_good_as_taut * link.length;
+        const bool exact = link.low == link.high;
+        if (exact || link.tension > 0 || (link.tension == 0 && length > link.high - margin))
+            link.side = 1;
+        else
+            link.side = link.tension < 0 || length < link.low + margin ? -1 : 0;
+    }
+
+    void come_to_a_limit(BlockLink<D>& link, double above, double below) {
+        const double margin = good_enough * square(link.length);
+        if (!(above > margin || below < -margin)) return;
+        link.side = above > margin ? 1 : -1;
+        ++link.flips;
+    }
+
+    void add(const BlockLink<D>& link, const Matrix<D, double>& stiffness, const Vector& force) {
+        auto &a = node(link.a), &b = node(link.b);
+        a.diagonal += stiffness;
+        b.diagonal += stiffness;
+        if (link.entry != Blocks<D>::none) {
+            blocks_.entries[link.entry].lower -= stiffness;
+            blocks_.entries[link.entry].upper -= stiffness;
+        }
+        a.residual += force;
+        b.residual -= force;
+    }
+
+    /// The equations at the present places. Returns the worst violation of a rigid link, relative to its length.
+    double assemble(Rule rule) {
+        for (auto& node : unknowns()) {
+            node.diagonal = Matrix<D, double>::diagonal(node.inertia);
+            node.residual = (node.aim - node.place) * node.inertia;
+        }
+        clear_entries();
+        const double hardest = stiffness();
+        double worst = 0;
+        for (auto& link : links()) {
+            const auto now = node(link.b).place - node(link.a).place;
+            if (soft(link)) {
+                spring(rule, link, now);
+                continue;
+            }
+            const double k = hardest / square(link.length);
+            const double length2 = dot(now, now);
+            const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
+            if (link.side == 0) come_to_a_limit(link, above, below);
+            const double error = link.side > 0 ? above : link.side < 0 ? below : 0;
+            worst = maximum(worst, absolute(error) / square(link.length));
+            link.pull = link.side != 0 ? link.tension + k * error : 0;
+            link.stiffness = link.side != 0 ? k : 0;
+            if (link.side == 0) continue;
+            const bool swings = rule == Rule::swing;
+            const auto along = swings ? (link.start + now) * 0.5 : now;
+            link.along = now;
+            auto matrix = outer(along * k, now);
+            if (rule != Rule::place)
+                matrix += Matrix<D, double>::diagonal(maximum(link.tension, 0.0) * (swings ? 0.5 : 1));
+            add(link, matrix, along * link.pull);
+        }
+        return worst;
+    }
+
+    /// A soft link: its force is what it is, and needs no multiplier.
+    void spring(Rule rule, BlockLink<D>& link, const Vector& now) {
+        const double length = norm(now), per_length = inverse_or_zero(length);
+        const double error = length - clamp(length, link.low, link.high);
+        link.stiffness = 0;
+        link.tension = 0;
+        if (error == 0 || rule == Rule::place) return;
+        const double k = 1 / link.compliance;
+        double force = k * error;
+        auto along = now * per_length;
+        auto matrix = outer(along * k, along);
+        matrix += Matrix<D, double>::diagonal(maximum(force, 0.0) * per_length);
+        add(link, matrix, along * force);
+        link.tension = force * per_length;
+    }
+
+    /// No link changes by more than its own length at once: further out, Newton's model of it means nothing.
+    double trusted_share() const {
+        double most = 0;
+        for (const auto& link : links()) {
+            const auto change = move_of(node(link.b)) - move_of(node(link.a));
+            most = maximum(most, dot(change, change) / square(link.length));
+        }
+        return most > square(most_change) ? most_change / square_root(most) : 1;
+    }
+
+    void take_step() {
+        const double share = trusted_share();
+        moved_ = 0;
+        for (auto& node : unknowns()) {
+            node.place += node.move * share;
+            moved_ = maximum(moved_, largest_component(node.move));
+        }
+        for (auto& link : links()) {
+            if (soft(link)) continue;
+            const auto change = move_of(node(link.b)) - move_of(node(link.a));
+            const double next = link.pull + link.stiffness * dot(link.along, change);
+            link.tension = link.side != 0 ? link.tension + share * (next - link.tension) : 0;
+            const bool one_sided = link.low < link.high, undecided = link.flips > most_flips;
+            if (one_sided && !undecided && next * link.side < -slight_) link.side = 0, link.tension = 0;
+        }
+    }
+
+    static double largest_component(const Vector& v) {
+        double most = 0;
+        for (int i = 0; i < D; ++i) most = maximum(most, absolute(v[i]));
+        return most;
+    }
+};
+
+} // namespace sinew::detail

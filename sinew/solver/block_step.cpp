@@ -1,0 +1,329 @@
+#include "sinew/solver/block_solve.h"
+#include "sinew/solver/decay.h"
+#include "sinew/solver/phases.h"
+
+#include <cmath>
+
+namespace sinew {
+namespace {
+
+using detail::Rule;
+
+/// Moves one block over a frame: in as few substeps as swing by themselves; where something strikes, cracks or folds, in
+/// shorter ones, in the end implicit.
+template <int D, class Real> class BlockStep {
+  public:
+    BlockStep(World<D, Real>& world, const Block& block, double frame, double last_substep)
+        : world_(world), p_(world.particles), d_(std::get<kind_number<Distance, D>>(world.constraints)),
+          blocks_(world.blocks), block_(block), frame_(frame) {
+        const double per = inverse_or_zero(square(last_substep));
+        for (auto& link : links()) link.before = -double(d_.multiplier[link.constraint]) * per / link.length;
+    }
+
+    void run(int substeps) {
+        for (int s = 0; s < substeps; ++s) advance(double(s) / substeps, double(s + 1) / substeps, 0);
+    }
+
+    void report_tensions(double substep) {
+        constexpr double most = double(limit::multiplier<Real>);
+        for (const auto& link : links())
+            d_.multiplier[link.constraint] = Real(clamp(-link.before * link.length * square(substep), -most, most));
+    }
+
+  private:
+    using Vector = Vec<D, double>;
+    using Solve = detail::BlockSolve<D>;
+
+    World<D, Real>& world_;
+    Particles<D, Real>& p_;
+    Constraints<Distance<D>, Real>& d_;
+    Blocks<D>& blocks_;
+    const Block& block_;
+    static constexpr int many = 40, stretched_iterations = 6; ///< iterations, where there is no other way
+    double frame_;
+    double from_ = 0, to_ = 0, h_ = 0; ///< of this substep: shares of the frame, and its length
+    bool near_ = false;                ///< a plane may be touched
+    bool driven_ = false;              ///< something from outside may do work
+
+    std::span<BlockNode<D>> nodes() { return std::span(blocks_.nodes).subspan(block_.first_node, block_.nodes); }
+    std::span<BlockNode<D>> unknowns() { return std::span(blocks_.nodes).subspan(block_.first_node, block_.unknowns); }
+    std::span<BlockLink<D>> links() { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
+
+    void advance(double from, double to, int depth) {
+        constexpr int deepest = 3, pieces = 4;
+        constexpr int few = 8; // iterations: where more are needed, shorter substeps are cheaper
+        from_ = from, to_ = to, h_ = (to - from) * frame_;
+        load();
+        Solve solve(blocks_, block_, h_);
+        if (!pull_together(solve)) return be_stretched();
+        const bool swung = solve.run(Rule::swing, few, [&] { hold(solve); }) && !touching() && !gains(solve);
+        if (swung) {
+            for (auto& node : unknowns()) node.velocity = (node.place - node.start) * (2 / h_) - node.velocity;
+            if (any_tightened()) settle(solve);
+            return store();
+        }
+        if (driven_ && !solve.run(Rule::place, many, [] {})) return be_stretched();
+        if (depth == deepest || (depth > 0 && near_)) return give_way();
+        const double piece = (to - from) / pieces;
+        for (int i = 0; i < pieces; ++i)
+            advance(from + piece * i, i + 1 == pieces ? to : from + piece * (i + 1), depth + 1);
+    }
+
+    /// The substep once more, implicit. Where even that finds nothing, everything stays where it is for this moment and
+    /// slows down, until it does.
+    void give_way() {
+        load();
+        Solve solve(blocks_, block_, h_);
+        pull_together(solve);
+        const double kinetic = solve.kinetic();
+        if (solve.run(Rule::implicit, many, [&] { hold(solve); })) {
+            for (auto& node : unknowns()) node.velocity = (node.place - node.start) * (1 / h_);
+        } else {
+            for (auto& node : unknowns()) node.place = node.start, node.velocity *= 0.5;
+            for (auto& link : links()) link.tension = link.before;
+        }
+        settle(solve);
+        if (!driven_) slow_down(solve, kinetic + work(solve));
+        store();
+    }
+
+    /// Pinned further apart than it is long: as near to its lengths as it gets.
+    void be_stretched() {
+        load();
+        for (auto& link : links()) link.tension = 0;
+        Solve solve(blocks_, block_, h_);
+        const double before = solve.worst_strain(Solve::start_of);
+        solve.run(Rule::implicit, stretched_iterations, [&] { hold(solve); });
+        constexpr double most = 10;
+        if (!(solve.worst_strain(Solve::place_of) <= maximum(most, before)))
+            for (auto& node : unknowns()) node.place = node.start;
+        for (auto& node : unknowns()) node.velocity = (node.place - node.start) * (1 / h_);
+        store();
+        for (auto& link : links()) link.before = 0;
+    }
+
+    // --- what a substep begins with, and ends with ----------------------------------------------------------------
+
+    void load() {
+        near_ = driven_ = false;
+        Decay<double> decay;
+        for (auto& node : unknowns()) {
+            const Row row = node.row;
+            node.start = node.place = cast<double>(p_.position[row]) + cast<double>(p_.residual[row]);
+            const auto velocity = cast<double>(p_.velocity[row]);
+            const auto middle = p_.position[row] + p_.velocity[row] * Real(0.5 * h_);
+            const auto push = push_on(world_, row, middle);
+            const double rate = clamp(double(world_.settings.damping + push.drag_rate), 0.0, limit::measure<double>);
+            if (rate != decay.rate) decay = Decay<double>::of(rate, h_);
+            node.velocity = velocity * decay.keep;
+            node.push = cast<double>(push.acceleration) * decay.yield;
+            node.mass = inverse_or_zero(double(p_.inverse_mass[row]) * decay.yield);
+            driven_ = driven_ || blocks_.pin_of[row] != Blocks<D>::none;
+            near_ = near_ || is_near(node);
+        }
+        for (auto& node : nodes().subspan(block_.unknowns)) {
+            node.move = node.velocity = {};
+            node.start = node.place = cast<double>(p_.position[node.row]);
+            for (auto i = blocks_.pin_of[node.row]; i != Blocks<D>::none; i = blocks_.next_pin[i]) {
+                const auto& pin = world_.pins[i];
+                if (!pin.hard() || p_.quarantined[node.row]) continue;
+                node.start = goal(pin, from_), node.place = goal(pin, to_);
+                node.velocity = (node.place - node.start) * (1 / h_);
+                driven_ = driven_ || !(pin.from == pin.target);
+            }
+        }
+        for (auto& link : links()) link.tension = link.before;
+    }
+
+    void store() {
+        constexpr double fastest = double(limit::speed<Real>), furthest = double(limit::coordinate<Real>);
+        for (auto& node : unknowns()) {
+            const auto place = clamp_components(node.place, furthest);
+            const auto held = cast<Real>(place);
+            p_.residual[node.row] = cast<Real>(place - cast<double>(held));
+            p_.previous[node.row] = p_.position[node.row];
+            p_.position[node.row] = held;
+            p_.velocity[node.row] = cast<Real>(clamp_components(node.velocity, fastest));
+        }
+        for (auto& link : links()) link.before = link.low < link.high && link.tension * link.side <= 0 ? 0 : link.tension;
+    }
+
+    static Vector goal(const Pin<D, Real>& pin, double share) {
+        return cast<double>(pin.from) + (cast<double>(pin.target) - cast<double>(pin.from)) * share;
+    }
+
+    /// A figure put down stretched, or torn from its pins, is brought to its lengths without a velocity. False where its
+    /// pins are too far apart.
+    bool pull_together(Solve& solve) {
+        constexpr double crude = 1e-3;
+        const double before = solve.worst_strain(Solve::start_of);
+        if (before <= crude) return true;
+        const auto fixed = nodes().subspan(block_.unknowns);
+        for (auto& node : fixed) std::swap(node.start, node.place);
+        for (auto& link : links()) link.tension = 0;
+        if (!solve.run(Rule::place, many, [] {})) solve.sweep();
+        const double after = solve.worst_strain(Solve::place_of);
+        if (after < before)
+            for (auto& node : unknowns()) node.start = node.place;
+        for (auto& node : fixed) std::swap(node.start, node.place);
+        for (auto& link : links()) link.tension = link.before;
+        return after <= crude || after < 0.5 * before;
+    }
+
+    // --- what acts from outside -------------------------------------------------------------------------------------
+
+    double depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
+        return double(plane.offset) + double(p_.radius[node.row]) - dot(cast<double>(plane.normal), node.place);
+    }
+
+    bool is_near(const BlockNode<D>& node) const {
+        const double reach = h_ * (norm(node.velocity) + h_ * norm(node.push)) * 2;
+        for (const auto& plane : world_.bounds)
+            if (depth(node, plane) > -reach) return true;
+        return false;
+    }
+
+    bool touching() {
+        if (!near_) return false;
+        for (const auto& node : unknowns())
+            for (const auto& plane : world_.bounds)
+                if (depth(node, plane) > 0) return true;
+        return false;
+    }
+
+    /// Soft pins and planes, as terms on the diagonal.
+    void hold(const Solve& solve) {
+        if (driven_)
+            for (auto& node : unknowns())
+                for (auto i = blocks_.pin_of[node.row]; i != Blocks<D>::none; i = blocks_.next_pin[i])
+                    pull(node, world_.pins[i], solve.stiffness());
+        if (near_)
+            for (auto& node : unknowns())
+                for (const auto& plane : world_.bounds) press(node, plane, solve.stiffness());
+    }
+
+    /// A damped spring to its goal, whose force has an end.
+    void pull(BlockNode<D>& node, Pin<D, Real>& pin, double hardest) {
+        const double per_compliance = inverse_or_zero(double(pin.compliance));
+        const double k = per_compliance > 0 ? minimum(per_compliance, hardest) : hardest;
+        const double damper = double(pin.damping) * 2 * square_root(k * node.mass) / h_;
+        const auto error = node.place - goal(pin, to_), before = node.start - goal(pin, from_);
+        auto force = error * k + (error - before) * damper;
+        double stiffness = k + damper;
+        if (const double most = double(pin.max_force); most > 0 && norm(force) > most) {
+            const double share = most / norm(force);
+            force *= share;
+            stiffness *= share;
+        }
+        node.diagonal += Matrix<D, double>::diagonal(stiffness);
+        node.residual -= force;
+        pin.multiplier = cast<Real>(clamp_components(force * -square(h_), double(limit::multiplier<Real>)));
+    }
+
+    /// A plane pushes back and rubs (Coulomb): both so stiff that nothing sinks or creeps visibly.
+    void press(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) {
+        const auto normal = cast<double>(plane.normal);
+        const double pressure = k * depth(node, plane);
+        if (!(pressure > 0)) return;
+        node.diagonal += outer(normal * k, normal);
+        node.residual += normal * pressure;
+        if (!(plane.friction > Real(0))) return;
+        const auto move = node.place - node.start;
+        const auto slip = move - normal * dot(normal, move);
+        const double most = double(plane.friction) * pressure, grip = k * norm(slip);
+        const double stiffness = grip > most ? k * (most / grip) : k;
+        node.diagonal += Matrix<D, double>::diagonal(stiffness);
+        node.diagonal -= outer(normal * stiffness, normal);
+        node.residual -= slip * stiffness;
+    }
+
+    // --- velocities --------------------------------------------------------------------------------------------------
+
+    bool any_tightened() {
+        for (const auto& link : links())
+            if (link.low < link.high && link.before == 0 && link.tension != 0) return true;
+        return false;
+    }
+
+    void settle(Solve& solve) {
+        const double kinetic = solve.kinetic();
+        solve.settle([&](double k) {
+            if (!near_) return;
+            for (auto& node : unknowns())
+                for (const auto& plane : world_.bounds) rebound(node, plane, k);
+        });
+        if (!near_ && !driven_) slow_down(solve, kinetic); // less but for rounding
+    }
+
+    /// What struck a plane leaves it with its restitution; what rests on it stays.
+    void rebound(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) {
+        if (!(depth(node, plane) > 0)) return;
+        const auto normal = cast<double>(plane.normal);
+        const auto struck = cast<double>(p_.velocity[node.row]) + node.push * h_;
+        const double approach = -dot(normal, struck), resting = 4 * h_ * norm(node.push);
+        const double away = approach > resting ? double(plane.restitution) * approach : 0;
+        const double missing = away - dot(normal, node.velocity);
+        if (!(missing > 0)) return;
+        node.diagonal += outer(normal * k, normal);
+        node.residual += normal * (k * missing);
+    }
+
+    // --- energy ------------------------------------------------------------------------------------------------------
+
+    /// What the force fields put in on the way, less what the springs took.
+    double work(const Solve& solve) {
+        double sum = 0;
+        for (const auto& node : unknowns()) sum += node.mass * dot(node.push, node.place - node.start);
+        for (const auto& link : links())
+            sum -= solve.stored(link, solve.node(link.b).place - solve.node(link.a).place) -
+                   solve.stored(link, link.start);
+        return sum;
+    }
+
+    /// A swing never gains energy by itself.
+    bool gains(const Solve& solve) {
+        if (driven_) return false;
+        constexpr double rounding = 1e-6, tiny = 3e-8;
+        double before = 0, after = 0, weight = 0;
+        for (const auto& node : unknowns()) {
+            weight += node.mass * norm(node.push);
+            const auto velocity = (node.place - node.start) * (2 / h_) - node.velocity;
+            before += 0.5 * node.mass * dot(node.velocity, node.velocity);
+            after += 0.5 * node.mass * dot(velocity, velocity);
+        }
+        return after > before + work(solve) + rounding * (before + after) + tiny * weight * solve.reach();
+    }
+
+    void slow_down(const Solve& solve, double most) {
+        const double now = solve.kinetic();
+        if (now <= most) return;
+        const double share = square_root(maximum(most, 0.0) * inverse_or_zero(now));
+        for (auto& node : unknowns()) node.velocity *= share;
+    }
+};
+
+} // namespace
+
+template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep) {
+    auto& blocks = world.blocks;
+    if (blocks.list.empty()) return;
+    std::fill(blocks.pin_of.begin(), blocks.pin_of.end(), Blocks<D>::none);
+    for (std::uint32_t i = 0; i < world.pins.size(); ++i) {
+        const auto row = world.particles.slots.find(world.pins[i].particle);
+        if (!row) continue;
+        blocks.next_pin[i] = blocks.pin_of[*row];
+        blocks.pin_of[*row] = i;
+    }
+    constexpr int few = 2;
+    const int substeps = world.settings.substeps > 0 ? world.settings.substeps : few;
+    for (const auto& block : blocks.list) {
+        BlockStep<D, Real> step(world, block, double(dt), double(world.last_substep));
+        step.run(substeps);
+        step.report_tensions(double(substep));
+    }
+}
+
+#define SINEW_BLOCK_STEP(D, Real) template void step_blocks(World<D, Real>&, Real, Real);
+SINEW_INSTANTIATE(SINEW_BLOCK_STEP)
+
+} // namespace sinew

@@ -1,0 +1,129 @@
+#pragma once
+
+#include "sinew/solver/id.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+/// The graph side of blocks: what hangs together, and in which order it is eliminated. Both keep their room, so that
+/// looking again allocates nothing.
+namespace sinew {
+
+inline constexpr auto no_row = ~Row(0);
+
+/// Sets that grow together, by union and find: each is known by its first member.
+class Islands {
+  public:
+    void reset(std::size_t count) {
+        parent_.resize(count);
+        for (Row row = 0; row < count; ++row) parent_[row] = row;
+    }
+    Row of(Row row) {
+        while (parent_[row] != row) row = parent_[row] = parent_[parent_[row]];
+        return row;
+    }
+    void join(Row a, Row b) {
+        a = of(a), b = of(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<Row> parent_;
+};
+
+/// The order in which a sparse matrix is eliminated, and its fill. Minimum degree (Tinney and Walker 1967): leaves
+/// first, so that a tree fills nothing in. What would not stay sparse is refused.
+class Elimination {
+  public:
+    void reset(std::size_t rows) {
+        begin_.assign(rows, 0);
+        size_.assign(rows, 0);
+        position_.assign(rows, no_row);
+    }
+    /// Room for a graph of that many rows and neighbours.
+    void reserve(std::size_t rows, std::size_t neighbours) {
+        pool_.reserve(most_pool(neighbours) + most_neighbours);
+        order_.reserve(rows);
+        merged_.reserve(2 * most_neighbours);
+        for (auto& bucket : buckets_) bucket.reserve(rows + neighbours);
+    }
+
+    /// The graph, one row after the other: begin, its neighbours, end.
+    void begin_graph() { pool_.clear(); }
+    void begin_row(Row row) { begin_[row] = pool_.size(); }
+    void add_neighbour(Row neighbour) { pool_.push_back(neighbour); }
+    void end_row(Row row) {
+        const auto first = pool_.begin() + std::ptrdiff_t(begin_[row]);
+        std::sort(first, pool_.end());
+        pool_.erase(std::unique(first, pool_.end()), pool_.end());
+        size_[row] = std::uint32_t(pool_.size() - begin_[row]);
+    }
+
+    /// False where the matrix would not stay sparse.
+    bool run(std::span<const Row> rows) {
+        const auto most = most_pool(pool_.size());
+        order_.clear();
+        for (auto& bucket : buckets_) bucket.clear();
+        for (std::size_t i = rows.size(); i-- > 0;)
+            if (!file(rows[i])) return false;
+        while (order_.size() < rows.size()) {
+            const Row next = least_degree();
+            position_[next] = Row(order_.size());
+            order_.push_back(next);
+            for (std::uint32_t i = 0; i < size_[next]; ++i) {
+                const Row neighbour = neighbours(next)[i];
+                merge(neighbour, next);
+                if (!file(neighbour)) return false;
+            }
+            if (pool_.size() > most) return false;
+        }
+        return true;
+    }
+
+    std::span<const Row> order() const { return order_; }
+    Row position(Row row) const { return position_[row]; }
+    /// Those eliminated later that a row is coupled with by then.
+    std::span<const Row> neighbours(Row row) const { return std::span(pool_).subspan(begin_[row], size_[row]); }
+
+  private:
+    static constexpr std::size_t most_neighbours = 15;
+    static std::size_t most_pool(std::size_t neighbours) { return 8 * neighbours + 1024; }
+
+    std::vector<std::size_t> begin_;
+    std::vector<std::uint32_t> size_;
+    std::vector<Row> position_, pool_, order_, merged_;
+    std::array<std::vector<Row>, most_neighbours + 1> buckets_; ///< rows by degree, and stale entries of rows that moved
+
+    bool file(Row row) {
+        if (size_[row] > most_neighbours) return false;
+        buckets_[size_[row]].push_back(row);
+        return true;
+    }
+
+    Row least_degree() {
+        for (std::size_t degree = 0;; ++degree)
+            for (auto& bucket = buckets_[degree]; !bucket.empty();) {
+                const Row row = bucket.back();
+                bucket.pop_back();
+                if (position_[row] == no_row && size_[row] == degree) return row;
+            }
+    }
+
+    /// The neighbours of one that goes become each other's.
+    void merge(Row row, Row gone) {
+        merged_.clear();
+        const auto mine = neighbours(row), others = neighbours(gone);
+        std::set_union(mine.begin(), mine.end(), others.begin(), others.end(), std::back_inserter(merged_));
+        std::erase_if(merged_, [&](Row other) { return other == row || other == gone; });
+        if (merged_.size() > size_[row]) {
+            begin_[row] = pool_.size();
+            pool_.resize(pool_.size() + merged_.size());
+        }
+        std::copy(merged_.begin(), merged_.end(), pool_.begin() + std::ptrdiff_t(begin_[row]));
+        size_[row] = std::uint32_t(merged_.size());
+    }
+};
+
+} // namespace sinew
