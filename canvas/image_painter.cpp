@@ -45,24 +45,35 @@ void trace(cairo_t* context, std::span<const Point> corners) {
     cairo_close_path(context);
 }
 
-/// The image on a facet, and a colour laid over it, which is as strong as the image is there.
-void paint_facet(cairo_t* context, const Facet& facet, cairo_surface_t* image, const Color& over) {
+/// A surface as the source of the context, so turned; the pattern lives as long as it is the source.
+cairo_pattern_t* take(cairo_t* context, cairo_surface_t* surface, const cairo_matrix_t& matrix) {
+    cairo_set_source_surface(context, surface, 0, 0);
+    cairo_pattern_t* const pattern = cairo_get_source(context);
+    cairo_pattern_set_matrix(pattern, &matrix);
+    cairo_pattern_set_extend(pattern, CAIRO_EXTEND_PAD);
+    return pattern;
+}
+
+/// The grid's image on a facet, and a colour laid over it, which is as strong as the image is there.
+void paint_facet(cairo_t* context, const Facet& facet, const Grid& grid, const Color& over) {
     cairo_matrix_t matrix;
     if (!facet.way_back(matrix)) return;
     cairo_save(context);
     trace(context, facet.corners);
-    cairo_set_source_surface(context, image, 0, 0);
-    cairo_pattern_t* const pattern = cairo_pattern_reference(cairo_get_source(context));
-    cairo_pattern_set_matrix(pattern, &matrix);
-    cairo_pattern_set_extend(pattern, CAIRO_EXTEND_PAD);
-    if (over.alpha < 1) cairo_fill_preserve(context);
-    if (over.alpha > 0) {
-        cairo_clip(context);
-        cairo_set_source_rgba(context, double(over.red), double(over.green), double(over.blue), double(over.alpha));
-        cairo_mask(context, pattern);
+    if (over.alpha < 1) {
+        take(context, grid.image, matrix);
+        cairo_fill_preserve(context);
     }
-    cairo_pattern_destroy(pattern);
+    if (over.alpha > 0) {
+        cairo_clip_preserve(context);
+        cairo_pattern_t* const mask = cairo_pattern_reference(take(context, grid.image, matrix));
+        cairo_pattern_set_extend(mask, CAIRO_EXTEND_NONE); // in a PDF a mask that goes on hides nothing
+        cairo_set_source_rgba(context, double(over.red), double(over.green), double(over.blue), double(over.alpha));
+        cairo_mask(context, mask);
+        cairo_pattern_destroy(mask);
+    }
     cairo_restore(context);
+    cairo_new_path(context); // a path outlives restore
 }
 
 /// Whether the whole grid is one facet: four corners of a parallelogram.
@@ -77,28 +88,26 @@ void paint_flat(cairo_t* context, const Grid& grid, const Color& over) {
     const std::array corners = {origin, right, right + below - origin, below};
     paint_facet(context,
                 {corners, (right - origin) * float(1 / grid.width), (below - origin) * float(1 / grid.height), origin},
-                grid.image, over);
+                grid, over);
 }
 
-/// Two triangles a cell, in each of which the image is sheared evenly; together it bends without a gap. Neighbours
-/// overlap by `seam`, which hides where cairo smooths their edges.
+/// Two triangles a cell, in each of which the image is sheared evenly; together it bends without a gap. Each reaches by
+/// `seam` under those painted after it, which hides that cairo smooths its edges.
 void paint_cells(cairo_t* context, const Grid& grid, float seam, const Color& over) {
     const double du = grid.width / double(grid.across - 1), dv = grid.height / double(grid.down - 1);
-    const auto triangle = [&](const Point& place, const Point& beside, const Point& other, double u, double v,
-                              float way) {
-        std::array corners = {place, beside, other};
-        const Point middle = (place + beside + other) * (1.0F / 3);
-        for (auto& corner : corners) corner += direction(corner - middle) * seam;
-        paint_facet(context,
-                    {corners, (beside - place) * (way / float(du)), (other - place) * (way / float(dv)), place, u, v},
-                    grid.image, over);
-    };
     for (std::size_t row = 0; row + 1 < grid.down; ++row)
         for (std::size_t column = 0; column + 1 < grid.across; ++column) {
+            const auto &a = grid.at(row, column), &b = grid.at(row, column + 1);
+            const auto &c = grid.at(row + 1, column), &d = grid.at(row + 1, column + 1);
+            const auto on = column + 2 < grid.across ? direction(b - a + d - c) * seam : Point{};
+            const auto down = row + 2 < grid.down ? direction(c - a + d - b) * seam : Point{};
+            const auto over_there = direction(perpendicular(b - c)) * seam;
             const double u = du * double(column), v = dv * double(row);
-            triangle(grid.at(row, column), grid.at(row, column + 1), grid.at(row + 1, column), u, v, 1);
-            triangle(grid.at(row + 1, column + 1), grid.at(row + 1, column), grid.at(row, column + 1), u + du, v + dv,
-                     -1);
+            const std::array first = {a, b + on, b + on + over_there, c + down + over_there, c + down};
+            const std::array second = {d + on + down, c + down, b + on};
+            paint_facet(context, {first, (b - a) * float(1 / du), (c - a) * float(1 / dv), a, u, v}, grid, over);
+            paint_facet(context, {second, (d - c) * float(1 / du), (d - b) * float(1 / dv), d, u + du, v + dv}, grid,
+                        over);
         }
 }
 
@@ -146,13 +155,12 @@ bool has_pixels(cairo_t* context) {
 
 void ImagePainter::paint(const Picture::Item& item) {
     if (item.number >= picture_.images.size() || !picture_.images[item.number]) return;
-    const Image& image = *picture_.images[item.number];
     const Grid grid{.points = picture_.points_of(item),
                     .across = item.across,
                     .down = item.across > 0 ? item.count / item.across : 0,
                     .image = surface_of(item.number),
-                    .width = double(image.width),
-                    .height = double(image.height)};
+                    .width = double(picture_.images[item.number]->width),
+                    .height = double(picture_.images[item.number]->height)};
     const auto is_near = [](const Point& p) { return absolute(p[0]) < farthest && absolute(p[1]) < farthest; };
     if (grid.across < 2 || grid.down < 2 || !std::ranges::all_of(grid.points, is_near)) return;
     constexpr float overlap = 0.4F; // pixels
@@ -165,12 +173,12 @@ void ImagePainter::paint(const Picture::Item& item) {
 }
 
 cairo_surface_t* ImagePainter::surface_of(std::uint32_t number) {
-    surfaces_.resize(std::max(surfaces_.size(), std::size_t(number) + 1));
+    if (surfaces_.size() <= number) surfaces_.resize(number + 1);
     auto& surface = surfaces_[number];
     if (!surface) {
         // Cairo only reads it, and wants to be able to write.
-        auto* pixels = const_cast<std::uint32_t*>(picture_.images[number]->pixels.data());
         const Image& image = *picture_.images[number];
+        auto* const pixels = const_cast<std::uint32_t*>(image.pixels.data());
         surface.reset(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels), CAIRO_FORMAT_ARGB32,
                                                           image.width, image.height,
                                                           image.width * int(sizeof *pixels)));

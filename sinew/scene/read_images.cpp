@@ -47,7 +47,7 @@ class ReadingImages {
     std::int64_t pixels_ = 0;
 
     void look(const ImageLook& image, const std::string& place, std::string_view figure, std::string_view key) {
-        if (!has_room(figure, key))
+        if (has_no_room(figure, key))
             document_.error(place + "/image", fmt::format("nothing of {} takes an image", in_quotes(key)),
                             "an image goes on dots, sticks, links, limbs, ropes and polygons of four corners");
         if (leaves_its_folder(image.file))
@@ -73,21 +73,22 @@ class ReadingImages {
         images_.emplace_back(name, std::move(image));
     }
 
-    /// Whether the look is of anything that an image can be painted in place of. `figure` is empty for looks of the
-    /// whole scene.
-    bool has_room(std::string_view figure, std::string_view key) const {
-        return std::visit(
-            [&](const auto& world) {
-                return std::any_of(world.figures.begin(), world.figures.end(), [&](const Figure& built) {
-                    if (!figure.empty() && built.name != figure) return false;
-                    return std::any_of(built.pieces.begin(), built.pieces.end(), [&](const Piece& piece) {
-                        const bool meant = key == piece.part || (figure.empty() ? key == built.name : key == "all") ||
-                                           key == built.name + "/" + piece.part;
-                        return meant && takes_image(piece);
-                    });
-                });
-            },
-            opened_.world);
+    /// Whether nothing that the look is of takes an image; that a look is of nothing at all is said elsewhere. `figure`
+    /// is empty for looks of the whole scene.
+    bool has_no_room(std::string_view figure, std::string_view key) const {
+        bool meant = false, taken = false;
+        const auto weigh = [&](const Figure& built) {
+            if (!figure.empty() && built.name != figure) return;
+            const bool all = figure.empty() ? key == built.name : key == "all";
+            for (const auto& piece : built.pieces) {
+                if (!all && key != piece.part && key != built.name + "/" + piece.part) continue;
+                meant = true;
+                taken |= takes_image(piece);
+            }
+        };
+        std::visit([&](const auto& world) { std::for_each(world.figures.begin(), world.figures.end(), weigh); },
+                   opened_.world);
+        return meant && !taken;
     }
 };
 

@@ -183,11 +183,11 @@ void Brush::paint_strip(const Traced& piece, const ImageLook& look, std::span<co
 
 /// From corner to corner, evenly in between: corners go round from the image's top left one.
 void Brush::paint_quad(std::span<const Vec2<float>> corners, std::uint32_t number, const Color& over) {
-    constexpr float finest = 12; // nominal pixels
+    constexpr float finest = 16; // nominal pixels
     float side = 0;
     for (std::size_t i = 0; i < 4; ++i) side = maximum(side, distance(corners[i], corners[(i + 1) % 4]));
     const bool flat = norm(corners[0] - corners[1] + corners[2] - corners[3]) < 0.01F * side;
-    const int parts = flat ? 1 : int(clamp(side / (finest * unit_), 4.0F, 24.0F));
+    const int parts = flat ? 1 : int(clamp(side / (finest * unit_), 4.0F, 12.0F));
     shape_.clear();
     for (int row = 0; row <= parts; ++row)
         for (int column = 0; column <= parts; ++column) {

@@ -16,6 +16,12 @@ struct Traced {
     float end_width = 1; ///< of what tapers
 };
 
+/// Whether an image is only put there, not bent or stretched to a shape.
+inline bool is_rigid(const Traced& piece) {
+    return piece.mark == Mark::dot || piece.mark == Mark::tip || piece.mark == Mark::ring ||
+           (piece.mark == Mark::stroke && piece.points.size() == 2);
+}
+
 /// Turns traced pieces into shapes of a picture.
 class Brush {
   public:

@@ -263,7 +263,7 @@ template <class WorldT> class Drawer {
             for (auto& pixel : traced_.points) pixel += shadow_offset * unit_;
         const Color shade =
             D == 3 ? mix(theme_.ground, theme_.floor_shadow, depth) : mix(theme_.background, theme_.shadow, depth);
-        if (image)
+        if (image && is_rigid(traced_)) // only then is its outline not that of the piece
             brush_.paint_image(traced_, *style.image, style.profile, *image, wider, shade);
         else
             brush_.paint(traced_, style, wider, shade);
