@@ -89,6 +89,7 @@ void write(cairo_t* context, const std::string& text, Vec2<float> middle, double
     cairo_restore(context);
     cairo_move_to(context, x, y);
     cairo_show_text(context, text.c_str());
+    cairo_new_path(context); // where it ends would be the beginning of the next
 }
 
 } // namespace

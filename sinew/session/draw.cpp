@@ -317,7 +317,7 @@ Vec2<double> Session::place_of(Vec2<double> pixel, int width, int height) const 
     return View(scene_, focus_, width, height).place_of(pixel);
 }
 
-void Session::draw(Picture& picture) const {
+void Session::draw(Picture& picture, OverlaySet overlay) const {
     const View view(scene_, focus_, picture.width, picture.height);
     Onlooker onlooker{images_, pointer(), {}};
     std::visit(
@@ -327,6 +327,7 @@ void Session::draw(Picture& picture) const {
             Drawer(scene_, world, view, onlooker, picture).draw();
         },
         world_);
+    draw_overlays(overlay, scene_, world_, view, picture);
 }
 
 } // namespace sinew

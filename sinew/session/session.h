@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/scene/scene.h"
+#include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
 
 #include <array>
@@ -66,8 +67,8 @@ class Session {
     /// Where a pixel of a picture of that size is in a 2D scene.
     Vec2<double> place_of(Vec2<double> pixel, int width, int height) const;
 
-    /// The picture of now, filling `picture` (whose width and height the caller sets).
-    void draw(Picture& picture) const;
+    /// The picture of now, filling `picture` (whose width and height the caller sets), with overlays on it.
+    void draw(Picture& picture, OverlaySet overlay = {}) const;
 
   private:
     struct Held {

@@ -112,7 +112,8 @@ TEST(Draw, ALimbRunsFromItsFirstParticleToItsLastPulledByTheMiddle) {
     EXPECT_EQ(limbs[0].width, 12);
     EXPECT_EQ(points.front(), (Vec2<float>{{100, 100}}));
     EXPECT_EQ(points.back(), (Vec2<float>{{200, 200}}));
-    EXPECT_NEAR(distance(points[points.size() / 2], Vec2<float>{{175, 125}}), 0, 2); // (a + 2 b + c) / 4, to half a part
+    EXPECT_NEAR(distance(points[points.size() / 2], Vec2<float>{{175, 125}}), 0,
+                2); // (a + 2 b + c) / 4, to half a part
 }
 
 TEST(Draw, ATipIsAtTheEndOfItsLimb) {
