@@ -47,7 +47,7 @@ template <int D, class Real> double mass_of(const World<D, Real>& world, const F
     return mass;
 }
 
-template <class Id> std::vector<std::string> names_in(const std::vector<std::pair<std::string, Id>>& named) {
+template <class Id> std::vector<std::string> names_in(const NameTable<Id>& named) {
     std::vector<std::string> names;
     for (const auto& [name, id] : named) names.push_back(name);
     return names;

@@ -71,11 +71,7 @@ template <int D, class RealT> class Builder {
     }
 
     /// The particle of that name. Prefabs only ask for names they gave.
-    ParticleId named(std::string_view name) {
-        for (const auto& [given, id] : figure().particle_names)
-            if (given == name) return id;
-        return {};
-    }
+    ParticleId named(std::string_view name) { return figure().particle_names.find(name).value_or(ParticleId{}); }
 
     /// What a kind measures in the prefab's frame.
     template <template <int> class KindOf> double measure(std::span<const ParticleId> members) const {

@@ -207,6 +207,7 @@ template <int D, class Real> class ReferenceCheck {
     template <class Names>
     void path(std::string_view what, std::string_view path, const std::string& place, bool found, Names&& names) {
         if (found) return;
+        if (document_.diagnostics.full()) return document_.diagnostics.count_one_more();
         const auto slash = path.find('/');
         if (slash == std::string_view::npos)
             return document_.error(place, fmt::format("expected a {} as figure/name, found \"{}\"", what, path),

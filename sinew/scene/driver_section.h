@@ -25,8 +25,8 @@ struct OrbitDriver {
         visit(self.rate, Field{.name = "rate",
                                .help = "How fast it turns, counter-clockwise as seen; negative the other way",
                                .unit = {.time = -1, .angle = true},
-                               .low = -1e4,
-                               .high = 1e4});
+                               .low = -2000 * pi<double>,
+                               .high = 2000 * pi<double>});
         visit(self.phase, Field{.name = "phase",
                                 .help = "Where it begins: 0 to the right, 90 above",
                                 .unit = unit::angle,

@@ -158,12 +158,11 @@ template <int D, class Real> class Maker {
             if (particle.pinned) pin(world_, id);
         }
         for (const auto& constraint : by_hand.constraints) join(constraint, figure, std::string(name) + "/");
-        for (const auto& [called, particle] : by_hand.particles)
-            world_.figures[figure].pieces.push_back(
-                {.mark = Mark::dot,
-                 .part = called,
-                 .particles = {*find_particle(world_, std::string(name) + "/" + called)},
-                 .width = particle.size});
+        for (std::size_t i = 0; i < by_hand.particles.size(); ++i)
+            world_.figures[figure].pieces.push_back({.mark = Mark::dot,
+                                                     .part = by_hand.particles[i].first,
+                                                     .particles = {world_.figures[figure].particles[i]},
+                                                     .width = by_hand.particles[i].second.size});
         return figure;
     }
 

@@ -45,8 +45,8 @@ struct CameraSection {
         visit(self.field_of_view, Field{.name = "field_of_view",
                                         .help = "From the top of the picture to its bottom",
                                         .unit = unit::angle,
-                                        .low = 0.01,
-                                        .high = 3});
+                                        .low = pi<double> / 180,
+                                        .high = 170 * pi<double> / 180});
     }
 };
 

@@ -227,9 +227,9 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
                           .compliance = clamp(spec.compliance, Real(0), most),
                           .damping = clamp(spec.damping, Real(0), most),
                           .max_force = clamp(spec.max_force, Real(0), most)});
-    const auto id = world.pin_slots.append();
-    refresh_mobility(world, *row);
-    return id;
+    if (world.pins.back().hard()) world.particles.mobility[*row] = Real(0);
+    world.forest.stale = true;
+    return world.pin_slots.append();
 }
 
 template <int D, class Real> bool move_pin(World<D, Real>& world, PinId pin, const Vec<D, Real>& target) {
@@ -258,8 +258,10 @@ template <int D, class Real> void unpin_all(World<D, Real>& world, ParticleId pa
 
 template <int D, class Real>
 FigureIndex add_figure(World<D, Real>& world, std::string_view name, std::string_view prefab) {
+    const auto figure = FigureIndex(world.figures.size());
     world.figures.push_back({.name = std::string(name), .prefab = std::string(prefab)});
-    return FigureIndex(world.figures.size() - 1);
+    world.figure_names.emplace_back(name, figure);
+    return figure;
 }
 
 template <int D, class Real>
@@ -297,9 +299,7 @@ template <int D, class Real> void release_quarantine(World<D, Real>& world, Figu
 
 template <int D, class Real>
 std::optional<FigureIndex> find_figure(const World<D, Real>& world, std::string_view name) {
-    for (FigureIndex i = 0; i < world.figures.size(); ++i)
-        if (world.figures[i].name == name) return i;
-    return std::nullopt;
+    return world.figure_names.find(name);
 }
 
 namespace {
@@ -319,10 +319,9 @@ template <int D, class Real> Path split(const World<D, Real>& world, std::string
 
 /// What a name stands for: one that was given, or one by number.
 template <class Id>
-std::optional<Id> look_up(std::string_view name, const std::vector<std::pair<std::string, Id>>& given,
-                          const std::vector<Numbered>& numbered, const std::vector<Id>& built) {
-    for (const auto& [called, id] : given)
-        if (called == name) return id;
+std::optional<Id> look_up(std::string_view name, const NameTable<Id>& given, const std::vector<Numbered>& numbered,
+                          const std::vector<Id>& built) {
+    if (const auto id = given.find(name)) return id;
     const auto number = number_called(name, numbered);
     return number && *number < built.size() ? std::optional(built[*number]) : std::nullopt;
 }

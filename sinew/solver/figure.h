@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/id.h"
+#include "sinew/solver/name_table.h"
 
 #include <optional>
 #include <span>
@@ -54,8 +55,8 @@ struct Figure {
     std::string prefab{};
     std::vector<ParticleId> particles{}; ///< as they were built; what is removed leaves its id, which finds nothing
     std::vector<ConstraintId> constraints{};
-    std::vector<std::pair<std::string, ParticleId>> particle_names{}; ///< in the order they were given
-    std::vector<std::pair<std::string, ConstraintId>> constraint_names{};
+    NameTable<ParticleId> particle_names{};
+    NameTable<ConstraintId> constraint_names{};
     std::vector<Numbered> particle_numbers{}; ///< further names
     std::vector<Numbered> constraint_numbers{};
     std::vector<Piece> pieces{};

@@ -42,8 +42,8 @@ template <int D, class Real> void forget_the_dead(World<D, Real>& world) {
         return !found;
     };
     for (auto& figure : world.figures) {
-        std::erase_if(figure.particle_names, [&](const auto& named) { return dead_particle(named.second); });
-        std::erase_if(figure.constraint_names, [&](const auto& named) { return dead_constraint(named.second); });
+        figure.particle_names.erase_if(dead_particle);
+        figure.constraint_names.erase_if(dead_constraint);
         std::erase_if(figure.pieces, [&](const Piece& piece) {
             return std::any_of(piece.particles.begin(), piece.particles.end(), dead_particle);
         });

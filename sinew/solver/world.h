@@ -240,6 +240,7 @@ template <int D, class RealT> struct World {
     std::vector<Force<D, Real>> forces;
     std::vector<HalfSpace<D, Real>> bounds;
     std::vector<Figure> figures;
+    NameTable<FigureIndex> figure_names;
 
     double time = 0;
     std::uint64_t steps = 0;
