@@ -97,7 +97,9 @@ template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double sc
         return particles;
     };
     const auto limb = [&](std::string_view part, std::initializer_list<std::string_view> names, double from,
-                          double to) { figure.draw_limb(part, named(names), scale * from, scale * to); };
+                          double to) {
+        figure.draw_tapered(Mark::stroke, part, named(names), scale * from, scale * to);
+    };
     for (const auto* foot : {"left_foot", "right_foot"})
         figure.draw(Mark::dot, "foot", named({foot}), scale * foot_size);
     limb("leg", {"left_hip", "left_knee", "left_foot"}, hip, ankle);

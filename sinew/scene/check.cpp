@@ -137,7 +137,8 @@ class ValueCheck {
     }
 
     void look(const Look& look, const std::string& place) {
-        for (const auto& [key, text] : {std::pair("/color", look.color), std::pair("/fill", look.fill)})
+        for (const auto& [key, text] :
+             {std::pair("/color", look.color), std::pair("/fill", look.fill), std::pair("/hover", look.hover)})
             if (!text.empty() && !parse_color(text))
                 document_.error(place + key, fmt::format("\"{}\" is no colour", text),
                                 "a name such as tomato or teal, #rgb, #rrggbb, #rrggbbaa or none");

@@ -54,6 +54,8 @@ class Session {
 
     /// Where the pointer is, for pins that follow it; nothing: where their scenes say a pointer would be.
     void point_at(std::optional<Point> place) { pointer_ = place; }
+    /// Where it is, or where the scene says a pointer would be.
+    std::optional<Point> pointer() const;
 
     Report report() const;
     /// All that happened so far; at most `most_happenings`, then only counted.
@@ -96,6 +98,7 @@ class Session {
 
     Scene scene_;
     AnyWorld world_;
+    Images images_;
     std::array<Point, 2> focus_; ///< two corners around what the scene shows at its start
     std::size_t next_event_ = 0;
     std::vector<Driven> driven_;

@@ -12,6 +12,9 @@ void dress(Style& style, const Look& look, const Theme& theme) {
         style.fill.alpha = color->alpha;
     }
     if (const auto fill = parse_color(look.fill)) style.fill = *fill;
+    if (const auto hover = parse_color(look.hover)) style.hover = hover;
+    if (!look.profile.empty()) style.profile = look.profile;
+    if (look.image) style.image = &*look.image;
     if (look.width) style.width = look.width;
     if (look.hidden) style.hidden = look.hidden;
 }
