@@ -24,6 +24,12 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 /// tear.cpp: removes constraints strained beyond their breaking point.
 template <int D, class Real> void tear(World<D, Real>& world);
 
+/// passive.cpp: limits of turns give a figure no energy. Finds the figures of which that can be said; notes their
+/// energy before the constraints act; takes back what those added.
+template <int D, class Real> void find_passive(World<D, Real>& world);
+template <int D, class Real> void note_energy(World<D, Real>& world);
+template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h);
+
 /// direct.cpp: solves every tree; what it cannot solve this time it leaves to the sweep.
 template <int D, class Real> void solve_trees(World<D, Real>& world, Real h, bool first_iteration);
 

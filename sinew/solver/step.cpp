@@ -195,11 +195,13 @@ template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) 
     const int substeps = std::max(world.settings.substeps, 1);
     const Real h = dt / Real(substeps);
     prepare(world);
+    find_passive(world);
     for (int s = 1; s <= substeps; ++s) {
         const Real share = Real(s) / Real(substeps);
         SubstepMover<D, Real> mover{world.particles, world.forest, h};
         predict(world, mover);
         move_pins(world, share, mover);
+        note_energy(world);
         for (int i = 0; i < world.settings.iterations; ++i) {
             mover.first_iteration = i == 0;
             solve_trees(world, h, mover.first_iteration);
@@ -208,6 +210,7 @@ template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) 
             keep_in_bounds(world, mover);
         }
         advance(world, h);
+        take_back_gains(world, h);
         rebound(world);
     }
 }
