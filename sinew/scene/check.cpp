@@ -157,9 +157,9 @@ class ValueCheck {
     void look(const Look& look, const std::string& place) {
         for (const auto& [key, text] :
              {std::pair("/color", look.color), std::pair("/fill", look.fill), std::pair("/hover", look.hover)})
-            if (!text.empty() && !parse_color(text))
+            if (!text.empty() && !parse_color(text) && std::ranges::find(theme_colors, text) == theme_colors.end())
                 document_.error(place + key, fmt::format("\"{}\" is no colour", text),
-                                "a name such as tomato or teal, #rgb, #rrggbb, #rrggbbaa or none");
+                                "a name such as tomato or teal, ink or paper, #rgb, #rrggbb, #rrggbbaa or none");
     }
 
     void keys(const std::vector<Keyframe>& keys, const std::string& place) {

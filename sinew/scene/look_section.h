@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// How things look: the section "looks" of a scene file. Nothing here moves anything.
@@ -40,6 +41,9 @@ struct ImageLook {
     }
 };
 
+/// Colours of the theme that a look can name: what stands out from the background, and the background itself.
+inline constexpr std::array<std::string_view, 2> theme_colors = {"ink", "paper"};
+
 /// Of one part of one figure ("bob/head"), of a whole figure ("bob") or of that part in all figures ("head").
 struct Look {
     std::string color;
@@ -51,7 +55,9 @@ struct Look {
     std::optional<ImageLook> image;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.color, Field{.name = "color", .help = "Of lines and dots: a name, #rgb, #rrggbb or #rrggbbaa"});
+        visit(self.color,
+              Field{.name = "color",
+                    .help = "Of lines and dots: a name, #rgb, #rrggbb, #rrggbbaa; ink and paper are the theme's"});
         visit(self.fill, Field{.name = "fill", .help = "Of areas; none leaves them empty"});
         visit(self.hover, Field{.name = "hover", .help = "Laid over what the pointer is at or holds; mind its alpha"});
         visit(self.width, Field{.name = "width",

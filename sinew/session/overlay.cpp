@@ -25,8 +25,7 @@ template <class WorldT> class Overlayer {
   public:
     Overlayer(const Scene& scene, const WorldT& world, const View& view, Picture& picture)
         : scene_(scene), world_(world), view_(view), picture_(picture), theme_(theme_called(scene.view.theme)),
-          unit_(float(picture.height / nominal_height)),
-          text_(scene.view.theme == "dark" ? Color{1, 1, 1, 1} : theme_.ink) {}
+          unit_(float(picture.height / nominal_height)), text_(theme_.pen) {}
 
     void strain() {
         color_lines([](const ConstraintState& state) { return state.strain * 100; }, 0.1, "strain", "%");

@@ -89,6 +89,20 @@ TEST(Draw, WhatIsHiddenIsNotThere) {
     EXPECT_TRUE(drawn(scene(hidden)).items.empty());
 }
 
+TEST(Draw, InkStandsOutFromThePaperInEveryTheme) {
+    const std::string inked =
+        R"({"name": "x", "particles": {"a": {"at": [9, 9]}}, "looks": {"all": {"color": "ink"}}})";
+    for (const std::string theme : {"light", "dark"}) {
+        auto document = load(scene(inked), "test.json", std::vector<Override>{{"view.theme=" + theme}});
+        auto opened = open_scene(document);
+        ASSERT_TRUE(opened) << to_text(document.diagnostics);
+        Picture picture;
+        picture.width = 640, picture.height = 480;
+        Session(std::move(*opened)).draw(picture);
+        EXPECT_GT(std::abs(picture.items.back().color.green - picture.background.green), 0.6F) << theme;
+    }
+}
+
 TEST(Draw, BeyondTheWallsIsGround) {
     const auto picture = drawn(scene(ball, R"(, "world": {"bounds": {"box": [[20, 30], [600, 440]]}})"));
     std::size_t bars = 0;
