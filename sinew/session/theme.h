@@ -18,12 +18,12 @@ struct Theme {
     };
 
     Color background;
-    Color ground;       ///< beyond walls; the floor in 3D
-    Color wall;         ///< the line along them
-    Color shadow;       ///< on the background
-    Color floor_shadow; ///< on the ground
-    Color ink;          ///< darkest: what outlines go towards
-    Color pen;          ///< of lines and letters that stand out from the background
+    Color ground;            ///< beyond walls; the floor in 3D
+    Color wall;              ///< the line along them
+    Color shadow;            ///< on the background
+    Color floor_shadow;      ///< on the ground
+    Color ink;               ///< darkest: what outlines go towards
+    Color pen;               ///< of lines and letters that stand out from the background
     float outline_shade = 0; ///< how far outlines are drawn from a line's colour towards ink
     std::array<Color, 6> palette;
     std::array<Material, 8> materials;
