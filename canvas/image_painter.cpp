@@ -19,6 +19,9 @@ struct Grid {
     std::size_t across = 0, down = 0; ///< points
     cairo_surface_t* image = nullptr;
     double width = 0, height = 0; ///< of the image, pixels
+    /// Cairo's better filters are several times slower. This is as good where the image is hardly larger than it is
+    /// seen.
+    cairo_filter_t filter = CAIRO_FILTER_BILINEAR;
 
     const Point& at(std::size_t row, std::size_t column) const { return points[row * across + column]; }
 };
@@ -46,11 +49,12 @@ void trace(cairo_t* context, std::span<const Point> corners) {
 }
 
 /// A surface as the source of the context, so turned; the pattern lives as long as it is the source.
-cairo_pattern_t* take(cairo_t* context, cairo_surface_t* surface, const cairo_matrix_t& matrix) {
-    cairo_set_source_surface(context, surface, 0, 0);
+cairo_pattern_t* take(cairo_t* context, const Grid& grid, const cairo_matrix_t& matrix) {
+    cairo_set_source_surface(context, grid.image, 0, 0);
     cairo_pattern_t* const pattern = cairo_get_source(context);
     cairo_pattern_set_matrix(pattern, &matrix);
     cairo_pattern_set_extend(pattern, CAIRO_EXTEND_PAD);
+    cairo_pattern_set_filter(pattern, grid.filter);
     return pattern;
 }
 
@@ -61,12 +65,12 @@ void paint_facet(cairo_t* context, const Facet& facet, const Grid& grid, const C
     cairo_save(context);
     trace(context, facet.corners);
     if (over.alpha < 1) {
-        take(context, grid.image, matrix);
+        take(context, grid, matrix);
         cairo_fill_preserve(context);
     }
     if (over.alpha > 0) {
         cairo_clip_preserve(context);
-        cairo_pattern_t* const mask = cairo_pattern_reference(take(context, grid.image, matrix));
+        cairo_pattern_t* const mask = cairo_pattern_reference(take(context, grid, matrix));
         cairo_pattern_set_extend(mask, CAIRO_EXTEND_NONE); // in a PDF a mask that goes on hides nothing
         cairo_set_source_rgba(context, double(over.red), double(over.green), double(over.blue), double(over.alpha));
         cairo_mask(context, mask);
@@ -144,40 +148,55 @@ void paint_bent(cairo_t* context, const Grid& grid, const Color& over) {
     paint_cells(pen.get(), grid, 0, {0, 0, 0, 0});
     const auto x = float(part.x), y = float(part.y), right = x + float(width / fine), below = y + float(height / fine);
     const std::array<Point, 4> corners = {{{{x, y}}, {{right, y}}, {{x, below}}, {{right, below}}}};
-    paint_flat(context, {corners, 2, 2, bent.get(), double(width), double(height)}, over);
+    paint_flat(context, {corners, 2, 2, bent.get(), double(width), double(height), CAIRO_FILTER_GOOD}, over);
 }
 
 bool has_pixels(cairo_t* context) {
     return cairo_surface_get_type(cairo_get_target(context)) == CAIRO_SURFACE_TYPE_IMAGE;
 }
 
+/// The image as large as it is seen or up to twice that. `pixel` is how many user units a device pixel spans.
+const Image& fitting(const Image& whole, const Grid& grid, double pixel) {
+    float across = 0, down = 0;
+    for (std::size_t i = 0; i + 1 < grid.across; ++i) across += distance(grid.at(0, i), grid.at(0, i + 1));
+    for (std::size_t i = 0; i + 1 < grid.down; ++i) down += distance(grid.at(i, 0), grid.at(i + 1, 0));
+    const Image* image = &whole;
+    while (image->half && image->width * pixel >= 2 * double(across) && image->height * pixel >= 2 * double(down))
+        image = image->half.get();
+    return *image;
+}
+
 } // namespace
 
 void ImagePainter::paint(const Picture::Item& item) {
     if (item.number >= picture_.images.size() || !picture_.images[item.number]) return;
-    const Grid grid{.points = picture_.points_of(item),
-                    .across = item.across,
-                    .down = item.across > 0 ? item.count / item.across : 0,
-                    .image = surface_of(item.number),
-                    .width = double(picture_.images[item.number]->width),
-                    .height = double(picture_.images[item.number]->height)};
+    Grid grid{.points = picture_.points_of(item),
+              .across = item.across,
+              .down = item.across > 0 ? item.count / item.across : 0};
     const auto is_near = [](const Point& p) { return absolute(p[0]) < farthest && absolute(p[1]) < farthest; };
     if (grid.across < 2 || grid.down < 2 || !std::ranges::all_of(grid.points, is_near)) return;
+
+    double pixel = 1, unused = 0;
+    cairo_device_to_user_distance(context_, &pixel, &unused);
+    const bool raster = has_pixels(context_); // vectors are seen at any size
+    const Image& whole = *picture_.images[item.number];
+    const Image& image = raster ? fitting(whole, grid, pixel) : whole;
+    grid.image = surface_of(image);
+    grid.width = image.width;
+    grid.height = image.height;
     constexpr float overlap = 0.4F; // pixels
     if (is_flat(grid))
         paint_flat(context_, grid, item.color);
-    else if (has_pixels(context_))
+    else if (raster)
         paint_bent(context_, grid, item.color);
     else
         paint_cells(context_, grid, overlap, item.color);
 }
 
-cairo_surface_t* ImagePainter::surface_of(std::uint32_t number) {
-    if (surfaces_.size() <= number) surfaces_.resize(number + 1);
-    auto& surface = surfaces_[number];
+cairo_surface_t* ImagePainter::surface_of(const Image& image) {
+    auto& surface = surfaces_[&image];
     if (!surface) {
         // Cairo only reads it, and wants to be able to write.
-        const Image& image = *picture_.images[number];
         auto* const pixels = const_cast<std::uint32_t*>(image.pixels.data());
         surface.reset(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels), CAIRO_FORMAT_ARGB32,
                                                           image.width, image.height,

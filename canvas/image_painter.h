@@ -4,7 +4,7 @@
 
 #include "canvas/cairo_handle.h"
 
-#include <vector>
+#include <map>
 
 namespace sinew::canvas {
 
@@ -18,11 +18,11 @@ class ImagePainter {
     void paint(const Picture::Item& item);
 
   private:
-    cairo_surface_t* surface_of(std::uint32_t number);
+    cairo_surface_t* surface_of(const Image& image);
 
     cairo_t* context_;
     const Picture& picture_;
-    std::vector<CairoSurface> surfaces_; ///< by number, made when first needed
+    std::map<const Image*, CairoSurface> surfaces_; ///< made when first needed
 };
 
 } // namespace sinew::canvas

@@ -85,7 +85,7 @@ std::shared_ptr<const Image> decoded(std::span<const unsigned char> bytes) {
     cairo_paint(context.get());
     cairo_surface_flush(target.get());
     if (cairo_status(context.get()) != CAIRO_STATUS_SUCCESS) return nullptr;
-    return std::make_shared<const Image>(std::move(image));
+    return with_halves(std::move(image));
 }
 
 } // namespace

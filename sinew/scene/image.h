@@ -17,7 +17,11 @@ struct Image {
     int width = 0;  ///< pixels
     int height = 0; ///< pixels
     std::vector<std::uint32_t> pixels;
+    std::shared_ptr<const Image> half{}; ///< the same, half as wide and high, for where it is seen small; may be none
 };
+
+/// The image with a half, that with a half, and so on, down to a few pixels; each pixel the mean of four.
+std::shared_ptr<const Image> with_halves(Image image);
 
 /// An image that was read, or why there is none.
 struct ReadImage {

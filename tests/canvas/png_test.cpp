@@ -91,6 +91,22 @@ TEST_F(PngFileRead, TooLargeIsRefusedBeforeItIsUnpacked) {
     EXPECT_NE(read("huge.png").problem.find("4294967295x4294967295"), std::string::npos);
 }
 
+TEST_F(PngFileRead, ComesInEverySizeItIsSeenIn) {
+    write_png(folder / "a.png", 20, 10, std::vector<std::uint32_t>(200, 0xff204060));
+    const auto whole = read("a.png").image;
+    ASSERT_TRUE(whole && whole->half);
+    EXPECT_EQ(whole->half->width, 10);
+    EXPECT_EQ(whole->half->height, 5);
+    for (const auto pixel : whole->half->pixels) EXPECT_EQ(pixel, 0xff204060);
+    write_png(folder / "b.png", 6, 6, [] {
+        std::vector<std::uint32_t> checks(36);
+        for (std::size_t i = 0; i < 36; ++i) checks[i] = (i + i / 6) % 2 == 0 ? 0xffffffff : 0xff000000;
+        return checks;
+    }());
+    const auto grey = read("b.png").image->half;
+    for (const auto pixel : grey->pixels) EXPECT_EQ(pixel, 0xff808080);
+}
+
 // --- onto a picture ----------------------------------------------------------------------------------------------
 
 struct PaintedImage : testing::Test {
