@@ -1,7 +1,7 @@
 #include "apps/cli/scene_page.h"
 
 #include "sinew/scene/check.h"
-#include "sinew/scene/shape.h"
+#include "sinew/scene/layout.h"
 
 #include "apps/cli/scene_file.h"
 
@@ -14,9 +14,9 @@ namespace {
 
 /// The field of a record that a key stands for, also where an alternative has it; null for a key that says which
 /// alternative it is.
-const Shape* field_called(const Shape& record, const json::Object& object, std::string_view key) {
+const Layout* field_called(const Layout& record, const json::Object& object, std::string_view key) {
     for (const auto& part : record.parts) {
-        if (part.type != Shape::Type::choice) {
+        if (part.type != Layout::Type::choice) {
             if (part.field.name == key) return &part;
             continue;
         }
@@ -51,7 +51,7 @@ class Collector {
   public:
     Collector(const Units& units, std::vector<Parameter>& found) : units_(units), found_(found) {}
 
-    void record(const json::Object& object, const Shape& shape, const std::string& path) {
+    void record(const json::Object& object, const Layout& shape, const std::string& path) {
         for (const auto& [key, value, span] : object)
             if (const auto* field = field_called(shape, object, key)) this->value(value, *field, path + key);
     }
@@ -67,8 +67,8 @@ class Collector {
         return !name || prefabs_.insert(*name).second;
     }
 
-    void value(const json::Value& value, const Shape& shape, const std::string& path) {
-        using Type = Shape::Type;
+    void value(const json::Value& value, const Layout& shape, const std::string& path) {
+        using Type = Layout::Type;
         if (const auto* object = value.as<json::Object>(); object && shape.type == Type::record)
             return record(*object, shape, path + ".");
         const auto* items = value.as<json::Array>();
@@ -138,7 +138,7 @@ ScenePage page_of(const std::string& name) {
     for (const std::string_view key : {"world", "solver", "figures"})
         if (const auto* section = json::find(*document.root.as<json::Object>(), key))
             told.push_back({std::string(key), key == "figures" ? without_lists(section->value) : section->value});
-    Collector(scene.measures(), page.parameters).record(told, shape_of<Scene>(), "");
+    Collector(scene.measures(), page.parameters).record(told, layout_of<Scene>(), "");
     return page;
 }
 
