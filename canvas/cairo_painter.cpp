@@ -1,5 +1,7 @@
 #include "canvas/cairo_painter.h"
 
+#include "canvas/image_painter.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -64,7 +66,30 @@ void paint_item(cairo_t* context, Shape shape, Outline outline, double width, do
         trace(context, outline, pixel);
         cairo_close_path(context);
         return cairo_fill(context);
+    case Shape::image:
+    case Shape::text:
+        return; // not of a path alone
     }
+}
+
+/// Letters in the colour that is set, on a rim of `paper` that parts them from what is behind.
+void write(cairo_t* context, const std::string& text, Vec2<float> middle, double height, const Color& paper) {
+    constexpr double rim = 0.25; // of the height
+    cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context, height);
+    cairo_text_extents_t extents;
+    cairo_text_extents(context, text.c_str(), &extents);
+    const double x = double(middle[0]) - extents.x_bearing - extents.width / 2;
+    const double y = double(middle[1]) - extents.y_bearing - extents.height / 2;
+    cairo_save(context);
+    set_color(context, paper);
+    cairo_move_to(context, x, y);
+    cairo_text_path(context, text.c_str());
+    stroke(context, height * rim);
+    cairo_restore(context);
+    cairo_move_to(context, x, y);
+    cairo_show_text(context, text.c_str());
+    cairo_new_path(context); // where it ends would be the beginning of the next
 }
 
 } // namespace
@@ -81,12 +106,17 @@ void paint(cairo_t* context, const Picture& picture) {
     cairo_set_fill_rule(context, CAIRO_FILL_RULE_EVEN_ODD);
     const double pixel = pixel_of(context);
     cover(context, picture.background);
+    ImagePainter images(context, picture);
     for (const Picture::Item& item : picture.items) {
         const Outline outline = picture.points_of(item);
-        if (item.color.alpha <= 0 || !is_paintable(outline)) continue;
+        if (!is_paintable(outline)) continue;
+        if (item.shape == Shape::image) images.paint(item);
+        if (item.shape == Shape::image || item.color.alpha <= 0) continue;
         // Written so that a width that is not a number also becomes one pixel.
         const double width = item.width >= pixel ? minimum(double(item.width), farthest * pixel) : pixel;
         set_color(context, item.color);
+        if (item.shape == Shape::text && item.number < picture.texts.size())
+            write(context, picture.texts[item.number], outline[0], width, picture.background);
         paint_item(context, item.shape, outline, width, pixel);
     }
     cairo_restore(context);

@@ -105,9 +105,11 @@ class WebpWriter final : public MovieWriter {
 
   private:
     Arguments encoding() const override {
-        // libwebp rather than libwebp_anim, which keeps all frames in memory until the end.
-        return {"-c:v",  "libwebp", "-quality", "85",   "-compression_level", "1",
-                "-loop", "0",       "-f",       "webp", url(partial.path())};
+        // libwebp_anim stores what changed from frame to frame, but keeps all of it in memory until the end.
+        const Arguments how = format.compact
+                                  ? Arguments{"-c:v", "libwebp_anim", "-quality", "65"}
+                                  : Arguments{"-c:v", "libwebp", "-quality", "85", "-compression_level", "1"};
+        return joined(how, {"-loop", "0", "-f", "webp", url(partial.path())});
     }
 };
 

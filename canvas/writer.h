@@ -16,6 +16,8 @@ struct FrameFormat {
     int width = 640;  ///< pixels
     int height = 480; ///< pixels
     double fps = 60;  ///< frames a second; of no meaning to a still image
+    /// A WebP that is half as large, in memory that grows with its length and more time: for short ones.
+    bool compact = false;
 };
 
 /// A file that pictures are written to. It appears under its name at finish(), whole, or not at all: a writer that

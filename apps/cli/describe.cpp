@@ -1,6 +1,6 @@
+#include "sinew/scene/layout.h"
 #include "sinew/scene/limits.h"
 #include "sinew/scene/scene.h"
-#include "sinew/scene/shape.h"
 #include "sinew/scene/text.h"
 
 #include "apps/cli/arguments.h"
@@ -19,7 +19,7 @@ namespace {
 struct Topic {
     std::string path; ///< "solver.rules", "figures.rope"
     std::string_view about;
-    const Shape* record;
+    const Layout* record;
     bool shadowed = false; ///< an outer one has the same name
 
     std::string_view last() const { return std::string_view(path).substr(path.rfind('.') + 1); } // npos + 1 is 0
@@ -29,32 +29,32 @@ struct Topic {
 };
 
 /// The record that a field holds, one or many of.
-const Shape* record_in(const Shape& shape) {
-    if (shape.type == Shape::Type::record) return &shape;
-    const bool many = shape.type == Shape::Type::list || shape.type == Shape::Type::map;
+const Layout* record_in(const Layout& shape) {
+    if (shape.type == Layout::Type::record) return &shape;
+    const bool many = shape.type == Layout::Type::list || shape.type == Layout::Type::map;
     return many ? record_in(shape.parts[0]) : nullptr;
 }
 
-void collect(std::vector<Topic>& topics, const Shape& record, const std::string& prefix) {
-    const auto add = [&](const Shape& part, std::string_view name, std::string_view about) {
+void collect(std::vector<Topic>& topics, const Layout& record, const std::string& prefix) {
+    const auto add = [&](const Layout& part, std::string_view name, std::string_view about) {
         topics.push_back({prefix + std::string(name), about, &part});
         collect(topics, part, topics.back().path + ".");
     };
     for (const auto& field : record.parts) {
-        if (field.type == Shape::Type::choice)
+        if (field.type == Layout::Type::choice)
             for (const auto& alternative : field.parts) add(alternative, alternative.name, alternative.about);
         else if (const auto* inside = record_in(field))
             add(*inside, field.field.name, field.field.help);
     }
 }
 
-/// Shapes that topics point into.
-struct Shapes {
-    Shape scene = shape_of<Scene>();
-    Shape limits = shape_of<Limits>();
+/// Layouts that topics point into.
+struct Layouts {
+    Layout scene = layout_of<Scene>();
+    Layout limits = layout_of<Limits>();
 };
 
-std::vector<Topic> topics_of(const Shapes& shapes) {
+std::vector<Topic> topics_of(const Layouts& shapes) {
     std::vector<Topic> topics{
         {"scene", "A scene file", &shapes.scene},
         {"limits", "What a scene may ask for before it is refused; only on the command line", &shapes.limits}};
@@ -102,7 +102,7 @@ class DescribeCommand final : public Command {
     }
 
     int run() override {
-        const Shapes shapes;
+        const Layouts shapes;
         const auto topics = topics_of(shapes);
         if (schema && markdown) misused("describe: --schema or --markdown, not both");
         if (!words.overrides.empty()) misused("describe changes no values");
@@ -111,9 +111,9 @@ class DescribeCommand final : public Command {
         return done;
     }
 
-    std::string text_of(const Topic& topic, const Shape* scene) const {
+    std::string text_of(const Topic& topic, const Layout* scene) const {
         if (schema) return json::to_text(schema_of(*topic.record, topic.name(), topic.record == scene)) + "\n";
-        Shape titled = *topic.record;
+        Layout titled = *topic.record;
         titled.name = topic.name();
         titled.about = topic.about;
         return markdown ? describe_markdown(titled) : sinew::describe(titled);

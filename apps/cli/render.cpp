@@ -1,3 +1,6 @@
+#include "sinew/scene/diagnostic.h"
+#include "sinew/scene/text.h"
+
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
@@ -8,6 +11,7 @@
 #include "canvas/sheet.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -28,6 +32,7 @@ struct Frames {
 struct Wishes {
     std::optional<double> seconds, fps, at;
     std::optional<std::array<int, 2>> size, sheet;
+    std::string overlay;
 };
 
 /// A picture of a scene that says nothing else shows it at this part of its time: something has happened, and it is
@@ -92,7 +97,31 @@ void settle(const canvas::Failure& failure) {
     if (failure) refuse("sinew", *failure);
 }
 
-void write_frames(Job& job, Run& run, const std::string& label) {
+/// The overlays that a list like "strain,names" asks for.
+OverlaySet overlay_of(const std::string& list) {
+    OverlaySet set;
+    for (std::size_t begin = 0; begin < list.size();) {
+        const auto end = std::min(list.find(',', begin), list.size());
+        const auto word = list.substr(begin, end - begin);
+        const auto found = std::ranges::find(overlays, word, &Overlay::name);
+        if (found == overlays.end()) {
+            std::vector<std::string_view> names;
+            for (const auto& overlay : overlays) names.push_back(overlay.name);
+            misused(fmt::format("there is no overlay called {}", in_quotes(word)), suggest(word, std::move(names)));
+        }
+        set.set(std::size_t(found - overlays.begin()));
+        begin = end + 1;
+    }
+    return set;
+}
+
+std::string overlays_text() {
+    std::string text;
+    for (const auto& [name, about] : overlays) text += fmt::format("  {:8} {}\n", name, about);
+    return text;
+}
+
+void write_frames(Job& job, Run& run, OverlaySet overlay, const std::string& label) {
     Picture picture;
     picture.width = job.size[0];
     picture.height = job.size[1];
@@ -100,7 +129,7 @@ void write_frames(Job& job, Run& run, const std::string& label) {
     canvas::Progress progress(label, std::size_t(steps_at(job.frames.count - 1)));
     for (std::size_t frame = 0; frame < job.frames.count; ++frame) {
         run.advance(steps_at(frame), progress);
-        run.session.draw(picture);
+        run.session.draw(picture, overlay);
         settle(job.writer->frame(picture));
     }
     settle(job.writer->finish());
@@ -139,6 +168,7 @@ class RenderCommand final : public Command {
                         "sinew render ragdoll -o ragdoll.gif --seconds 4 --fps 25 --size 320x240\n"
                         "sinew render ragdoll -o ragdoll.svg --at 1.5\n"
                         "sinew render ragdoll -o ragdoll.png --sheet 4x3 --seconds 6\n"
+                        "sinew render rope -o rope.png --overlay tension,names\n"
                         "sinew render ragdoll -o slow.mp4 --fps 60 solver.rate=240 mode=classic view.theme=dark\n",
         };
     }
@@ -153,19 +183,22 @@ class RenderCommand final : public Command {
         declare_number(parser, "--at", wishes.at, possible_seconds, "T",
                        "the second that a picture shows, or that a film or sheet begins at");
         declare_pair(parser, "--sheet", wishes.sheet, "CxR", "columns and rows of frames on one picture");
+        declare_text(parser, "--overlay", wishes.overlay, "A,B", "what to lay over it to see into the world");
     }
 
     int run() override {
+        const auto overlay = overlay_of(wishes.overlay);
         Run run(open_file(words.scene, words.overrides));
         if (path.empty()) path = fmt::format("out/{}.png", title_of(words.scene));
         canvas::catch_interrupts();
         auto job = begin_file(path, wishes, run.session.scene());
-        write_frames(job, run, path);
+        write_frames(job, run, overlay, path);
         print(written_text(path, job));
         return done;
     }
 
     std::string details = "The extension says what is written:\n\n" + kinds_text() +
+                          "\nAn overlay is one or more of these:\n\n" + overlays_text() +
                           "\nThe scene moves at its own rate; a frame shows the last step before it is due. A picture\n"
                           "without --at is taken at --seconds, or else after a fifth of the scene's time.\n"
                           "Films need ffmpeg. A file appears under its name when it is complete, or not at all.\n";

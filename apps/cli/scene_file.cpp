@@ -5,6 +5,7 @@
 #include "apps/cli/catalogue.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "canvas/png.h"
 
 #include <cerrno>
 #include <cstring>
@@ -91,7 +92,11 @@ Document open_document(const std::string& word, std::span<const Override> overri
 
 Opened open_file(const std::string& word, std::span<const Override> overrides) {
     auto document = open_document(word, overrides);
-    if (auto opened = open_scene(document)) return std::move(*opened);
+    const auto folder = word == "-" ? fs::path(".") : path_of(word).parent_path();
+    const auto read_image = [&](const std::string& name, const Limits& limits) {
+        return canvas::read_png(folder / name, name, limits);
+    };
+    if (auto opened = open_scene(document, read_image)) return std::move(*opened);
     const PrintStyle style{.color = has_color(stderr), .most = std::size_t(document.limits.errors)};
     throw GiveUp{bad_input, to_text(document.diagnostics, style)};
 }

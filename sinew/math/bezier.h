@@ -31,6 +31,12 @@ template <int D, class T> struct CubicBezier {
     }
 };
 
+/// The same curve, one degree higher.
+template <int D, class T> constexpr CubicBezier<D, T> elevated(const QuadraticBezier<D, T>& low) {
+    constexpr T part = T(2) / 3;
+    return {low.a, low.a + (low.b - low.a) * part, low.c + (low.b - low.c) * part, low.c};
+}
+
 /// The piece from b to c of the smooth curve through a, b, c, d (Catmull and Rom 1974): its tangent in b is that from a
 /// to c. At an end of the curve, where there is no further point, the end itself stands in for it.
 template <int D, class T>

@@ -26,7 +26,7 @@ struct Bone {
     std::string_view part;
     double classic_width, width; ///< as drawn; 0: a support, drawn only when asked for
     Rig rig = Rig::both;
-    double strut = 0; ///< not 0: keeps its ends only this share of their distance in the table apart, or more
+    double least = 1, most = 1; ///< how far apart its ends may be, as shares of their distance in the table
 };
 
 /// The turn at `at` on the way from -> at -> to stays in a range: degrees, counter-clockwise as seen on screen.
@@ -66,8 +66,8 @@ template <int D, class Real> void build_body(Builder<D, Real>& figure, const Bod
         const auto from = figure.named(bone.from), to = figure.named(bone.to);
         const std::array ends{from, to};
         const double length = figure.template measure<Distance>(ends);
-        figure.template constrain<Distance>(
-            bone.name, {from, to}, {.limits = bone.strut > 0 ? at_least(bone.strut * length) : exactly(length)});
+        figure.template constrain<Distance>(bone.name, {from, to},
+                                            {.limits = between(bone.least * length, bone.most * length)});
         figure.draw(Mark::stroke, bone.part, {from, to}, scale * width, width == 0);
     }
     constexpr double degree = pi<double> / 180;

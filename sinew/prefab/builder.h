@@ -125,9 +125,10 @@ template <int D, class RealT> class Builder {
         figure().pieces.push_back({mark, std::string(part), std::move(particles), width, 0, hidden});
     }
 
-    /// A stroke as wide as `width` where it begins, as `end_width` where it ends.
-    void draw_limb(std::string_view part, std::vector<ParticleId> particles, double width, double end_width) {
-        figure().pieces.push_back({Mark::stroke, std::string(part), std::move(particles), width, end_width, false});
+    /// A stroke or limb as wide as `width` where it begins, as `end_width` where it ends.
+    void draw_tapered(Mark mark, std::string_view part, std::vector<ParticleId> particles, double width,
+                      double end_width) {
+        figure().pieces.push_back({mark, std::string(part), std::move(particles), width, end_width, false});
     }
 
   private:

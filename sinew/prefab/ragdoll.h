@@ -5,12 +5,12 @@
 namespace sinew {
 
 /// A human figure seen from the front, standing where the middle between its shoulders is. Left and right are as one
-/// sees them: left_hand is on the left of the screen. Particles left_shoulder, right_shoulder, left_hip, right_hip,
-/// head_left, head_right, and left_ and right_ elbow, hand, knee, foot.
+/// sees them: left_hand is on the left of the screen. Particles left_ and right_ shoulder, hip, elbow, hand, knee,
+/// foot.
 ///
-/// Classic: the original's 15 points (the last one, center, is tied to nothing) and 21 segments, all alike. Physical:
-/// masses by body part, a round head (particle head), knees and elbows that bend one way, hips in a range, and legs
-/// that the hidden beams no longer keep stiff.
+/// Classic: the original's 15 points (besides these head_left, head_right and center, which is tied to nothing) and 21
+/// segments, all alike. Physical: particles neck and head, masses by body part, knees and elbows that bend one way,
+/// head and hips in a range, and none of the original's hidden beams.
 struct Ragdoll {
     static constexpr std::string_view name = "ragdoll";
     static constexpr std::string_view about = "A limp human figure to drop, throw and drag about.";

@@ -101,11 +101,29 @@ class ValueCheck {
             if constexpr (requires { made.problem(scene_.dimension); })
                 if (const auto problem = made.problem(scene_.dimension)) document_.error(under("figures", i), *problem);
         });
-        if (const auto* by_hand = std::get_if<ByHand>(&figure.made))
+        if (const auto* by_hand = std::get_if<ByHand>(&figure.made)) {
             for (std::size_t k = 0; k < by_hand->constraints.size(); ++k)
                 constraint(by_hand->constraints[k], under("figures", i) + under("constraints", k));
+            for (std::size_t k = 0; k < by_hand->pieces.size(); ++k)
+                piece(by_hand->pieces[k], under("figures", i) + under("pieces", k));
+        }
         for (const auto& [part, seen] : figure.looks)
             look(seen, under("figures", i, "looks") + json::pointer_step(part));
+    }
+
+    /// How many particles a mark is drawn through, in the order of mark_names.
+    void piece(const PieceSection& section, const std::string& place) {
+        constexpr std::array<std::array<std::size_t, 2>, mark_names.size()> counts = {
+            {{2, 1000}, {2, 1000}, {2, 1000}, {2, 1000}, {3, 1000}, {2, 2}, {1, 1000}, {3, 1000}, {4, 4}}};
+        const auto mark = std::find(mark_names.begin(), mark_names.end(), section.mark) - mark_names.begin();
+        const auto [least, most] = counts[std::size_t(mark)];
+        const auto found = section.through.size();
+        if (found < least || found > most)
+            document_.error(place + "/through",
+                            fmt::format("a {} goes through {}{} particles, found {}", section.mark,
+                                        least == most ? "" : fmt::format("{} to ", least), most, found));
+        if (section.end_width > 0 && section.width == 0)
+            document_.error(place + "/end_width", "an end_width needs a width to begin with");
     }
 
     void constraint(const ConstraintSection& section, const std::string& place) {
@@ -137,10 +155,11 @@ class ValueCheck {
     }
 
     void look(const Look& look, const std::string& place) {
-        for (const auto& [key, text] : {std::pair("/color", look.color), std::pair("/fill", look.fill)})
-            if (!text.empty() && !parse_color(text))
+        for (const auto& [key, text] :
+             {std::pair("/color", look.color), std::pair("/fill", look.fill), std::pair("/hover", look.hover)})
+            if (!text.empty() && !parse_color(text) && std::ranges::find(theme_colors, text) == theme_colors.end())
                 document_.error(place + key, fmt::format("\"{}\" is no colour", text),
-                                "a name such as tomato or teal, #rgb, #rrggbb, #rrggbbaa or none");
+                                "a name such as tomato or teal, ink or paper, #rgb, #rrggbb, #rrggbbaa or none");
     }
 
     void keys(const std::vector<Keyframe>& keys, const std::string& place) {
@@ -247,6 +266,10 @@ template <int D, class Real> class ReferenceCheck {
             for (std::size_t m = 0; m < by_hand->constraints[k].between.size(); ++m)
                 particle(built.name + "/" + by_hand->constraints[k].between[m],
                          under("figures", i) + under("constraints", k) + fmt::format("/between/{}", m));
+        for (std::size_t k = 0; k < by_hand->pieces.size(); ++k)
+            for (std::size_t m = 0; m < by_hand->pieces[k].through.size(); ++m)
+                particle(built.name + "/" + by_hand->pieces[k].through[m],
+                         under("figures", i) + under("pieces", k) + fmt::format("/through/{}", m));
     }
 
     static bool has_part(const Figure& figure, std::string_view part) {

@@ -1,4 +1,4 @@
-#include "sinew/scene/shape.h"
+#include "sinew/scene/layout.h"
 
 #include <algorithm>
 #include <array>
@@ -19,28 +19,28 @@ struct Section {
     std::vector<Row> rows;
 };
 
-std::string type_text(const Shape& shape) {
+std::string type_text(const Layout& shape) {
     switch (shape.type) {
-    case Shape::Type::truth:
+    case Layout::Type::truth:
         return "true or false";
-    case Shape::Type::integer:
+    case Layout::Type::integer:
         return "integer";
-    case Shape::Type::number:
+    case Layout::Type::number:
         return "number";
-    case Shape::Type::text:
+    case Layout::Type::text:
         return shape.field.choices.empty() ? "text" : "word";
-    case Shape::Type::point:
+    case Layout::Type::point:
         return "point";
-    case Shape::Type::list:
+    case Layout::Type::list:
         if (shape.least == shape.most) return concat(shape.least, " of ", type_text(shape.parts[0]));
         return concat("list of ", type_text(shape.parts[0]));
-    case Shape::Type::map:
+    case Layout::Type::map:
         return concat("names of ", type_text(shape.parts[0]));
-    case Shape::Type::record:
+    case Layout::Type::record:
         return "object";
-    case Shape::Type::choice:
+    case Layout::Type::choice:
         return "word";
-    case Shape::Type::any:
+    case Layout::Type::any:
         return "any value";
     }
     return {};
@@ -63,15 +63,15 @@ std::string list_of(std::span<const std::string_view> words) {
     return text;
 }
 
-std::string usual_text(const Shape& shape, const Units& units) {
+std::string usual_text(const Layout& shape, const Units& units) {
     if (shape.field.required) return "required";
-    if (shape.usual.is_null()) return shape.optional || shape.type != Shape::Type::record ? "none" : "";
+    if (shape.usual.is_null()) return shape.optional || shape.type != Layout::Type::record ? "none" : "";
     if (shape.usual == json::Value("")) return "none";
     const auto* text = shape.usual.as<std::string>();
     return text ? *text : to_text(in_units(shape.usual, units.scale(shape.field.unit)));
 }
 
-std::string range_of(const Shape& shape, const Units& units) {
+std::string range_of(const Layout& shape, const Units& units) {
     if (!shape.field.choices.empty()) return list_of(shape.field.choices);
     const auto [low, high] = range_in_file(shape.field, units);
     if (is_finite(low) && is_finite(high)) return concat(number_text(low), " to ", number_text(high));
@@ -80,28 +80,28 @@ std::string range_of(const Shape& shape, const Units& units) {
     return {};
 }
 
-Row row_of(const Shape& shape, std::string name, const Units& units) {
+Row row_of(const Layout& shape, std::string name, const Units& units) {
     return {std::move(name),          type_text(shape),       units.text(shape.field.unit),
             usual_text(shape, units), range_of(shape, units), shape.field.help};
 }
 
 /// The record inside a field, however deep in lists it is, and how its fields' names begin.
 struct Inside {
-    const Shape* record;
+    const Layout* record;
     std::string prefix;
 };
 
-Inside inside(const Shape& shape, std::string name) {
-    const bool list = shape.type == Shape::Type::list, map = shape.type == Shape::Type::map;
-    if (shape.type == Shape::Type::record) return {&shape, concat(name, ".")};
+Inside inside(const Layout& shape, std::string name) {
+    const bool list = shape.type == Layout::Type::list, map = shape.type == Layout::Type::map;
+    if (shape.type == Layout::Type::record) return {&shape, concat(name, ".")};
     if (list || map) return inside(shape.parts[0], concat(name, list ? "[]" : ".NAME"));
     return {nullptr, {}};
 }
 
-void add_fields(std::vector<Section>& sections, std::size_t section, const Shape& record, const std::string& prefix,
+void add_fields(std::vector<Section>& sections, std::size_t section, const Layout& record, const std::string& prefix,
                 const Units& units);
 
-void add_choice(std::vector<Section>& sections, std::size_t section, const Shape& choice, const std::string& prefix,
+void add_choice(std::vector<Section>& sections, std::size_t section, const Layout& choice, const std::string& prefix,
                 const Units& units) {
     const std::string tag(choice.field.name);
     std::vector<std::string_view> names;
@@ -118,10 +118,10 @@ void add_choice(std::vector<Section>& sections, std::size_t section, const Shape
     }
 }
 
-void add_fields(std::vector<Section>& sections, std::size_t section, const Shape& record, const std::string& prefix,
+void add_fields(std::vector<Section>& sections, std::size_t section, const Layout& record, const std::string& prefix,
                 const Units& units) {
     for (const auto& field : record.parts) {
-        if (field.type == Shape::Type::choice) {
+        if (field.type == Layout::Type::choice) {
             add_choice(sections, section, field, prefix, units);
             continue;
         }
@@ -132,7 +132,7 @@ void add_fields(std::vector<Section>& sections, std::size_t section, const Shape
     }
 }
 
-std::vector<Section> sections_of(const Shape& record, const Units& units) {
+std::vector<Section> sections_of(const Layout& record, const Units& units) {
     std::vector<Section> sections{{std::string(record.name), record.about, {}}};
     add_fields(sections, 0, record, "", units);
     return sections;
@@ -178,7 +178,7 @@ std::string cell(std::string_view text) {
 
 } // namespace
 
-std::string describe(const Shape& record, const Units& units) {
+std::string describe(const Layout& record, const Units& units) {
     std::string out;
     for (const auto& [title, about, rows] : sections_of(record, units)) {
         if (!out.empty()) out += "\n";
@@ -191,7 +191,7 @@ std::string describe(const Shape& record, const Units& units) {
     return out;
 }
 
-std::string describe_markdown(const Shape& record, const Units& units) {
+std::string describe_markdown(const Layout& record, const Units& units) {
     std::string out;
     for (const auto& [title, about, rows] : sections_of(record, units)) {
         if (!out.empty()) out += "\n";

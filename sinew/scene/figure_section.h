@@ -80,16 +80,45 @@ struct ParticleSection {
     }
 };
 
+inline constexpr std::array<std::string_view, 9> mark_names = {"stroke", "curve", "limb", "tip",    "loop",
+                                                               "ring",   "dot",   "fill", "surface"};
+
+/// What is drawn of a figure made by hand, beside its dots and its lines.
+struct PieceSection {
+    std::string mark = "stroke";
+    std::string part;
+    std::vector<std::string> through;
+    double width = 0, end_width = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.mark, Field{.name = "mark", .help = "What it is drawn as", .choices = mark_names});
+        visit(self.part, Field{.name = "part", .help = "What looks call it; left out: as its mark"});
+        visit(self.through, Field{.name = "through", .help = "Its particles, by name", .required = true});
+        visit(self.width, Field{.name = "width",
+                                .help = "Thickness or diameter; 0 leaves it to the looks",
+                                .unit = unit::length,
+                                .low = 0,
+                                .high = 1e6});
+        visit(self.end_width, Field{.name = "end_width",
+                                    .help = "Of a stroke or limb that tapers: its thickness at the end",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = 1e6});
+    }
+};
+
 /// A figure made by hand, of single particles and constraints.
 struct ByHand {
     static constexpr std::string_view name = "by_hand";
     static constexpr std::string_view about = "Particles and constraints listed one by one.";
     std::vector<std::pair<std::string, ParticleSection>> particles;
     std::vector<ConstraintSection> constraints;
+    std::vector<PieceSection> pieces;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.particles, Field{.name = "particles", .help = "Particles by name"});
         visit(self.constraints, Field{.name = "constraints", .help = "What joins them"});
+        visit(self.pieces, Field{.name = "pieces", .help = "What is drawn on them, above lines and below dots"});
     }
 };
 

@@ -158,12 +158,25 @@ template <int D, class Real> class Maker {
             if (particle.pinned) pin(world_, id);
         }
         for (const auto& constraint : by_hand.constraints) join(constraint, figure, std::string(name) + "/");
+        for (const auto& piece : by_hand.pieces) add_piece(piece, figure, std::string(name) + "/");
         for (std::size_t i = 0; i < by_hand.particles.size(); ++i)
             world_.figures[figure].pieces.push_back({.mark = Mark::dot,
                                                      .part = by_hand.particles[i].first,
                                                      .particles = {world_.figures[figure].particles[i]},
                                                      .width = by_hand.particles[i].second.size});
         return figure;
+    }
+
+    /// Marks are named in their order. Names are checked later: one of nothing is left out.
+    void add_piece(const PieceSection& section, FigureIndex figure, const std::string& prefix) {
+        const auto mark = std::find(mark_names.begin(), mark_names.end(), section.mark) - mark_names.begin();
+        Piece piece{.mark = Mark(mark),
+                    .part = section.part.empty() ? section.mark : section.part,
+                    .width = section.width,
+                    .end_width = section.width > 0 ? section.end_width : 0};
+        for (const auto& particle : section.through)
+            piece.particles.push_back(find_particle(world_, prefix + particle).value_or(ParticleId{}));
+        world_.figures[figure].pieces.push_back(std::move(piece));
     }
 
     /// A constraint between particles whose names begin with `prefix`. References are checked later: one to nothing is

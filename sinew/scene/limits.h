@@ -20,10 +20,12 @@ struct Limits {
     std::int64_t particles = 1'000'000;
     std::int64_t constraints = 4'000'000;
     std::int64_t events = 100'000;
+    std::int64_t pixels = 16'000'000;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         constexpr double most = 4e9; // places in a text are 32 bits wide
-        visit(self.bytes, Field{.name = "bytes", .help = "Size of the scene file", .low = 1, .high = most});
+        visit(self.bytes,
+              Field{.name = "bytes", .help = "Size of the scene file, and of each image", .low = 1, .high = most});
         // An object can hold objects as deep as the stack of the program that walks them allows.
         visit(self.depth,
               Field{.name = "depth", .help = "Objects and arrays inside each other", .low = 1, .high = 1000});
@@ -41,6 +43,7 @@ struct Limits {
         visit(self.constraints,
               Field{.name = "constraints", .help = "Constraints of all figures", .low = 0, .high = most});
         visit(self.events, Field{.name = "events", .help = "Events on the timeline", .low = 0, .high = most});
+        visit(self.pixels, Field{.name = "pixels", .help = "Pixels of all images together", .low = 0, .high = most});
     }
 };
 

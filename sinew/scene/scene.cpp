@@ -1,6 +1,7 @@
 #include "sinew/scene/scene.h"
 
 #include "sinew/scene/check.h"
+#include "sinew/scene/read_images.h"
 #include "sinew/scene/reader.h"
 
 namespace sinew {
@@ -51,7 +52,7 @@ double step_length(const Scene& scene) {
     return scene.measures().per_second / scene.solver.rate;
 }
 
-std::optional<Opened> open_scene(Document& document) {
+std::optional<Opened> open_scene(Document& document, const ImageReader& reader) {
     const bool unreadable = document.root.as<json::Object>()->empty() && !document.diagnostics.ok();
     if (unreadable) return std::nullopt;
     Diagnostics heard_again = document.diagnostics; // what the header says wrong, the whole reading says too
@@ -67,6 +68,7 @@ std::optional<Opened> open_scene(Document& document) {
     if (!document.diagnostics.ok()) return std::nullopt;
     opened.world = instantiate(opened.scene);
     check_references(opened.scene, opened.world, document);
+    if (reader) opened.images = read_images(opened, reader, document);
     if (!document.diagnostics.ok()) return std::nullopt;
     return opened;
 }

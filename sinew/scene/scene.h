@@ -3,6 +3,7 @@
 #include "sinew/scene/document.h"
 #include "sinew/scene/event_section.h"
 #include "sinew/scene/figure_section.h"
+#include "sinew/scene/image.h"
 #include "sinew/scene/units.h"
 #include "sinew/scene/world_section.h"
 #include "sinew/solver/world.h"
@@ -122,12 +123,14 @@ AnyWorld instantiate(const Scene& scene);
 struct Opened {
     Scene scene;
     AnyWorld world; ///< at its start
+    Images images;
 };
 
 /// Reads the scene of a document and builds its world. Nothing where anything is wrong with it, also beyond single
-/// values (names that are used twice or stand for nothing, more than the limits allow): then the document's diagnostics
-/// say what.
-std::optional<Opened> open_scene(Document& document);
+/// values (names that are used twice or stand for nothing, more than the limits allow, images that cannot be read):
+/// then the document's diagnostics say what. Without a reader of images none is looked at, and shapes are drawn
+/// instead.
+std::optional<Opened> open_scene(Document& document, const ImageReader& reader = {});
 
 /// How long a step of the scene is, in its own time unit.
 double step_length(const Scene& scene);

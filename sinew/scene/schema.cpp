@@ -1,5 +1,5 @@
 #include "sinew/scene/document.h"
-#include "sinew/scene/shape.h"
+#include "sinew/scene/layout.h"
 
 #include <algorithm>
 
@@ -10,8 +10,8 @@ using json::Array;
 using json::Object;
 using json::Value;
 
-Value schema(const Shape& shape);
-Object by_type(const Shape& shape);
+Value schema(const Layout& shape);
+Object by_type(const Layout& shape);
 
 /// A bound that holds whatever units a scene has.
 bool same_in_all_units(Unit unit, double bound) {
@@ -29,7 +29,7 @@ Array words(std::span<const std::string_view> names) {
     return {names.begin(), names.end()};
 }
 
-std::string description(const Shape& shape) {
+std::string description(const Layout& shape) {
     std::string text(shape.field.help);
     Unit unit = shape.field.unit;
     const bool angle = unit.angle;
@@ -38,32 +38,32 @@ std::string description(const Shape& shape) {
     return text;
 }
 
-Object number(std::string_view type, const Shape& shape) {
+Object number(std::string_view type, const Layout& shape) {
     Object schema{{"type", type}};
     add_range(schema, shape.field);
     return schema;
 }
 
-Object list(const Shape& shape) {
+Object list(const Layout& shape) {
     Object schema{{"type", "array"}, {"items", by_type(shape.parts[0])}};
     if (shape.least > 0) schema.push_back({"minItems", shape.least});
-    if (shape.most != Shape::no_limit) schema.push_back({"maxItems", shape.most});
+    if (shape.most != Layout::no_limit) schema.push_back({"maxItems", shape.most});
     return schema;
 }
 
 /// The dimension is the scene's: 2 or 3 numbers.
-Object point(const Shape& shape) {
+Object point(const Layout& shape) {
     return {{"type", "array"}, {"items", number("number", shape)}, {"minItems", 2}, {"maxItems", 3}};
 }
 
 // --- objects ----------------------------------------------------------------------------------------------------
 
-bool is_choice(const Shape& shape) {
-    return shape.type == Shape::Type::choice;
+bool is_choice(const Layout& shape) {
+    return shape.type == Layout::Type::choice;
 }
 
 /// Every key that an object of this shape may have.
-void collect_names(std::vector<std::string_view>& names, const Shape& record) {
+void collect_names(std::vector<std::string_view>& names, const Layout& record) {
     for (const auto& field : record.parts) {
         if (!field.field.name.empty()) names.push_back(field.field.name);
         if (is_choice(field))
@@ -83,7 +83,7 @@ struct Members {
     Array required;
 };
 
-Members members_of(const Shape& record) {
+Members members_of(const Layout& record) {
     Members members;
     for (const auto& field : record.parts) {
         if (is_choice(field)) continue;
@@ -94,7 +94,7 @@ Members members_of(const Shape& record) {
 }
 
 /// What the object is like where one alternative is meant, or none. `others` are the keys that do not depend on it.
-Object consequence(const Shape* alternative, std::vector<std::string_view> others) {
+Object consequence(const Layout* alternative, std::vector<std::string_view> others) {
     Object then;
     if (alternative) {
         auto [properties, required] = members_of(*alternative);
@@ -111,10 +111,10 @@ Value has(std::string_view key) {
 }
 
 /// if-then clauses that tie the object's keys to the alternative of one choice.
-void add_choice(Array& clauses, const Shape& choice, const std::vector<std::string_view>& others) {
+void add_choice(Array& clauses, const Layout& choice, const std::vector<std::string_view>& others) {
     const auto tag = choice.field.name;
     Array any;
-    const Shape* usual = nullptr;
+    const Layout* usual = nullptr;
     for (const auto& alternative : choice.parts) {
         Value condition =
             tag.empty() ? has(alternative.name)
@@ -133,8 +133,8 @@ void add_choice(Array& clauses, const Shape& choice, const std::vector<std::stri
 }
 
 /// Keys of the record that do not hang on this choice.
-std::vector<std::string_view> names_beside(const Shape& record, const Shape& choice) {
-    Shape rest{.field = {}, .usual = {}, .name = {}, .about = {}, .parts = {}};
+std::vector<std::string_view> names_beside(const Layout& record, const Layout& choice) {
+    Layout rest{.field = {}, .usual = {}, .name = {}, .about = {}, .parts = {}};
     std::vector<std::string_view> names;
     for (const auto& field : record.parts)
         if (&field != &choice) rest.parts.push_back(field);
@@ -143,7 +143,7 @@ std::vector<std::string_view> names_beside(const Shape& record, const Shape& cho
     return names;
 }
 
-Object record(const Shape& shape) {
+Object record(const Layout& shape) {
     auto [properties, required] = members_of(shape);
     Array clauses;
     for (const auto& field : shape.parts) {
@@ -167,43 +167,43 @@ Object record(const Shape& shape) {
     return schema;
 }
 
-Object by_type(const Shape& shape) {
+Object by_type(const Layout& shape) {
     switch (shape.type) {
-    case Shape::Type::truth:
+    case Layout::Type::truth:
         return {{"type", "boolean"}};
-    case Shape::Type::integer:
+    case Layout::Type::integer:
         return number("integer", shape);
-    case Shape::Type::number:
+    case Layout::Type::number:
         return number("number", shape);
-    case Shape::Type::text:
+    case Layout::Type::text:
         if (!shape.field.choices.empty()) return {{"type", "string"}, {"enum", words(shape.field.choices)}};
         return {{"type", "string"}};
-    case Shape::Type::point:
+    case Layout::Type::point:
         return point(shape);
-    case Shape::Type::list:
+    case Layout::Type::list:
         return list(shape);
-    case Shape::Type::map:
+    case Layout::Type::map:
         return {{"type", "object"}, {"additionalProperties", by_type(shape.parts[0])}};
-    case Shape::Type::record:
+    case Layout::Type::record:
         return record(shape);
-    case Shape::Type::choice:
-    case Shape::Type::any:
+    case Layout::Type::choice:
+    case Layout::Type::any:
         break;
     }
     return {};
 }
 
-Value schema(const Shape& shape) {
+Value schema(const Layout& shape) {
     Object schema = by_type(shape);
     if (auto text = description(shape); !text.empty()) schema.insert(schema.begin(), {"description", std::move(text)});
-    const bool plain = shape.type != Shape::Type::record && shape.type != Shape::Type::list;
+    const bool plain = shape.type != Layout::Type::record && shape.type != Layout::Type::list;
     if (plain && !shape.usual.is_null() && shape.field.unit == unit::none) schema.push_back({"default", shape.usual});
     return schema;
 }
 
 } // namespace
 
-json::Value schema_of(const Shape& shape, std::string_view title, bool document) {
+json::Value schema_of(const Layout& shape, std::string_view title, bool document) {
     Object schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
     Object root = record(shape);
     if (document) {

@@ -106,7 +106,8 @@ template <class WorldT> struct Doer {
 } // namespace
 
 Session::Session(Opened opened)
-    : scene_(std::move(opened.scene)), world_(std::move(opened.world)), focus_(focus_of(scene_, world_)) {
+    : scene_(std::move(opened.scene)), world_(std::move(opened.world)), images_(std::move(opened.images)),
+      focus_(focus_of(scene_, world_)) {
     std::stable_sort(scene_.events.begin(), scene_.events.end(),
                      [](const EventSection& a, const EventSection& b) { return a.at < b.at; });
     find_driven();
@@ -216,6 +217,17 @@ void Session::drive() {
             }
         },
         world_);
+}
+
+std::optional<Point> Session::pointer() const {
+    if (pointer_) return pointer_;
+    const double now = std::visit([](const auto& world) { return world.time; }, world_);
+    const int up = scene_.units.up == "-y" ? -1 : 1;
+    for (const auto& driven : driven_) {
+        const auto& driver = *scene_.pins[driven.section].driver;
+        if (std::holds_alternative<PointerDriver>(driver)) return driven_to(driver, driven.rest, now, up);
+    }
+    return std::nullopt;
 }
 
 void Session::carry_held() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/scene/scene.h"
+#include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
 
 #include <array>
@@ -54,6 +55,8 @@ class Session {
 
     /// Where the pointer is, for pins that follow it; nothing: where their scenes say a pointer would be.
     void point_at(std::optional<Point> place) { pointer_ = place; }
+    /// Where it is, or where the scene says a pointer would be.
+    std::optional<Point> pointer() const;
 
     Report report() const;
     /// All that happened so far; at most `most_happenings`, then only counted.
@@ -64,8 +67,8 @@ class Session {
     /// Where a pixel of a picture of that size is in a 2D scene.
     Vec2<double> place_of(Vec2<double> pixel, int width, int height) const;
 
-    /// The picture of now, filling `picture` (whose width and height the caller sets).
-    void draw(Picture& picture) const;
+    /// The picture of now, filling `picture` (whose width and height the caller sets), with overlays on it.
+    void draw(Picture& picture, OverlaySet overlay = {}) const;
 
   private:
     struct Held {
@@ -96,6 +99,7 @@ class Session {
 
     Scene scene_;
     AnyWorld world_;
+    Images images_;
     std::array<Point, 2> focus_; ///< two corners around what the scene shows at its start
     std::size_t next_event_ = 0;
     std::vector<Driven> driven_;

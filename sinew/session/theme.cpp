@@ -1,5 +1,7 @@
 #include "sinew/session/theme.h"
 
+#include "sinew/scene/look_section.h"
+
 namespace sinew {
 namespace {
 
@@ -15,6 +17,7 @@ constexpr Theme light = {
     .shadow = rgb(0xe6decd),
     .floor_shadow = rgb(0xbdb19a),
     .ink = rgb(0x2b2d42),
+    .pen = rgb(0x2b2d42),
     .outline_shade = 0.7F,
     .palette = {rgb(0xe4572e), rgb(0x1f8a8a), rgb(0x3f6fb5), rgb(0xe9a820), rgb(0x7d5ba6), rgb(0x5c8d4e)},
     .materials = {{{"head", rgb(0xf2b58c)},
@@ -34,6 +37,7 @@ constexpr Theme dark = {
     .shadow = rgb(0x11131a),
     .floor_shadow = rgb(0x191c25),
     .ink = rgb(0x08090c),
+    .pen = rgb(0xe6e1d6),
     .outline_shade = 0.65F,
     .palette = {rgb(0xff7a52), rgb(0x43c6b9), rgb(0x74a7ff), rgb(0xffcb52), rgb(0xb993e6), rgb(0x93c47d)},
     .materials = {{{"head", rgb(0xf6c29c)},
@@ -47,6 +51,12 @@ constexpr Theme dark = {
 };
 
 } // namespace
+
+std::optional<Color> color_in(const Theme& theme, std::string_view text) {
+    if (text == theme_colors[0]) return theme.pen;
+    if (text == theme_colors[1]) return theme.background;
+    return parse_color(text);
+}
 
 const Theme& theme_called(std::string_view name) {
     return name == "dark" ? dark : light;

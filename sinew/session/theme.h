@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace sinew {
@@ -17,11 +18,12 @@ struct Theme {
     };
 
     Color background;
-    Color ground;       ///< beyond walls; the floor in 3D
-    Color wall;         ///< the line along them
-    Color shadow;       ///< on the background
-    Color floor_shadow; ///< on the ground
-    Color ink;
+    Color ground;            ///< beyond walls; the floor in 3D
+    Color wall;              ///< the line along them
+    Color shadow;            ///< on the background
+    Color floor_shadow;      ///< on the ground
+    Color ink;               ///< darkest: what outlines go towards
+    Color pen;               ///< of lines and letters that stand out from the background
     float outline_shade = 0; ///< how far outlines are drawn from a line's colour towards ink
     std::array<Color, 6> palette;
     std::array<Material, 8> materials;
@@ -34,6 +36,9 @@ struct Theme {
         return nullptr;
     }
 };
+
+/// A colour as a look says it: one of theme_colors, or any that parse_color knows.
+std::optional<Color> color_in(const Theme& theme, std::string_view text);
 
 /// "light" or "dark".
 const Theme& theme_called(std::string_view name);

@@ -6,12 +6,15 @@ namespace {
 /// Where a look has a colour and no fill of its own, areas are filled with a tint of it.
 void dress(Style& style, const Look& look, const Theme& theme) {
     constexpr float tint = 0.6F;
-    if (const auto color = parse_color(look.color)) {
+    if (const auto color = color_in(theme, look.color)) {
         style.color = *color;
         style.fill = mix(*color, theme.background, tint);
         style.fill.alpha = color->alpha;
     }
-    if (const auto fill = parse_color(look.fill)) style.fill = *fill;
+    if (const auto fill = color_in(theme, look.fill)) style.fill = *fill;
+    if (const auto hover = color_in(theme, look.hover)) style.hover = hover;
+    if (!look.profile.empty()) style.profile = look.profile;
+    if (look.image) style.image = &*look.image;
     if (look.width) style.width = look.width;
     if (look.hidden) style.hidden = look.hidden;
 }

@@ -4,6 +4,7 @@
 #include "sinew/session/theme.h"
 
 #include <optional>
+#include <span>
 #include <string>
 
 namespace sinew {
@@ -11,8 +12,11 @@ namespace sinew {
 /// How a part is drawn.
 struct Style {
     Color color, fill;
+    std::optional<Color> hover;
     std::optional<double> width;
     std::optional<bool> hidden;
+    std::span<const double> profile;
+    const ImageLook* image = nullptr; ///< of the scene
 };
 
 /// The looks of one figure's parts, the general before the particular: theme, part anywhere, figure, all of it, its

@@ -16,10 +16,12 @@ namespace sinew {
 enum class Mark : std::uint8_t {
     stroke, ///< a line through its particles
     curve,  ///< a smooth line through them
-    loop,   ///< a closed line
-    ring,   ///< a long ring around two particles: a link of a chain, seen from its broad side
-    dot,    ///< a disc at each particle
-    fill,   ///< a filled polygon
+    limb, ///< a band along the Bezier curve that its particles pull: 2 straight, 3 quadratic, 4 cubic, more through all
+    tip,  ///< a disc at the last particle of a limb of the same particles, turned as the curve ends: a hand, a foot
+    loop, ///< a closed line
+    ring, ///< a long ring around two particles: a link of a chain, seen from its broad side
+    dot,  ///< a disc at each particle
+    fill, ///< a filled polygon
     surface ///< a patch of cloth, four particles: shaded by its tilt, smoothly from patch to patch
 };
 
@@ -30,9 +32,16 @@ struct Piece {
     std::string part{};
     std::vector<ParticleId> particles{};
     double width = 0;     ///< in world units: line thickness or disc diameter; 0 leaves it to the looks
-    double end_width = 0; ///< of a stroke that tapers: its width at the last particle
+    double end_width = 0; ///< of a stroke or limb that tapers: its width at the last particle
     bool hidden = false;  ///< a support that is only drawn when asked for
 };
+
+/// Whether an image can be painted in its place: on anything but closed lines, cloth, and polygons of other than four
+/// corners.
+inline bool takes_image(const Piece& piece) {
+    if (piece.mark == Mark::fill) return piece.particles.size() == 4;
+    return piece.mark != Mark::loop && piece.mark != Mark::surface;
+}
 
 /// Names by number, which take no room however many they are: the figure's particles (or constraints) from the one
 /// built as number `first` on are called stem_0, stem_1, ...; in rows of `columns`, where that is not 0,

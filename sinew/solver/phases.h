@@ -31,6 +31,13 @@ template <int D, class Real> void tear(World<D, Real>& world);
 /// block_step.cpp: moves every block over a step; tensions are told as multipliers of a substep of that length.
 template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep);
 
+/// passive.cpp: limits of turns give a figure no energy. Finds the figures of which that can be said; notes their
+/// energy before the constraints act; takes back what those added.
+template <int D, class Real> void find_passive(World<D, Real>& world);
+template <int D, class Real> void note_energy(World<D, Real>& world);
+template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h);
+
+
 /// classic.cpp: a step by the originals' rules.
 template <int D, class Real> void classic_step(World<D, Real>& world, Real dt);
 

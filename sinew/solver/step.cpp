@@ -183,6 +183,7 @@ template <int D, class Real> void sweep_substeps(World<D, Real>& world, int subs
         SubstepMover<D, Real> mover{world.particles, h};
         predict(world, mover);
         move_pins(world, share, mover);
+        note_energy(world);
         for (int i = 0; i < world.settings.iterations; ++i) {
             mover.first_iteration = i == 0;
             for (const auto& run : world.blocks.runs) detail::project_run(world, run, mover);
@@ -190,6 +191,7 @@ template <int D, class Real> void sweep_substeps(World<D, Real>& world, int subs
             keep_in_bounds(world, mover);
         }
         advance(world, h);
+        take_back_gains(world, h);
         rebound(world);
     }
 }
@@ -198,6 +200,7 @@ template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) 
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : usual_substeps;
     const Real h = dt / Real(substeps);
     prepare(world);
+    find_passive(world);
     step_blocks(world, dt, h);
     sweep_substeps(world, substeps, h);
 }

@@ -6,6 +6,7 @@
 #include "sinew/solver/figure.h"
 #include "sinew/solver/force.h"
 #include "sinew/solver/id.h"
+#include "sinew/solver/passive.h"
 
 #include <array>
 #include <cstdint>
@@ -165,6 +166,7 @@ template <int D, class Real> struct Pin {
     Real damping = 1;          ///< of a compliant pin, as a fraction of critical
     Real max_force = 0;        ///< most it pulls with; 0 means no limit
     Vec<D, Real> multiplier{}; ///< of the last substep; force = -multiplier / h^2
+    Vec<D, Real> carried{};    ///< scratch: its particle's velocity before the constraints
     bool hard() const { return compliance == Real(0) && max_force == Real(0); }
 };
 
@@ -250,6 +252,7 @@ template <int D, class RealT> struct World {
     Real last_substep = 0;       ///< its length; a change of it corrects the Verlet step
     std::vector<Event> events;   ///< of the last step
     Blocks<D> blocks;            ///< what is solved at once instead of in the sweep
+    Budgets<D> budgets;          ///< what the constraints of figures may do to their energy
     std::vector<Vector> scratch; ///< room for the points and gradients of the widest constraint
 };
 

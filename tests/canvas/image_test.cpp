@@ -48,7 +48,7 @@ TEST(Png, HasThePixelsOfThePicture) {
     ScratchFolder folder;
     TumblingFigure figure;
     ASSERT_EQ(write(folder / "figure.png", figure.at(0)), Failure());
-    const Image image(folder / "figure.png");
+    const PngFile image(folder / "figure.png");
     EXPECT_EQ(image.width, 640);
     EXPECT_EQ(image.height, 480);
     expect_near(image.at(10, 10), TumblingFigure::paper);
@@ -64,7 +64,7 @@ TEST(Png, KeepsTransparency) {
     picture.background = {0, 0, 0, 0};
     picture.add(Shape::disc, std::array{Vec2<float>{10, 10}}, 10, {1, 0, 0, 1});
     ASSERT_EQ(write(folder / "disc.png", picture), Failure());
-    const Image image(folder / "disc.png");
+    const PngFile image(folder / "disc.png");
     EXPECT_EQ(image.at(0, 0), (Pixel{0, 0, 0, 0}));
     EXPECT_EQ(image.at(10, 10), (Pixel{255, 0, 0, 255}));
 }

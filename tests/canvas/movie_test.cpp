@@ -42,14 +42,14 @@ std::map<std::string, std::string> probe(const std::filesystem::path& path) {
 }
 
 /// A frame of a film as an image.
-Image frame_of(const std::filesystem::path& path, int index) {
+PngFile frame_of(const std::filesystem::path& path, int index) {
     const auto png = path.parent_path() / "frame.png";
     output_of("ffmpeg -v error -nostdin -y -i '" + path.string() + "' -vf 'select=eq(n\\," + std::to_string(index) +
               ")' -frames:v 1 '" + png.string() + "'");
-    return Image(png);
+    return PngFile(png);
 }
 
-void expect_figure(const Image& image, int tolerance) {
+void expect_figure(const PngFile& image, int tolerance) {
     expect_near(image.at(10, 10), TumblingFigure::paper, tolerance);
     expect_near(image.at(320, 128), TumblingFigure::skin, tolerance);
     expect_near(image.at(310, 230), TumblingFigure::cloth, tolerance);
@@ -87,7 +87,7 @@ TEST(Mp4, OddSidesArePaddedWithBackground) {
     ASSERT_EQ(film(folder / "a.mp4", {641, 479, 30}, 3), Failure());
     auto found = probe(folder / "a.mp4");
     EXPECT_EQ(found["width"] + "x" + found["height"], "642x480");
-    const Image image = frame_of(folder / "a.mp4", 0);
+    const PngFile image = frame_of(folder / "a.mp4", 0);
     expect_near(image.at(641, 5), TumblingFigure::paper, 6);
 }
 

@@ -47,9 +47,9 @@ inline void expect_near(const Pixel& found, const Color& expected, int tolerance
 }
 
 /// A PNG read back.
-class Image {
+class PngFile {
   public:
-    explicit Image(const std::filesystem::path& path)
+    explicit PngFile(const std::filesystem::path& path)
         : surface(cairo_image_surface_create_from_png(path.c_str())),
           width(cairo_image_surface_get_width(surface.get())), height(cairo_image_surface_get_height(surface.get())) {}
 

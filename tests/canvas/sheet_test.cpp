@@ -25,7 +25,7 @@ constexpr SheetFormat three_by_two{
 TEST(Sheet, LaysFramesOutInReadingOrderOnAMount) {
     ScratchFolder folder;
     ASSERT_EQ(write(folder / "sheet.png", three_by_two, 6), Failure());
-    const Image sheet(folder / "sheet.png");
+    const PngFile sheet(folder / "sheet.png");
     EXPECT_EQ(sheet.width, 3 * 160 + 4 * 14);
     EXPECT_EQ(sheet.height, 2 * (120 + 22) + 14 + 7);
     const Pixel mount = sheet.at(0, 0);
@@ -42,7 +42,7 @@ TEST(Sheet, LaysFramesOutInReadingOrderOnAMount) {
 TEST(Sheet, HasATimeUnderEachFrame) {
     ScratchFolder folder;
     ASSERT_EQ(write(folder / "sheet.png", three_by_two, 5), Failure());
-    const Image sheet(folder / "sheet.png");
+    const PngFile sheet(folder / "sheet.png");
     const auto lettered = [&](int column, int row) {
         int marks = 0;
         for (int x = 0; x < 160; ++x)

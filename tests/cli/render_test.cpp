@@ -149,5 +149,21 @@ TEST_F(Render, ShowsProgressOnATerminal) {
     EXPECT_TRUE(has(sinew({"render", "pendulum", "-o", "a.mp4"}, on_terminal).err, "a.mp4  ["));
 }
 
+TEST_F(Render, LaysOverWhatIsAskedFor) {
+    const auto drawn = [&](Arguments more) {
+        Arguments all = {"render", "pendulum", "-o", folder / "a.svg", "--at", "1"};
+        all.insert(all.end(), more.begin(), more.end());
+        EXPECT_EQ(sinew(all).code, 0);
+        return text_of(folder / "a.svg");
+    };
+    const auto plain = drawn({});
+    EXPECT_NE(drawn({"--overlay", "pins"}), plain);
+    EXPECT_NE(drawn({"--overlay", "strain,names"}), drawn({"--overlay", "names"}));
+    const auto wrong = sinew({"render", "pendulum", "--overlay", "strian"});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_TRUE(has(wrong.err, "there is no overlay called \"strian\""));
+    EXPECT_TRUE(has(wrong.err, "did you mean \"strain\"?"));
+}
+
 } // namespace
 } // namespace sinew::cli_test

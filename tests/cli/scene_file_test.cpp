@@ -98,5 +98,21 @@ TEST(Overrides, AreCheckedAsTheFileIs) {
     expect_refused(sinew({"run", "pendulum", "solver.substeps=many"}), "expected an integer from 1 to 1000");
 }
 
+// Beside the scene, wherever the command is started.
+TEST(SceneFile, NamesImagesFromItsOwnFolder) {
+    const ScratchFolder folder;
+    fs::create_directories(folder / "scenes/sprites");
+    const auto scene = folder / "scenes/a.json";
+    std::ofstream(scene) << R"({"sinew": 1, "figures": [{"prefab": "rope"}],
+ "looks": {"rope": {"image": {"file": "sprites/a.png"}}}})";
+    expect_refused(sinew({"check", scene}), ":2:39: error: cannot read the image \"sprites/a.png\": No such file",
+                   "help: looked for");
+    ASSERT_EQ(sinew({"render", "pendulum", "-o", folder / "scenes/sprites/a.png", "--size", "16x8"}).code, 0);
+    EXPECT_EQ(sinew({"check", scene}).code, 0);
+    EXPECT_EQ(sinew({"check", "-"}, {.input = text_of(scene), .folder = folder / "scenes"}).code, 0);
+    expect_refused(sinew({"check", scene, "looks.rope.image.file=/etc/passwd"}),
+                   "<command line>:1:23: error: \"/etc/passwd\" is not a file in the folder of the scene");
+}
+
 } // namespace
 } // namespace sinew::cli_test

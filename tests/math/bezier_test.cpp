@@ -54,6 +54,15 @@ TEST(Bezier, LengthIsThatOfManyChords) {
     EXPECT_NEAR(arc_length(wave), length, 1e-6);
 }
 
+TEST(Bezier, IsTheSameCurveADegreeHigher) {
+    const QuadraticBezier<2, double> low{{{0, 0}}, {{1, 3}}, {{4, 1}}};
+    const auto high = elevated(low);
+    for (const double t : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+        expect_near(high.at(t), low.at(t), 1e-14);
+        expect_near(high.derivative(t), low.derivative(t), 1e-14);
+    }
+}
+
 TEST(CatmullRom, RunsThroughItsPointsAndTurnsSmoothlyThere) {
     const V a{{0, 0}}, b{{1, 2}}, c{{3, 1}}, d{{4, 4}}, e{{6, 3}};
     const auto before = catmull_rom(a, b, c, d), after = catmull_rom(b, c, d, e);

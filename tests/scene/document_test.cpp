@@ -194,7 +194,7 @@ TEST(Overrides, RaiseLimits) {
               "      |        ^~~~~~~~\n"
               "      = help: did you mean \"particles\"? (allowed here: bytes, constraints, depth, errors, events, "
               "figures, memory, "
-              "particles, string_bytes, values)\n");
+              "particles, pixels, string_bytes, values)\n");
 }
 
 // --- the whole --------------------------------------------------------------------------------------------------

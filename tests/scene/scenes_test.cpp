@@ -1,5 +1,5 @@
+#include "sinew/scene/layout.h"
 #include "sinew/scene/scene.h"
-#include "sinew/scene/shape.h"
 
 #include "tests/scene/laws.h"
 #include "tests/scene/schema_check.h"
@@ -45,7 +45,7 @@ TEST(Scenes, EveryOneIsGoodInEveryMode) {
 }
 
 TEST(Scenes, EveryOneFollowsTheSchema) {
-    const SchemaCheck schema(schema_of(shape_of<Scene>(), "A scene of Sinew", true));
+    const SchemaCheck schema(schema_of(layout_of<Scene>(), "A scene of Sinew", true));
     for (const auto& file : scene_files()) {
         Diagnostics diagnostics;
         const auto document = json::parse(diagnostics.add_source(file.filename().string(), text_of(file)), diagnostics);

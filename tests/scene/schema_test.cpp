@@ -1,6 +1,6 @@
 #include "sinew/scene/document.h"
+#include "sinew/scene/layout.h"
 #include "sinew/scene/reader.h"
-#include "sinew/scene/shape.h"
 
 #include "tests/scene/sample.h"
 #include "tests/scene/schema_check.h"
@@ -83,7 +83,7 @@ const char* const bad_documents[] = {
 };
 
 TEST(Schema, AcceptsWhatTheReaderAccepts) {
-    const SchemaCheck schema(schema_of(shape_of<sample::Scene>(), "Scene", true));
+    const SchemaCheck schema(schema_of(layout_of<sample::Scene>(), "Scene", true));
     for (const std::string text : good_documents) {
         std::string errors;
         EXPECT_TRUE(reader_accepts(text, errors)) << text << "\n" << errors;
@@ -93,7 +93,7 @@ TEST(Schema, AcceptsWhatTheReaderAccepts) {
 }
 
 TEST(Schema, RefusesWhatTheReaderRefuses) {
-    const SchemaCheck schema(schema_of(shape_of<sample::Scene>(), "Scene", true));
+    const SchemaCheck schema(schema_of(layout_of<sample::Scene>(), "Scene", true));
     for (const std::string text : bad_documents) {
         std::string errors;
         EXPECT_FALSE(reader_accepts(text, errors)) << text;
@@ -102,7 +102,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
 }
 
 TEST(Schema, LeavesOutRangesThatDependOnTheUnitsOfAScene) {
-    const auto schema = schema_of(shape_of<sample::Rope>(), "Rope", false);
+    const auto schema = schema_of(layout_of<sample::Rope>(), "Rope", false);
     EXPECT_EQ(json::find(schema, "/properties/length/minimum"), nullptr);
     EXPECT_EQ(*json::find(schema, "/properties/segments/minimum"), json::Value(1));
     EXPECT_EQ(*json::find(schema, "/properties/segments/default"), json::Value(20));
@@ -110,25 +110,25 @@ TEST(Schema, LeavesOutRangesThatDependOnTheUnitsOfAScene) {
 }
 
 TEST(Schema, AllowsModesOnlyInADocument) {
-    EXPECT_TRUE(json::find(schema_of(shape_of<sample::Scene>(), "Scene", true), "/properties/modes"));
-    EXPECT_FALSE(json::find(schema_of(shape_of<sample::Scene>(), "Scene", false), "/properties/modes"));
+    EXPECT_TRUE(json::find(schema_of(layout_of<sample::Scene>(), "Scene", true), "/properties/modes"));
+    EXPECT_FALSE(json::find(schema_of(layout_of<sample::Scene>(), "Scene", false), "/properties/modes"));
 }
 
 TEST(Describe, IsATableOfNameTypeDefaultRangeMeaning) {
-    EXPECT_EQ(describe(shape_of<sample::Rope>()), "rope: Pieces in a row.\n"
-                                                  "  name      type       default  range        meaning\n"
-                                                  "  segments  integer    20       1 to 1000    How many pieces\n"
-                                                  "  length    number, m  1        0.02 to 100  Of the whole\n");
+    EXPECT_EQ(describe(layout_of<sample::Rope>()), "rope: Pieces in a row.\n"
+                                                   "  name      type       default  range        meaning\n"
+                                                   "  segments  integer    20       1 to 1000    How many pieces\n"
+                                                   "  length    number, m  1        0.02 to 100  Of the whole\n");
 }
 
 TEST(Describe, IsInTheUnitsOfAScene) {
     const Units pixels{.length = "px", .mass = "kg", .time = "frame", .per_metre = 100, .per_second = 60};
-    const auto text = describe(shape_of<sample::Rope>(), pixels);
+    const auto text = describe(layout_of<sample::Rope>(), pixels);
     EXPECT_NE(text.find("length    number, px  100      2 to 10000"), std::string::npos) << text;
 }
 
 TEST(Describe, HasASectionForEachAlternative) {
-    const auto text = describe(shape_of<sample::Scene>());
+    const auto text = describe(layout_of<sample::Scene>());
     EXPECT_NE(text.find("solver.substeps"), std::string::npos) << text;
     EXPECT_NE(text.find("figures[].at"), std::string::npos) << text;
     EXPECT_NE(text.find("\nfigures[].prefab = rope: Pieces in a row.\n"), std::string::npos) << text;
@@ -136,7 +136,7 @@ TEST(Describe, HasASectionForEachAlternative) {
 }
 
 TEST(Describe, MarkdownIsATable) {
-    EXPECT_EQ(describe_markdown(shape_of<sample::Rope>()),
+    EXPECT_EQ(describe_markdown(layout_of<sample::Rope>()),
               "### `rope`\n\nPieces in a row.\n\n"
               "| name | type | default | range | meaning |\n"
               "|---|---|---|---|---|\n"

@@ -89,11 +89,68 @@ TEST(Draw, WhatIsHiddenIsNotThere) {
     EXPECT_TRUE(drawn(scene(hidden)).items.empty());
 }
 
+TEST(Draw, InkStandsOutFromThePaperInEveryTheme) {
+    const std::string inked =
+        R"({"name": "x", "particles": {"a": {"at": [9, 9]}}, "looks": {"all": {"color": "ink"}}})";
+    for (const std::string theme : {"light", "dark"}) {
+        auto document = load(scene(inked), "test.json", std::vector<Override>{{"view.theme=" + theme}});
+        auto opened = open_scene(document);
+        ASSERT_TRUE(opened) << to_text(document.diagnostics);
+        Picture picture;
+        picture.width = 640, picture.height = 480;
+        Session(std::move(*opened)).draw(picture);
+        EXPECT_GT(std::abs(picture.items.back().color.green - picture.background.green), 0.6F) << theme;
+    }
+}
+
 TEST(Draw, BeyondTheWallsIsGround) {
     const auto picture = drawn(scene(ball, R"(, "world": {"bounds": {"box": [[20, 30], [600, 440]]}})"));
     std::size_t bars = 0;
     for (const auto& item : picture.items) bars += item.shape == Shape::polygon;
     EXPECT_EQ(bars, 4U);
+}
+
+/// Four particles and what is drawn on them.
+std::string pieces(const std::string& list) {
+    return scene(R"({"name": "x", "looks": {"all": {"color": "#ff0000"}}, "particles": {"a": {"at": [100, 100]},
+        "b": {"at": [200, 100]}, "c": {"at": [200, 200]}, "d": {"at": [100, 200]}}, "pieces": [)" +
+                 list + "]}");
+}
+
+TEST(Draw, ALimbRunsFromItsFirstParticleToItsLastPulledByTheMiddle) {
+    const auto picture = drawn(pieces(R"({"mark": "limb", "through": ["a", "b", "c"], "width": 12})"));
+    const auto limbs = of_color(picture, "#ff0000");
+    ASSERT_FALSE(limbs.empty());
+    const auto points = picture.points_of(limbs[0]);
+    EXPECT_EQ(limbs[0].shape, Shape::polyline);
+    EXPECT_EQ(limbs[0].width, 12);
+    EXPECT_EQ(points.front(), (Vec2<float>{{100, 100}}));
+    EXPECT_EQ(points.back(), (Vec2<float>{{200, 200}}));
+    EXPECT_NEAR(distance(points[points.size() / 2], Vec2<float>{{175, 125}}), 0,
+                2); // (a + 2 b + c) / 4, to half a part
+}
+
+TEST(Draw, ATipIsAtTheEndOfItsLimb) {
+    const auto picture = drawn(pieces(R"({"mark": "tip", "through": ["a", "b", "c"], "width": 17})"));
+    for (const auto& item : of_color(picture, "#ff0000"))
+        if (item.width == 17) {
+            EXPECT_EQ(item.shape, Shape::disc);
+            EXPECT_EQ(picture.points[item.first], (Vec2<float>{{200, 200}}));
+            return;
+        }
+    FAIL() << "no disc";
+}
+
+TEST(Draw, AMarkThroughTheWrongNumberOfParticlesIsAnError) {
+    for (const std::string bad :
+         {R"({"mark": "limb", "through": ["a"]})", R"({"mark": "ring", "through": ["a", "b", "c"]})",
+          R"({"mark": "fill", "through": ["a", "b"]})", R"({"mark": "dot", "through": []})",
+          R"({"mark": "limb", "through": ["a", "b", "x"]})",
+          R"({"mark": "limb", "through": ["a", "b"], "end_width": 3})"}) {
+        auto document = load(pieces(bad), "test.json");
+        EXPECT_FALSE(open_scene(document)) << bad;
+        EXPECT_NE(to_text(document.diagnostics).find("/figures/0/pieces/0/"), std::string::npos) << bad;
+    }
 }
 
 double area(std::span<const Vec2<float>> outline) {

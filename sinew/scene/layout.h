@@ -13,7 +13,7 @@
 namespace sinew {
 
 /// What a record looks like, as data: the one walk over `fields` that descriptions, schemas, sliders and forms share.
-struct Shape {
+struct Layout {
     enum class Type { truth, integer, number, text, point, list, map, record, choice, any };
 
     Type type = Type::any;
@@ -23,41 +23,41 @@ struct Shape {
     std::string_view name;                  ///< of an alternative of a choice
     std::string_view about;                 ///< one line on an alternative, if it has one
     /// A record's fields; what a list or a map holds (one); a choice's alternatives, which are records.
-    std::vector<Shape> parts;
+    std::vector<Layout> parts;
     bool optional = false; ///< can be absent without a default taking its place
 
     static constexpr std::size_t no_limit = std::size_t(-1);
 };
 
-template <class T> Shape shape_of(const T& value, const Field& field);
+template <class T> Layout layout_of(const T& value, const Field& field);
 
-template <Record R> Shape shape_of() {
-    Shape shape = shape_of(R{}, Field{});
+template <Record R> Layout layout_of() {
+    Layout shape = layout_of(R{}, Field{});
     // Constants of the type; fields may have the same names.
     if constexpr (requires { typename std::bool_constant<std::string_view(R::name).empty()>; }) shape.name = R::name;
     if constexpr (requires { typename std::bool_constant<std::string_view(R::about).empty()>; }) shape.about = R::about;
     return shape;
 }
 
-template <class T> Shape shape_of(const T& value, const Field& field) {
+template <class T> Layout layout_of(const T& value, const Field& field) {
     using namespace detail;
-    using Type = Shape::Type;
-    Shape shape{.field = field, .usual = {}, .name = {}, .about = {}, .parts = {}};
+    using Type = Layout::Type;
+    Layout shape{.field = field, .usual = {}, .name = {}, .about = {}, .parts = {}};
     const Writing plain{.dimension = 2, .units = {}, .defaults = true};
     if constexpr (is_variant<T>) {
         shape.type = Type::choice;
         shape.optional = is_optional<T>;
         each_alternative(std::type_identity<T>{},
-                         [&]<class A>(std::type_identity<A>) { shape.parts.push_back(shape_of<A>()); });
+                         [&]<class A>(std::type_identity<A>) { shape.parts.push_back(layout_of<A>()); });
         visit_held(value, [&]<Record A>(const A&) { shape.usual = A::name; });
     } else if constexpr (is_optional<T>) {
         using Inside = typename T::value_type;
-        shape = shape_of(value ? *value : Inside{}, field);
+        shape = layout_of(value ? *value : Inside{}, field);
         shape.optional = true;
         if (!value) shape.usual = {};
     } else if constexpr (Record<T>) {
         shape.type = Type::record;
-        T::fields(value, [&](const auto& member, const Field& of) { shape.parts.push_back(shape_of(member, of)); });
+        T::fields(value, [&](const auto& member, const Field& of) { shape.parts.push_back(layout_of(member, of)); });
     } else {
         shape.usual = write(value, field, plain);
         if constexpr (std::same_as<T, bool>) {
@@ -74,13 +74,13 @@ template <class T> Shape shape_of(const T& value, const Field& field) {
         } else if constexpr (array_size<T> > 0) {
             shape.type = Type::list;
             shape.least = shape.most = array_size<T>;
-            shape.parts = {shape_of(elements(value)[0], element_of(field))};
+            shape.parts = {layout_of(elements(value)[0], element_of(field))};
         } else if constexpr (is_map<T>) {
             shape.type = Type::map;
-            shape.parts = {shape_of(typename T::value_type::second_type{}, element_of(field))};
+            shape.parts = {layout_of(typename T::value_type::second_type{}, element_of(field))};
         } else if constexpr (is_vector<T>) {
             shape.type = Type::list;
-            shape.parts = {shape_of(typename T::value_type{}, element_of(field))};
+            shape.parts = {layout_of(typename T::value_type{}, element_of(field))};
         }
     }
     return shape;
@@ -88,11 +88,11 @@ template <class T> Shape shape_of(const T& value, const Field& field) {
 
 /// A JSON Schema (draft 07) of the record: `document` adds what only a whole scene file may say ("$schema", "modes").
 /// Ranges of quantities that depend on a scene's units are left out.
-json::Value schema_of(const Shape& record, std::string_view title, bool document);
+json::Value schema_of(const Layout& record, std::string_view title, bool document);
 
 /// Every field in a table, for people: name, unit, default, range, help.
-std::string describe(const Shape& record, const Units& units = {});
+std::string describe(const Layout& record, const Units& units = {});
 /// The same for documentation.
-std::string describe_markdown(const Shape& record, const Units& units = {});
+std::string describe_markdown(const Layout& record, const Units& units = {});
 
 } // namespace sinew

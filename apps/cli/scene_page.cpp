@@ -1,0 +1,145 @@
+#include "apps/cli/scene_page.h"
+
+#include "sinew/scene/check.h"
+#include "sinew/scene/layout.h"
+
+#include "apps/cli/scene_file.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace sinew::cli {
+namespace {
+
+/// The field of a record that a key stands for, also where an alternative has it; null for a key that says which
+/// alternative it is.
+const Layout* field_called(const Layout& record, const json::Object& object, std::string_view key) {
+    for (const auto& part : record.parts) {
+        if (part.type != Layout::Type::choice) {
+            if (part.field.name == key) return &part;
+            continue;
+        }
+        if (part.field.name == key) return nullptr;
+        for (const auto& alternative : part.parts) {
+            const auto* tag = part.field.name.empty() ? nullptr : json::find(object, part.field.name);
+            const bool chosen = part.field.name.empty() ? json::find(object, alternative.name) != nullptr
+                                                        : tag && tag->value == json::Value(alternative.name);
+            const auto* found = chosen ? field_called(alternative, object, key) : nullptr;
+            if (found) return found;
+        }
+    }
+    return nullptr;
+}
+
+/// What an element of a list is called in an override: by its name, or its prefab where that is the only one, or its
+/// number.
+std::string step_of(const json::Array& list, std::size_t index) {
+    const auto text = [&](std::size_t i, std::string_view key) -> const std::string* {
+        const auto* value = json::find(list[i], concat("/", key));
+        return value ? value->as<std::string>() : nullptr;
+    };
+    if (const auto* name = text(index, "name")) return *name;
+    const auto* prefab = text(index, "prefab");
+    std::size_t alike = 0;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        alike += prefab && !text(i, "name") && text(i, "prefab") && *text(i, "prefab") == *prefab;
+    return alike == 1 ? *prefab : std::to_string(index);
+}
+
+class Collector {
+  public:
+    Collector(const Units& units, std::vector<Parameter>& found) : units_(units), found_(found) {}
+
+    void record(const json::Object& object, const Layout& shape, const std::string& path) {
+        for (const auto& [key, value, span] : object)
+            if (const auto* field = field_called(shape, object, key)) this->value(value, *field, path + key);
+    }
+
+  private:
+    const Units& units_;
+    std::vector<Parameter>& found_;
+    std::set<std::string> prefabs_; ///< that were told of: the others of the five chains are like the first
+
+    bool is_first_of_its_kind(const json::Object& figure) {
+        const auto* prefab = json::find(figure, "prefab");
+        const auto* name = prefab ? prefab->value.as<std::string>() : nullptr;
+        return !name || prefabs_.insert(*name).second;
+    }
+
+    void value(const json::Value& value, const Layout& shape, const std::string& path) {
+        using Type = Layout::Type;
+        if (const auto* object = value.as<json::Object>(); object && shape.type == Type::record)
+            return record(*object, shape, path + ".");
+        const auto* items = value.as<json::Array>();
+        const bool records = shape.type == Type::list && shape.parts[0].type == Type::record;
+        for (std::size_t i = 0; items && records && i < items->size(); ++i)
+            if (const auto* object = (*items)[i].as<json::Object>(); object && is_first_of_its_kind(*object))
+                record(*object, shape.parts[0], fmt::format("{}.{}.", path, step_of(*items, i)));
+        if (records || shape.type == Type::map || value.as<json::Object>() || shape.field.name == "name") return;
+        const auto* text = value.as<std::string>();
+        found_.push_back(
+            {path, text ? *text : json::to_text(value), units_.text(shape.field.unit), std::string(shape.field.help)});
+    }
+};
+
+/// What a figure's file lists one by one is its substance, not its parameters.
+json::Value without_lists(const json::Value& figures) {
+    json::Array kept;
+    if (const auto* items = figures.as<json::Array>())
+        for (const auto& figure : *items) {
+            kept.push_back(figure);
+            if (auto* object = kept.back().as<json::Object>())
+                std::erase_if(*object, [](const json::Member& member) {
+                    return member.key == "constraints" || member.key == "pieces" || member.key == "looks";
+                });
+        }
+    return kept;
+}
+
+std::string count_text(std::size_t count, std::string_view thing) {
+    if (thing == ByHand::name) return count == 1 ? "a figure by hand" : fmt::format("{} figures by hand", count);
+    std::string words(thing);
+    std::ranges::replace(words, '_', ' ');
+    const bool vowel = std::string_view("aeiou").find(words[0]) != std::string_view::npos;
+    if (count == 1) return fmt::format("{} {}", vowel ? "an" : "a", words);
+    const bool hissing = words.ends_with('x') || words.ends_with('s');
+    return fmt::format("{} {}{}", count, words, hissing ? "es" : "s");
+}
+
+std::string made_of(const Scene& scene) {
+    std::vector<std::pair<std::string_view, std::size_t>> counts;
+    for (const auto& figure : scene.figures)
+        detail::visit_held(figure.made, [&](const auto& made) {
+            const auto known = std::ranges::find(counts, made.name, &std::pair<std::string_view, std::size_t>::first);
+            if (known == counts.end())
+                counts.emplace_back(made.name, 1);
+            else
+                ++known->second;
+        });
+    std::string text;
+    for (const auto& [name, count] : counts) text += (text.empty() ? "" : ", ") + count_text(count, name);
+    return text;
+}
+
+} // namespace
+
+ScenePage page_of(const std::string& name) {
+    const auto scene = open_file(name).scene;
+    const auto document = open_document(name);
+    ScenePage page{.name = name,
+                   .about = scene.about,
+                   .source = scene.source,
+                   .made_of = made_of(scene),
+                   .text = std::string(document.diagnostics.source(0).text),
+                   .seconds = scene.seconds,
+                   .parameters = {}};
+    json::Object told;
+    for (const std::string_view key : {"world", "solver", "figures"})
+        if (const auto* section = json::find(*document.root.as<json::Object>(), key))
+            told.push_back({std::string(key), key == "figures" ? without_lists(section->value) : section->value});
+    Collector(scene.measures(), page.parameters).record(told, layout_of<Scene>(), "");
+    return page;
+}
+
+} // namespace sinew::cli

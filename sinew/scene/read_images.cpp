@@ -1,0 +1,101 @@
+#include "sinew/scene/read_images.h"
+
+#include "sinew/scene/check.h"
+#include "sinew/scene/text.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace sinew {
+namespace {
+
+/// A scene must not look elsewhere on the machine it is opened on.
+bool leaves_its_folder(std::string_view name) {
+    if (name.empty() || name.front() == '/' || name.find_first_of("\\:") != std::string_view::npos) return true;
+    while (!name.empty()) {
+        const auto step = name.substr(0, name.find('/'));
+        if (step == "..") return true;
+        name.remove_prefix(std::min(step.size() + 1, name.size()));
+    }
+    return false;
+}
+
+class ReadingImages {
+  public:
+    ReadingImages(const Opened& opened, const ImageReader& reader, Document& document)
+        : opened_(opened), reader_(reader), document_(document) {}
+
+    Images read() {
+        for (const auto& [key, seen] : opened_.scene.looks)
+            if (seen.image) look(*seen.image, "/looks" + json::pointer_step(key), "", key);
+        const auto& figures = opened_.scene.figures;
+        for (std::size_t i = 0; i < figures.size(); ++i)
+            for (const auto& [part, seen] : figures[i].looks)
+                if (seen.image)
+                    look(*seen.image, fmt::format("/figures/{}/looks{}", i, json::pointer_step(part)),
+                         name_of(figures[i]), part);
+        return std::move(images_);
+    }
+
+  private:
+    const Opened& opened_;
+    const ImageReader& reader_;
+    Document& document_;
+    Images images_;
+    std::map<std::string, std::string> broken_; ///< what is wrong with them
+    std::int64_t pixels_ = 0;
+
+    void look(const ImageLook& image, const std::string& place, std::string_view figure, std::string_view key) {
+        if (has_no_room(figure, key))
+            document_.error(place + "/image", fmt::format("nothing of {} takes an image", in_quotes(key)),
+                            "an image goes on dots, sticks, links, limbs, ropes and polygons of four corners");
+        if (leaves_its_folder(image.file))
+            return document_.error(place + "/image/file",
+                                   fmt::format("{} is not a file in the folder of the scene", in_quotes(image.file)),
+                                   "a path from the scene's folder on, such as sprites/link.png; without .. in it");
+        if (const auto known = broken_.find(image.file); known != broken_.end())
+            return document_.error(place + "/image/file", known->second);
+        const auto same_name = [&](const auto& known) { return known.first == image.file; };
+        if (std::none_of(images_.begin(), images_.end(), same_name)) read(image.file, place + "/image/file");
+    }
+
+    void read(const std::string& name, const std::string& place) {
+        Limits limits = document_.limits;
+        limits.pixels -= pixels_;
+        auto [image, problem, help] = reader_(name, limits);
+        if (!image) {
+            document_.error(place, problem, help);
+            broken_[name] = problem;
+            return;
+        }
+        pixels_ += std::int64_t(image->width) * image->height;
+        images_.emplace_back(name, std::move(image));
+    }
+
+    /// Whether nothing that the look is of takes an image; that a look is of nothing at all is said elsewhere. `figure`
+    /// is empty for looks of the whole scene.
+    bool has_no_room(std::string_view figure, std::string_view key) const {
+        bool meant = false, taken = false;
+        const auto weigh = [&](const Figure& built) {
+            if (!figure.empty() && built.name != figure) return;
+            const bool all = figure.empty() ? key == built.name : key == "all";
+            for (const auto& piece : built.pieces) {
+                if (!all && key != piece.part && key != built.name + "/" + piece.part) continue;
+                meant = true;
+                taken |= takes_image(piece);
+            }
+        };
+        std::visit([&](const auto& world) { std::for_each(world.figures.begin(), world.figures.end(), weigh); },
+                   opened_.world);
+        return meant && !taken;
+    }
+};
+
+} // namespace
+
+Images read_images(const Opened& opened, const ImageReader& reader, Document& document) {
+    return ReadingImages(opened, reader, document).read();
+}
+
+} // namespace sinew

@@ -1,0 +1,189 @@
+#include "sinew/session/overlay.h"
+
+#include "sinew/solver/edit.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sinew {
+namespace {
+
+/// Sizes in a picture 480 pixels high; they grow with it.
+constexpr double nominal_height = 480;
+constexpr float line = 3, casing = 1.8F /* times a line */, letters = 11, pin_size = 11;
+
+constexpr Color stretched{0.85F, 0.15F, 0.12F, 1}, squeezed{0.12F, 0.35F, 0.85F, 1};
+
+/// The smallest of 1, 2, 5, 10, 20, 50, ... times `least` that is at least as large: a scale that seldom changes.
+double round_up(double value, double least) {
+    double scale = least;
+    for (int i = 0; scale < value && i < 300; ++i) scale *= i % 3 == 1 ? 2.5 : 2;
+    return scale;
+}
+
+template <class WorldT> class Overlayer {
+  public:
+    Overlayer(const Scene& scene, const WorldT& world, const View& view, Picture& picture)
+        : scene_(scene), world_(world), view_(view), picture_(picture), theme_(theme_called(scene.view.theme)),
+          unit_(float(picture.height / nominal_height)), text_(theme_.pen) {}
+
+    void strain() {
+        color_lines([](const ConstraintState& state) { return state.strain * 100; }, 0.1, "strain", "%");
+    }
+
+    void tension() {
+        if (world_.settings.mode == Mode::classic) return legend("tension: classic mode knows no forces", 0, "");
+        const auto units = scene_.measures();
+        const double newtons = square(units.per_second) / units.per_metre;
+        color_lines([&](const ConstraintState& state) { return state.tension * newtons; }, 1, "tension", "N");
+    }
+
+    void pins() {
+        for (const auto& pin : world_.pins) {
+            const auto at = pixel_of(pin.particle);
+            if (!at) continue;
+            const auto to = view_.see(in_space(pin.target));
+            const float size = pin_size * unit_;
+            if (to && !pin.hard()) {
+                const std::array way = {*at, to->pixel};
+                picture_.add(Shape::polyline, way, 1.5F * unit_, text_);
+            }
+            const auto place = to ? to->pixel : *at;
+            picture_.add(Shape::disc, std::span(&place, 1), size, theme_.background);
+            picture_.add(Shape::disc, std::span(&place, 1), size * 0.75F, text_);
+            picture_.add(Shape::disc, std::span(&place, 1), size * 0.3F, theme_.background);
+        }
+    }
+
+    /// The first of two that would lie on each other: figures before their particles.
+    void names() {
+        for (const auto& figure : world_.figures) {
+            Vec2<float> top{{0, 1e9F}};
+            float left = 1e9F, right = -1e9F;
+            for (const auto id : figure.particles)
+                if (const auto at = pixel_of(id)) {
+                    top[1] = minimum(top[1], (*at)[1]);
+                    left = minimum(left, (*at)[0]), right = maximum(right, (*at)[0]);
+                }
+            top[0] = (left + right) / 2;
+            if (right >= left) write(figure.name, top - Vec2<float>{{0, 2 * letters * unit_}}, 1.3F * letters);
+        }
+        for (const auto& figure : world_.figures)
+            for (const auto& [name, id] : figure.particle_names)
+                if (const auto at = pixel_of(id)) write(name, *at + Vec2<float>{{0, letters * unit_}}, letters);
+    }
+
+  private:
+    static constexpr int D = WorldT::dimension;
+    const Scene& scene_;
+    const WorldT& world_;
+    const View& view_;
+    Picture& picture_;
+    const Theme& theme_;
+    const float unit_;
+    const Color text_;
+    int legends_ = 0;
+
+    struct Box {
+        Vec2<float> middle, size;
+    };
+    std::vector<Box> taken_;
+
+    static Vec3<double> in_space(const Vec<D, typename WorldT::Real>& place) {
+        Vec3<double> wide{};
+        for (int i = 0; i < D; ++i) wide[i] = double(place[i]);
+        return wide;
+    }
+
+    std::optional<Vec2<float>> pixel_of(ParticleId id) const {
+        const auto row = row_of(world_, id);
+        const auto seen = row ? view_.see(in_space(world_.particles.position[*row])) : std::nullopt;
+        return seen ? std::optional(seen->pixel) : std::nullopt;
+    }
+
+    /// Every distance as a line, in the colour of its value; the palest has none.
+    template <class Value>
+    void color_lines(Value&& value_of, double least, std::string_view what, std::string_view unit) {
+        struct Line {
+            std::array<Vec2<float>, 2> ends;
+            double value;
+        };
+        std::vector<Line> lines;
+        double largest = 0;
+        const auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
+        for (Row row = 0; row < table.size(); ++row) {
+            const auto state = constraint_state(world_, {kind_number<Distance, D>, table.slots.id_of(row)});
+            const auto a = view_.see(in_space(world_.particles.position[table.members[row][0]]));
+            const auto b = view_.see(in_space(world_.particles.position[table.members[row][1]]));
+            if (!state || !a || !b) continue;
+            lines.push_back({{a->pixel, b->pixel}, value_of(*state)});
+            largest = maximum(largest, absolute(lines.back().value));
+        }
+        const double scale = round_up(largest, least);
+        // Thinner where they lie closely.
+        const auto thick = [&](const auto& ends) { return minimum(line * unit_, 0.25F * distance(ends[0], ends[1])); };
+        for (const auto& [ends, value] : lines) picture_.add(Shape::polyline, ends, casing * thick(ends), theme_.ink);
+        for (const auto& [ends, value] : lines)
+            picture_.add(Shape::polyline, ends, thick(ends), color_of(value / scale));
+        legend(what, scale, unit);
+    }
+
+    /// -1 squeezed, 0 neither, 1 stretched.
+    static Color color_of(double share) {
+        constexpr Color rest{0.93F, 0.91F, 0.84F, 1};
+        return mix(rest, share < 0 ? squeezed : stretched, float(clamp(absolute(share), 0.0, 1.0)));
+    }
+
+    /// A bar of the colours with what they stand for, in the lower left corner; further ones above it.
+    void legend(std::string_view what, double scale, std::string_view unit) {
+        const float margin = 14 * unit_, wide = 150 * unit_, high = 7 * unit_, row = 34 * unit_;
+        const float y = float(picture_.height) - margin - float(legends_++) * row;
+        const auto label = [&](std::string text, float x) {
+            picture_.add_text(std::move(text), {{x, y - high - 7 * unit_}}, letters * unit_, text_);
+        };
+        if (scale == 0) return label(std::string(what), margin + wide);
+        constexpr int parts = 30;
+        for (int i = 0; i < parts; ++i) {
+            const float left = margin + wide * float(i) / parts, right = margin + wide * float(i + 1) / parts + 0.5F;
+            const std::array<Vec2<float>, 4> box = {
+                {{{left, y - high}}, {{right, y - high}}, {{right, y}}, {{left, y}}}};
+            picture_.add(Shape::polygon, box, 0, color_of(2 * (i + 0.5) / parts - 1));
+        }
+        label(fmt::format("-{:g} {}", scale, unit), margin + 18 * unit_);
+        label(std::string(what), margin + wide / 2);
+        label(fmt::format("{:g} {}", scale, unit), margin + wide - 15 * unit_);
+    }
+
+    void write(const std::string& text, Vec2<float> middle, float height) {
+        constexpr float letter_width = 0.6F; // of its height
+        const Vec2<float> half{{float(text.size()) * letter_width * height * unit_ / 2, height * unit_ / 2}};
+        middle[0] = clamp(middle[0], half[0], maximum(half[0], float(picture_.width) - half[0]));
+        middle[1] = clamp(middle[1], half[1], maximum(half[1], float(picture_.height) - half[1]));
+        const Box box{middle, half * 2.0F};
+        for (const auto& other : taken_) {
+            const auto apart = box.middle - other.middle, room = (box.size + other.size) * 0.5F;
+            if (absolute(apart[0]) < room[0] && absolute(apart[1]) < room[1]) return;
+        }
+        taken_.push_back(box);
+        picture_.add_text(text, middle, height * unit_, text_);
+    }
+};
+
+/// In the order of `overlays`.
+template <class WorldT>
+constexpr std::array<void (Overlayer<WorldT>::*)(), overlays.size()> functions = {
+    &Overlayer<WorldT>::strain, &Overlayer<WorldT>::tension, &Overlayer<WorldT>::pins, &Overlayer<WorldT>::names};
+
+} // namespace
+
+void draw_overlays(OverlaySet which, const Scene& scene, const AnyWorld& world, const View& view, Picture& picture) {
+    std::visit(
+        [&]<class WorldT>(const WorldT& known) {
+            Overlayer<WorldT> overlayer(scene, known, view, picture);
+            for (std::size_t i = 0; i < overlays.size(); ++i)
+                if (which[i]) (overlayer.*functions<WorldT>[i])();
+        },
+        world);
+}
+
+} // namespace sinew

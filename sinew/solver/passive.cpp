@@ -1,0 +1,135 @@
+#include "sinew/solver/phases.h"
+
+#include <algorithm>
+
+/// Limits of turns give a figure no energy. They are corrected in a sweep, each at the cost of its neighbours, and a
+/// whip can come out of that faster than it went in. So where a turn is at its limit, the constraints of its figure may
+/// take kinetic energy from it but add none. By particles that go from velocity u to v under impulses J,
+///
+///     T_after - T_before = sum J . (u + v)/2
+///
+/// of which all but the pins' share is the constraints'. What they added is taken from the motion about the mean, of
+/// which a free figure has enough; where the particles are is left as it was solved.
+namespace sinew {
+namespace {
+
+template <class Table> bool limits_turn(const Table& table, Row row) {
+    return Table::Kind::length_power == 0 && table.low[row] < table.high[row];
+}
+
+template <int D, class Real> double mass_of(const Particles<D, Real>& p, Row row) {
+    return inverse_or_zero(double(p.mobility[row]));
+}
+
+template <int D, class Real> bool find_limited(World<D, Real>& world) {
+    auto& figures = world.budgets.figures;
+    figures.assign(world.figures.size(), {});
+    bool any = false;
+    for_each_table(world, [&](const auto& table) {
+        for (Row row = 0; row < table.size(); ++row)
+            if (limits_turn(table, row) && table.figure[row] < figures.size())
+                any = figures[table.figure[row]].passive = true;
+    });
+    return any;
+}
+
+} // namespace
+
+template <int D, class Real> void find_passive(World<D, Real>& world) {
+    const auto& p = world.particles;
+    auto& [figures, any] = world.budgets;
+    any = find_limited(world);
+    if (!any) return;
+    const auto is_not = [&](FigureIndex figure) {
+        if (figure < figures.size()) figures[figure].passive = false;
+    };
+    for_each_table(world, [&](const auto& table) {
+        for (Row row = 0; row < table.size(); ++row) {
+            if (table.compliance[row] > Real(0)) is_not(table.figure[row]);
+            for (const Row member : table.members[row]) {
+                if (p.figure[member] == table.figure[row]) continue;
+                is_not(p.figure[member]);
+                is_not(table.figure[row]);
+            }
+        }
+    });
+    for (const auto& pin : world.pins) // what carries a particle works on it, and nobody knows how much
+        if (const auto row = p.slots.find(pin.particle); row && pin.hard() && !(pin.from == pin.target))
+            is_not(p.figure[*row]);
+}
+
+template <int D, class Real> void note_energy(World<D, Real>& world) {
+    auto& [figures, any] = world.budgets;
+    if (!any) return;
+    const auto& p = world.particles;
+    for (auto& budget : figures) budget.before = 0;
+    for (Row row = 0; row < p.size(); ++row)
+        if (p.figure[row] < figures.size())
+            figures[p.figure[row]].before += 0.5 * mass_of(p, row) * double(dot(p.velocity[row], p.velocity[row]));
+    for (auto& pin : world.pins)
+        if (const auto row = p.slots.find(pin.particle)) pin.carried = p.velocity[*row];
+}
+
+namespace {
+
+template <int D, class Real> void add_up(World<D, Real>& world, Real h) {
+    const auto& p = world.particles;
+    auto& figures = world.budgets.figures;
+    for (auto& budget : figures) {
+        budget.after = budget.mass = 0;
+        budget.momentum = {};
+        budget.struck = budget.held = false;
+    }
+    for (Row row = 0; row < p.size(); ++row) {
+        if (p.figure[row] >= figures.size()) continue;
+        auto& budget = figures[p.figure[row]];
+        const double m = mass_of(p, row);
+        const auto v = cast<double>(p.velocity[row]);
+        budget.held = budget.held || m == 0;
+        budget.mass += m;
+        budget.momentum += v * m;
+        budget.after += 0.5 * m * dot(v, v);
+    }
+    for (const auto& pin : world.pins) {
+        const auto row = p.slots.find(pin.particle);
+        if (!row || pin.hard() || p.figure[*row] >= figures.size()) continue;
+        auto& budget = figures[p.figure[*row]];
+        budget.held = true;
+        const auto impulse = pin.multiplier * inverse_or_zero(h);
+        budget.before += double(dot(impulse, (pin.carried + p.velocity[*row]) * Real(0.5)));
+    }
+    for_each_table(world, [&](const auto& table) {
+        for (Row row = 0; row < table.size(); ++row)
+            if (table.multiplier[row] != Real(0) && limits_turn(table, row) && table.figure[row] < figures.size())
+                figures[table.figure[row]].struck = true;
+    });
+}
+
+} // namespace
+
+template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h) {
+    auto& [figures, any] = world.budgets;
+    if (!any) return;
+    add_up(world, h);
+    for (auto& budget : figures) {
+        if (!budget.passive || !budget.struck || budget.after <= budget.before) continue;
+        budget.drift = budget.held ? Vec<D, double>{} : budget.momentum * inverse_or_zero(budget.mass);
+        const double drifting = 0.5 * budget.mass * dot(budget.drift, budget.drift);
+        budget.keep = square_root(maximum(0.0, budget.before - drifting) * inverse_or_zero(budget.after - drifting));
+    }
+    auto& p = world.particles;
+    for (Row row = 0; row < p.size(); ++row) {
+        if (p.figure[row] >= figures.size() || !(figures[p.figure[row]].keep < 1)) continue;
+        const auto drift = cast<Real>(figures[p.figure[row]].drift);
+        p.velocity[row] = drift + (p.velocity[row] - drift) * Real(figures[p.figure[row]].keep);
+    }
+    for (auto& budget : figures) budget.keep = 1;
+}
+
+#define SINEW_PASSIVE(D, Real)                                                                                         \
+    template void find_passive(World<D, Real>&);                                                                       \
+    template void note_energy(World<D, Real>&);                                                                        \
+    template void take_back_gains(World<D, Real>&, Real);
+SINEW_INSTANTIATE(SINEW_PASSIVE)
+
+} // namespace sinew

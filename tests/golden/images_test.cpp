@@ -1,0 +1,130 @@
+#include "sinew/session/session.h"
+
+#include "canvas/cairo_handle.h"
+#include "canvas/png.h"
+#include "canvas/raster.h"
+#include "tests/canvas/ssim.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+
+/// Every scene in every mode looks as it did: images/README.md says how to renew what is meant to look different.
+namespace sinew {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path folder = SINEW_SOURCE_DIR "/tests/golden/images";
+constexpr int width = 160, height = 120;
+constexpr double least_ssim = 0.995;
+
+struct Shot {
+    std::string scene, mode;
+    std::string name() const { return scene + "_" + mode; }
+    fs::path golden() const { return folder / (name() + ".png"); }
+    friend void PrintTo(const Shot& shot, std::ostream* out) { *out << shot.name(); }
+};
+
+std::vector<Shot> shots() {
+    std::vector<Shot> all;
+    for (const auto& entry : fs::directory_iterator(SINEW_SCENES_DIR))
+        if (entry.path().extension() == ".json")
+            for (const auto mode : modes) all.push_back({entry.path().stem().string(), std::string(mode)});
+    std::ranges::sort(all, {}, &Shot::name);
+    return all;
+}
+
+std::string bytes_of(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A fifth into its time; 32 shades a channel, which makes small files.
+Image taken(const Shot& shot) {
+    const auto path = fs::path(SINEW_SCENES_DIR) / (shot.scene + ".json");
+    const std::vector<Override> overrides = {{"mode=" + shot.mode}};
+    auto document = load(bytes_of(path), path.string(), overrides);
+    auto opened = open_scene(document, [&](const std::string& name, const Limits& limits) {
+        return canvas::read_png(path.parent_path() / name, name, limits);
+    });
+    EXPECT_TRUE(opened) << to_text(document.diagnostics);
+    Image image{width, height, std::vector<std::uint32_t>(width * height)};
+    if (!opened) return image;
+    Session session(std::move(*opened));
+    session.run_until(session.scene().seconds / 5);
+    Picture picture;
+    picture.width = width;
+    picture.height = height;
+    session.draw(picture);
+    canvas::Raster raster(width, height);
+    EXPECT_EQ(raster.paint(picture), canvas::Failure());
+    std::memcpy(image.pixels.data(), raster.bytes().data(), raster.bytes().size());
+    for (auto& pixel : image.pixels) pixel = (pixel & 0xf8f8f8U) | 0xff000000U;
+    return image;
+}
+
+void write(const Image& image, const fs::path& path) {
+    auto pixels = image.pixels;
+    const canvas::CairoSurface surface(
+        cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_RGB24,
+                                            image.width, image.height, 4 * image.width));
+    EXPECT_EQ(cairo_surface_write_to_png(surface.get(), path.c_str()), CAIRO_STATUS_SUCCESS);
+}
+
+class GoldenImage : public testing::TestWithParam<Shot> {};
+
+TEST_P(GoldenImage, LooksAsItDid) {
+    const auto& shot = GetParam();
+    const auto now = taken(shot);
+    if (std::getenv("SINEW_RENEW_GOLDEN")) {
+        // What looks the same keeps its file, whatever cairo rounds otherwise.
+        const auto old = canvas::read_png(shot.golden(), shot.name(), {});
+        if (!old.image || ssim(*old.image, now) < least_ssim) write(now, shot.golden());
+    }
+    const auto golden = canvas::read_png(shot.golden(), shot.name(), {});
+    ASSERT_TRUE(golden.image) << golden.problem << "\nSee tests/golden/images/README.md";
+    const double found = ssim(*golden.image, now);
+    const auto seen = fs::temp_directory_path() / ("sinew_" + shot.name() + ".png");
+    if (found < least_ssim) write(now, seen);
+    EXPECT_GE(found, least_ssim) << seen << " is what it looks like now, " << shot.golden()
+                                 << " what it did.\nIf it is meant to, see tests/golden/images/README.md";
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenImage, testing::ValuesIn(shots()),
+                         [](const auto& shot) { return shot.param.name(); });
+
+TEST(GoldenImages, AreOfScenesThatExistAndSmall) {
+    std::uintmax_t bytes = 0;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() != ".png") continue;
+        bytes += entry.file_size();
+        const auto all = shots();
+        EXPECT_TRUE(std::ranges::any_of(all, [&](const Shot& shot) { return shot.golden() == entry.path(); }))
+            << entry.path() << " is of no scene";
+    }
+    EXPECT_LT(bytes, 500'000U);
+}
+
+// The measure sees what the eye sees.
+TEST(Ssim, IsOneForEqualAndLowForWhatIsMissing) {
+    Image flat{64, 48, std::vector<std::uint32_t>(64 * 48, 0xfff6f1e7)}, lined = flat, moved = flat;
+    for (std::size_t y = 0; y < 48; ++y) {
+        lined.pixels[y * 64 + 30] = 0xff2b2d42;
+        moved.pixels[y * 64 + 32] = 0xff2b2d42;
+    }
+    EXPECT_EQ(ssim(lined, lined), 1);
+    EXPECT_LT(ssim(lined, flat), 0.95);
+    EXPECT_LT(ssim(lined, moved), 0.95);
+    auto paler = lined;
+    for (auto& pixel : paler.pixels) pixel -= 0x010101; // one shade: nobody sees it
+    EXPECT_GT(ssim(lined, paler), 0.999);
+    EXPECT_EQ(ssim(flat, Image{32, 96, flat.pixels}), 0);
+}
+
+} // namespace
+} // namespace sinew

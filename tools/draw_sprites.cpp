@@ -1,0 +1,301 @@
+/// draw_sprites FOLDER: draws the images of the catalogue, PNG files, into scenes/sprites. They are four times as large
+/// as they are seen. The colours are those of the light theme (sinew/session/theme.cpp), the lines its outlines.
+#include <cairo.h>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <tuple>
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr unsigned ink = 0x4a4038, skin = 0xf2b58c, denim = 0x35507d, steel = 0x7b8794, hemp = 0xc0935a, red = 0xe4572e;
+
+/// A drawing in nominal pixels, its origin in the middle.
+struct Sprite {
+    cairo_surface_t* surface;
+    cairo_t* pen;
+    double width, height;
+    static constexpr double fine = 4;
+
+    Sprite(double w, double h)
+        : surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, int(w * fine), int(h * fine))),
+          pen(cairo_create(surface)), width(w), height(h) {
+        cairo_scale(pen, fine, fine);
+        cairo_translate(pen, w / 2, h / 2);
+        cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
+        cairo_set_line_cap(pen, CAIRO_LINE_CAP_ROUND);
+    }
+    Sprite(const Sprite&) = delete;
+    Sprite& operator=(const Sprite&) = delete;
+    ~Sprite() {
+        cairo_destroy(pen);
+        cairo_surface_destroy(surface);
+    }
+
+    void color(unsigned hex, double alpha = 1) {
+        cairo_set_source_rgba(pen, (hex >> 16U & 255U) / 255.0, (hex >> 8U & 255U) / 255.0, (hex & 255U) / 255.0,
+                              alpha);
+    }
+    void fill(unsigned hex, double alpha = 1) {
+        color(hex, alpha);
+        cairo_fill_preserve(pen);
+    }
+    void line(unsigned hex, double thick, double alpha = 1) {
+        color(hex, alpha);
+        cairo_set_line_width(pen, thick);
+        cairo_stroke(pen);
+    }
+    void rounded(double x, double y, double w, double h, double r) {
+        cairo_new_path(pen);
+        cairo_arc(pen, x + w - r, y + r, r, -turn / 4, 0);
+        cairo_arc(pen, x + w - r, y + h - r, r, 0, turn / 4);
+        cairo_arc(pen, x + r, y + h - r, r, turn / 4, turn / 2);
+        cairo_arc(pen, x + r, y + r, r, turn / 2, -turn / 4);
+        cairo_close_path(pen);
+    }
+    void ellipse(double x, double y, double rx, double ry) {
+        cairo_new_path(pen);
+        cairo_save(pen);
+        cairo_translate(pen, x, y);
+        cairo_scale(pen, rx, ry);
+        cairo_arc(pen, 0, 0, 1, 0, turn);
+        cairo_restore(pen);
+    }
+    void segment(double x0, double y0, double x1, double y1) {
+        cairo_new_path(pen);
+        cairo_move_to(pen, x0, y0);
+        cairo_line_to(pen, x1, y1);
+    }
+    bool save(const std::string& path) const {
+        const auto status = cairo_surface_write_to_png(surface, path.c_str());
+        if (status != CAIRO_STATUS_SUCCESS)
+            std::fprintf(stderr, "%s: %s\n", path.c_str(), cairo_status_to_string(status));
+        return status == CAIRO_STATUS_SUCCESS;
+    }
+};
+
+constexpr double outline = 1.4;
+
+/// A link from its broad side, between two seen from their narrow side, which its neighbours share: 26 from link to
+/// link.
+void link(Sprite& s) {
+    constexpr double pitch = 26, wire = 5, length = 24, height = 17;
+    s.rounded(-(length - wire) / 2, -(height - wire) / 2, length - wire, height - wire, (height - wire) / 2);
+    s.color(ink);
+    cairo_set_line_width(s.pen, wire);
+    cairo_stroke_preserve(s.pen);
+    s.color(steel);
+    cairo_set_line_width(s.pen, wire - 2 * outline);
+    cairo_stroke(s.pen);
+    s.rounded(-(length - wire) / 2, -(height - wire) / 2 - 0.6, length - wire, height - wire, (height - wire) / 2);
+    s.line(0xdfe5ec, 0.8, 0.8);
+    for (const double side : {-1.0, 1.0}) {
+        s.rounded(side * pitch / 2 - 6.5, -wire / 2, 13, wire, wire / 2);
+        s.fill(0x66717d);
+        s.line(ink, outline);
+        s.segment(side * pitch / 2 - 4, -0.7, side * pitch / 2 + 4, -0.7);
+        s.line(0xdfe5ec, 0.8, 0.7);
+    }
+}
+
+/// One turn of a laid rope, three strands; begins again where it ends.
+void rope(Sprite& s) {
+    const double w = s.width, h = s.height;
+    cairo_rectangle(s.pen, -w / 2, -h / 2, w, h);
+    s.fill(hemp);
+    cairo_new_path(s.pen);
+    for (int i = -4; i <= 4; ++i) { // each strand leans by a third of a turn
+        const double x = i * w / 3;
+        for (const auto& [thick, hex, alpha, shift] :
+             {std::tuple{2.2, 0x7a5a30U, 0.75, 0.0}, std::tuple{1.6, 0xe8c48fU, 0.8, 2.6}}) {
+            cairo_new_path(s.pen);
+            cairo_move_to(s.pen, x + shift - w / 5, h / 2);
+            cairo_curve_to(s.pen, x + shift - w / 14, h / 3, x + shift + w / 14, -h / 3, x + shift + w / 5, -h / 2);
+            s.line(hex, thick, alpha);
+        }
+    }
+    for (const double side : {-1.0, 1.0}) {
+        s.segment(-w, side * (h / 2 - 0.4), w, side * (h / 2 - 0.4));
+        s.line(ink, 0.9);
+    }
+}
+
+/// From shoulder to wrist, or from hip to ankle: cloth, then a cuff, then what is bare.
+void limb(Sprite& s, unsigned cloth, unsigned bare, double cloth_share) {
+    const double w = s.width - outline, h = s.height - outline, cuff = -w / 2 + w * cloth_share;
+    s.rounded(-w / 2, -h / 2, w, h, h / 2);
+    cairo_clip_preserve(s.pen);
+    s.fill(bare);
+    cairo_new_path(s.pen);
+    cairo_rectangle(s.pen, -w, -h, w + cuff, 2 * h);
+    s.fill(cloth);
+    cairo_new_path(s.pen);
+    cairo_rectangle(s.pen, -w, h * 0.16, 2 * w, h); // the side away from the light
+    s.fill(ink, 0.16);
+    s.segment(cuff, -h, cuff, h);
+    s.line(ink, outline * 1.6);
+    for (const double fold : {0.3, 0.62}) {
+        cairo_new_path(s.pen);
+        cairo_move_to(s.pen, -w / 2 + w * cloth_share * fold, -h / 2);
+        cairo_curve_to(s.pen, -w / 2 + w * cloth_share * fold + 3, -h / 4, -w / 2 + w * cloth_share * fold + 3, 0,
+                       -w / 2 + w * cloth_share * fold + 1, h / 8);
+        s.line(ink, 1, 0.35);
+    }
+    cairo_reset_clip(s.pen);
+    s.rounded(-w / 2, -h / 2, w, h, h / 2);
+    s.line(ink, outline);
+}
+
+/// Fingers to the right, as the arm ends.
+void hand(Sprite& s) {
+    s.rounded(-8.5, -6, 16.5, 12, 5.5);
+    s.fill(skin);
+    s.line(ink, outline);
+    for (const double y : {-2.0, 2.0}) {
+        s.segment(3, y, 7, y);
+        s.line(ink, 0.9, 0.6);
+    }
+    s.rounded(-4, -8.8, 9, 5, 2.4); // thumb
+    s.fill(skin);
+    s.line(ink, outline);
+}
+
+/// Its toe to the left when the leg comes from above: across the way the leg ends.
+void shoe(Sprite& s) {
+    s.rounded(-7.5, -14, 14, 23, 6);
+    s.fill(0x3a3636);
+    s.line(ink, outline);
+    s.rounded(4, -14, 3.4, 23, 1.6); // sole
+    s.fill(0xe9dcc4);
+    s.line(ink, outline);
+    s.segment(-3, -4, -3, 1);
+    s.line(0xe9dcc4, 1.4);
+    s.segment(0, -6, 0, -1);
+    s.line(0xe9dcc4, 1.4);
+}
+
+/// A pullover with a belt below.
+void body(Sprite& s) {
+    s.rounded(-23, -23, 46, 46, 13);
+    cairo_clip_preserve(s.pen);
+    s.fill(red);
+    cairo_new_path(s.pen);
+    cairo_rectangle(s.pen, -24, 12, 48, 12);
+    s.fill(denim);
+    cairo_new_path(s.pen);
+    cairo_rectangle(s.pen, 9, -24, 16, 48);
+    s.fill(ink, 0.14);
+    for (const double y : {-9.0, -2.0}) {
+        s.segment(-24, y, 24, y);
+        s.line(0xfbe3c0, 3.2);
+    }
+    s.segment(-24, 12, 24, 12);
+    s.line(ink, 4);
+    s.rounded(-4, 9.4, 8, 5.2, 1);
+    s.fill(0xe9a820);
+    s.line(ink, 1);
+    cairo_reset_clip(s.pen);
+    s.rounded(-23, -23, 46, 46, 13);
+    s.line(ink, outline);
+}
+
+void head(Sprite& s) {
+    s.ellipse(0, 0, 18, 20);
+    s.fill(skin);
+    s.line(ink, outline);
+    cairo_new_path(s.pen); // hair
+    cairo_arc(s.pen, 0, -1, 18.4, turn / 2 - 0.1, turn + 0.1);
+    cairo_curve_to(s.pen, 10, -11, 4, -6, -4, -9);
+    cairo_curve_to(s.pen, -9, -11, -14, -6, -18.3, 0);
+    cairo_close_path(s.pen);
+    s.fill(0x6b4a32);
+    s.line(ink, outline);
+    for (const double x : {-6.5, 6.5}) {
+        s.ellipse(x, 2, 1.7, 2.3);
+        s.fill(0x2b2d42);
+        s.ellipse(x + 0.6, 1.2, 0.6, 0.7);
+        s.fill(0xffffff);
+    }
+    cairo_new_path(s.pen);
+    cairo_arc(s.pen, 0, 7, 6, 0.5, turn / 2 - 0.5);
+    s.line(ink, outline);
+    cairo_new_path(s.pen);
+}
+
+/// A landscape in a frame, to be put on four points.
+void painting(Sprite& s) {
+    const double w = s.width, h = s.height;
+    cairo_rectangle(s.pen, -w / 2, -h / 2, w, h);
+    s.fill(0x8a5a2b);
+    s.line(ink, 2 * outline);
+    cairo_rectangle(s.pen, -w / 2 + 8, -h / 2 + 8, w - 16, h - 16);
+    cairo_clip_preserve(s.pen);
+    s.fill(0xbfe0ea);
+    s.ellipse(w * 0.2, -h * 0.17, 13, 13);
+    s.fill(0xffcb52);
+    const auto hill = [&](double x, double y, double r, unsigned hex) {
+        s.ellipse(x, y + r, r * 1.5, r);
+        s.fill(hex);
+    };
+    hill(-w * 0.28, -h * 0.08, 60, 0x93b7a0);
+    hill(w * 0.3, h * 0.02, 60, 0x74a37f);
+    hill(-w * 0.05, h * 0.16, 70, 0x5c8d4e);
+    for (const double x : {-0.3, -0.2, 0.12}) {
+        s.rounded(w * x - 1.5, h * 0.12, 3, 16, 1);
+        s.fill(0x6b4a32);
+        s.ellipse(w * x, h * 0.08, 8, 11);
+        s.fill(0x3f6b3a);
+    }
+    cairo_new_path(s.pen);
+    cairo_reset_clip(s.pen);
+    cairo_rectangle(s.pen, -w / 2 + 8, -h / 2 + 8, w - 16, h - 16);
+    s.line(ink, outline);
+}
+
+/// Boards with their grain and two nails at either end.
+void plank(Sprite& s) {
+    const double w = s.width - outline, h = s.height - outline;
+    s.rounded(-w / 2, -h / 2, w, h, 2);
+    s.fill(0xb5793c);
+    s.line(ink, outline);
+    for (const double y : {-0.22, 0.05, 0.27}) {
+        cairo_new_path(s.pen);
+        cairo_move_to(s.pen, -w * 0.42, h * y);
+        cairo_curve_to(s.pen, -w * 0.15, h * (y + 0.12), w * 0.15, h * (y - 0.12), w * 0.42, h * y);
+        s.line(0x7d5226, 0.8, 0.8);
+    }
+    for (const double x : {-0.44, 0.44}) {
+        s.ellipse(w * x, 0, 1.4, 1.4);
+        s.fill(0x4a4038);
+    }
+    cairo_new_path(s.pen);
+}
+
+} // namespace
+
+int main(int count, char** words) {
+    if (count != 2) {
+        std::fprintf(stderr, "usage: draw_sprites FOLDER\n");
+        return 2;
+    }
+    const std::string folder = std::string(words[1]) + "/";
+    bool good = true;
+    const auto drawn = [&](const char* name, double width, double height, auto&& draw) {
+        Sprite sprite(width, height);
+        draw(sprite);
+        good = sprite.save(folder + name) && good;
+    };
+    drawn("link.png", 42, 18, link);
+    drawn("rope.png", 18, 10, rope);
+    drawn("sleeve.png", 84, 18, [](Sprite& s) { limb(s, red, skin, 0.62); });
+    drawn("trouser.png", 96, 20, [](Sprite& s) { limb(s, denim, 0xf4efe4, 0.86); });
+    drawn("hand.png", 20, 20, hand);
+    drawn("shoe.png", 18, 32, shoe);
+    drawn("body.png", 48, 48, body);
+    drawn("head.png", 40, 44, head);
+    drawn("painting.png", 160, 120, painting);
+    drawn("plank.png", 60, 12, plank);
+    return good ? 0 : 1;
+}
