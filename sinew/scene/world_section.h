@@ -234,11 +234,12 @@ struct SolverSection {
                                .help = "physical: as it should be; classic: as the original demo behaved",
                                .choices = modes});
         visit(self.precision, Field{.name = "precision", .help = "Of all numbers in the world", .choices = precisions});
-        visit(self.substeps, Field{.name = "substeps",
-                                   .help = "Parts that a step is divided into (physical mode); 0: 16 for what is swept, as "
-                                           "few as it takes for what is solved at once",
-                                   .low = 0,
-                                   .high = 1000});
+        visit(self.substeps,
+              Field{.name = "substeps",
+                    .help = "Parts that a step is divided into (physical mode); 0: 16 for what is swept, as "
+                            "few as it takes for what is solved at once",
+                    .low = 0,
+                    .high = 1000});
         visit(self.iterations, Field{.name = "iterations",
                                      .help = "Sweeps over the constraints in each substep (physical mode)",
                                      .low = 1,

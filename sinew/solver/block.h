@@ -3,13 +3,14 @@
 #include "sinew/math/matrix.h"
 #include "sinew/solver/elimination.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
-/// What is solved at once instead of in a sweep: ropes, chains, trees, and figures with few loops. A block is a connected
-/// part of the world whose equations have a sparse factorisation; it depends on nothing outside it, so it is moved by
-/// itself, with substeps of its own. In double whatever the world's precision: a heavy weight on light links has no
-/// digits to spare.
+/// What is solved at once instead of in a sweep: ropes, chains, trees, and figures with few loops. A block is a
+/// connected part of the world whose equations have a sparse factorisation; it depends on nothing outside it, so it is
+/// moved by itself, with substeps of its own. In double whatever the world's precision: a heavy weight on light links
+/// has no digits to spare.
 namespace sinew {
 
 /// A particle of a block. Its equation is   diagonal move + sum of entries = residual.
@@ -26,21 +27,33 @@ template <int D> struct BlockNode {
     Vec<D, double> residual{}, move{};
 };
 
-/// A distance between two nodes, held in [low, high].
-template <int D> struct BlockLink {
+/// A measure held in [low, high], and its multiplier on the way to the solution.
+struct BlockLimit {
     Row constraint = 0;
-    std::uint32_t a = 0, b = 0; ///< nodes
-    std::uint32_t entry = 0;    ///< of the matrix; none if one of them is fixed
     double low = 0, high = 0, compliance = 0;
-    double length = 0; ///< the limit that counts for its scale
-    Vec<D, double> start{};
     double before = 0;  ///< the tension when the substep began
-    double tension = 0; ///< over the length: the multiplier of (length^2 - limit^2) / 2
+    double tension = 0; ///< the multiplier; of a distance, of (length^2 - limit^2) / 2
     double pull = 0;    ///< what it is in this iteration
     double stiffness = 0;
     int side = 0;  ///< at its high limit: 1, at its low one: -1, between them: 0
     int flips = 0; ///< how often it came to a limit in this substep
-    Vec<D, double> along{};
+
+    bool one_sided() const { return low < high; }
+};
+
+/// A distance between two nodes.
+template <int D> struct BlockLink : BlockLimit {
+    std::uint32_t a = 0, b = 0; ///< nodes
+    std::uint32_t entry = 0;    ///< of the matrix; none if one of them is fixed
+    double length = 0;          ///< the limit that counts for its scale
+    Vec<D, double> start{}, along{};
+};
+
+/// An angle at the middle one of three nodes.
+template <int D> struct BlockBend : BlockLimit {
+    std::array<std::uint32_t, 3> nodes{};
+    std::array<std::uint32_t, 3> entries{}; ///< of the pairs 0 1, 1 2, 2 0
+    std::array<Vec<D, double>, 3> gradient{};
 };
 
 /// What couples a node to a later one.
@@ -53,6 +66,7 @@ template <int D> struct BlockEntry {
 struct Block {
     std::uint32_t first_node = 0, unknowns = 0, nodes = 0;
     std::uint32_t first_link = 0, links = 0;
+    std::uint32_t first_bend = 0, bends = 0;
 };
 
 /// Rows [first, last) of a table.
@@ -67,7 +81,8 @@ class RowRange {
 
     class Iterator {
       public:
-        explicit Iterator(const Rows* range, const Rows* end) : range_(range), end_(end), row_(range == end ? 0 : range->first) {}
+        explicit Iterator(const Rows* range, const Rows* end)
+            : range_(range), end_(end), row_(range == end ? 0 : range->first) {}
         Row operator*() const { return row_; }
         Iterator& operator++() {
             if (++row_ == range_->last && ++range_ != end_) row_ = range_->first;
@@ -96,10 +111,10 @@ struct BlockRoom {
     /// An island, as far as it matters to whether it becomes a block.
     struct About {
         std::uint32_t particles = 0, links = 0, inner_links = 0;
-        bool only_links = true;
+        bool suits = true;
     };
     std::vector<About> about; ///< by the island's first particle
-    std::vector<Row> node_of, first_link, link_at, members, first_member, cursor;
+    std::vector<Row> node_of, first_link, link_at, first_bend, bend_at, members, first_member, cursor;
 };
 
 /// All of it follows from the rest of the world: a copy begins without, and looks again.
@@ -109,6 +124,7 @@ template <int D> struct Blocks {
     std::vector<Block> list;
     std::vector<BlockNode<D>> nodes;
     std::vector<BlockLink<D>> links;
+    std::vector<BlockBend<D>> bends;
     std::vector<std::uint32_t> first_entry; ///< of each node, and one more
     std::vector<BlockEntry<D>> entries;
     std::vector<std::uint32_t> first_pair; ///< of each node: for its entries e < g, where their product goes
@@ -146,22 +162,24 @@ template <int D> struct Blocks {
         list.clear();
         nodes.clear();
         links.clear();
+        bends.clear();
         entries.clear();
         loose.clear();
         runs.clear();
     }
 
-    /// Room for whatever becomes of so many particles and distances as they tear.
-    void reserve(std::size_t particles, std::size_t distances) {
+    /// Room for whatever becomes of so many particles and constraints as they tear.
+    void reserve(std::size_t particles, std::size_t distances, std::size_t angles) {
         list.reserve(particles / 2 + 1);
-        nodes.reserve(particles + distances);
+        nodes.reserve(particles + distances + 2 * angles);
         links.reserve(distances);
-        for (auto* column : {&first_entry, &first_pair}) column->reserve(particles + distances + 1);
-        entries.reserve(8 * distances + 1024);
-        pairs.reserve(16 * distances + 1024);
+        bends.reserve(angles);
+        for (auto* column : {&first_entry, &first_pair}) column->reserve(nodes.capacity() + 1);
+        entries.reserve(8 * distances + 16 * angles + 1024);
+        pairs.reserve(2 * entries.capacity());
         loose.reserve(particles);
-        runs.reserve(2 * distances + particles);
-        elimination.reserve(particles, 2 * distances);
+        runs.reserve(2 * (distances + angles) + particles);
+        elimination.reserve(particles, 2 * distances + 6 * angles);
     }
 };
 

@@ -9,8 +9,8 @@ namespace {
 template <int D, class Real> class Finder {
   public:
     explicit Finder(World<D, Real>& world)
-        : world_(world), particles_(world.particles),
-          distances_(std::get<kind_number<Distance, D>>(world.constraints)), blocks_(world.blocks),
+        : world_(world), particles_(world.particles), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
+          angles_(std::get<kind_number<Angle, D>>(world.constraints)), blocks_(world.blocks),
           islands_(world.blocks.islands), elimination_(world.blocks.elimination), room_(world.blocks.room) {}
 
     void run() {
@@ -22,7 +22,8 @@ template <int D, class Real> class Finder {
         elimination_.reset(particles_.size());
         join_islands();
         take_stock();
-        list_links();
+        list(distances_, room_.first_link, room_.link_at);
+        list(angles_, room_.first_bend, room_.bend_at);
         for (Row row = 0; row < particles_.size(); ++row)
             if (mobile(row) && islands_.of(row) == row && worthwhile(room_.about[row])) build(row);
         blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
@@ -36,6 +37,7 @@ template <int D, class Real> class Finder {
     World<D, Real>& world_;
     Particles<D, Real>& particles_;
     Constraints<Distance<D>, Real>& distances_;
+    Constraints<Angle<D>, Real>& angles_;
     Blocks<D>& blocks_;
     Islands& islands_;
     Elimination& elimination_;
@@ -61,16 +63,15 @@ template <int D, class Real> class Finder {
     /// A single link is as well solved in the sweep, whose one step is then exact. With many loops the factors fill in.
     static bool worthwhile(const About& about) {
         const auto loops = about.inner_links + 1 > about.particles ? about.inner_links + 1 - about.particles : 0;
-        return about.only_links && about.links >= 2 && loops <= about.particles / 2 + 32;
+        return about.suits && about.links >= 2 && loops <= about.particles / 2 + 32;
     }
 
-    /// Shares and relaxations other than the natural ones are wishes about the sweep; a link without a length has no
-    /// direction.
-    bool natural(Row link) const {
-        constexpr auto shortest = Real(1e-6);
-        return distances_.split[link] == Real(0.5) && distances_.relaxation[link] == Real(1) &&
-               distances_.high[link] >= shortest;
+    /// Shares and relaxations other than the natural ones are wishes about the sweep.
+    template <class Table> static bool natural(const Table& table, Row row) {
+        return table.split[row] == Real(0.5) && table.relaxation[row] == Real(1);
     }
+    /// Without one it has no direction.
+    bool has_length(Row link) const { return distances_.high[link] >= Real(1e-6); }
 
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
 
@@ -90,9 +91,11 @@ template <int D, class Real> class Finder {
                 if constexpr (std::is_same_v<Kind, Distance<D>>) {
                     ++about.links;
                     about.inner_links += moving == 2;
-                    about.only_links = about.only_links && natural(row);
+                    about.suits = about.suits && natural(table, row) && has_length(row);
                 } else {
-                    about.only_links = false;
+                    // unsigned, an angle that has to be more than none has no direction to open in
+                    const bool opens = D == 3 && table.low[row] > Real(0);
+                    about.suits = about.suits && std::is_same_v<Kind, Angle<D>> && natural(table, row) && !opens;
                 }
             }
         });
@@ -108,33 +111,38 @@ template <int D, class Real> class Finder {
             if (mobile(row)) room_.members[next[islands_.of(row)]++] = row;
     }
 
-    /// The links of each particle, side by side.
-    void list_links() {
-        room_.first_link.assign(particles_.size() + 1, 0);
-        for (Row link = 0; link < distances_.size(); ++link)
-            for (const std::size_t i : {0U, 1U}) ++room_.first_link[end(link, i) + 1];
-        for (std::size_t i = 1; i < room_.first_link.size(); ++i) room_.first_link[i] += room_.first_link[i - 1];
-        room_.link_at.resize(2 * distances_.size());
+    /// The constraints of each particle, side by side.
+    template <class Table> void list(const Table& table, std::vector<Row>& first, std::vector<Row>& at) {
+        first.assign(particles_.size() + 1, 0);
+        for (Row row = 0; row < table.size(); ++row)
+            for (const Row member : table.members[row]) ++first[member + 1];
+        for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+        at.resize(first.back());
         auto& next = room_.cursor;
-        next = room_.first_link;
-        for (Row link = 0; link < distances_.size(); ++link)
-            for (const std::size_t i : {0U, 1U}) room_.link_at[next[end(link, i)]++] = link;
+        next = first;
+        for (Row row = 0; row < table.size(); ++row)
+            for (const Row member : table.members[row]) at[next[member]++] = row;
     }
 
-    std::span<const Row> links_of(Row particle) const {
-        return std::span(room_.link_at).subspan(room_.first_link[particle], room_.first_link[particle + 1] - room_.first_link[particle]);
+    std::span<const Row> links_of(Row particle) const { return those_of(particle, room_.first_link, room_.link_at); }
+    std::span<const Row> bends_of(Row particle) const { return those_of(particle, room_.first_bend, room_.bend_at); }
+    static std::span<const Row> those_of(Row particle, const std::vector<Row>& first, const std::vector<Row>& at) {
+        return std::span(at).subspan(first[particle], first[particle + 1] - first[particle]);
     }
     Row other_end(Row link, Row particle) const { return end(link, 0) == particle ? end(link, 1) : end(link, 0); }
 
     void build(Row island) {
-        const auto members = std::span(std::as_const(room_.members))
-                                 .subspan(room_.first_member[island], room_.first_member[island + 1] - room_.first_member[island]);
+        const auto members =
+            std::span(std::as_const(room_.members))
+                .subspan(room_.first_member[island], room_.first_member[island + 1] - room_.first_member[island]);
         elimination_.begin_graph();
         for (const Row row : members) {
             elimination_.begin_row(row);
             for (const Row link : links_of(row))
-                if (const Row other = other_end(link, row); mobile(other))
-                    elimination_.add_neighbour(other);
+                if (const Row other = other_end(link, row); mobile(other)) elimination_.add_neighbour(other);
+            for (const Row bend : bends_of(row))
+                for (const Row other : angles_.members[bend])
+                    if (other != row && mobile(other)) elimination_.add_neighbour(other);
             elimination_.end_row(row);
         }
         if (!elimination_.run(members)) return;
@@ -145,6 +153,9 @@ template <int D, class Real> class Finder {
         block.first_link = std::uint32_t(blocks_.links.size());
         for (const Row row : elimination_.order()) add_links(row);
         block.links = std::uint32_t(blocks_.links.size()) - block.first_link;
+        block.first_bend = std::uint32_t(blocks_.bends.size());
+        for (const Row row : elimination_.order()) add_bends(row);
+        block.bends = std::uint32_t(blocks_.bends.size()) - block.first_bend;
         block.nodes = std::uint32_t(blocks_.nodes.size()) - block.first_node;
         for (std::size_t i = block.unknowns; i < block.nodes; ++i) {
             blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
@@ -190,19 +201,49 @@ template <int D, class Real> class Finder {
             const Row other = other_end(link, row);
             const bool inner = mobile(other);
             if (inner && elimination_.position(other) < elimination_.position(row)) continue;
-            const auto a = room_.node_of[row];
-            if (!inner) blocks_.nodes.push_back({.row = other});
-            const auto b = inner ? room_.node_of[other] : std::uint32_t(blocks_.nodes.size() - 1);
-            const double low = maximum(double(distances_.low[link]), 0.0), high = double(distances_.high[link]);
+            const auto a = room_.node_of[row], b = node_for(other);
+            BlockLink<D> added;
+            static_cast<BlockLimit&>(added) = limit_of(distances_, link);
+            added.low = maximum(added.low, 0.0);
+            added.a = a, added.b = b;
+            added.entry = inner ? entry_of(a, b) : Blocks<D>::none;
             constexpr double far = 1e12; // as good as no limit
-            blocks_.links.push_back({.constraint = link,
-                                     .a = a,
-                                     .b = b,
-                                     .entry = inner ? entry_of(a, b) : Blocks<D>::none,
-                                     .low = low,
-                                     .high = high,
-                                     .compliance = double(distances_.compliance[link]),
-                                     .length = high < far ? high : maximum(low, 1e-6)});
+            added.length = added.high < far ? added.high : maximum(added.low, 1e-6);
+            blocks_.links.push_back(added);
+        }
+    }
+
+    /// A particle that cannot move is a node each time it is needed.
+    std::uint32_t node_for(Row particle) {
+        if (mobile(particle)) return room_.node_of[particle];
+        blocks_.nodes.push_back({.row = particle});
+        return std::uint32_t(blocks_.nodes.size() - 1);
+    }
+
+    template <class Table> static BlockLimit limit_of(const Table& table, Row row) {
+        return {.constraint = row,
+                .low = double(table.low[row]),
+                .high = double(table.high[row]),
+                .compliance = double(table.compliance[row])};
+    }
+
+    /// Those of which a particle is the first to be eliminated.
+    void add_bends(Row row) {
+        for (const Row bend : bends_of(row)) {
+            const auto members = std::as_const(angles_).members[bend];
+            if (std::any_of(members.begin(), members.end(), [&](Row other) {
+                    return mobile(other) && elimination_.position(other) < elimination_.position(row);
+                }))
+                continue;
+            BlockBend<D> added;
+            static_cast<BlockLimit&>(added) = limit_of(angles_, bend);
+            for (std::size_t i = 0; i < 3; ++i) added.nodes[i] = node_for(members[i]);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto j = (i + 1) % 3;
+                const auto [early, late] = std::minmax(added.nodes[i], added.nodes[j]);
+                added.entries[i] = mobile(members[i]) && mobile(members[j]) ? entry_of(early, late) : Blocks<D>::none;
+            }
+            blocks_.bends.push_back(added);
         }
     }
 
@@ -243,7 +284,9 @@ template <int D, class Real> void prepare(World<D, Real>& world) {
     constexpr std::size_t small = 100'000; // distances; of more, the room would be waste
     const bool may_tear = std::any_of(distances.breaking_strain.begin(), distances.breaking_strain.end(),
                                       [](Real strain) { return strain < limit::measure<Real>; });
-    if (may_tear && distances.size() <= small) blocks.reserve(world.particles.size(), distances.size());
+    if (may_tear && distances.size() <= small)
+        blocks.reserve(world.particles.size(), distances.size(),
+                       std::get<kind_number<Angle, D>>(world.constraints).size());
 }
 
 #define SINEW_BLOCK_FIND(D, Real) template void prepare(World<D, Real>&);

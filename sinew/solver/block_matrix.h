@@ -8,8 +8,8 @@ namespace sinew::detail {
 /// alike in structure but not in value on both sides of the diagonal. With D_i the diagonal of node i, L_e and U_e what
 /// it has below and to the right,
 ///
-///     y_i = D_i^-1 r_i       r_j -= L_e y_i       D_j -= L_e D_i^-1 U_e       A_ge -= L_g D_i^-1 U_e       A_eg -= L_e D_i^-1 U_g
-///     move_i = y_i - D_i^-1 sum U_e move_j
+///     y_i = D_i^-1 r_i       r_j -= L_e y_i       D_j -= L_e D_i^-1 U_e       A_ge -= L_g D_i^-1 U_e       A_eg -= L_e
+///     D_i^-1 U_g move_i = y_i - D_i^-1 sum U_e move_j
 template <int D> void solve_block(Blocks<D>& blocks, const Block& block) {
     auto* const nodes = blocks.nodes.data();
     auto* const entries = blocks.entries.data();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "sinew/constraint/angle.h"
 #include "sinew/solver/block_matrix.h"
+#include "sinew/solver/project.h"
 
 /// One substep of one block: Newton's method on
 ///
@@ -12,8 +14,8 @@ namespace sinew::detail {
 
 /// How a substep gets from where it began to where it ends.
 enum class Rule {
-    swing,  ///< the midpoint rule, links pulling along the mean of their old and new directions (LaBudde and Greenspan
-            ///< 1976; Gonzalez 1999): keeps energy to rounding, whatever the step
+    swing, ///< the midpoint rule, links pulling along the mean of their old and new directions (LaBudde and Greenspan
+           ///< 1976; Gonzalez 1999): keeps energy to rounding, whatever the step
     implicit, ///< backward Euler, links pulling along their new directions: loses energy, and stands anything
     place     ///< no time passes: the nearest place where the links have their lengths
 };
@@ -32,12 +34,13 @@ template <int D> class BlockSolve {
         return std::span(blocks_.nodes).subspan(block_.first_node, block_.unknowns);
     }
     std::span<BlockLink<D>> links() const { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
+    std::span<BlockBend<D>> bends() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
     double stiffness() const { return relative_stiffness * total_mass_ * per_h_ * per_h_; }
     /// The length of all links.
     double reach() const { return reach_; }
 
-    /// Finds every `place`. `hold(assemble)` adds what else acts on the nodes to their equations. False where it did not
-    /// converge.
+    /// Finds every `place`. `hold(assemble)` adds what else acts on the nodes to their equations. False where it did
+    /// not converge.
     template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
         set_out(rule);
         double before = 0;
@@ -76,6 +79,7 @@ template <int D> class BlockSolve {
         constexpr double relative = 1e3;
         constexpr int rounds = 3;
         for (auto& link : links()) link.pull = 0;
+        for (auto& bend : bends()) bend.pull = 0, measure(bend);
         for (auto& node : nodes()) node.aim = node.velocity;
         for (int i = 0; i < rounds; ++i) {
             for (auto& node : unknowns()) {
@@ -88,12 +92,21 @@ template <int D> class BlockSolve {
                 const double k = relative * total_mass_ / square(link.length);
                 const double rate = dot(link.along, node(link.b).velocity - node(link.a).velocity);
                 const double pull = link.pull + k * rate;
-                const bool resists = link.low == link.high || (link.tension > 0 && pull > 0) ||
-                                     (link.tension < 0 && pull < 0);
+                const bool resists =
+                    !link.one_sided() || (link.tension > 0 && pull > 0) || (link.tension < 0 && pull < 0);
                 link.stiffness = resists && !soft(link) ? k : 0;
                 if (link.stiffness == 0) continue;
                 link.pull = pull;
                 add(link, outer(link.along * k, link.along), link.along * pull);
+            }
+            for (auto& bend : bends()) {
+                double rate = 0;
+                for (std::size_t k = 0; k < 3; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
+                const double k = relative * total_mass_ * arm2(bend);
+                const double pull = bend.pull + k * rate;
+                const bool resists = bend.side != 0 && !soft(bend) && (!bend.one_sided() || pull * bend.side > 0);
+                bend.stiffness = resists ? k : 0;
+                if (resists) add(bend, bend.pull = pull);
             }
             hold(relative * total_mass_);
             solve_block(blocks_, block_);
@@ -101,6 +114,8 @@ template <int D> class BlockSolve {
             for (auto& link : links())
                 if (link.stiffness > 0)
                     link.pull += link.stiffness * dot(link.along, move_of(node(link.b)) - move_of(node(link.a)));
+            for (auto& bend : bends())
+                if (bend.stiffness > 0) bend.pull += bend.stiffness * turn_of(bend);
         }
     }
 
@@ -134,6 +149,20 @@ template <int D> class BlockSolve {
         return 0.5 * square(length - clamp(length, link.low, link.high)) / link.compliance;
     }
 
+    double stored(const BlockBend<D>& bend, double angle) const {
+        return soft(bend) ? 0.5 * square(angle - clamp(angle, bend.low, bend.high)) / bend.compliance : 0;
+    }
+    /// Its angle, at the places or at the start.
+    template <class At> double angle_of(const BlockBend<D>& bend, At&& at) const {
+        const Points<3, D, double> points{at(node(bend.nodes[0])), at(node(bend.nodes[1])), at(node(bend.nodes[2]))};
+        return unwrap<Angle<D>>(Angle<D>::evaluate(points).value, bend.low, bend.high);
+    }
+    bool any_bend_struck() const {
+        for (const auto& bend : bends())
+            if (bend.side != 0 && bend.one_sided() && !soft(bend)) return true;
+        return false;
+    }
+
     BlockNode<D>& node(std::uint32_t i) const { return blocks_.nodes[i]; }
     const Vector& move_of(const BlockNode<D>& node) const { return node.move; } // zero of what is fixed
 
@@ -142,9 +171,10 @@ template <int D> class BlockSolve {
     static constexpr double good_enough = 1e-7;
     static constexpr double acceptable = 1e-5;
     static constexpr double absurd = 100;
-    static constexpr int patience = 10; ///< iterations
+    static constexpr int patience = 10;        ///< iterations
     static constexpr double most_change = 0.5; ///< of a link in one iteration, as a share of its length
     static constexpr double as_good_as_taut = 1e-6;
+    static constexpr double small_angle = 1e-2; ///< an angle's error counts as this part of a length's
     static constexpr int most_flips = 2;
 
     Blocks<D>& blocks_;
@@ -159,6 +189,7 @@ template <int D> class BlockSolve {
 
     /// A spring; one so stiff that the penalty is softer is as good as rigid.
     bool soft(const BlockLink<D>& link) const { return link.compliance * stiffness() > 1; }
+    bool soft(const BlockBend<D>& bend) const { return bend.compliance > 0; }
 
     void clear_entries() {
         const auto begin = blocks_.first_entry[block_.first_node];
@@ -181,6 +212,14 @@ template <int D> class BlockSolve {
             reach_ += link.length;
             choose_side(link);
         }
+        for (auto& bend : bends()) {
+            bend.flips = 0;
+            const double angle = angle_of(bend, start_of);
+            const bool exact = !bend.one_sided();
+            bend.side = exact || bend.tension > 0 || angle > bend.high ? 1
+                        : bend.tension < 0 || angle < bend.low         ? -1
+                                                                       : 0;
+        }
         double weight = 0;
         for (const auto& node : unknowns()) weight += node.mass * norm(node.push);
         slight_ = 1e-6 * weight * inverse_or_zero(reach_) * double(block_.links);
@@ -198,11 +237,10 @@ template <int D> class BlockSolve {
             link.side = link.tension < 0 || length < link.low + margin ? -1 : 0;
     }
 
-    void come_to_a_limit(BlockLink<D>& link, double above, double below) {
-        const double margin = good_enough * square(link.length);
+    static void come_to_a_limit(BlockLimit& limit, double above, double below, double margin) {
         if (!(above > margin || below < -margin)) return;
-        link.side = above > margin ? 1 : -1;
-        ++link.flips;
+        limit.side = above > margin ? 1 : -1;
+        ++limit.flips;
     }
 
     void add(const BlockLink<D>& link, const Matrix<D, double>& stiffness, const Vector& force) {
@@ -235,7 +273,7 @@ template <int D> class BlockSolve {
             const double k = hardest / square(link.length);
             const double length2 = dot(now, now);
             const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
-            if (link.side == 0) come_to_a_limit(link, above, below);
+            if (link.side == 0) come_to_a_limit(link, above, below, good_enough * square(link.length));
             const double error = link.side > 0 ? above : link.side < 0 ? below : 0;
             worst = maximum(worst, absolute(error) / square(link.length));
             link.pull = link.side != 0 ? link.tension + k * error : 0;
@@ -249,8 +287,75 @@ template <int D> class BlockSolve {
                 matrix += Matrix<D, double>::diagonal(maximum(link.tension, 0.0) * (swings ? 0.5 : 1));
             add(link, matrix, along * link.pull);
         }
+        for (auto& bend : bends()) worst = maximum(worst, small_angle * bend_back(rule, bend, hardest));
         return worst;
     }
+
+    // --- angles
+    // --------------------------------------------------------------------------------------------------------
+
+    double measure(BlockBend<D>& bend) const {
+        const Points<3, D, double> points{node(bend.nodes[0]).place, node(bend.nodes[1]).place,
+                                          node(bend.nodes[2]).place};
+        const auto evaluated = Angle<D>::evaluate(points);
+        for (std::size_t k = 0; k < 3; ++k) bend.gradient[k] = gentle<Angle<D>>(evaluated.gradient[k]);
+        return unwrap<Angle<D>>(evaluated.value, bend.low, bend.high);
+    }
+
+    /// The square of an angle's lever: an angle as stiff as a link of that length.
+    static double arm2(const BlockBend<D>& bend) {
+        double steepest = 0;
+        for (const auto& gradient : bend.gradient) steepest = maximum(steepest, dot(gradient, gradient));
+        return inverse_or_zero(steepest);
+    }
+
+    /// Returns how far the angle is outside its limits.
+    double bend_back(Rule rule, BlockBend<D>& bend, double hardest) {
+        const double angle = measure(bend);
+        bend.stiffness = 0;
+        if (soft(bend)) {
+            const double error = angle - clamp(angle, bend.low, bend.high);
+            if (error == 0 || rule == Rule::place) return 0;
+            bend.stiffness = minimum(1 / bend.compliance, hardest * arm2(bend));
+            bend.tension = bend.stiffness * error;
+            add(bend, bend.tension);
+            return 0;
+        }
+        const double above = angle - bend.high, below = angle - bend.low;
+        if (bend.side == 0) come_to_a_limit(bend, above, below, good_enough / small_angle);
+        if (bend.side == 0) return 0;
+        const double error = bend.side > 0 ? above : below;
+        bend.stiffness = hardest * arm2(bend);
+        bend.pull = bend.tension + bend.stiffness * error;
+        add(bend, bend.pull);
+        return absolute(error);
+    }
+
+    void add(const BlockBend<D>& bend, double torque) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            auto& at = node(bend.nodes[i]);
+            const auto& gradient = bend.gradient[i];
+            at.residual -= gradient * torque;
+            at.diagonal += outer(gradient * bend.stiffness, gradient);
+            if (bend.entries[i] == Blocks<D>::none) continue;
+            const auto j = (i + 1) % 3;
+            const auto& other = bend.gradient[j];
+            const bool in_order = bend.nodes[i] < bend.nodes[j];
+            const auto &early = in_order ? gradient : other, &late = in_order ? other : gradient;
+            blocks_.entries[bend.entries[i]].lower += outer(late * bend.stiffness, early);
+            blocks_.entries[bend.entries[i]].upper += outer(early * bend.stiffness, late);
+        }
+    }
+
+    /// How much the last move turned it, to first order.
+    double turn_of(const BlockBend<D>& bend) const {
+        double turn = 0;
+        for (std::size_t k = 0; k < 3; ++k) turn += dot(bend.gradient[k], move_of(node(bend.nodes[k])));
+        return turn;
+    }
+
+    // --- links
+    // ---------------------------------------------------------------------------------------------------------
 
     /// A soft link: its force is what it is, and needs no multiplier.
     void spring(Rule rule, BlockLink<D>& link, const Vector& now) {
@@ -288,11 +393,18 @@ template <int D> class BlockSolve {
         for (auto& link : links()) {
             if (soft(link)) continue;
             const auto change = move_of(node(link.b)) - move_of(node(link.a));
-            const double next = link.pull + link.stiffness * dot(link.along, change);
-            link.tension = link.side != 0 ? link.tension + share * (next - link.tension) : 0;
-            const bool one_sided = link.low < link.high, undecided = link.flips > most_flips;
-            if (one_sided && !undecided && next * link.side < -slight_) link.side = 0, link.tension = 0;
+            renew(link, link.pull + link.stiffness * dot(link.along, change), share);
         }
+        for (auto& bend : bends())
+            if (!soft(bend)) renew(bend, bend.pull + bend.stiffness * turn_of(bend), share);
+    }
+
+    /// The multiplier that goes with the places just found. One that holds the wrong way lets go, unless it cannot
+    /// decide.
+    void renew(BlockLimit& limit, double next, double share) const {
+        limit.tension = limit.side != 0 ? limit.tension + share * (next - limit.tension) : 0;
+        const bool undecided = limit.flips > most_flips;
+        if (limit.one_sided() && !undecided && next * limit.side < -slight_) limit.side = 0, limit.tension = 0;
     }
 
     static double largest_component(const Vector& v) {

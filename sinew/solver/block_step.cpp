@@ -1,6 +1,7 @@
 #include "sinew/solver/block_solve.h"
 #include "sinew/solver/decay.h"
 #include "sinew/solver/phases.h"
+#include "sinew/solver/rigid_motion.h"
 
 #include <cmath>
 
@@ -9,14 +10,15 @@ namespace {
 
 using detail::Rule;
 
-/// Moves one block over a frame: in as few substeps as swing by themselves; where something strikes, cracks or folds, in
-/// shorter ones, in the end implicit.
+/// Moves one block over a frame: in as few substeps as swing by themselves; where something strikes, cracks or folds,
+/// in shorter ones, in the end implicit.
 template <int D, class Real> class BlockStep {
   public:
     BlockStep(World<D, Real>& world, const Block& block, double frame, double last_substep)
         : world_(world), p_(world.particles), d_(std::get<kind_number<Distance, D>>(world.constraints)),
-          blocks_(world.blocks), block_(block), frame_(frame) {
+          a_(std::get<kind_number<Angle, D>>(world.constraints)), blocks_(world.blocks), block_(block), frame_(frame) {
         const double per = inverse_or_zero(square(last_substep));
+        for (auto& bend : bends()) bend.before = -double(a_.multiplier[bend.constraint]) * per;
         for (auto& link : links()) link.before = -double(d_.multiplier[link.constraint]) * per / link.length;
     }
 
@@ -28,6 +30,8 @@ template <int D, class Real> class BlockStep {
         constexpr double most = double(limit::multiplier<Real>);
         for (const auto& link : links())
             d_.multiplier[link.constraint] = Real(clamp(-link.before * link.length * square(substep), -most, most));
+        for (const auto& bend : bends())
+            a_.multiplier[bend.constraint] = Real(clamp(-bend.before * square(substep), -most, most));
     }
 
   private:
@@ -37,16 +41,19 @@ template <int D, class Real> class BlockStep {
     World<D, Real>& world_;
     Particles<D, Real>& p_;
     Constraints<Distance<D>, Real>& d_;
+    Constraints<Angle<D>, Real>& a_;
     Blocks<D>& blocks_;
     const Block& block_;
     static constexpr int many = 40, stretched_iterations = 6; ///< iterations, where there is no other way
     double frame_;
     double from_ = 0, to_ = 0, h_ = 0; ///< of this substep: shares of the frame, and its length
+    detail::RigidMotion<D> begun_{};   ///< of a free block, when the substep began
     bool near_ = false;                ///< a plane may be touched
     bool driven_ = false;              ///< something from outside may do work
 
     std::span<BlockNode<D>> nodes() { return std::span(blocks_.nodes).subspan(block_.first_node, block_.nodes); }
     std::span<BlockNode<D>> unknowns() { return std::span(blocks_.nodes).subspan(block_.first_node, block_.unknowns); }
+    std::span<BlockBend<D>> bends() { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
     std::span<BlockLink<D>> links() { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
 
     void advance(double from, double to, int depth) {
@@ -56,14 +63,15 @@ template <int D, class Real> class BlockStep {
         load();
         Solve solve(blocks_, block_, h_);
         if (!pull_together(solve)) return be_stretched();
-        const bool swung = solve.run(Rule::swing, few, [&] { hold(solve); }) && !touching() && !gains(solve);
-        if (swung) {
+        const bool found = solve.run(Rule::swing, few, [&] { hold(solve); }), blow = struck(solve);
+        if (found && !blow && !gains(solve)) {
             for (auto& node : unknowns()) node.velocity = (node.place - node.start) * (2 / h_) - node.velocity;
             if (any_tightened()) settle(solve);
+            keep_momentum();
             return store();
         }
         if (driven_ && !solve.run(Rule::place, many, [] {})) return be_stretched();
-        if (depth == deepest || (depth > 0 && near_)) return give_way();
+        if (depth == deepest || (depth > 0 && blow)) return give_way();
         const double piece = (to - from) / pieces;
         for (int i = 0; i < pieces; ++i)
             advance(from + piece * i, i + 1 == pieces ? to : from + piece * (i + 1), depth + 1);
@@ -80,9 +88,10 @@ template <int D, class Real> class BlockStep {
             for (auto& node : unknowns()) node.velocity = (node.place - node.start) * (1 / h_);
         } else {
             for (auto& node : unknowns()) node.place = node.start, node.velocity *= 0.5;
-            for (auto& link : links()) link.tension = link.before;
+            start_tensions();
         }
         settle(solve);
+        keep_momentum();
         if (!driven_) slow_down(solve, kinetic + work(solve));
         store();
     }
@@ -90,7 +99,7 @@ template <int D, class Real> class BlockStep {
     /// Pinned further apart than it is long: as near to its lengths as it gets.
     void be_stretched() {
         load();
-        for (auto& link : links()) link.tension = 0;
+        forget_tensions();
         Solve solve(blocks_, block_, h_);
         const double before = solve.worst_strain(Solve::start_of);
         solve.run(Rule::implicit, stretched_iterations, [&] { hold(solve); });
@@ -98,8 +107,8 @@ template <int D, class Real> class BlockStep {
         if (!(solve.worst_strain(Solve::place_of) <= maximum(most, before)))
             for (auto& node : unknowns()) node.place = node.start;
         for (auto& node : unknowns()) node.velocity = (node.place - node.start) * (1 / h_);
+        forget_tensions();
         store();
-        for (auto& link : links()) link.before = 0;
     }
 
     // --- what a substep begins with, and ends with ----------------------------------------------------------------
@@ -132,7 +141,21 @@ template <int D, class Real> class BlockStep {
                 driven_ = driven_ || !(pin.from == pin.target);
             }
         }
+        start_tensions();
+        if (is_free()) begun_ = Motion::of(unknowns(), Solve::start_of);
+    }
+
+    void start_tensions() {
         for (auto& link : links()) link.tension = link.before;
+        for (auto& bend : bends()) bend.tension = bend.before;
+    }
+    void forget_tensions() {
+        for (auto& link : links()) link.tension = 0;
+        for (auto& bend : bends()) bend.tension = 0;
+    }
+    /// What let go in the end pulls no more.
+    static double kept(const BlockLimit& limit) {
+        return limit.one_sided() && limit.tension * limit.side <= 0 ? 0 : limit.tension;
     }
 
     void store() {
@@ -145,28 +168,29 @@ template <int D, class Real> class BlockStep {
             p_.position[node.row] = held;
             p_.velocity[node.row] = cast<Real>(clamp_components(node.velocity, fastest));
         }
-        for (auto& link : links()) link.before = link.low < link.high && link.tension * link.side <= 0 ? 0 : link.tension;
+        for (auto& link : links()) link.before = kept(link);
+        for (auto& bend : bends()) bend.before = kept(bend);
     }
 
     static Vector goal(const Pin<D, Real>& pin, double share) {
         return cast<double>(pin.from) + (cast<double>(pin.target) - cast<double>(pin.from)) * share;
     }
 
-    /// A figure put down stretched, or torn from its pins, is brought to its lengths without a velocity. False where its
-    /// pins are too far apart.
+    /// A figure put down stretched, or torn from its pins, is brought to its lengths without a velocity. False where
+    /// its pins are too far apart.
     bool pull_together(Solve& solve) {
         constexpr double crude = 1e-3;
         const double before = solve.worst_strain(Solve::start_of);
         if (before <= crude) return true;
         const auto fixed = nodes().subspan(block_.unknowns);
         for (auto& node : fixed) std::swap(node.start, node.place);
-        for (auto& link : links()) link.tension = 0;
+        forget_tensions();
         if (!solve.run(Rule::place, many, [] {})) solve.sweep();
         const double after = solve.worst_strain(Solve::place_of);
         if (after < before)
             for (auto& node : unknowns()) node.start = node.place;
         for (auto& node : fixed) std::swap(node.start, node.place);
-        for (auto& link : links()) link.tension = link.before;
+        start_tensions();
         return after <= crude || after < 0.5 * before;
     }
 
@@ -183,7 +207,9 @@ template <int D, class Real> class BlockStep {
         return false;
     }
 
-    bool touching() {
+    /// Something has come to a plane, or a joint to its end: what follows is a blow, not a swing.
+    bool struck(const Solve& solve) {
+        if (solve.any_bend_struck()) return true;
         if (!near_) return false;
         for (const auto& node : unknowns())
             for (const auto& plane : world_.bounds)
@@ -277,6 +303,9 @@ template <int D, class Real> class BlockStep {
         for (const auto& link : links())
             sum -= solve.stored(link, solve.node(link.b).place - solve.node(link.a).place) -
                    solve.stored(link, link.start);
+        for (const auto& bend : bends())
+            sum -= solve.stored(bend, solve.angle_of(bend, Solve::place_of)) -
+                   solve.stored(bend, solve.angle_of(bend, Solve::start_of));
         return sum;
     }
 
@@ -294,11 +323,43 @@ template <int D, class Real> class BlockStep {
         return after > before + work(solve) + rounding * (before + after) + tiny * weight * solve.reach();
     }
 
+    /// What moves about the motion of the whole is slowed down, until no more than that is left.
     void slow_down(const Solve& solve, double most) {
         const double now = solve.kinetic();
         if (now <= most) return;
-        const double share = square_root(maximum(most, 0.0) * inverse_or_zero(now));
-        for (auto& node : unknowns()) node.velocity *= share;
+        const auto motion = is_free() ? Motion::of(unknowns(), Solve::place_of) : Motion{};
+        const auto rate = motion.rate_of(unknowns(), Solve::place_of);
+        const auto whole = [&](const BlockNode<D>& node) {
+            return motion.momentum * inverse_or_zero(motion.mass) + Motion::turning(rate, node.place - motion.center);
+        };
+        double kept = 0;
+        for (const auto& node : unknowns()) kept += 0.5 * node.mass * dot(whole(node), whole(node));
+        const double share = square_root(maximum(most - kept, 0.0) * inverse_or_zero(now - kept));
+        for (auto& node : unknowns()) node.velocity = whole(node) + (node.velocity - whole(node)) * share;
+    }
+
+    // --- momentum ----------------------------------------------------------------------------------------------------
+
+    using Motion = detail::RigidMotion<D>;
+
+    /// Nothing from outside acts on it but force fields.
+    bool is_free() { return block_.nodes == block_.unknowns && !driven_ && !near_; }
+
+    /// A free block has the momentum and the spin it had, and what the fields gave it: links only act within.
+    void keep_momentum() {
+        if (!is_free()) return;
+        Motion due = begun_;
+        for (const auto& node : unknowns()) {
+            const auto kick = node.push * (node.mass * h_);
+            due.momentum += kick;
+            due.spin += Motion::moment((node.start + node.place) * 0.5 - begun_.center, kick);
+        }
+        auto missing = Motion::of(unknowns(), Solve::place_of);
+        missing.momentum = due.momentum - missing.momentum;
+        missing.spin = due.spin - missing.spin;
+        const auto rate = missing.rate_of(unknowns(), Solve::place_of);
+        const auto drift = missing.momentum * inverse_or_zero(missing.mass);
+        for (auto& node : unknowns()) node.velocity += drift + Motion::turning(rate, node.place - missing.center);
     }
 };
 

@@ -94,7 +94,8 @@ class Elimination {
     std::vector<std::size_t> begin_;
     std::vector<std::uint32_t> size_;
     std::vector<Row> position_, pool_, order_, merged_;
-    std::array<std::vector<Row>, most_neighbours + 1> buckets_; ///< rows by degree, and stale entries of rows that moved
+    std::array<std::vector<Row>, most_neighbours + 1>
+        buckets_; ///< rows by degree, and stale entries of rows that moved
 
     bool file(Row row) {
         if (size_[row] > most_neighbours) return false;

@@ -61,8 +61,7 @@ template <int D, class Real> struct Adder {
 
 } // namespace
 
-template <int D, class Real>
-Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& place) {
+template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& place) {
     Push<D, Real> push;
     const Adder<D, Real> add{world, row, place, push};
     for (const auto& force : world.forces) std::visit(add, force);
@@ -89,7 +88,7 @@ template <int D, class Real> void apply_random_pushes(World<D, Real>& world) {
 }
 
 #define SINEW_FORCE(D, Real)                                                                                           \
-    template Push<D, Real> push_on(const World<D, Real>&, Row, const Vec<D, Real>&);                                                        \
+    template Push<D, Real> push_on(const World<D, Real>&, Row, const Vec<D, Real>&);                                   \
     template void apply_random_pushes(World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_FORCE)
 

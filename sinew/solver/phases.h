@@ -5,13 +5,13 @@
 /// The parts of a step that both modes share, each in a file of its own.
 namespace sinew {
 
-/// force.cpp: what acts on a particle, where it is or at another place: a velocity v changes by acceleration - drag_rate v.
+/// force.cpp: what acts on a particle, where it is or at another place: a velocity v changes by acceleration -
+/// drag_rate v.
 template <int D, class Real> struct Push {
     Vec<D, Real> acceleration{};
     Real drag_rate = 0;
 };
-template <int D, class Real>
-Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& place);
+template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& place);
 template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row) {
     return push_on(world, row, world.particles.position[row]);
 }
@@ -36,7 +36,6 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Re
 template <int D, class Real> void find_passive(World<D, Real>& world);
 template <int D, class Real> void note_energy(World<D, Real>& world);
 template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h);
-
 
 /// classic.cpp: a step by the originals' rules.
 template <int D, class Real> void classic_step(World<D, Real>& world, Real dt);

@@ -158,8 +158,7 @@ void project_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
 }
 
 /// Consecutive constraints of one kind.
-template <class Mover, int D, class Real>
-void project_run(World<D, Real>& world, const SweepRun& run, Mover& mover) {
+template <class Mover, int D, class Real> void project_run(World<D, Real>& world, const SweepRun& run, Mover& mover) {
     visit_table(world, run.kind, [&](auto& table) {
         for (Row row = run.rows.first; row < run.rows.last; ++row) project_row(world, table, row, mover);
     });

@@ -87,7 +87,8 @@ template <int D, class Real> void move_pins(World<D, Real>& world, Real share, c
 
 /// A compliant pin is a damped spring to its target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) + alpha),
 /// e the way to the target and u how much the substep adds to it; its force never exceeds max_force.
-template <int D, class Real> void pull_pins(World<D, Real>& world, Real share, Real share_of_substep, SubstepMover<D, Real>& mover) {
+template <int D, class Real>
+void pull_pins(World<D, Real>& world, Real share, Real share_of_substep, SubstepMover<D, Real>& mover) {
     auto& p = world.particles;
     for (auto& pin : world.pins) {
         const auto row = p.slots.find(pin.particle);

@@ -95,7 +95,7 @@ TEST(Overrides, AreCheckedAsTheFileIs) {
                    "did you mean \"substeps\"?");
     expect_refused(outcome, "unknown property \"witdh\"", "did you mean \"width\"?");
     expect_refused(outcome, "nothing here is called \"crat\"", "did you mean \"crate\"?");
-    expect_refused(sinew({"run", "pendulum", "solver.substeps=many"}), "expected an integer from 1 to 1000");
+    expect_refused(sinew({"run", "pendulum", "solver.substeps=many"}), "expected an integer from 0 to 1000");
 }
 
 // Beside the scene, wherever the command is started.

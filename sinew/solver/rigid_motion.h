@@ -1,0 +1,59 @@
+#pragma once
+
+#include "sinew/solver/block.h"
+
+#include <span>
+
+namespace sinew::detail {
+
+/// The motion of some nodes as one body: what only forces from outside can change.
+template <int D> struct RigidMotion {
+    using Vector = Vec<D, double>;
+    using Spin = Vec<D == 2 ? 1 : 3, double>;
+
+    double mass = 0;
+    Vector center{}, momentum{};
+    Spin spin{}; ///< angular momentum about the centre
+
+    template <class At> static RigidMotion of(std::span<const BlockNode<D>> nodes, At&& at) {
+        RigidMotion motion;
+        for (const auto& node : nodes) {
+            motion.mass += node.mass;
+            motion.center += at(node) * node.mass;
+            motion.momentum += node.velocity * node.mass;
+        }
+        motion.center *= inverse_or_zero(motion.mass);
+        for (const auto& node : nodes) motion.spin += moment(at(node) - motion.center, node.velocity * node.mass);
+        return motion;
+    }
+
+    static Spin moment(const Vec<2, double>& arm, const Vec<2, double>& force) { return {{cross(arm, force)}}; }
+    static Spin moment(const Vec<3, double>& arm, const Vec<3, double>& force) { return cross(arm, force); }
+    static Vector turning(const Vec<1, double>& rate, const Vec<2, double>& arm) {
+        return {{-rate[0] * arm[1], rate[0] * arm[0]}};
+    }
+    static Vector turning(const Vec<3, double>& rate, const Vec<3, double>& arm) { return cross(rate, arm); }
+
+    /// The rate of turning that gives this spin to nodes at these places; zero where they are all in line (3D).
+    template <class At> Spin rate_of(std::span<const BlockNode<D>> nodes, At&& at) const {
+        if constexpr (D == 2) {
+            double inertia = 0;
+            for (const auto& node : nodes) inertia += node.mass * dot(at(node) - center, at(node) - center);
+            return {{spin[0] * inverse_or_zero(inertia)}};
+        } else {
+            Matrix<3, double> inertia;
+            double size = 0;
+            for (const auto& node : nodes) {
+                const auto arm = at(node) - center;
+                size += node.mass * dot(arm, arm);
+                inertia += Matrix<3, double>::diagonal(node.mass * dot(arm, arm));
+                inertia -= outer(arm * node.mass, arm);
+            }
+            const auto& [x, y, z] = inertia.column;
+            if (dot(x, cross(y, z)) <= 1e-9 * size * size * size) return {};
+            return inverse(inertia) * spin;
+        }
+    }
+};
+
+} // namespace sinew::detail
