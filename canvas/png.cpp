@@ -98,10 +98,10 @@ ReadImage read_png(const std::filesystem::path& path, const std::string& name, c
     const Header header(bytes);
     if (!header.is_png) return problem(fmt::format("{} is not a PNG file", in_quotes(name)), "images are PNG files");
     constexpr std::uint32_t longest_side = 16384;
-    const auto pixels = std::int64_t(header.width) * header.height;
     if (header.width > longest_side || header.height > longest_side)
         return problem(fmt::format("the image {} is {}x{}: at most {} pixels a side are possible", in_quotes(name),
                                    header.width, header.height, longest_side));
+    const auto pixels = std::int64_t(header.width) * header.height;
     if (pixels > limits.pixels)
         return problem(fmt::format("the image {} is {}x{}, {} pixels, of which only {} are left", in_quotes(name),
                                    header.width, header.height, pixels, limits.pixels),

@@ -152,7 +152,7 @@ std::string card(const Exhibit& exhibit) {
     const auto text = lowered(page.name + " " + page.about + " " + page.source + " " + page.made_of);
     return fmt::format("<article id=\"{0}\" data-text=\"{1}\">\n<div class=\"screen\">{2}</div>\n<div class=\"text\">\n"
                        "<h2><a href=\"#{0}\">{0}</a></h2>\n<p>{3}</p>\n<p class=\"meta\">{4}. Made of {5}.</p>\n"
-                       "<code class=\"command\">sinew render {0} -o {0}.gif</code>\n{6}"
+                       "<code class=\"command\">sinew render {0} -o a.gif</code>\n{6}"
                        "<details><summary>Scene file</summary><pre>{7}</pre></details>\n</div>\n</article>\n",
                        escaped(page.name), escaped(text), films, escaped(page.about), escaped(page.source),
                        escaped(page.made_of), parameters(page), escaped(page.text));

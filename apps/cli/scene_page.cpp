@@ -59,43 +59,35 @@ class Collector {
   private:
     const Units& units_;
     std::vector<Parameter>& found_;
-    std::set<std::string> prefabs_; ///< that were told of: the others of the five chains are like the first
+    std::set<std::string> kinds_; ///< that were told of: the others of the five chains are like the first
+    bool listed_ = false;         ///< what such an element lists in turn, its points, is its substance
 
-    bool is_first_of_its_kind(const json::Object& figure) {
-        const auto* prefab = json::find(figure, "prefab");
-        const auto* name = prefab ? prefab->value.as<std::string>() : nullptr;
-        return !name || prefabs_.insert(*name).second;
+    /// Whether an element of a list is the first of its prefab or driver, or has no kind.
+    bool is_first_of_its_kind(const json::Object& element) {
+        for (const std::string_view key : {"prefab", "driver"})
+            if (const auto* kind = json::find(element, key))
+                if (const auto* name = kind->value.as<std::string>()) return kinds_.insert(*name).second;
+        return !json::find(element, "particle"); // a pin without a driver only holds
     }
 
     void value(const json::Value& value, const Layout& shape, const std::string& path) {
         using Type = Layout::Type;
         if (const auto* object = value.as<json::Object>(); object && shape.type == Type::record)
             return record(*object, shape, path + ".");
-        const auto* items = value.as<json::Array>();
         const bool records = shape.type == Type::list && shape.parts[0].type == Type::record;
-        for (std::size_t i = 0; items && records && i < items->size(); ++i)
-            if (const auto* object = (*items)[i].as<json::Object>(); object && is_first_of_its_kind(*object))
-                record(*object, shape.parts[0], fmt::format("{}.{}.", path, step_of(*items, i)));
+        if (const auto* items = value.as<json::Array>(); items && records && !listed_) {
+            listed_ = true;
+            for (std::size_t i = 0; i < items->size(); ++i)
+                if (const auto* object = (*items)[i].as<json::Object>(); object && is_first_of_its_kind(*object))
+                    record(*object, shape.parts[0], fmt::format("{}.{}.", path, step_of(*items, i)));
+            listed_ = false;
+        }
         if (records || shape.type == Type::map || value.as<json::Object>() || shape.field.name == "name") return;
         const auto* text = value.as<std::string>();
         found_.push_back(
             {path, text ? *text : json::to_text(value), units_.text(shape.field.unit), std::string(shape.field.help)});
     }
 };
-
-/// What a figure's file lists one by one is its substance, not its parameters.
-json::Value without_lists(const json::Value& figures) {
-    json::Array kept;
-    if (const auto* items = figures.as<json::Array>())
-        for (const auto& figure : *items) {
-            kept.push_back(figure);
-            if (auto* object = kept.back().as<json::Object>())
-                std::erase_if(*object, [](const json::Member& member) {
-                    return member.key == "constraints" || member.key == "pieces" || member.key == "looks";
-                });
-        }
-    return kept;
-}
 
 std::string count_text(std::size_t count, std::string_view thing) {
     if (thing == ByHand::name) return count == 1 ? "a figure by hand" : fmt::format("{} figures by hand", count);
@@ -135,9 +127,9 @@ ScenePage page_of(const std::string& name) {
                    .seconds = scene.seconds,
                    .parameters = {}};
     json::Object told;
-    for (const std::string_view key : {"world", "solver", "figures"})
+    for (const std::string_view key : {"world", "solver", "figures", "pins"})
         if (const auto* section = json::find(*document.root.as<json::Object>(), key))
-            told.push_back({std::string(key), key == "figures" ? without_lists(section->value) : section->value});
+            told.push_back({std::string(key), section->value});
     Collector(scene.measures(), page.parameters).record(told, layout_of<Scene>(), "");
     return page;
 }

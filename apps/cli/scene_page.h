@@ -16,10 +16,11 @@ struct Parameter {
 
 struct ScenePage {
     std::string name, about, source;
-    std::string made_of;               ///< "2 ropes, a box"
-    std::string text;                  ///< the file
-    double seconds = 0;                ///< that it is worth watching
-    std::vector<Parameter> parameters; ///< of its world, its solver and the first figure of each prefab
+    std::string made_of; ///< "2 ropes, a box"
+    std::string text;    ///< the file
+    double seconds = 0;  ///< that it is worth watching
+    std::vector<Parameter>
+        parameters; ///< of its world, its solver, the first figure of each prefab and pin of each driver
 };
 
 /// Throws GiveUp where the scene is broken.
