@@ -67,8 +67,14 @@ struct Job {
     std::array<int, 2> size{};
 };
 
+/// What an interruption made fail is not told as a failure.
+void settle(const canvas::Failure& failure) {
+    give_up_if_interrupted();
+    if (failure) refuse("sinew", *failure);
+}
+
 std::unique_ptr<canvas::Writer> checked(canvas::Opened opened) {
-    if (opened.failure) refuse("sinew", *opened.failure);
+    settle(opened.failure);
     return std::move(opened.writer);
 }
 
@@ -90,11 +96,6 @@ Job begin_file(const std::string& path, const Wishes& wishes, const Scene& scene
     const double fps = wishes.fps.value_or(kind ? kind->usual_fps : 60);
     auto writer = checked(canvas::open(path, {size[0], size[1], fps})); // refuses a kind that it does not know
     return {std::move(writer), kind->moves ? film_frames(wishes, scene, fps) : still_frame(wishes, scene), size};
-}
-
-void settle(const canvas::Failure& failure) {
-    give_up_if_interrupted();
-    if (failure) refuse("sinew", *failure);
 }
 
 /// The overlays that a list like "strain,names" asks for.

@@ -69,7 +69,7 @@ void set_environment(const Setting& setting) {
     set_environment(setting);
     std::signal(SIGPIPE, SIG_DFL);
     if (!setting.folder.empty() && chdir(setting.folder.c_str()) != 0) _exit(126);
-    if (setting.most_memory > 0 && !sanitized()) {
+    if (setting.most_memory > 0 && !sanitized) {
         const rlimit limit{setting.most_memory, setting.most_memory};
         setrlimit(RLIMIT_AS, &limit);
     }
@@ -161,16 +161,6 @@ testing::AssertionResult begins(const std::string& text, std::string_view part) 
 
 testing::AssertionResult ends(const std::string& text, std::string_view part) {
     return told(text.ends_with(part), "ends with", text, part);
-}
-
-bool sanitized() {
-#if defined(__SANITIZE_ADDRESS__)
-    return true;
-#elif defined(__has_feature)
-    return __has_feature(address_sanitizer);
-#else
-    return false;
-#endif
 }
 
 } // namespace sinew::cli_test

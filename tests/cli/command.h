@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/sanitized.h"
+
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
@@ -10,6 +12,8 @@
 
 /// Runs the built command as a shell would.
 namespace sinew::cli_test {
+
+using test::sanitized;
 
 using Arguments = std::vector<std::string>;
 
@@ -61,8 +65,5 @@ std::filesystem::path catalogue();
 testing::AssertionResult has(const std::string& text, std::string_view part);
 testing::AssertionResult begins(const std::string& text, std::string_view part);
 testing::AssertionResult ends(const std::string& text, std::string_view part);
-
-/// Sanitizers need more memory and time than a limit allows.
-bool sanitized();
 
 } // namespace sinew::cli_test

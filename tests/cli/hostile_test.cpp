@@ -31,7 +31,7 @@ TEST_P(HostileScene, IsRefusedByEveryCommand) {
         EXPECT_FALSE(has(outcome.err, "out of memory"));
         EXPECT_FALSE(has(outcome.err, "\033"));
         EXPECT_EQ(outcome.out, "");
-        EXPECT_TRUE(sanitized() || outcome.seconds < 1) << outcome.seconds;
+        EXPECT_TRUE(sanitized || outcome.seconds < 1) << outcome.seconds;
     }
 }
 
@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, HostileScene, testing::ValuesIn(corpus()),
                          [](const auto& file) { return file.param; });
 
 TEST(Memory, WhereItIsShortIsSaid) {
-    if (sanitized()) GTEST_SKIP() << "sanitizers need more memory than the limit allows";
+    if (sanitized) GTEST_SKIP() << "sanitizers need more memory than the limit allows";
     const auto outcome =
         sinew({"run", "-"}, {.input = R"({"sinew": 1, "figures": [{"prefab": "rope", "segments": 900000}]})",
                              .most_memory = 100'000'000});

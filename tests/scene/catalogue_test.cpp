@@ -1,6 +1,8 @@
 #include "sinew/session/session.h"
 #include "sinew/solver/edit.h"
 
+#include "tests/sanitized.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -132,7 +134,8 @@ TEST_P(CatalogueRun, RunsItsTimeWhole) {
     const double metre = session->scene().measures().per_metre;
     const double size = (mode == "classic" ? 0.5 : 0.01) * metre;
     double outside = 0;
-    while (session->seconds() < session->scene().seconds) {
+    const double whole = session->scene().seconds, end = test::sanitized ? std::min(1.0, whole) : whole;
+    while (session->seconds() < end) {
         session->step();
         ASSERT_TRUE(is_finite(session->world())) << "after " << session->seconds() << " seconds";
         outside = std::max(outside, distance_outside(session->world(), size));
@@ -140,7 +143,7 @@ TEST_P(CatalogueRun, RunsItsTimeWhole) {
     EXPECT_LE(outside, 1);
     EXPECT_GT(items_on_screen(*session), 0U);
     for (const auto& happening : session->happenings()) EXPECT_NE(happening.what, "quarantined");
-    if (mode == "physical") {
+    if (mode == "physical" && end == whole) {
         EXPECT_LT(rigid_strain(session->world()), 0.01);
     }
 }
