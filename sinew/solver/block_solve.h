@@ -27,6 +27,7 @@ template <int D> class BlockSolve {
     BlockSolve(Blocks<D>& blocks, const Block& block, double substep)
         : blocks_(blocks), block_(block), h_(substep), per_h_(1 / substep) {
         for (const auto& node : unknowns()) total_mass_ += node.mass;
+        stiffness_ = relative_stiffness * total_mass_ * per_h_ * per_h_;
     }
 
     std::span<BlockNode<D>> nodes() const { return std::span(blocks_.nodes).subspan(block_.first_node, block_.nodes); }
@@ -35,9 +36,12 @@ template <int D> class BlockSolve {
     }
     std::span<BlockLink<D>> links() const { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
     std::span<BlockBend<D>> bends() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
-    double stiffness() const { return relative_stiffness * total_mass_ * per_h_ * per_h_; }
+    double stiffness() const { return stiffness_; }
     /// The length of all links.
     double reach() const { return reach_; }
+
+    /// From now on lengths that cannot be kept are shared out, as by very stiff springs.
+    void be_elastic() { elastic_ = true; }
 
     /// Finds every `place`. `hold(assemble)` adds what else acts on the nodes to their equations. False where it did
     /// not converge.
@@ -173,14 +177,15 @@ template <int D> class BlockSolve {
     static constexpr double absurd = 100;
     static constexpr int patience = 10;        ///< iterations
     static constexpr double most_change = 0.5; ///< of a link in one iteration, as a share of its length
-    static constexpr double as_good_as_taut = 1e-6;
+    static constexpr double as_good_as_taut = 1e-4;
     static constexpr double small_angle = 1e-2; ///< an angle's error counts as this part of a length's
     static constexpr int most_flips = 2;
 
     Blocks<D>& blocks_;
     const Block& block_;
     double h_, per_h_;
-    double total_mass_ = 0, reach_ = 0, moved_ = 0;
+    double total_mass_ = 0, stiffness_ = 0, reach_ = 0, moved_ = 0;
+    bool elastic_ = false;
     double slight_ = 0; ///< a tension that is none
 
     double weight(std::uint32_t i) const {
@@ -188,7 +193,7 @@ template <int D> class BlockSolve {
     }
 
     /// A spring; one so stiff that the penalty is softer is as good as rigid.
-    bool soft(const BlockLink<D>& link) const { return link.compliance * stiffness() > 1; }
+    bool soft(const BlockLink<D>& link) const { return link.compliance * stiffness_ > 1; }
     bool soft(const BlockBend<D>& bend) const { return bend.compliance > 0; }
 
     void clear_entries() {
@@ -284,7 +289,8 @@ template <int D> class BlockSolve {
             link.along = now;
             auto matrix = outer(along * k, now);
             if (rule != Rule::place)
-                matrix += Matrix<D, double>::diagonal(maximum(link.tension, 0.0) * (swings ? 0.5 : 1));
+                matrix +=
+                    Matrix<D, double>::diagonal(maximum(elastic_ ? link.pull : link.tension, 0.0) * (swings ? 0.5 : 1));
             add(link, matrix, along * link.pull);
         }
         for (auto& bend : bends()) worst = maximum(worst, small_angle * bend_back(rule, bend, hardest));
@@ -402,6 +408,11 @@ template <int D> class BlockSolve {
     /// The multiplier that goes with the places just found. One that holds the wrong way lets go, unless it cannot
     /// decide.
     void renew(BlockLimit& limit, double next, double share) const {
+        if (elastic_) {
+            limit.tension = 0;
+            limit.side = limit.one_sided() && next * limit.side < 0 ? 0 : limit.side;
+            return;
+        }
         limit.tension = limit.side != 0 ? limit.tension + share * (next - limit.tension) : 0;
         const bool undecided = limit.flips > most_flips;
         if (limit.one_sided() && !undecided && next * limit.side < -slight_) limit.side = 0, limit.tension = 0;

@@ -44,7 +44,7 @@ template <int D, class Real> class BlockStep {
     Constraints<Angle<D>, Real>& a_;
     Blocks<D>& blocks_;
     const Block& block_;
-    static constexpr int many = 40, stretched_iterations = 6; ///< iterations, where there is no other way
+    static constexpr int many = 40, stretched_iterations = 10; ///< iterations, where there is no other way
     double frame_;
     double from_ = 0, to_ = 0, h_ = 0; ///< of this substep: shares of the frame, and its length
     detail::RigidMotion<D> begun_{};   ///< of a free block, when the substep began
@@ -102,6 +102,7 @@ template <int D, class Real> class BlockStep {
         forget_tensions();
         Solve solve(blocks_, block_, h_);
         const double before = solve.worst_strain(Solve::start_of);
+        solve.be_elastic();
         solve.run(Rule::implicit, stretched_iterations, [&] { hold(solve); });
         constexpr double most = 10;
         if (!(solve.worst_strain(Solve::place_of) <= maximum(most, before)))
@@ -185,13 +186,14 @@ template <int D, class Real> class BlockStep {
         const auto fixed = nodes().subspan(block_.unknowns);
         for (auto& node : fixed) std::swap(node.start, node.place);
         forget_tensions();
-        if (!solve.run(Rule::place, many, [] {})) solve.sweep();
+        const bool met = solve.run(Rule::place, many, [] {});
+        if (!met) solve.sweep();
         const double after = solve.worst_strain(Solve::place_of);
         if (after < before)
             for (auto& node : unknowns()) node.start = node.place;
         for (auto& node : fixed) std::swap(node.start, node.place);
         start_tensions();
-        return after <= crude || after < 0.5 * before;
+        return met || after <= crude;
     }
 
     // --- what acts from outside -------------------------------------------------------------------------------------

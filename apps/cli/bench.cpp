@@ -1,0 +1,170 @@
+#include "sinew/sinew.h"
+
+#include "apps/cli/arguments.h"
+#include "apps/cli/command.h"
+#include "apps/cli/console.h"
+#include "apps/cli/json_line.h"
+#include "apps/cli/report_text.h"
+#include "apps/cli/stepping.h"
+#include "canvas/interrupt.h"
+#include "canvas/progress.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sinew::cli {
+namespace {
+
+/// A rope of 10 m with a weight on its end, each link of 1 kg, for some seconds at 60 Hz and the default settings.
+struct RopeCase {
+    int links = 0;
+    double weight = 0; ///< in links
+    std::string start; ///< hang or level
+    std::string precision;
+};
+
+struct RopeResult {
+    double milliseconds = 0; ///< median of a step
+    double stretch = 0;      ///< the largest of any link after any step, as a fraction
+    double gain = 0;         ///< the most energy above that at the start, as a fraction of all weight times the length
+};
+
+constexpr double rope_length = 10, gravity = 9.81;
+
+template <class Real> RopeResult run_rope(const RopeCase& rope, double seconds, canvas::Progress& progress) {
+    World<2, Real> world;
+    world.forces.push_back(Gravity<2, Real>{{{0, Real(-gravity)}}});
+    build(world,
+          Rope{.length = rope_length,
+               .segments = rope.links,
+               .angle = rope.start == "level" ? pi<double> / 2 : 0,
+               .mass = double(rope.links),
+               .weight = rope.weight},
+          "rope");
+    const double begun = energy(world).total(), scale = (rope.links + rope.weight) * gravity * rope_length;
+    RopeResult result;
+    std::vector<double> times;
+    const auto steps = std::size_t(std::round(seconds * 60));
+    prepare(world);
+    for (std::size_t i = 0; i < steps; ++i) {
+        const auto before = std::chrono::steady_clock::now();
+        step(world, Real(1.0 / 60));
+        times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+        result.stretch = std::max(result.stretch, stretch(world).max);
+        result.gain = std::max(result.gain, (energy(world).total() - begun) / scale);
+        progress.update(i + 1);
+        give_up_if_interrupted();
+    }
+    const auto middle = times.begin() + std::ptrdiff_t(times.size() / 2);
+    std::nth_element(times.begin(), middle, times.end());
+    result.milliseconds = times.empty() ? 0 : *middle;
+    return result;
+}
+
+json::Object in_json(const RopeCase& rope, const RopeResult& result) {
+    return {{"case", "rope"},
+            {"links", rope.links},
+            {"weight", rope.weight},
+            {"start", rope.start},
+            {"threads", 1},
+            {"precision", rope.precision},
+            {"ms_per_step", result.milliseconds},
+            {"stretch_max", result.stretch},
+            {"energy_gain", result.gain}};
+}
+
+std::vector<std::string> in_row(const RopeCase& rope, const RopeResult& result) {
+    return {fmt::format("{}", rope.links),
+            fmt::format("{:g}", rope.weight),
+            rope.start,
+            rope.precision,
+            fmt::format("{:.4f}", result.milliseconds),
+            fmt::format("{:.2g} %", 100 * result.stretch),
+            fmt::format("{:.2g} %", 100 * result.gain)};
+}
+
+class BenchCommand final : public Command {
+    Manual manual() const override {
+        return {
+            .name = "bench",
+            .usage = "rope [--links N] [--weight W] [--start hang|level] [--precision P] [--json]",
+            .about = "measures how well and how fast the engine is",
+            .details =
+                "rope: 10 m of rope, each link 1 kg, a weight on the end, 5 s at 60 steps a second and the\n"
+                "default settings. Told are the median time of a step on one core, the stretch of the worst link\n"
+                "after any step, and the most energy it ever gained, as a part of its weight times its length.\n"
+                "With --json one line a case: case, links, weight, start, threads, precision, ms_per_step,\n"
+                "stretch_max, energy_gain (fractions).\n",
+            .examples = "sinew bench rope\n"
+                        "sinew bench rope --links 100 --weight 100000 --start level --json\n",
+        };
+    }
+
+    void declare(CLI::App& parser) override {
+        declare_words(parser, words);
+        declare_number(parser, "--links", links, {1, 1e6}, "N", "how many links; else 10, 100 and 1000");
+        declare_number(parser, "--weight", weight, {0, 1e9}, "W",
+                       "mass on the end, in links; else 1, 100, 1000 and 100000");
+        declare_text(parser, "--start", start, "S", "hang or level; else both");
+        declare_text(parser, "--precision", precision, "P", "float or double (the default)");
+        declare_number(parser, "-s,--seconds", seconds, {0.1, 1e6}, "S", "how long, simulated; else 5");
+        declare_flag(parser, "--json", as_json, "one line of JSON a case");
+    }
+
+    int run() override {
+        if (words.plain.size() != 1 || words.plain[0] != "rope" || !words.overrides.empty())
+            misused("bench: what is measured?", "sinew bench rope");
+        check_word("--start", start, {"hang", "level"});
+        check_word("--precision", precision, {"float", "double"});
+        canvas::catch_interrupts();
+        std::vector<std::vector<std::string>> rows{
+            {"links", "weight", "start", "precision", "ms a step", "stretch", "energy gain"}};
+        for (const auto& rope : cases()) {
+            const double whole = seconds.value_or(5);
+            canvas::Progress progress(fmt::format("{} links, weight {:g}, {}", rope.links, rope.weight, rope.start),
+                                      std::size_t(std::round(whole * 60)));
+            const auto result = rope.precision == "float" ? run_rope<float>(rope, whole, progress)
+                                                          : run_rope<double>(rope, whole, progress);
+            if (as_json)
+                print(to_line(in_json(rope, result)));
+            else
+                rows.push_back(in_row(rope, result));
+        }
+        if (!as_json) print(table(rows));
+        return done;
+    }
+
+    static void check_word(std::string_view option, const std::string& word, std::array<std::string_view, 2> allowed) {
+        if (!word.empty() && word != allowed[0] && word != allowed[1])
+            misused(fmt::format("bench: {} is {} or {}, found {}", option, allowed[0], allowed[1], word));
+    }
+
+    std::vector<RopeCase> cases() const {
+        std::vector<RopeCase> all;
+        const auto some = [](const std::optional<double>& one, std::initializer_list<double> usual) {
+            return one ? std::vector{*one} : std::vector(usual);
+        };
+        for (const double n : some(links, {10, 100, 1000}))
+            for (const double w : some(weight, {1, 100, 1000, 100000}))
+                for (const std::string s : {"hang", "level"})
+                    if (start.empty() || start == s)
+                        all.push_back({int(n), w, s, precision.empty() ? "double" : precision});
+        return all;
+    }
+
+    Words words;
+    std::optional<double> links, weight, seconds;
+    std::string start, precision;
+    bool as_json = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> command::bench() {
+    return std::make_unique<BenchCommand>();
+}
+
+} // namespace sinew::cli

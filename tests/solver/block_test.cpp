@@ -1,0 +1,253 @@
+#include "sinew/prefab/prefabs.h"
+#include "sinew/solver/measure.h"
+
+#include "tests/sanitized.h"
+#include "tests/worlds.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <rapidcheck.h>
+
+/// What is solved at once: ropes and trees that do not stretch and do not gain.
+namespace sinew {
+namespace {
+
+using namespace test;
+
+constexpr double gravity = 9.81;
+
+template <class Real> World<2, Real> rope_world(int links, double weight, double angle, bool exact = false) {
+    World<2, Real> world;
+    fall(world, gravity);
+    build(world,
+          Rope{.length = 10,
+               .segments = links,
+               .angle = angle,
+               .mass = double(links),
+               .weight = weight,
+               .links = exact ? "exact" : "at_most"},
+          "rope");
+    return world;
+}
+
+struct Extremes {
+    double stretch = 0, gain = 0, loss = 0; ///< of energy: as a part of all weight times the length
+};
+
+template <class World> Extremes extremes(World& world, double seconds, double scale) {
+    using Real = typename World::Real;
+    const double begun = energy(world).total();
+    Extremes most;
+    for (int i = 0; i < int(seconds * 60); ++i) {
+        step(world, Real(1.0 / 60));
+        const double change = (energy(world).total() - begun) / scale;
+        most.stretch = std::max(most.stretch, stretch(world).max);
+        most.gain = std::max(most.gain, change);
+        most.loss = std::max(most.loss, -change);
+    }
+    return most;
+}
+
+template <class Real> void expect_no_stretch(double bound) {
+    for (const int links : {10, 100})
+        for (const double weight : {1.0, 100.0, 1000.0, 100000.0})
+            for (const double angle : {0.0, pi<double> / 2, 2.5}) {
+                auto world = rope_world<Real>(links, weight, angle);
+                const auto most = extremes(world, sanitized ? 0.2 : 1.5, (links + weight) * gravity * 10);
+                EXPECT_LT(most.stretch, bound) << links << " links, weight " << weight << ", from " << angle;
+                EXPECT_LT(most.gain, 1e-4) << links << " links, weight " << weight << ", from " << angle;
+            }
+}
+
+TEST(Block, RopesDoNotStretchWhateverHangsOnThem) {
+    expect_no_stretch<double>(1e-4); // measured 5e-6
+    expect_no_stretch<float>(1e-3);  // measured 1e-4: a link of 10 cm ten metres out, in steps of a micrometre
+}
+
+// Released from 0.9 rad, undamped: half a minute, at the default settings.
+TEST(Block, ASwingKeepsItsEnergy) {
+    for (const int links : {2, 3, 20})
+        for (const double weight : {0.0, 100.0}) {
+            auto world = rope_world<double>(links, weight, 0.9, true);
+            const auto most = extremes(world, sanitized ? 2 : 30, (links + weight) * gravity * 10);
+            EXPECT_LT(most.gain, 1e-6) << links;
+            EXPECT_LT(most.loss, 1e-6) << links;
+        }
+}
+
+// The tension of each link of a rope at rest is the weight below it.
+TEST(Block, TensionIsTheWeightBelow) {
+    constexpr int links = 50;
+    constexpr double weight = 7;
+    auto world = rope_world<double>(links, weight, 0);
+    run(world, 1);
+    const auto& figure = world.figures[0];
+    for (int i = 0; i < links; ++i) {
+        // a rope of equal masses but at its ends, which have half
+        const double below = (links - i - 0.5 + weight) * gravity;
+        const auto id = figure.constraints[std::size_t(i)];
+        if (id.kind != (kind_number<Distance, 2>)) continue;
+        EXPECT_NEAR(constraint_state(world, id)->tension / below, 1, 1e-3) << i;
+    }
+}
+
+TEST(Block, DampingIsWhatItsExponentialSays) {
+    World<2, double> world;
+    const auto ids = chain(world, 3, {{0, 0}}, {{1, 0}});
+    for (const auto id : ids) set_velocity(world, id, {{3, 1}});
+    world.settings.damping = 0.5;
+    run(world, 2);
+    for (const auto id : ids) EXPECT_NEAR((*velocity_of(world, id))[0], 3 * std::exp(-1.0), 1e-9);
+}
+
+/// Two equal masses on two equal rods, from the Lagrangian, by Runge and Kutta's method with small steps.
+struct DoublePendulum {
+    std::array<double, 4> state; ///< angles from below, and their rates
+    static constexpr double length = 1;
+
+    static std::array<double, 4> slope(const std::array<double, 4>& s) {
+        const double d = s[0] - s[1], g = gravity, l = length;
+        const double common = 3 - std::cos(2 * d);
+        const double a = (-3 * g * std::sin(s[0]) - g * std::sin(s[0] - 2 * s[1]) -
+                          2 * std::sin(d) * (s[3] * s[3] * l + s[2] * s[2] * l * std::cos(d))) /
+                         (l * common);
+        const double b = 2 * std::sin(d) *
+                         (2 * s[2] * s[2] * l + 2 * g * std::cos(s[0]) + s[3] * s[3] * l * std::cos(d)) / (l * common);
+        return {s[2], s[3], a, b};
+    }
+    static std::array<double, 4> ahead(const std::array<double, 4>& s, const std::array<double, 4>& by, double h) {
+        return {s[0] + h * by[0], s[1] + h * by[1], s[2] + h * by[2], s[3] + h * by[3]};
+    }
+    void run(double seconds) {
+        constexpr double h = 1e-4;
+        for (int i = 0; i < int(seconds / h + 0.5); ++i) {
+            const auto a = slope(state), b = slope(ahead(state, a, h / 2)), c = slope(ahead(state, b, h / 2)),
+                       d = slope(ahead(state, c, h));
+            for (std::size_t k = 0; k < 4; ++k) state[k] += h / 6 * (a[k] + 2 * b[k] + 2 * c[k] + d[k]);
+        }
+    }
+    Vec2<double> end() const {
+        return {
+            {length * (std::sin(state[0]) + std::sin(state[1])), -length * (std::cos(state[0]) + std::cos(state[1]))}};
+    }
+};
+
+double double_pendulum_error(int substeps) {
+    World<2, double> world;
+    world.settings.substeps = substeps;
+    fall(world, gravity);
+    const double angle = 0.9;
+    const auto ids = chain(world, 3, {{0, 0}}, {{std::sin(angle), -std::cos(angle)}});
+    pin(world, ids[0]);
+    DoublePendulum exact{{angle, angle, 0, 0}};
+    exact.run(2);
+    run(world, 2);
+    return distance(*position_of(world, ids[2]), exact.end()) / 2;
+}
+
+TEST(Block, ADoublePendulumGoesTheWayTheEquationsSay) {
+    const double four = double_pendulum_error(4), eight = double_pendulum_error(8), sixteen = double_pendulum_error(16);
+    EXPECT_LT(four, 0.01);
+    EXPECT_NEAR(four / eight, 4, 0.5) << "second order";
+    EXPECT_NEAR(eight / sixteen, 4, 0.5);
+}
+
+// A figure that swings, falls apart into two and goes on.
+TEST(Block, LettingGoAddsNoEnergy) {
+    for (int at = 5; at < 120; at += 13) {
+        auto world = rope_world<double>(20, 5, pi<double> / 2);
+        run(world, at / 60.0);
+        const double before = energy(world).total();
+        unpin_all(world, *find_particle(world, "rope/start"));
+        step(world, 1.0 / 60);
+        EXPECT_LT(energy(world).total() - before, 1e-4 * 25 * gravity * 10) << at;
+    }
+}
+
+TEST(Block, PinnedFurtherApartThanItIsLongItStretchesEvenlyAndComesBack) {
+    World<2, double> world;
+    fall(world, gravity);
+    const auto ids = chain(world, 11, {{0, 0}}, {{0.5, 0}});
+    pin(world, ids.front());
+    const auto far = *pin(world, ids.back());
+    move_pin(world, far, {{7.5, 0}});
+    run(world, 1);
+    for (std::size_t i = 0; i + 1 < ids.size(); ++i)
+        EXPECT_NEAR(distance(*position_of(world, ids[i]), *position_of(world, ids[i + 1])), 0.75, 0.02) << i;
+    for (int i = 1; i <= 60; ++i) {
+        move_pin(world, far, {{7.5 - 3.5 * i / 60, 0}});
+        step(world, 1.0 / 60);
+    }
+    run(world, 2);
+    EXPECT_LT(stretch(world).max, 1e-5);
+    EXPECT_LT(max_speed(world), 15);
+}
+
+// --- any tree
+// ----------------------------------------------------------------------------------------------------------
+
+/// A tree of links of any loads in any pose: straight, folded up, in a heap, squeezed.
+template <int D> World<D, double> any_tree(double& scale) {
+    using Vector = Vec<D, double>;
+    World<D, double> world;
+    fall(world, gravity);
+    const int count = *rc::gen::inRange(3, 40), pose = *rc::gen::inRange(0, 4);
+    const bool loops = *rc::gen::arbitrary<bool>();
+    std::vector<ParticleId> ids;
+    std::vector<Vector> places;
+    double mass = 0;
+    for (int i = 0; i < count; ++i) {
+        const double own = std::pow(10, *rc::gen::inRange(-2, 4));
+        const auto parent = std::size_t(i == 0 ? 0 : *rc::gen::inRange(std::max(0, i - 4), i));
+        Vector place{};
+        if (i > 0) {
+            Vector way{};
+            for (int axis = 0; axis < D; ++axis) way[axis] = *rc::gen::inRange(-100, 101) / 100.0;
+            if (pose == 0) way = at<Vector>(0, -1);
+            if (pose == 1) way = at<Vector>(i % 2 ? 0.5 : -0.5, 0);
+            place = places[parent] + (norm(way) > 0.01 ? direction(way) : at<Vector>(1, 0)) * 0.5;
+        }
+        places.push_back(place);
+        ids.push_back(add_particle(world, {.position = pose == 3 ? place * 0.3 : place, .mass = own}));
+        mass += own;
+        if (i == 0) continue;
+        const bool rope = *rc::gen::arbitrary<bool>();
+        add<Distance>(world, {ids[parent], ids.back()}, {.limits = rope ? at_most(0.5) : exactly(0.5)});
+    }
+    if (loops && count > 6) // its own length: it can always be met
+        add<Distance>(world, {ids[1], ids[std::size_t(count) - 1]},
+                      {.limits = at_most(distance(places[1], places[std::size_t(count) - 1]) + 0.1)});
+    pin(world, ids[0]);
+    scale = mass * gravity * 0.5 * count;
+    return world;
+}
+
+template <int D> void expect_trees_stand() {
+    const char* slow = std::getenv("SINEW_SLOW");
+    const int cases = slow ? 5000 : sanitized ? 20 : 150;
+    for (int i = 0; i < cases; ++i) {
+        ASSERT_TRUE(rc::check([&] {
+            double scale = 0;
+            auto world = any_tree<D>(scale);
+            step(world, 1.0 / 60); // what was squeezed or stretched has come to its lengths
+            const double begun = energy(world).total();
+            for (int frame = 0; frame < 120; ++frame) {
+                step(world, 1.0 / 60);
+                RC_ASSERT(energy(world).total() - begun < 1e-2 * scale);
+            }
+            for (const auto& place : world.particles.position) RC_ASSERT(is_finite(place));
+            RC_ASSERT(stretch(world).max < 1e-3);
+        })) << i;
+        if (!slow) break; // rapidcheck runs a hundred of them
+    }
+}
+
+TEST(Block, AnyTreeStandsAnyPose2D) {
+    expect_trees_stand<2>();
+}
+TEST(Block, AnyTreeStandsAnyPose3D) {
+    expect_trees_stand<3>();
+}
+
+} // namespace
+} // namespace sinew
