@@ -57,10 +57,14 @@ template <int D> class BlockSolve {
                 if (i > 0 && worst > 0.5 * before && worst > acceptable) return false;
                 before = worst;
             }
+            // what cannot decide whether it touches: its lengths are right, and it hardly moves
+            const double slight_move = slight * reach_ / double(block_.links);
+            if (rule == Rule::implicit && i >= undecided_after && worst <= acceptable && moved_ <= slight_move)
+                return true;
             if (i == most_iterations)
                 return worst <= acceptable && moved_ <= acceptable * reach_; // links that cannot decide to be taut
             solve_block(blocks_, block_);
-            take_step();
+            take_step(i >= undecided_after ? 0.5 : 1);
         }
     }
 
@@ -140,6 +144,18 @@ template <int D> class BlockSolve {
             }
     }
 
+    /// Whether velocities would lengthen links, as after a blow: by more than a swing does in a substep.
+    bool jolted() const {
+        constexpr double usual = 0.02;
+        for (const auto& link : links()) {
+            if (soft(link) || (link.one_sided() && link.tension == 0)) continue;
+            const auto span = node(link.b).place - node(link.a).place;
+            const double rate = dot(span, node(link.b).velocity - node(link.a).velocity);
+            if (absolute(rate) * h_ > usual * square(link.length)) return true;
+        }
+        return false;
+    }
+
     /// Half the sum of m v^2.
     double kinetic() const {
         double sum = 0;
@@ -175,6 +191,8 @@ template <int D> class BlockSolve {
     static constexpr double good_enough = 1e-7;
     static constexpr double acceptable = 1e-5;
     static constexpr double absurd = 100;
+    static constexpr int undecided_after = 8;  ///< iterations: then half steps, which settle what goes to and fro
+    static constexpr double slight = 1e-3;     ///< a move, as a part of a link
     static constexpr int patience = 10;        ///< iterations
     static constexpr double most_change = 0.5; ///< of a link in one iteration, as a share of its length
     static constexpr double as_good_as_taut = 1e-4;
@@ -389,8 +407,8 @@ template <int D> class BlockSolve {
         return most > square(most_change) ? most_change / square_root(most) : 1;
     }
 
-    void take_step() {
-        const double share = trusted_share();
+    void take_step(double most) {
+        const double share = minimum(most, trusted_share());
         moved_ = 0;
         for (auto& node : unknowns()) {
             node.place += node.move * share;

@@ -63,6 +63,7 @@ template <int D, class Real> class BlockStep {
         load();
         Solve solve(blocks_, block_, h_);
         if (!pull_together(solve)) return be_stretched();
+        if (solve.jolted()) settle(solve);
         const bool found = solve.run(Rule::swing, few, [&] { hold(solve); }), blow = struck(solve);
         if (found && !blow && !gains(solve)) {
             for (auto& node : unknowns()) node.velocity = (node.place - node.start) * (2 / h_) - node.velocity;
