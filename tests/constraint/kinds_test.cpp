@@ -60,6 +60,8 @@ template <int D> double steepest(const Measured<D>& m) {
 /// Far enough from where the measure has a corner (coincident points, a straight 3D angle) for finite differences.
 template <class Kind, int D> Shape<D> smooth_shape() {
     auto x = any_shape<Kind, D>();
+    for (std::size_t i = 0; i < x.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) RC_PRE(distance(x[i], x[j]) > 0.05); // a leg without a length has no slope
     RC_PRE(steepest(measure<Kind, D>(x)) < 50.0);
     if (Kind::length_power == 0 && Kind::period == 0) {
         const double angle = measure<Kind, D>(x).value;
