@@ -46,7 +46,7 @@ class Elimination {
     void reserve(std::size_t rows, std::size_t neighbours) {
         pool_.reserve(most_pool(neighbours) + most_neighbours);
         order_.reserve(rows);
-        merged_.reserve(2 * most_neighbours);
+        merged_.reserve(most_of_hub + most_neighbours);
         for (auto& bucket : buckets_) bucket.reserve(rows + neighbours);
     }
 
@@ -70,6 +70,7 @@ class Elimination {
             if (!file(rows[i])) return false;
         while (order_.size() < rows.size()) {
             const Row next = least_degree();
+            if (next == no_row) return false;
             position_[next] = Row(order_.size());
             order_.push_back(next);
             for (std::uint32_t i = 0; i < size_[next]; ++i) {
@@ -88,7 +89,9 @@ class Elimination {
     std::span<const Row> neighbours(Row row) const { return std::span(pool_).subspan(begin_[row], size_[row]); }
 
   private:
-    static constexpr std::size_t most_neighbours = 15;
+    static constexpr std::size_t most_neighbours = 15; ///< of a row when it goes
+    /// Before that: a hub that many hang on goes when they have gone, and costs no more than they do.
+    static constexpr std::size_t most_of_hub = 500;
     static std::size_t most_pool(std::size_t neighbours) { return 8 * neighbours + 1024; }
 
     std::vector<std::size_t> begin_;
@@ -98,18 +101,19 @@ class Elimination {
         buckets_; ///< rows by degree, and stale entries of rows that moved
 
     bool file(Row row) {
-        if (size_[row] > most_neighbours) return false;
-        buckets_[size_[row]].push_back(row);
+        if (size_[row] > most_of_hub) return false;
+        if (size_[row] <= most_neighbours) buckets_[size_[row]].push_back(row);
         return true;
     }
 
     Row least_degree() {
-        for (std::size_t degree = 0;; ++degree)
+        for (std::size_t degree = 0; degree <= most_neighbours; ++degree)
             for (auto& bucket = buckets_[degree]; !bucket.empty();) {
                 const Row row = bucket.back();
                 bucket.pop_back();
                 if (position_[row] == no_row && size_[row] == degree) return row;
             }
+        return no_row;
     }
 
     /// The neighbours of one that goes become each other's.
