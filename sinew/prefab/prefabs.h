@@ -7,6 +7,7 @@
 #include "sinew/prefab/ragdoll.h"
 #include "sinew/prefab/rope.h"
 #include "sinew/prefab/stick_figure.h"
+#include "sinew/prefab/tire.h"
 
 #include <optional>
 #include <string>
@@ -23,7 +24,7 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll>;
+using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire>;
 
 namespace detail {
 template <class List> struct VariantOf;
