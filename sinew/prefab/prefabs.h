@@ -9,6 +9,7 @@
 #include "sinew/prefab/rope.h"
 #include "sinew/prefab/stick_figure.h"
 #include "sinew/prefab/swing.h"
+#include "sinew/prefab/tire.h"
 
 #include <optional>
 #include <string>
@@ -25,7 +26,7 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Swing, Bridge>;
+using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire, Swing, Bridge>;
 
 namespace detail {
 template <class List> struct VariantOf;
