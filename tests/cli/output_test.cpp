@@ -52,14 +52,18 @@ TEST(Run, MeasuresTheWorld) {
 
 TEST(Run, TellsWhatHappened) {
     const auto result = json_of({"run", "tearing", "--json"});
-    ASSERT_EQ(result["events_count"], 3);
+    ASSERT_EQ(result["events_count"], 4);
     const auto events = result["events"];
     EXPECT_NEAR(events[0]["seconds"], 0.5, 1e-12);
     EXPECT_EQ(events[0]["what"], "impulse");
     EXPECT_EQ(events[0]["where"], "weight/bob");
     EXPECT_EQ(events[1]["what"], "torn");
-    EXPECT_EQ(events[2]["where"], "crate");
-    EXPECT_TRUE(has(sinew({"run", "tearing"}).out, "2 impulse, 1 torn"));
+    EXPECT_EQ(events[2]["what"], "parted");
+    EXPECT_EQ(events[2]["where"], "weight");
+    EXPECT_EQ(events[2]["islands"], 2);
+    EXPECT_EQ(events[3]["where"], "crate");
+    EXPECT_FALSE(events[3].contains("islands"));
+    EXPECT_TRUE(has(sinew({"run", "tearing"}).out, "2 impulse, 1 torn, 1 parted"));
 }
 
 TEST(Run, TwiceIsTheSame) {
