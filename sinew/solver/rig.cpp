@@ -148,7 +148,8 @@ template <int D, class Real> class Inspector {
         held.erase(std::unique(held.begin(), held.end()), held.end());
         for (std::size_t i = 0; i + 1 < held.size() && faults_.size() < most_; ++i)
             for (const auto& [other, way] : ways.from(held[i], held)) {
-                const double apart = double(distance(world_.particles.position[held[i]], world_.particles.position[other]));
+                const double apart =
+                    double(distance(world_.particles.position[held[i]], world_.particles.position[other]));
                 if (other > held[i] && too_short(way, apart))
                     report(fmt::format("is held {:.4g} from {}, but the links between them reach {:.4g}", apart,
                                        name_of_particle(other), way),

@@ -42,7 +42,10 @@ class Ways {
         return found;
     }
 
-    struct Reached { Row row; double length; };
+    struct Reached {
+        Row row;
+        double length;
+    };
 
     /// Those of the sorted rows `goals` that links lead to from `start`, and how far it is.
     std::vector<Reached> from(Row start, std::span<const Row> goals) {

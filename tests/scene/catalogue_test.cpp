@@ -23,7 +23,7 @@ std::size_t items_on_screen(const Session& session) {
     }));
 }
 
-class CatalogueRun : public testing::TestWithParam<Run> {};
+class CatalogueRun : public testing::TestWithParam<SceneRun> {};
 
 TEST_P(CatalogueRun, RunsItsTimeWhole) {
     const auto& [name, mode, precision] = GetParam();

@@ -30,7 +30,8 @@ inline std::vector<std::string> scene_names() {
 }
 
 /// A session of a scene with a mode and a precision; what is wrong with it is a failure.
-inline std::optional<Session> open(const std::string& name, const std::string& mode, const std::string& precision = "double") {
+inline std::optional<Session> open(const std::string& name, const std::string& mode,
+                                   const std::string& precision = "double") {
     const auto path = std::filesystem::path(SINEW_SCENES_DIR) / (name + ".json");
     const std::array<Override, 2> choice = {Override{"mode=" + mode}, Override{"precision=" + precision}};
     auto document = load(text_of(path), path.string(), choice);
@@ -85,16 +86,16 @@ inline double rigid_strain(const AnyWorld& any) {
         any);
 }
 
-struct Run {
+struct SceneRun {
     std::string scene, mode, precision;
 
-    friend std::ostream& operator<<(std::ostream& out, const Run& run) {
+    friend std::ostream& operator<<(std::ostream& out, const SceneRun& run) {
         return out << run.scene << ' ' << run.mode << ' ' << run.precision;
     }
 };
 
-inline std::vector<Run> runs() {
-    std::vector<Run> all;
+inline std::vector<SceneRun> runs() {
+    std::vector<SceneRun> all;
     for (const auto& scene : scene_names())
         for (const auto mode : modes)
             for (const auto precision : SolverSection::precisions)
@@ -102,7 +103,7 @@ inline std::vector<Run> runs() {
     return all;
 }
 
-inline std::string name_of_run(const testing::TestParamInfo<Run>& test) {
+inline std::string name_of_run(const testing::TestParamInfo<SceneRun>& test) {
     return fmt::format("{}_{}_{}", test.param.scene, test.param.mode, test.param.precision);
 }
 
