@@ -58,6 +58,10 @@ class Session {
     /// Where it is, or where the scene says a pointer would be.
     std::optional<Point> pointer() const;
 
+    /// Cuts every distance that crosses the line from one place to the other or comes within some length of it, as seen
+    /// in the picture; tells how many. What a pointer draws is a row of such lines.
+    std::size_t cut(const std::array<Point, 2>& line, double within = 0);
+
     Report report() const;
     /// All that happened so far; at most `most_happenings`, then only counted.
     const std::vector<Happening>& happenings() const { return happenings_; }
