@@ -49,7 +49,7 @@ template <int D> class BlockSolve {
         set_out(rule);
         double before = 0;
         for (int i = 0;; ++i) {
-            if (i > 0 && moved_ <= hardly * reach_ && worst_error() <= good_enough) return true;
+            if (i > 0 && steady() && worst_error() <= good_enough) return true;
             const double worst = assemble(rule);
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
@@ -191,7 +191,8 @@ template <int D> class BlockSolve {
   private:
     static constexpr double relative_stiffness = 1e4; ///< of a rigid link, over all mass / h^2
     static constexpr double good_enough = 1e-7;
-    static constexpr double hardly = 1e-5; ///< a move after which the next would be too small to matter
+    static constexpr double hardly = 1e-5;        ///< a move after which the next would be too small to matter
+    static constexpr double hardly_pulled = 1e-3; ///< the same of a tension
     static constexpr double acceptable = 1e-5;
     static constexpr double absurd = 100;
     static constexpr int undecided_after = 8;  ///< iterations: then half steps, which settle what goes to and fro
@@ -205,7 +206,8 @@ template <int D> class BlockSolve {
     Blocks<D>& blocks_;
     const Block& block_;
     double h_, per_h_;
-    double total_mass_ = 0, stiffness_ = 0, reach_ = 0, moved_ = 0;
+    double total_mass_ = 0, stiffness_ = 0, reach_ = 0;
+    double moved_ = 0, tightened_ = 0, strongest_ = 0; ///< by an iteration: the most of any node and link
     bool elastic_ = false;
     double slight_ = 0; ///< a tension that is none
 
@@ -409,7 +411,7 @@ template <int D> class BlockSolve {
         const double length = norm(now), per_length = inverse_or_zero(length);
         const double error = length - clamp(length, link.low, link.high);
         link.stiffness = 0;
-        link.tension = 0;
+        link.pull = link.tension = 0;
         if (error == 0 || rule == Rule::place) return;
         const double k = 1 / link.compliance;
         double force = k * error;
@@ -417,19 +419,24 @@ template <int D> class BlockSolve {
         auto matrix = outer(along * k, along);
         matrix += Matrix<D, double>::diagonal(maximum(force, 0.0) * per_length);
         add(link, matrix, along * force);
-        link.tension = force * per_length;
+        link.pull = link.tension = force * per_length;
     }
 
     /// No link changes by more than its own length at once: further out, Newton's model of it means nothing.
     double trusted_share() {
         double most = 0;
+        tightened_ = strongest_ = 0;
         for (auto& link : links()) {
             const auto change = move_of(node(link.b)) - move_of(node(link.a));
             most = maximum(most, dot(change, change) * link.per_length2);
             link.pull += link.stiffness * dot(link.along, change);
+            tightened_ = maximum(tightened_, absolute(link.pull - link.tension) * link.length);
+            strongest_ = maximum(strongest_, absolute(link.pull) * link.length);
         }
         return most > square(most_change) ? most_change / square_root(most) : 1;
     }
+
+    bool steady() const { return moved_ <= hardly * reach_ && tightened_ <= hardly_pulled * strongest_; }
 
     void take_step(double most) {
         const double share = minimum(most, trusted_share());
