@@ -136,7 +136,8 @@ class ValueCheck {
                                         section.kind == "angle" || section.kind == "area" ? "an" : "a", section.kind,
                                         any ? "at least " : "", wanted, size));
         if (section.lead > 0 && section.compliance == 0)
-            document_.error(place + "/lead", "only a constraint with a compliance has a lead: a rigid one has nothing to damp");
+            document_.error(place + "/lead",
+                            "only a constraint with a compliance has a lead: a rigid one has nothing to damp");
         if (section.drive) keys(section.drive->keys, place + "/drive/keys");
         std::set<std::string_view> seen;
         for (const auto& name : section.between)

@@ -14,7 +14,8 @@
 /// What there is in a scene: its figures, and what joins and holds them.
 namespace sinew {
 
-inline constexpr std::array<std::string_view, 6> kind_names = {"distance", "angle", "area", "volume", "dihedral", "pulley"};
+inline constexpr std::array<std::string_view, 6> kind_names = {"distance", "angle",    "area",
+                                                               "volume",   "dihedral", "pulley"};
 
 /// What moves the limits of a constraint: "drive". Of a distance it is a winch, of an angle a motor.
 struct DriveKey {
@@ -24,7 +25,8 @@ struct DriveKey {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.at,
               Field{.name = "at", .help = "When", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
-        visit(self.to, Field{.name = "to", .help = "From then on it goes to this rest, or high limit, and stops there"});
+        visit(self.to,
+              Field{.name = "to", .help = "From then on it goes to this rest, or high limit, and stops there"});
         visit(self.strength, Field{.name = "strength",
                                    .help = "Share of its max_force that it has then, and more or less of it on the way "
                                            "to the next key that tells",

@@ -11,7 +11,8 @@ namespace {
 constexpr auto no_figure_of_scene = ~std::size_t(0);
 
 /// The last key that has come and tells, and the next that does.
-template <class Tells> std::array<const DriveKey*, 2> around(const std::vector<DriveKey>& keys, double time, Tells&& tells) {
+template <class Tells>
+std::array<const DriveKey*, 2> around(const std::vector<DriveKey>& keys, double time, Tells&& tells) {
     std::array<const DriveKey*, 2> found{};
     for (const auto& key : keys) {
         if (!tells(key)) continue;
@@ -52,8 +53,7 @@ void Winder::find(const Scene& scene, const AnyWorld& any) {
             for (std::size_t f = 0; f < scene.figures.size(); ++f) {
                 const auto* by_hand = std::get_if<ByHand>(&scene.figures[f].made);
                 for (std::size_t i = 0; by_hand && i < by_hand->constraints.size(); ++i)
-                    if (by_hand->constraints[i].drive)
-                        driven_.push_back({world.figures[f].constraints[i], f, i});
+                    if (by_hand->constraints[i].drive) driven_.push_back({world.figures[f].constraints[i], f, i});
             }
             // The scene's own constraints are the last of their kinds, in its order.
             std::array<Row, std::size_t(Kinds<WorldT::dimension>::size)> after{};

@@ -154,7 +154,8 @@ struct BlockRoom {
         bool wanted = false; ///< however many loops it has
     };
     std::vector<About> about; ///< by the island's first particle
-    std::vector<Row> node_of, first_link, link_at, first_bend, bend_at, first_way, way_at, members, first_member, cursor;
+    std::vector<Row> node_of, first_link, link_at, first_bend, bend_at, first_way, way_at, members, first_member,
+        cursor;
 };
 
 /// All of it follows from the rest of the world: a copy begins without, and looks again.

@@ -287,8 +287,8 @@ template <int D, class Real> class Finder {
         for (const Row member : members) blocks_.way_nodes.push_back({.node = node_for(member)});
         for (std::size_t i = 0; i < members.size(); ++i)
             for (std::size_t j = i + 1; j < members.size(); ++j) {
-                const auto [early, late] = std::minmax(blocks_.way_nodes[added.first + i].node,
-                                                       blocks_.way_nodes[added.first + j].node);
+                const auto [early, late] =
+                    std::minmax(blocks_.way_nodes[added.first + i].node, blocks_.way_nodes[added.first + j].node);
                 blocks_.way_entries.push_back(mobile(members[i]) && mobile(members[j]) ? entry_of(early, late)
                                                                                        : Blocks<D>::none);
             }

@@ -111,7 +111,8 @@ template <int D> class BlockSolve {
                 for (std::size_t k = 0; k < 3; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
                 const double k = relative * total_mass_ * arm2(bend);
                 const double pull = bend.pull + k * rate;
-                const bool resists = bend.side != 0 && !soft(bend) && !bend.slips && (!bend.one_sided() || pull * bend.side > 0);
+                const bool resists =
+                    bend.side != 0 && !soft(bend) && !bend.slips && (!bend.one_sided() || pull * bend.side > 0);
                 bend.stiffness = resists ? k : 0;
                 if (resists) add(bend, bend.pull = pull);
             }
@@ -147,7 +148,7 @@ template <int D> class BlockSolve {
 
     /// Whether velocities would lengthen links, as after a blow: by more than a swing does in a substep.
     bool jolted() const {
-        constexpr double usual = 0.02;
+        const double usual = block_.motored ? 1e-4 : 0.02; // what is driven starts and stops, and must not ring on
         for (const auto& link : links()) {
             if (soft(link) || (link.one_sided() && link.tension == 0)) continue;
             const auto span = node(link.b).place - node(link.a).place;

@@ -13,8 +13,7 @@ template <int D> class BlockWays {
     using Vector = Vec<D, double>;
     using Entry = Matrix<D, double>;
 
-    BlockWays(Blocks<D>& blocks, const Block& block, double substep)
-        : blocks_(blocks), block_(block), h_(substep) {}
+    BlockWays(Blocks<D>& blocks, const Block& block, double substep) : blocks_(blocks), block_(block), h_(substep) {}
 
     std::span<BlockWay> all() const { return std::span(blocks_.ways).subspan(block_.first_way, block_.ways); }
     std::span<BlockWayNode<D>> nodes(const BlockWay& way) const {
@@ -90,7 +89,8 @@ template <int D> class BlockWays {
             for (std::size_t i = 0; i + 1 < on.size(); ++i) {
                 const auto leg = node(on[i + 1]).place - node(on[i]).place;
                 const auto change = node(on[i + 1]).move - node(on[i]).move;
-                most = maximum(most, dot(change, change) * inverse_or_zero(maximum(dot(leg, leg), square(0.1 * way.length))));
+                most = maximum(most,
+                               dot(change, change) * inverse_or_zero(maximum(dot(leg, leg), square(0.1 * way.length))));
             }
         }
         return most;

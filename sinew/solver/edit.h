@@ -82,8 +82,8 @@ std::optional<ConstraintId> add(World<D, Real>& world, std::initializer_list<Par
 
 template <int D, class Real> void remove_constraints(World<D, Real>& world, std::span<const ConstraintId> ids);
 
-/// From now on its limits move at this rate (m/s, rad/s): a winch, a motor. Where the load is more than its max_force it
-/// slips: limits of lengths never run ahead of what they measure.
+/// From now on its limits move at this rate (m/s, rad/s): a winch, a motor. Where the load is more than its max_force
+/// it slips: limits of lengths never run ahead of what they measure.
 template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintId& id, Real rate);
 /// Another max_force: a motor that tires. 0 lets go.
 template <int D, class Real> bool set_max_force(World<D, Real>& world, const ConstraintId& id, Real max_force);
