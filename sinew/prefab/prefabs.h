@@ -6,8 +6,10 @@
 #include "sinew/prefab/polygon.h"
 #include "sinew/prefab/ragdoll.h"
 #include "sinew/prefab/rope.h"
+#include "sinew/prefab/spiderweb.h"
 #include "sinew/prefab/stick_figure.h"
 #include "sinew/prefab/tire.h"
+#include "sinew/prefab/tree.h"
 
 #include <optional>
 #include <string>
@@ -24,7 +26,7 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire>;
+using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire, Spiderweb, Tree>;
 
 namespace detail {
 template <class List> struct VariantOf;
