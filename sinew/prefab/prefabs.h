@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/prefab/box.h"
+#include "sinew/prefab/bridge.h"
 #include "sinew/prefab/chain.h"
 #include "sinew/prefab/cloth.h"
 #include "sinew/prefab/polygon.h"
@@ -8,6 +9,7 @@
 #include "sinew/prefab/rope.h"
 #include "sinew/prefab/spiderweb.h"
 #include "sinew/prefab/stick_figure.h"
+#include "sinew/prefab/swing.h"
 #include "sinew/prefab/tire.h"
 #include "sinew/prefab/tree.h"
 
@@ -26,7 +28,7 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire, Spiderweb, Tree>;
+using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Cloth, Spiderweb, Tree, StickFigure, Ragdoll>;
 
 namespace detail {
 template <class List> struct VariantOf;

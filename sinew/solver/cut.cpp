@@ -1,6 +1,6 @@
 #include "sinew/solver/cut.h"
 
-#include "sinew/solver/sever.h"
+#include "sinew/solver/split.h"
 
 #include <algorithm>
 
@@ -117,6 +117,7 @@ template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const Cons
     const auto all = with_what_hangs(world, ids);
     remove_constraints(world, std::span<const ConstraintId>(all));
     sever(world, std::span<const Ends>(gone));
+    done.doubled = split(world, std::span<const Ends>(gone));
     return done;
 }
 

@@ -13,6 +13,7 @@ struct Blade {
 
 struct Cut {
     std::size_t links = 0;            ///< distances that are gone
+    std::size_t doubled = 0;          ///< particles that were added, for flaps that come apart (split.h)
     std::vector<FigureIndex> figures; ///< whose they were, each once, in order; no_figure last
 };
 
