@@ -27,8 +27,8 @@ struct Report {
 /// Something that happened, and when.
 struct Happening {
     double seconds = 0;
-    std::string what;  ///< "torn", "parted", "quarantined", or the name of a scene event ("grab")
-    std::string where; ///< the figure or particle, as the scene calls it; may be empty
+    std::string what;        ///< "torn", "parted", "quarantined", or the name of a scene event ("grab")
+    std::string where;       ///< the figure or particle, as the scene calls it; may be empty
     std::size_t islands = 0; ///< of "parted": into how many the figure fell (islands.h); else 0
 };
 
@@ -60,8 +60,8 @@ class Session {
     std::optional<Point> pointer() const;
 
     /// Cuts every distance that crosses the line from one place to the other or comes within some length of it, as seen
-    /// in the picture; tells how many. What a pointer draws is a row of such lines.
-    std::size_t cut(const std::array<Point, 2>& line, double within = 0);
+    /// in the picture; tells how many. What a pointer draws is a row of such lines, within what the scene says.
+    std::size_t cut(const std::array<Point, 2>& line, std::optional<double> within = {});
 
     Report report() const;
     /// All that happened so far; at most `most_happenings`, then only counted.
