@@ -116,7 +116,11 @@ class Abuser {
         const auto place = between(from_, to_, share);
         std::visit(
             [&]<class WorldT>(WorldT& world) {
-                move_pin(world, held_, place.template as<WorldT::dimension, typename WorldT::Real>());
+                auto goal = place.template as<WorldT::dimension, typename WorldT::Real>();
+                for (const auto& plane : world.bounds) // no hand reaches through a wall
+                    if (const auto below = plane.offset - dot(plane.normal, goal); below > 0)
+                        goal += plane.normal * below;
+                move_pin(world, held_, goal);
             },
             session_.world());
     }
