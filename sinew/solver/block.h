@@ -48,17 +48,18 @@ struct BlockDrive {
     double low_begun = 0, high_begun = 0; ///< the limits when the step began
     bool driven = false;
     bool slips = false; ///< in this iteration
+    int doubts = 0;     ///< how often it changed its mind about that in this substep
 
     bool gives() const { return most < 1e25; }
-    double held(double force) {
-        slips = absolute(force) > most;
-        return clamp(force, -most, most);
-    }
-    /// Of a rigid one, whose force is only tried: from one end of what it can do it does not go straight to the other.
+    /// A force as it is tried in an iteration, by one that pulls so far: from one end of what it can do it does not go
+    /// straight to the other.
     double held(double force, double tension, bool pulls_only) {
         const bool turns = (pulls_only && force < 0) || (force * tension < 0 && absolute(tension) >= most);
-        slips = !turns && absolute(force) > most;
-        return slips ? clamp(force, -most, most) : force;
+        const bool should = !turns && absolute(force) > most;
+        constexpr int most_doubts = 4; // then it stays as it is
+        if (should != slips && doubts++ < most_doubts) slips = should;
+        if (!slips) return force;
+        return absolute(force) > most && !turns ? clamp(force, -most, most) : clamp(tension, -most, most);
     }
 };
 

@@ -48,8 +48,9 @@ template <int D> class BlockSolve {
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
             if (i % patience == 0) { // a solution that exists comes nearer
-                if (i > 0 && worst > 0.5 * before && worst > acceptable) return false;
+                if (i > 0 && !let_go_ && worst > 0.5 * before && worst > acceptable) return false;
                 before = worst;
+                let_go_ = false; // a rope that falls slack does so link by link
             }
             // what cannot decide whether it touches: its lengths are right, and it hardly moves
             const double slight_move = slight * reach_ / double(block_.links + block_.ways);
@@ -210,6 +211,7 @@ template <int D> class BlockSolve {
     double total_mass_ = 0, stiffness_ = 0, reach_ = 0;
     double moved_ = 0, tightened_ = 0, strongest_ = 0; ///< by an iteration: the most of any node and link
     bool elastic_ = false;
+    bool let_go_ = false; ///< a limit, since patience was last asked
     double slight_ = 0; ///< a tension that is none
 
     double weight(std::uint32_t i) const {
@@ -244,7 +246,7 @@ template <int D> class BlockSolve {
         for (auto& bend : bends()) {
             bend.flips = 0;
             const double angle = bend.begun = angle_of(bend, start_of);
-            bend.slips = false;
+            bend.slips = false, bend.doubts = 0;
             const bool exact = !bend.one_sided();
             bend.side = exact || bend.tension > 0 || angle > bend.high ? 1
                         : bend.tension < 0 || angle < bend.low         ? -1
@@ -372,7 +374,7 @@ template <int D> class BlockSolve {
             const double error = angle - clamp(angle, bend.low, bend.high);
             if (error == 0 || rule == Rule::place) return 0;
             const double k = minimum(1 / bend.compliance, hardest * arm2(bend));
-            bend.tension = bend.held(k * (error + bend.lead * ((angle - bend.begun) / h_ - bend.rate)));
+            bend.tension = bend.held(k * (error + bend.lead * ((angle - bend.begun) / h_ - bend.rate)), bend.tension, false);
             bend.stiffness = bend.slips ? 0 : k * (1 + bend.lead / h_);
             add(bend, bend.tension);
             return 0;
@@ -469,7 +471,7 @@ template <int D> class BlockSolve {
 
     /// The multiplier that goes with the places just found. One that holds the wrong way lets go, unless it cannot
     /// decide.
-    void renew(BlockLimit& limit, double next, double share) const {
+    void renew(BlockLimit& limit, double next, double share) {
         if (elastic_) {
             limit.tension = 0;
             limit.side = limit.one_sided() && next * limit.side < 0 ? 0 : limit.side;
@@ -477,7 +479,7 @@ template <int D> class BlockSolve {
         }
         limit.tension = limit.side != 0 ? limit.tension + share * (next - limit.tension) : 0;
         const bool undecided = limit.flips > most_flips;
-        if (limit.one_sided() && !undecided && next * limit.side < -slight_) limit.side = 0, limit.tension = 0;
+        if (limit.one_sided() && !undecided && next * limit.side < -slight_) limit.side = 0, limit.tension = 0, let_go_ = true;
     }
 
     static double largest_component(const Vector& v) {

@@ -31,7 +31,8 @@ template <int D> class BlockWays {
                 length += norm(on[i].start);
             }
             reach += length;
-            way.flips = 0;
+            way.flips = way.doubts = 0;
+            way.slips = false;
             const double margin = tautness * length;
             const bool exact = !way.one_sided();
             if (exact || way.tension > 0 || (way.tension == 0 && length > way.high - margin))
@@ -155,7 +156,6 @@ template <int D> class BlockWays {
     double assemble(BlockWay& way, Rule rule, double hardest, bool elastic, double margin) {
         measure(way, rule);
         way.stiffness = 0;
-        way.slips = false;
         const bool stiff = !soft(way);
         if (rule == Rule::place && (!stiff || way.driven)) return 0; // no time passes: it gives
         if (!stiff) {
@@ -179,11 +179,12 @@ template <int D> class BlockWays {
 
     void spring(BlockWay& way, Rule rule, double hardest) {
         const double error = way.length - clamp(way.length, way.low, way.high);
+        const double last = way.tension;
         way.tension = 0;
         if (error == 0) return;
         const double k = minimum(1 / way.compliance, hardest);
         const double moved = (way.length - length_of(way, true)) / h_ - way.rate;
-        way.tension = way.held(k * (error + way.lead * moved));
+        way.tension = way.held(k * (error + way.lead * moved), last, way.one_sided() && error > 0);
         way.stiffness = way.slips ? 0 : k * (1 + way.lead / h_);
         add(way, way.stiffness, way.tension);
         add_geometric(way, rule, maximum(way.tension, 0.0));
