@@ -212,7 +212,7 @@ template <int D> class BlockSolve {
     double moved_ = 0, tightened_ = 0, strongest_ = 0; ///< by an iteration: the most of any node and link
     bool elastic_ = false;
     bool let_go_ = false; ///< a limit, since patience was last asked
-    double slight_ = 0; ///< a tension that is none
+    double slight_ = 0;   ///< a tension that is none
 
     double weight(std::uint32_t i) const {
         return i < block_.first_node + block_.unknowns ? inverse_or_zero(node(i).mass) : 0;
@@ -374,7 +374,8 @@ template <int D> class BlockSolve {
             const double error = angle - clamp(angle, bend.low, bend.high);
             if (error == 0 || rule == Rule::place) return 0;
             const double k = minimum(1 / bend.compliance, hardest * arm2(bend));
-            bend.tension = bend.held(k * (error + bend.lead * ((angle - bend.begun) / h_ - bend.rate)), bend.tension, false);
+            bend.tension =
+                bend.held(k * (error + bend.lead * ((angle - bend.begun) / h_ - bend.rate)), bend.tension, false);
             bend.stiffness = bend.slips ? 0 : k * (1 + bend.lead / h_);
             add(bend, bend.tension);
             return 0;
@@ -479,7 +480,8 @@ template <int D> class BlockSolve {
         }
         limit.tension = limit.side != 0 ? limit.tension + share * (next - limit.tension) : 0;
         const bool undecided = limit.flips > most_flips;
-        if (limit.one_sided() && !undecided && next * limit.side < -slight_) limit.side = 0, limit.tension = 0, let_go_ = true;
+        if (limit.one_sided() && !undecided && next * limit.side < -slight_)
+            limit.side = 0, limit.tension = 0, let_go_ = true;
     }
 
     static double largest_component(const Vector& v) {

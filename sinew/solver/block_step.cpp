@@ -2,6 +2,7 @@
 #include "sinew/solver/decay.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/rigid_motion.h"
+#include "sinew/solver/workers.h"
 
 #include <cmath>
 
@@ -80,7 +81,10 @@ template <int D, class Real> class BlockStep {
         const bool found = solve.run(Rule::swing, few, [&] { hold(solve); }), blow = struck(solve);
         if (found && !blow && !gains(solve)) {
             for (auto& node : unknowns()) node.velocity = (node.place - node.start) * (2 / h_) - node.velocity;
-            if (any_tightened()) settle(solve);
+            if (any_tightened())
+                settle(solve);
+            else if (solve.jolted())
+                straighten(solve);
             keep_momentum();
             return store();
         }
@@ -356,6 +360,14 @@ template <int D, class Real> class BlockStep {
         if (!near_ && !driven_ && !block_.motored) slow_down(solve, kinetic); // less but for rounding
     }
 
+    /// Where a whip cracks, what it does along its links is no motion but the rule's own error: it goes back into what
+    /// is one.
+    void straighten(Solve& solve) {
+        const double kinetic = solve.kinetic();
+        settle(solve);
+        if (!driven_) bring_to(solve, kinetic);
+    }
+
     /// What struck a plane leaves it with its restitution; what rests on it stays.
     void rebound(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) {
         if (!(depth(node, plane) > 0)) return;
@@ -401,8 +413,12 @@ template <int D, class Real> class BlockStep {
 
     /// What moves about the motion of the whole is slowed down, until no more than that is left.
     void slow_down(const Solve& solve, double most) {
-        const double now = solve.kinetic();
-        if (now <= most) return;
+        if (solve.kinetic() > most) bring_to(solve, most);
+    }
+
+    /// What moves about the motion of the whole gets slower or faster, until the energy is that.
+    void bring_to(const Solve& solve, double kinetic) {
+        constexpr double fastest = 1.1; // a correction, not a kick
         const auto motion = is_free() ? Motion::of(unknowns(), Solve::place_of) : Motion{};
         const auto rate = motion.rate_of(unknowns(), Solve::place_of);
         const auto whole = [&](const BlockNode<D>& node) {
@@ -410,7 +426,8 @@ template <int D, class Real> class BlockStep {
         };
         double kept = 0;
         for (const auto& node : unknowns()) kept += 0.5 * node.mass * dot(whole(node), whole(node));
-        const double share = square_root(maximum(most - kept, 0.0) * inverse_or_zero(now - kept));
+        const double share =
+            minimum(fastest, square_root(maximum(kinetic - kept, 0.0) * inverse_or_zero(solve.kinetic() - kept)));
         for (auto& node : unknowns()) node.velocity = whole(node) + (node.velocity - whole(node)) * share;
     }
 
@@ -439,6 +456,18 @@ template <int D, class Real> class BlockStep {
     }
 };
 
+/// Blocks are handed out to threads some at a time.
+constexpr int a_part = 8;
+constexpr std::size_t worth_a_thread = 500; ///< nodes: of fewer, telling others takes longer than doing it
+
+template <int D> int parts_of(const Blocks<D>& blocks) {
+    return int((blocks.list.size() + a_part - 1) / a_part);
+}
+template <int D> std::span<const Block> part_of(const Blocks<D>& blocks, int part) {
+    const auto first = std::size_t(part) * a_part;
+    return std::span(blocks.list).subspan(first, std::min<std::size_t>(a_part, blocks.list.size() - first));
+}
+
 } // namespace
 
 template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep) {
@@ -453,11 +482,15 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Re
     }
     constexpr int few = 2;
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : few;
-    for (const auto& block : blocks.list) {
-        BlockStep<D, Real> step(world, block, double(dt), double(world.last_substep));
-        step.run(substeps);
-        step.report_tensions(double(substep));
-    }
+    const auto move = [&](int part) {
+        for (const auto& block : part_of(blocks, part)) {
+            BlockStep<D, Real> step(world, block, double(dt), double(world.last_substep));
+            step.run(substeps);
+            step.report_tensions(double(substep));
+        }
+    };
+    const int threads = world.threads > 0 ? world.threads : hardware_threads();
+    Workers::run(blocks.nodes.size() < worth_a_thread ? 1 : threads, parts_of(blocks), move);
 }
 
 #define SINEW_BLOCK_STEP(D, Real) template void step_blocks(World<D, Real>&, Real, Real);
