@@ -90,33 +90,33 @@ TEST(Truth, ACompoundPendulumHasItsPeriod) {
 //     v^2 = g x (2 L - x) / (L - x)        (all energy is in the arm that still falls)
 // which is more than free fall, and without end: a whip.
 TEST(Truth, TheTipOfAFoldedChainSpeedsUpAsAWhipDoes) {
-    constexpr int links = 200;
+    constexpr int links = 101;
     constexpr double length = 4, piece = length / links;
     World<2, double> world;
     fall(world, gravity);
     std::vector<ParticleId> ids;
     for (int i = 0; i <= links; ++i) {
-        const bool down = i <= links / 2;
-        const double y = -piece * (down ? i : links - i);
-        ids.push_back(add_particle(world, {.position = at<Place>(down ? 0 : piece * 0.2, y), .mass = 1.0 / links}));
-        if (i > 0) add<Distance>(world, {ids[std::size_t(i) - 1], ids.back()}, {.limits = at_most(piece)});
+        const bool down = i <= links / 2; // the link in the fold lies level
+        const double y = -piece * (down ? i : links + 1 - i);
+        ids.push_back(add_particle(world, {.position = at<Place>(down ? 0 : piece, y), .mass = 1.0 / links}));
+        if (i > 0) add<Distance>(world, {ids[std::size_t(i) - 1], ids.back()}, {.limits = exactly(piece)});
     }
     pin(world, ids.front());
     double checked = 0;
     for (int i = 0; i < 240; ++i) {
         step(world, 1.0 / 240);
-        const double x = -(*position_of(world, ids.back()))[1];
-        if (x < 0.3 * length || x > 0.8 * length) continue;
+        const double x = -(*position_of(world, ids.back()))[1] - piece;
+        if (x > 0.8 * length) break; // from there on it is a matter of single links
+        if (x < 0.3 * length) continue;
         const double expected = std::sqrt(gravity * x * (2 * length - x) / (length - x));
         EXPECT_NEAR(-(*velocity_of(world, ids.back()))[1] / expected, 1, 0.05) << "fallen " << x / length;
         ++checked;
-        if (sanitized) break;
     }
     EXPECT_GT(checked, 0);
 }
 
 // Released from 0.9 rad, undamped, half a minute at the default settings.
-TEST(Truth, APendulumAndARagdollOnOneHandKeepTheirEnergy) {
+TEST(Truth, APendulumKeepsItsEnergyAndARagdollOnOneHandGainsNone) {
     {
         World<2, double> world;
         fall(world, gravity);
@@ -135,15 +135,14 @@ TEST(Truth, APendulumAndARagdollOnOneHandKeepTheirEnergy) {
     build(world, Ragdoll{}, "bob", {.turn = 0.9});
     pin(world, *find_particle(world, "bob/left_hand"));
     const double begun = energy(world).total(), scale = 70 * gravity * 1.6;
-    double gain = 0, loss = 0;
+    double gain = 0; // its joints take energy when they come to their ends
     for (int i = 0; i < (sanitized ? 60 : 1800); ++i) {
         step(world, 1.0 / 60);
         const double change = (energy(world).total() - begun) / scale;
-        gain = std::max(gain, change), loss = std::max(loss, -change);
+        gain = std::max(gain, change);
     }
     EXPECT_LT(gain, 1e-4);
     EXPECT_LT(stretch(world).max, 1e-3);
-    std::printf("ragdoll gain %g loss %g\n", gain, loss);
 }
 
 } // namespace
