@@ -4,6 +4,8 @@
 #include "sinew/prefab/bridge.h"
 #include "sinew/prefab/chain.h"
 #include "sinew/prefab/cloth.h"
+#include "sinew/prefab/crank.h"
+#include "sinew/prefab/formation.h"
 #include "sinew/prefab/polygon.h"
 #include "sinew/prefab/ragdoll.h"
 #include "sinew/prefab/rope.h"
@@ -26,7 +28,7 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire, Swing, Bridge>;
+using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire, Swing, Bridge, Crank, Formation>;
 
 namespace detail {
 template <class List> struct VariantOf;

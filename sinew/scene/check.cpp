@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <set>
+#include <span>
 
 namespace sinew {
 namespace {
@@ -15,13 +17,19 @@ std::string under(std::string_view list, std::size_t index, std::string_view key
     return key.empty() ? fmt::format("/{}/{}", list, index) : fmt::format("/{}/{}/{}", list, index, key);
 }
 
+/// Whether one of the names stands for many particles.
+bool has_star(std::span<const std::string> names) {
+    return std::ranges::any_of(names, [](const std::string& name) { return name.ends_with('*'); });
+}
+
 Sizes sizes_of(const FigureSection& figure) {
     Sizes sizes;
     detail::visit_held(figure.made, [&](const auto& made) {
         if constexpr (requires { made.sizes(); })
             sizes = made.sizes();
         else
-            sizes = {made.particles.size(), made.constraints.size()};
+            for (sizes.particles = made.particles.size(); const auto& constraint : made.constraints)
+                sizes.constraints += has_star(constraint.between) ? sizes.particles : 1;
     });
     return sizes;
 }
@@ -66,7 +74,21 @@ class ValueCheck {
         const auto& limits = document_.limits;
         count(std::int64_t(scene_.figures.size()), limits.figures, "figures", "/figures");
         count(std::int64_t(scene_.events.size()), limits.events, "events", "/events");
-        Sizes sum{0, scene_.constraints.size()};
+        Sizes sum;
+        std::map<std::string_view, std::size_t> particles; // what a star can stand for
+        for (const auto& figure : scene_.figures)
+            particles[name_of(figure)] = std::min(sizes_of(figure).particles, std::size_t(1e12));
+        const auto most = [&](const std::string_view name) {
+            const auto found = particles.find(name.substr(0, name.find('/')));
+            return name.ends_with('*') && found != particles.end() ? found->second : 1;
+        };
+        for (const auto& constraint : scene_.constraints) {
+            std::size_t many = 1;
+            for (const auto& name : constraint.between) many = std::max(many, most(name));
+            sum.constraints += many;
+        }
+        for (const auto& pin : scene_.pins)
+            if (pin.particle.ends_with('*')) sum.constraints += most(pin.particle);
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) {
             const auto sizes = sizes_of(scene_.figures[i]);
             sum.particles += sizes.particles;
@@ -134,12 +156,14 @@ class ValueCheck {
                             fmt::format("{} {} needs {}{} particles, found {}",
                                         section.kind == "angle" || section.kind == "area" ? "an" : "a", section.kind,
                                         section.kind == "area" ? "at least " : "", wanted, size));
+        if (std::ranges::count_if(section.between, [](const auto& name) { return name.ends_with('*'); }) > 1) document_.error(place + "/between", "one of the names can end in a star, not more");
         std::set<std::string_view> seen;
         for (const auto& name : section.between)
             if (!seen.insert(name).second)
                 document_.error(place + "/between", fmt::format("\"{}\" is named twice", name));
         const bool exists =
-            scene_.dimension == 2 ? section.kind != "volume" && section.kind != "dihedral" : section.kind != "area";
+            scene_.dimension == 2 ? section.kind != "volume" && section.kind != "dihedral"
+                                  : section.kind != "area" && section.kind != "rail";
         if (!exists)
             document_.error(place + "/kind",
                             fmt::format("there is no {} in {} dimensions", section.kind, scene_.dimension));
@@ -147,7 +171,7 @@ class ValueCheck {
 
     static std::size_t arity(std::string_view kind) {
         if (kind == "distance") return 2;
-        return kind == "angle" || kind == "area" ? 3 : 4;
+        return kind == "volume" || kind == "dihedral" ? 4 : 3;
     }
 
     void look(const Look& look, const std::string& place) {
@@ -234,7 +258,7 @@ template <int D, class Real> class ReferenceCheck {
     }
 
     void particle(std::string_view name, const std::string& place) {
-        path("particle", name, place, find_particle(world_, name).has_value(), [](const Figure& figure) {
+        path("particle", name, place, !find_particles(world_, name).empty(), [](const Figure& figure) {
             std::vector<std::string_view> names;
             for (const auto& named : figure.particle_names) names.emplace_back(named.first);
             return names;

@@ -179,12 +179,33 @@ template <int D, class Real> class Maker {
         world_.figures[figure].pieces.push_back(std::move(piece));
     }
 
-    /// A constraint between particles whose names begin with `prefix`. References are checked later: one to nothing is
-    /// left out.
+    /// A constraint between particles whose names begin with `prefix`; where one of them ends in a star, one for each
+    /// particle called so. References are checked later: one to nothing is left out.
     void join(const ConstraintSection& section, FigureIndex figure, const std::string& prefix) {
         std::vector<ParticleId> members;
-        for (const auto& name : section.between)
-            members.push_back(find_particle(world_, prefix + name).value_or(ParticleId{}));
+        std::size_t many = 0; // the place of the star
+        std::vector<ParticleId> each{ParticleId{}};
+        for (const auto& name : section.between) {
+            auto found = find_particles(world_, prefix + name);
+            if (found.empty()) return;
+            if (name.ends_with('*')) {
+                many = members.size();
+                each = std::move(found);
+                members.emplace_back();
+            } else {
+                members.push_back(found.front());
+            }
+        }
+        if (each.size() == 1 && each.front() == ParticleId{}) return join(section, figure, members);
+        for (const auto id : each) {
+            if (std::find(members.begin(), members.end(), id) != members.end()) continue; // never with itself
+            auto chosen = members;
+            chosen[many] = id;
+            join(section, figure, chosen);
+        }
+    }
+
+    void join(const ConstraintSection& section, FigureIndex figure, const std::vector<ParticleId>& members) {
         ConstraintSpec<Real> spec{.limits = limits(section),
                                   .compliance = Real(section.compliance),
                                   .relaxation = Real(section.relaxation.value_or(1)),
@@ -224,15 +245,14 @@ template <int D, class Real> class Maker {
     }
 
     void hold(const PinSection& section) {
-        const auto id = find_particle(world_, section.particle);
-        if (!id) return;
         std::optional<Vector> target;
         if (section.to) target = vector(*section.to);
-        pin(world_, *id,
-            {.target = target,
-             .compliance = Real(section.compliance),
-             .damping = Real(section.damping),
-             .max_force = Real(section.max_force)});
+        for (const auto id : find_particles(world_, section.particle))
+            pin(world_, id,
+                {.target = target,
+                 .compliance = Real(section.compliance),
+                 .damping = Real(section.damping),
+                 .max_force = Real(section.max_force)});
     }
 };
 

@@ -196,18 +196,19 @@ std::size_t Session::cut(const std::array<Point, 2>& line, double within) {
         world_);
 }
 
-/// The scene's pins are the last that were made, in its order.
+/// The scene's pins are the last that were made, in its order; one whose name ends in a star stands for many.
 void Session::find_driven() {
     driven_.clear();
     std::visit(
         [&]<class WorldT>(WorldT& world) {
             std::size_t row = world.pins.size();
-            for (std::size_t i = scene_.pins.size(); i-- > 0 && row-- > 0;) {
-                if (!scene_.pins[i].driver) continue;
-                Point rest;
-                for (int k = 0; k < WorldT::dimension; ++k) rest[k] = double(world.pins[row].target[k]);
-                driven_.push_back({world.pin_slots.id_of(Row(row)), i, rest});
-            }
+            for (std::size_t i = scene_.pins.size(); i-- > 0;)
+                for (auto left = find_particles(world, scene_.pins[i].particle).size(); left-- > 0 && row-- > 0;) {
+                    if (!scene_.pins[i].driver) continue;
+                    Point rest;
+                    for (int k = 0; k < WorldT::dimension; ++k) rest[k] = double(world.pins[row].target[k]);
+                    driven_.push_back({world.pin_slots.id_of(Row(row)), i, rest});
+                }
         },
         world_);
 }
