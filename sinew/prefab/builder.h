@@ -42,8 +42,9 @@ inline double tears_beyond(double strain) {
 
 /// Whether a measure changes its sign in a mirror: signed angles do, and areas in the plane, and volumes in space, and
 /// what says so.
-template <class Kind, int D>
-inline constexpr bool mirrors = Kind::period > 0 || Kind::length_power == D || requires { Kind::sided; };
+template <class Kind, int D> inline constexpr bool mirrors = Kind::period > 0 || Kind::length_power == D || requires {
+    Kind::sided;
+};
 
 template <int D, class RealT> class Builder {
   public:

@@ -156,14 +156,14 @@ class ValueCheck {
                             fmt::format("{} {} needs {}{} particles, found {}",
                                         section.kind == "angle" || section.kind == "area" ? "an" : "a", section.kind,
                                         section.kind == "area" ? "at least " : "", wanted, size));
-        if (std::ranges::count_if(section.between, [](const auto& name) { return name.ends_with('*'); }) > 1) document_.error(place + "/between", "one of the names can end in a star, not more");
+        if (std::ranges::count_if(section.between, [](const auto& name) { return name.ends_with('*'); }) > 1)
+            document_.error(place + "/between", "one of the names can end in a star, not more");
         std::set<std::string_view> seen;
         for (const auto& name : section.between)
             if (!seen.insert(name).second)
                 document_.error(place + "/between", fmt::format("\"{}\" is named twice", name));
-        const bool exists =
-            scene_.dimension == 2 ? section.kind != "volume" && section.kind != "dihedral"
-                                  : section.kind != "area" && section.kind != "rail";
+        const bool exists = scene_.dimension == 2 ? section.kind != "volume" && section.kind != "dihedral"
+                                                  : section.kind != "area" && section.kind != "rail";
         if (!exists)
             document_.error(place + "/kind",
                             fmt::format("there is no {} in {} dimensions", section.kind, scene_.dimension));
@@ -284,11 +284,11 @@ template <int D, class Real> class ReferenceCheck {
         if (!by_hand) return;
         for (std::size_t k = 0; k < by_hand->constraints.size(); ++k)
             for (std::size_t m = 0; m < by_hand->constraints[k].between.size(); ++m)
-                particle(built.name + "/" + by_hand->constraints[k].between[m],
+                particle(full_name(by_hand->constraints[k].between[m], built.name + "/"),
                          under("figures", i) + under("constraints", k) + fmt::format("/between/{}", m));
         for (std::size_t k = 0; k < by_hand->pieces.size(); ++k)
             for (std::size_t m = 0; m < by_hand->pieces[k].through.size(); ++m)
-                particle(built.name + "/" + by_hand->pieces[k].through[m],
+                particle(full_name(by_hand->pieces[k].through[m], built.name + "/"),
                          under("figures", i) + under("pieces", k) + fmt::format("/through/{}", m));
     }
 

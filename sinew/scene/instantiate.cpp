@@ -175,7 +175,7 @@ template <int D, class Real> class Maker {
                     .width = section.width,
                     .end_width = section.width > 0 ? section.end_width : 0};
         for (const auto& particle : section.through)
-            piece.particles.push_back(find_particle(world_, prefix + particle).value_or(ParticleId{}));
+            piece.particles.push_back(find_particle(world_, full_name(particle, prefix)).value_or(ParticleId{}));
         world_.figures[figure].pieces.push_back(std::move(piece));
     }
 
@@ -186,7 +186,7 @@ template <int D, class Real> class Maker {
         std::size_t many = 0; // the place of the star
         std::vector<ParticleId> each{ParticleId{}};
         for (const auto& name : section.between) {
-            auto found = find_particles(world_, prefix + name);
+            auto found = find_particles(world_, full_name(name, prefix));
             if (found.empty()) return;
             if (name.ends_with('*')) {
                 many = members.size();

@@ -132,8 +132,7 @@ template <int D, class Real>
 std::optional<ParticleId> find_particle(const World<D, Real>& world, std::string_view path);
 /// The particle of that path; or, where it ends in a star, all of the figure whose names begin so, in the order they
 /// were built: "bridge/joint_*". Empty if there is none.
-template <int D, class Real>
-std::vector<ParticleId> find_particles(const World<D, Real>& world, std::string_view path);
+template <int D, class Real> std::vector<ParticleId> find_particles(const World<D, Real>& world, std::string_view path);
 template <int D, class Real>
 std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::string_view path);
 template <int D, class Real> std::optional<FigureIndex> find_figure(const World<D, Real>& world, std::string_view name);
