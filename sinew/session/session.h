@@ -27,8 +27,9 @@ struct Report {
 /// Something that happened, and when.
 struct Happening {
     double seconds = 0;
-    std::string what;  ///< "torn", "quarantined", or the name of a scene event ("grab")
+    std::string what;  ///< "torn", "parted", "quarantined", or the name of a scene event ("grab")
     std::string where; ///< the figure or particle, as the scene calls it; may be empty
+    std::size_t islands = 0; ///< of "parted": into how many the figure fell (islands.h); else 0
 };
 
 /// Two corners around what a world shows.
@@ -98,8 +99,9 @@ class Session {
     void happen(const EventSection& event);
     void carry_held();
     void still_gusts();
-    void note(std::string what, std::string where);
+    void note(std::string what, std::string where, std::size_t islands = 0);
     void note_events();
+    void note_parted();
 
     Scene scene_;
     AnyWorld world_;
@@ -110,6 +112,7 @@ class Session {
     std::optional<Point> pointer_;
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;
+    std::vector<std::size_t> islands_; ///< of each figure, when last told of
     std::vector<Happening> happenings_;
     std::size_t happening_count_ = 0;
 };
