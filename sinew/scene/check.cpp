@@ -51,6 +51,7 @@ class ValueCheck {
             detail::visit_held(scene_.pins[i].driver, [&](const auto& driver) {
                 if constexpr (requires { driver.keys; }) keys(driver.keys, under("pins", i, "keys"));
             });
+        for (std::size_t i = 0; i < scene_.events.size(); ++i) event(scene_.events[i], i);
     }
 
   private:
@@ -144,7 +145,19 @@ class ValueCheck {
             document_.error(place + "/end_width", "an end_width needs a width to begin with");
     }
 
-    void constraint(const ConstraintSection& section, const std::string& place) {
+    void event(const EventSection& section, std::size_t i) {
+        const double step = step_length(scene_);
+        if (section.times > 0 && section.every == 0)
+            document_.error(under("events", i, "times"), "what happens several times needs an \"every\"");
+        if (section.every > 0 && section.every < step * 0.999)
+            document_.error(under("events", i, "every"),
+                            fmt::format("{} is shorter than a step, {:.6g}", section.every, step));
+        if (const auto* join = std::get_if<JoinEvent>(&section.event))
+            constraint(join->constraint, under("events", i), "join");
+    }
+
+    void constraint(const ConstraintSection& section, const std::string& place, std::string_view members = "between") {
+        const auto between = fmt::format("{}/{}", place, members);
         if (section.rest && (section.low || section.high))
             document_.error(place + "/rest", "a constraint has either a rest or limits low and high, not both");
         if (section.low && section.high && *section.low > *section.high)
@@ -152,16 +165,15 @@ class ValueCheck {
         const auto size = section.between.size();
         const auto wanted = arity(section.kind);
         if (section.kind == "area" ? size < 3 : size != wanted)
-            document_.error(place + "/between",
+            document_.error(between,
                             fmt::format("{} {} needs {}{} particles, found {}",
                                         section.kind == "angle" || section.kind == "area" ? "an" : "a", section.kind,
                                         section.kind == "area" ? "at least " : "", wanted, size));
         if (std::ranges::count_if(section.between, [](const auto& name) { return name.ends_with('*'); }) > 1)
-            document_.error(place + "/between", "one of the names can end in a star, not more");
+            document_.error(between, "one of the names can end in a star, not more");
         std::set<std::string_view> seen;
         for (const auto& name : section.between)
-            if (!seen.insert(name).second)
-                document_.error(place + "/between", fmt::format("\"{}\" is named twice", name));
+            if (!seen.insert(name).second) document_.error(between, fmt::format("\"{}\" is named twice", name));
         const bool exists = scene_.dimension == 2 ? section.kind != "volume" && section.kind != "dihedral"
                                                   : section.kind != "area" && section.kind != "rail";
         if (!exists)
@@ -278,7 +290,7 @@ template <int D, class Real> class ReferenceCheck {
         for (const auto& [name, kick] : section.kicks)
             particle(built.name + "/" + name, under("figures", i, "kicks") + json::pointer_step(name));
         for (const auto& [part, seen] : section.looks)
-            if (part != "all" && !has_part(built, part))
+            if (part != "all" && !has_part(built, part) && !is_joined_later(built.name + "/" + part))
                 unknown("part", part, under("figures", i, "looks") + json::pointer_step(part), parts_of(built));
         const auto* by_hand = std::get_if<ByHand>(&section.made);
         if (!by_hand) return;
@@ -290,6 +302,17 @@ template <int D, class Real> class ReferenceCheck {
             for (std::size_t m = 0; m < by_hand->pieces[k].through.size(); ++m)
                 particle(full_name(by_hand->pieces[k].through[m], built.name + "/"),
                          under("figures", i) + under("pieces", k) + fmt::format("/through/{}", m));
+    }
+
+    /// Whether an event makes a constraint of that full name.
+    bool is_joined_later(std::string_view path) const {
+        return std::ranges::any_of(scene_.events, [&](const EventSection& section) {
+            const auto* join = std::get_if<JoinEvent>(&section.event);
+            if (!join || join->constraint.name.empty() || join->constraint.between.empty()) return false;
+            const std::string_view first = join->constraint.between.front();
+            const auto figure = first.substr(0, first.find('/') + 1);
+            return path.starts_with(figure) && path.substr(figure.size()) == join->constraint.name;
+        });
     }
 
     static bool has_part(const Figure& figure, std::string_view part) {
@@ -333,9 +356,15 @@ template <int D, class Real> class ReferenceCheck {
     void event(const ImpulseEvent& impulse, std::size_t i) {
         if (!find_figure(world_, impulse.target)) particle(impulse.target, under("events", i, "impulse"));
     }
+    void event(const KickEvent& kick, std::size_t i) { particle(kick.target, under("events", i, "kick")); }
+    void event(const JoinEvent& join, std::size_t i) {
+        for (std::size_t k = 0; k < join.constraint.between.size(); ++k)
+            particle(join.constraint.between[k], under("events", i, "join") + fmt::format("/{}", k));
+    }
     void event(const SnipEvent& snip, std::size_t i) {
         for (std::size_t k = 0; k < snip.constraints.size(); ++k)
-            constraint(snip.constraints[k], under("events", i, "snip") + fmt::format("/{}", k));
+            if (!is_joined_later(snip.constraints[k]))
+                constraint(snip.constraints[k], under("events", i, "snip") + fmt::format("/{}", k));
     }
     template <class Event> void event(const Event&, std::size_t) {}
 };

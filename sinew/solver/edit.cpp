@@ -237,7 +237,7 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
 
 template <int D, class Real> bool move_pin(World<D, Real>& world, PinId pin, const Vec<D, Real>& target) {
     const auto row = world.pin_slots.find(pin);
-    if (row) world.pins[*row].target = target;
+    if (row) world.pins[*row].target = target, world.pins[*row].moves = true;
     return row.has_value();
 }
 
