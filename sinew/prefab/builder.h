@@ -71,10 +71,14 @@ template <int D, class RealT> class Builder {
     /// know points, all alike: there the mass is 1 and the radius 0.
     ParticleId particle(std::string_view name, const Local& local, double mass, double radius = 0) {
         const bool classic = mode_ == Mode::classic;
-        const auto id = add_particle(world_, {.position = placement_.place(local),
-                                              .mass = classic ? Real(1) : Real(mass),
-                                              .radius = classic ? Real(0) : Real(radius),
-                                              .figure = figure_});
+        return weighed_particle(name, local, classic ? 1 : mass, classic ? 0 : radius);
+    }
+
+    /// The same for the few originals that did weigh their points, and gave them a size.
+    ParticleId weighed_particle(std::string_view name, const Local& local, double mass, double radius = 0) {
+        const auto id = add_particle(
+            world_,
+            {.position = placement_.place(local), .mass = Real(mass), .radius = Real(radius), .figure = figure_});
         locals_.push_back(local);
         figure().particles.push_back(id);
         if (!name.empty()) figure().particle_names.emplace_back(name, id);

@@ -7,6 +7,7 @@
 #include "sinew/prefab/crank.h"
 #include "sinew/prefab/formation.h"
 #include "sinew/prefab/polygon.h"
+#include "sinew/prefab/puppet.h"
 #include "sinew/prefab/ragdoll.h"
 #include "sinew/prefab/rope.h"
 #include "sinew/prefab/stick_figure.h"
@@ -28,7 +29,8 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire, Swing, Bridge, Crank, Formation>;
+using Prefabs =
+    TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire, Swing, Bridge, Crank, Formation, Puppet>;
 
 namespace detail {
 template <class List> struct VariantOf;
