@@ -10,9 +10,11 @@
 #include "sinew/prefab/puppet.h"
 #include "sinew/prefab/ragdoll.h"
 #include "sinew/prefab/rope.h"
+#include "sinew/prefab/spiderweb.h"
 #include "sinew/prefab/stick_figure.h"
 #include "sinew/prefab/swing.h"
 #include "sinew/prefab/tire.h"
+#include "sinew/prefab/tree.h"
 
 #include <optional>
 #include <string>
@@ -29,8 +31,8 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs =
-    TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire, Swing, Bridge, Crank, Formation, Puppet>;
+using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Crank, Cloth, Spiderweb, Tree, Formation,
+                         StickFigure, Puppet, Ragdoll>;
 
 namespace detail {
 template <class List> struct VariantOf;

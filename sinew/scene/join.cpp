@@ -1,5 +1,6 @@
 #include "sinew/scene/join.h"
 
+#include "sinew/scene/check.h"
 #include "sinew/solver/edit.h"
 
 #include <algorithm>

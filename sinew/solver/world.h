@@ -145,6 +145,11 @@ template <class KindT, class Real> struct Constraints {
     }
 };
 
+/// Whether a distance ties its ends together: what only keeps them apart does not.
+template <int D, class Real> bool ties(const Constraints<Distance<D>, Real>& distances, Row row) {
+    return distances.high[row] < limit::measure<Real>;
+}
+
 namespace detail {
 template <class Real, class List> struct Tables;
 template <class Real, class... Kind> struct Tables<Real, TypeList<Kind...>> {
@@ -245,6 +250,7 @@ template <int D, class RealT> struct World {
     using Vector = Vec<D, Real>;
 
     Settings<Real> settings;
+    int threads = 0; ///< how many may work on a step; 0: as many as the machine has cores. Never changes a result
     Particles<D, Real> particles;
     ConstraintTables<D, Real> constraints;
     std::vector<Run> sweep; ///< the order in which constraints are solved: as they were added
