@@ -77,7 +77,9 @@ template <int D, class Real> void Puppet::build(Builder<D, Real>& figure) const 
         const auto from = figure.named(link.from), to = figure.named(link.to);
         figure.template constrain<Distance>(
             link.name, {from, to},
-            {.limits = exactly(unit * link.length), .relaxation = classic ? link.relaxation : 1});
+            {.limits = exactly(unit * link.length),
+             .compliance = link.support ? 1.0 : 0.0, // it is not met at first, nor later
+             .relaxation = classic ? link.relaxation : 1});
         figure.draw(Mark::stroke, link.support ? "support" : "limb", {from, to}, thickness, link.support);
     }
     constexpr double degree = pi<double> / 180;
