@@ -32,8 +32,8 @@ class Digest {
                      outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration, dropped_leftover,
                      displaced_hold] = rules;
         add(passes, order, keep, damp_after_force, root_free, bounce, floor_keep, time_scale, longest_step,
-            outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration, dropped_leftover,
-            displaced_hold);
+            outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration);
+        if (dropped_leftover || displaced_hold) add(dropped_leftover, displaced_hold);
     }
 
     template <int D, class Real> void add_one(const Force<D, Real>& force) {
