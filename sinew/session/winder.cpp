@@ -1,5 +1,7 @@
 #include "sinew/session/winder.h"
 
+#include "sinew/scene/check.h"
+#include "sinew/scene/types.h"
 #include "sinew/solver/edit.h"
 
 #include <algorithm>
@@ -46,14 +48,36 @@ const ConstraintSection& Winder::section_of(const Scene& scene, const Driven& dr
     return std::get<ByHand>(scene.figures[driven.figure].made).constraints[driven.section];
 }
 
+/// How many constraints a section made: one, or as many as there are particles of its star.
+template <class WorldT>
+std::size_t made_by(const WorldT& world, const ConstraintSection& section, const std::string& prefix) {
+    std::vector<ParticleId> single, each;
+    bool many = false;
+    for (const auto& name : section.between) {
+        auto found = find_particles(world, full_name(name, prefix));
+        if (found.empty()) return 0;
+        if (name.ends_with('*'))
+            many = true, each = std::move(found);
+        else
+            single.push_back(found.front());
+    }
+    if (!many) return 1;
+    return std::size_t(std::count_if(each.begin(), each.end(),
+                                     [&](ParticleId id) { return std::ranges::find(single, id) == single.end(); }));
+}
+
 void Winder::find(const Scene& scene, const AnyWorld& any) {
     driven_.clear();
     std::visit(
         [&]<class WorldT>(const WorldT& world) {
             for (std::size_t f = 0; f < scene.figures.size(); ++f) {
                 const auto* by_hand = std::get_if<ByHand>(&scene.figures[f].made);
+                const auto prefix = std::string(name_of(scene.figures[f])) + "/";
+                std::size_t next = 0;
                 for (std::size_t i = 0; by_hand && i < by_hand->constraints.size(); ++i)
-                    if (by_hand->constraints[i].drive) driven_.push_back({world.figures[f].constraints[i], f, i});
+                    for (auto left = made_by(world, by_hand->constraints[i], prefix); left-- > 0; ++next)
+                        if (by_hand->constraints[i].drive)
+                            driven_.push_back({world.figures[f].constraints[next], f, i});
             }
             // The scene's own constraints are the last of their kinds, in its order.
             std::array<Row, std::size_t(Kinds<WorldT::dimension>::size)> after{};
@@ -61,11 +85,12 @@ void Winder::find(const Scene& scene, const AnyWorld& any) {
                 int kind = 0;
                 for_each_table(world, [&](const auto& table) {
                     using Kind = typename std::decay_t<decltype(table)>::Kind;
-                    if (scene.constraints[i].kind == Kind::name) {
-                        const Row row = Row(table.size()) - ++after[std::size_t(kind)];
-                        if (scene.constraints[i].drive)
-                            driven_.push_back({{kind, table.slots.id_of(row)}, no_figure_of_scene, i});
-                    }
+                    if (scene.constraints[i].kind == Kind::name)
+                        for (auto left = made_by(world, scene.constraints[i], ""); left-- > 0;) {
+                            const Row row = Row(table.size()) - ++after[std::size_t(kind)];
+                            if (scene.constraints[i].drive)
+                                driven_.push_back({{kind, table.slots.id_of(row)}, no_figure_of_scene, i});
+                        }
                     ++kind;
                 });
             }
