@@ -2,6 +2,7 @@
 
 #include "sinew/scene/reader.h"
 #include "sinew/session/driver.h"
+#include "sinew/session/transplant.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/measure.h"
 #include "sinew/solver/step.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sinew {
 namespace {
@@ -117,6 +119,8 @@ void Session::restart() {
     world_ = instantiate(scene_);
     find_driven();
     next_event_ = 0;
+    hand_.reset();
+    taken_over_ = false;
     held_.clear();
     blowing_.clear();
     happenings_.clear();
@@ -141,6 +145,7 @@ void Session::step() {
     still_gusts();
     drive();
     carry_held();
+    if (hand_) hand_->carry(world_);
     std::visit([&]<class WorldT>(WorldT& world) { sinew::step(world, typename WorldT::Real(dt)); }, world_);
     note_events();
 }
@@ -161,6 +166,7 @@ void Session::happen(const EventSection& event) {
             detail::visit_held(event.event, [&]<class Event>(const Event& happening) {
                 std::string where;
                 if constexpr (std::is_same_v<Event, GrabEvent>) {
+                    if (taken_over_) return;
                     where = happening.particle;
                     let_go(where);
                     const auto id = find_particle(world, where);
@@ -272,6 +278,72 @@ void Session::note_events() {
             for (const auto& event : world.events)
                 note(event.type == EventType::torn ? "torn" : "quarantined",
                      event.figure < world.figures.size() ? world.figures[event.figure].name : "");
+        },
+        world_);
+}
+
+bool Session::grab(std::span<const ParticleId> members, const Point& place) {
+    let_go();
+    std::visit(
+        [&](auto& world) {
+            for (const auto& held : held_) unpin(world, held.pin);
+        },
+        world_);
+    held_.clear();
+    taken_over_ = true;
+    const auto units = scene_.measures();
+    hand_ = Hand::take(world_, members, place, Hand::strength * units.per_metre / square(units.per_second));
+    return hand_.has_value();
+}
+
+void Session::drag(const Point& place) {
+    if (hand_) hand_->target = place;
+}
+
+void Session::let_go() {
+    if (hand_) hand_->let_go(world_);
+    hand_.reset();
+}
+
+void Session::become(Scene scene) {
+    let_go();
+    auto fresh = instantiate(scene);
+    transplant(scene_, world_, scene, fresh);
+    const AnyWorld old = std::exchange(world_, std::move(fresh));
+    scene_ = std::move(scene);
+    std::stable_sort(scene_.events.begin(), scene_.events.end(),
+                     [](const EventSection& a, const EventSection& b) { return a.at < b.at; });
+    const double now = std::visit([](const auto& world) { return world.time; }, world_);
+    next_event_ = 0;
+    while (next_event_ < scene_.events.size() && scene_.events[next_event_].at < now) ++next_event_;
+    find_driven();
+    keep_going(old);
+}
+
+/// What events of the scene began and did not end: holds and gusts.
+void Session::keep_going(const AnyWorld& old) {
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            const auto* before = std::get_if<WorldT>(&old);
+            std::erase_if(held_, [&](Held& held) {
+                const auto id = find_particle(world, held.particle);
+                const auto row = before ? before->pin_slots.find(held.pin) : std::nullopt;
+                if (!id || !row) return true;
+                auto spec = before->pins[*row];
+                const auto again = pin(world, *id,
+                                       {.target = spec.target,
+                                        .compliance = spec.compliance,
+                                        .damping = spec.damping,
+                                        .max_force = spec.max_force});
+                if (again) held.pin = *again;
+                return !again;
+            });
+            for (auto& blowing : blowing_) {
+                if (!before) continue;
+                world.forces.push_back(before->forces[blowing.force]);
+                blowing.force = world.forces.size() - 1;
+            }
+            if (!before) blowing_.clear();
         },
         world_);
 }

@@ -1,14 +1,18 @@
 #pragma once
 
 #include "sinew/scene/scene.h"
+#include "sinew/session/hand.h"
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
+#include "sinew/session/view.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sinew {
@@ -58,6 +62,25 @@ class Session {
     /// Where it is, or where the scene says a pointer would be.
     std::optional<Point> pointer() const;
 
+    /// Takes hold of one particle, or of the place between several; false where one is gone or nothing moves it. What
+    /// was held before is let go.
+    bool grab(std::span<const ParticleId> members, const Point& place);
+    /// Where what is held shall be when the next step ends.
+    void drag(const Point& place);
+    void let_go();
+    /// What is held, or nothing.
+    const Hand* hand() const { return hand_ ? &*hand_ : nullptr; }
+
+    /// Does now what an event of a scene does.
+    void act(const EventSection& event) { happen(event); }
+
+    /// Draws it in another theme than the scene says.
+    void set_theme(std::string name) { scene_.view.theme = std::move(name); }
+
+    /// Goes on as another scene: figures that are the same in both keep where they are, how they move, and what was
+    /// cut.
+    void become(Scene scene);
+
     Report report() const;
     /// All that happened so far; at most `most_happenings`, then only counted.
     const std::vector<Happening>& happenings() const { return happenings_; }
@@ -67,8 +90,12 @@ class Session {
     /// Where a pixel of a picture of that size is in a 2D scene.
     Vec2<double> place_of(Vec2<double> pixel, int width, int height) const;
 
+    /// Two corners around what the scene shows at its start.
+    const std::array<Point, 2>& focus() const { return focus_; }
+
     /// The picture of now, filling `picture` (whose width and height the caller sets), with overlays on it.
     void draw(Picture& picture, OverlaySet overlay = {}) const;
+    void draw(Picture& picture, OverlaySet overlay, const View& view) const;
 
   private:
     struct Held {
@@ -94,6 +121,7 @@ class Session {
     void happen(const EventSection& event);
     void carry_held();
     void still_gusts();
+    void keep_going(const AnyWorld& old);
     void note(std::string what, std::string where);
     void note_events();
 
@@ -104,6 +132,8 @@ class Session {
     std::size_t next_event_ = 0;
     std::vector<Driven> driven_;
     std::optional<Point> pointer_;
+    std::optional<Hand> hand_;
+    bool taken_over_ = false; ///< by a pointer: the scene's own hand keeps away until a restart
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;
     std::vector<Happening> happenings_;

@@ -1,0 +1,25 @@
+#include "apps/play/deed.h"
+
+namespace sinew::play {
+namespace {
+
+struct Doer {
+    Session& session;
+
+    void operator()(const PointAt& deed) const { session.point_at(deed.place); }
+    void operator()(const Grab& deed) const { session.grab(deed.members, deed.place); }
+    void operator()(const Drag& deed) const { session.drag(deed.place); }
+    void operator()(const LetGo&) const { session.let_go(); }
+    void operator()(const Happen& deed) const { session.act(deed.event); }
+    void operator()(const Become& deed) const { session.become(*deed.scene); }
+    void operator()(const Return& deed) const { session = *deed.to; }
+    void operator()(const Restart&) const { session.restart(); }
+};
+
+} // namespace
+
+void carry_out(const Deed& deed, Session& session) {
+    std::visit(Doer{session}, deed);
+}
+
+} // namespace sinew::play

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "sinew/session/session.h"
+
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+/// What a player can do to a session, as data: done again at the same step of the same session, it leads to the same
+/// bits.
+namespace sinew::play {
+
+struct PointAt {
+    std::optional<Point> place;
+}; ///< for pins that follow the pointer
+struct Grab {
+    std::vector<ParticleId> members; ///< one, or several with the place between them
+    Point place;
+};
+struct Drag {
+    Point place;
+};
+struct LetGo {};
+struct Happen {
+    EventSection event;
+};
+struct Become {
+    std::shared_ptr<const Scene> scene;
+}; ///< an edit: another scene, that goes on where it can
+struct Return {
+    std::shared_ptr<const Session> to;
+}; ///< to what it was then
+struct Restart {};
+
+using Deed = std::variant<PointAt, Grab, Drag, LetGo, Happen, Become, Return, Restart>;
+
+void carry_out(const Deed& deed, Session& session);
+
+} // namespace sinew::play
