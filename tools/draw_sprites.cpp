@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace {
 
@@ -273,6 +274,59 @@ void plank(Sprite& s) {
     cairo_new_path(s.pen);
 }
 
+/// A wooden crate: boards in a frame with a brace across, nailed at the corners.
+void crate(Sprite& s) {
+    constexpr unsigned pale = 0xe0b077, wood = 0xc98d4f, dark = 0x8c5526;
+    const double w = s.width - outline, rail = w * 0.15, inner = w / 2 - rail;
+    s.rounded(-w / 2, -w / 2, w, w, 3);
+    s.fill(pale);
+    for (const double y : {-0.2, 0.0, 0.2}) {
+        s.segment(-inner, y * w, inner, y * w);
+        s.line(dark, 1.2, 0.7);
+    }
+    for (const double y : {-0.29, -0.12, 0.08, 0.27}) {
+        cairo_new_path(s.pen);
+        cairo_move_to(s.pen, -inner * 0.8, y * w);
+        cairo_curve_to(s.pen, -inner * 0.3, (y + 0.05) * w, inner * 0.2, (y - 0.05) * w, inner * 0.7, y * w);
+        s.line(dark, 0.8, 0.4);
+    }
+    const auto board = [&](double x, double y, double length, double thick) {
+        s.rounded(x, y, length, thick, 2);
+        s.fill(wood);
+        s.line(ink, outline);
+    };
+    cairo_save(s.pen);
+    cairo_rectangle(s.pen, -inner, -inner, 2 * inner, 2 * inner);
+    cairo_clip(s.pen);
+    cairo_rotate(s.pen, turn / 8);
+    board(-w, -rail / 2, 2 * w, rail);
+    cairo_restore(s.pen);
+    board(-w / 2, -w / 2, rail, w);
+    board(w / 2 - rail, -w / 2, rail, w);
+    board(-w / 2, -w / 2, w, rail);
+    board(-w / 2, w / 2 - rail, w, rail);
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0}) {
+            s.ellipse(x * (w - rail) / 2, y * (w - rail) / 2, 2, 2);
+            s.fill(ink);
+        }
+    cairo_new_path(s.pen);
+}
+
+/// The five of a die.
+void die(Sprite& s) {
+    const double w = s.width - outline, pip = w * 0.25;
+    s.rounded(-w / 2, -w / 2, w, w, w * 0.12);
+    s.fill(0xfbf7ee);
+    s.line(ink, outline);
+    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {0, 0}, {-1, 1}, {1, 1}}) {
+        s.ellipse(x * pip, y * pip, w * 0.085, w * 0.085);
+        s.fill(0xc0392b);
+        s.line(ink, outline);
+    }
+    cairo_new_path(s.pen);
+}
+
 } // namespace
 
 int main(int count, char** words) {
@@ -297,5 +351,7 @@ int main(int count, char** words) {
     drawn("head.png", 40, 44, head);
     drawn("painting.png", 160, 120, painting);
     drawn("plank.png", 60, 12, plank);
+    drawn("crate.png", 100, 100, crate);
+    drawn("die.png", 100, 100, die);
     return good ? 0 : 1;
 }

@@ -95,9 +95,16 @@ std::string long_name(const std::string& names) {
     return names.substr(names.find("--"));
 }
 
+void declare_all(Command& command, CLI::App& parser) {
+    parser.set_help_flag("-h,--help", "this text");
+    command.declare(parser);
+}
+
 } // namespace
 
-bool parse(CLI::App& parser, std::span<const std::string> arguments) {
+bool parse(Command& command, std::span<const std::string> arguments) {
+    CLI::App parser("", std::string(command.manual().name));
+    declare_all(command, parser);
     parser.allow_extras();
     try {
         std::vector<std::string> from_the_end(arguments.rbegin(), arguments.rend()); // as CLI11 wants them
@@ -109,6 +116,19 @@ bool parse(CLI::App& parser, std::span<const std::string> arguments) {
     }
     refuse_unknown_options(parser);
     return true;
+}
+
+std::vector<std::vector<std::string>> option_rows(Command& command) {
+    CLI::App parser;
+    declare_all(command, parser);
+    std::vector<std::vector<std::string>> rows;
+    for (const auto* option : parser.get_options([](const CLI::Option* o) { return o->nonpositional(); })) {
+        const bool takes_value = option->get_items_expected_max() > 0;
+        rows.push_back({option->get_name(false, true) + (takes_value ? " " + option->get_type_name() : ""),
+                        option->get_description()});
+    }
+    if (rows.size() > 1) std::rotate(rows.begin(), rows.begin() + 1, rows.end()); // help last
+    return rows;
 }
 
 void declare_words(CLI::App& parser, Words& target) {

@@ -16,9 +16,14 @@ class App;
 
 namespace sinew::cli {
 
-/// Reads the arguments of one command, its name not among them. Whether it is to be run: not so where help was asked
-/// for.
-bool parse(CLI::App& parser, std::span<const std::string> arguments);
+class Command;
+
+/// Sets the members of a command from its arguments, its name not among them. Whether it is to be run: not so where
+/// help was asked for.
+bool parse(Command& command, std::span<const std::string> arguments);
+
+/// The options of a command and what they do, a row each.
+std::vector<std::vector<std::string>> option_rows(Command& command);
 
 /// What a command line says beside its options.
 struct Words {

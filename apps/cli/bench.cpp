@@ -9,7 +9,6 @@
 #include "canvas/interrupt.h"
 #include "canvas/progress.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -3,7 +3,6 @@
 #include "apps/cli/console.h"
 #include "apps/cli/scene_file.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace sinew::cli {

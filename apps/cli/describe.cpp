@@ -7,7 +7,6 @@
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>

@@ -11,7 +11,6 @@
 #include "canvas/interrupt.h"
 #include "canvas/partial_file.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>

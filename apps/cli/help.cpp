@@ -1,9 +1,10 @@
 #include "apps/cli/help.h"
 
+#include "apps/cli/arguments.h"
 #include "apps/cli/catalogue.h"
+#include "apps/cli/command.h"
 #include "apps/cli/console.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace sinew::cli {
@@ -24,17 +25,6 @@ constexpr std::string_view overview_examples =
   sinew describe rope                               what can be said of a rope in a scene file
   sinew check my.json                               what is wrong with a scene file
 )";
-
-std::vector<std::vector<std::string>> option_rows(const CLI::App& parser) {
-    std::vector<std::vector<std::string>> rows;
-    for (const auto* option : parser.get_options([](const CLI::Option* o) { return o->nonpositional(); })) {
-        const bool takes_value = option->get_items_expected_max() > 0;
-        rows.push_back({option->get_name(false, true) + (takes_value ? " " + option->get_type_name() : ""),
-                        option->get_description()});
-    }
-    if (rows.size() > 1) std::rotate(rows.begin(), rows.begin() + 1, rows.end()); // help last
-    return rows;
-}
 
 std::string indented(std::string_view lines) {
     std::string out;
@@ -64,13 +54,10 @@ std::string overview_text() {
 
 std::string manual_text(Command& command) {
     const auto manual = command.manual();
-    CLI::App parser;
-    parser.set_help_flag("-h,--help", "this text");
-    command.declare(parser);
     auto text = fmt::format("sinew {} {}\n\n{}\n{}", manual.name, manual.about, bold("usage"),
                             indented(fmt::format("sinew {} {}\n", manual.name, manual.usage)));
     if (manual.usage.find("key=value") != std::string_view::npos) text += words_text;
-    text += fmt::format("\n{}\n{}", bold("options"), table(option_rows(parser)));
+    text += fmt::format("\n{}\n{}", bold("options"), table(option_rows(command)));
     if (!manual.details.empty()) text += "\n" + indented(manual.details);
     return text + fmt::format("\n{}\n{}", bold("examples"), indented(manual.examples));
 }

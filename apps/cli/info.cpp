@@ -7,7 +7,6 @@
 #include "apps/cli/stepping.h"
 #include "canvas/interrupt.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace sinew::cli {

@@ -6,7 +6,6 @@
 #include "apps/cli/scene_file.h"
 #include "apps/cli/scene_page.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace sinew::cli {

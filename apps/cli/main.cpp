@@ -7,7 +7,6 @@
 #include "apps/cli/console.h"
 #include "apps/cli/help.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <exception>
@@ -47,10 +46,7 @@ std::unique_ptr<Command> command_of(const std::string& word) {
 }
 
 int run_command(Command& command, Arguments arguments) {
-    CLI::App parser("", std::string(command.manual().name));
-    parser.set_help_flag("-h,--help", "this text");
-    command.declare(parser);
-    if (parse(parser, arguments)) return command.run();
+    if (parse(command, arguments)) return command.run();
     print(manual_text(command));
     return done;
 }

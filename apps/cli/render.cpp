@@ -10,7 +10,6 @@
 #include "canvas/interrupt.h"
 #include "canvas/sheet.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -7,7 +7,6 @@
 #include "apps/cli/stepping.h"
 #include "canvas/interrupt.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>

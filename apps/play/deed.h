@@ -2,6 +2,7 @@
 
 #include "sinew/session/session.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -22,8 +23,11 @@ struct Drag {
     Point place;
 };
 struct LetGo {};
-struct Happen {
-    EventSection event;
+/// As seen in a view.
+struct Slash {
+    std::array<Point, 2> line;
+    double within = 0;
+    View view;
 };
 struct Become {
     std::shared_ptr<const Scene> scene;
@@ -33,7 +37,7 @@ struct Return {
 }; ///< to what it was then
 struct Restart {};
 
-using Deed = std::variant<PointAt, Grab, Drag, LetGo, Happen, Become, Return, Restart>;
+using Deed = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart>;
 
 void carry_out(const Deed& deed, Session& session);
 

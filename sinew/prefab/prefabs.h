@@ -1,12 +1,15 @@
 #pragma once
 
 #include "sinew/prefab/box.h"
+#include "sinew/prefab/bridge.h"
 #include "sinew/prefab/chain.h"
 #include "sinew/prefab/cloth.h"
 #include "sinew/prefab/polygon.h"
 #include "sinew/prefab/ragdoll.h"
 #include "sinew/prefab/rope.h"
 #include "sinew/prefab/stick_figure.h"
+#include "sinew/prefab/swing.h"
+#include "sinew/prefab/tire.h"
 
 #include <optional>
 #include <string>
@@ -23,7 +26,7 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll>;
+using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire, Swing, Bridge>;
 
 namespace detail {
 template <class List> struct VariantOf;

@@ -19,6 +19,8 @@ struct Strand {
     double mass = 1;
     double weight = 0; ///< added to the last particle
     double radius = 0;
+    double x = 0, y = 0;                                               ///< where it begins
+    std::string_view stem = "particle", first = "start", last = "end"; ///< names of all, of the first, of the last
 };
 
 /// Half the turn from one piece to the next of a strand that hangs with some slack in an arc of a circle:
@@ -26,8 +28,7 @@ struct Strand {
 double half_turn_of_slack(int pieces, double slack);
 
 /// The particles of a strand, at equal steps along an arc that hangs through. Each weighs the half of the pieces it
-/// ends, so that what a piece carries is the weight below its middle. The first is called "start", the last "end", all
-/// of them particle_0, particle_1, ...
+/// ends, so that what a piece carries is the weight below its middle.
 template <int D, class Real> std::vector<ParticleId> build_strand(Builder<D, Real>& figure, const Strand& strand) {
     const auto pieces = std::size_t(strand.pieces);
     const double piece = strand.length / strand.pieces, share = strand.mass / strand.pieces;
@@ -35,24 +36,25 @@ template <int D, class Real> std::vector<ParticleId> build_strand(Builder<D, Rea
 
     std::vector<ParticleId> particles;
     particles.reserve(pieces + 1);
-    figure.number_particles("particle", pieces + 1);
-    particles.push_back(figure.particle("start", {}, share / 2, strand.radius));
-    double x = 0, y = 0;
+    figure.number_particles(strand.stem, pieces + 1);
+    double x = strand.x, y = strand.y;
+    particles.push_back(figure.particle(strand.first, on_screen<D>(x, y), share / 2, strand.radius));
     for (std::size_t i = 0; i < pieces; ++i) {
         const double heading = strand.angle + half_turn * (2 * double(i) - double(pieces - 1));
         x += piece * sine(heading);
         y -= piece * cosine(heading);
         const bool last = i + 1 == pieces;
-        particles.push_back(figure.particle(last ? "end" : "", on_screen<D>(x, y),
+        particles.push_back(figure.particle(last ? strand.last : "", on_screen<D>(x, y),
                                             last ? share / 2 + strand.weight : share, strand.radius));
     }
     return particles;
 }
 
-/// Joins each particle of a row to the next; the links are called link_0, link_1, ...
+/// Joins each particle of a row to the next; the links are called stem_0, stem_1, ...
 template <int D, class Real>
-void link(Builder<D, Real>& figure, const std::vector<ParticleId>& row, const ConstraintSpec<double>& spec) {
-    figure.number_constraints("link", row.size() - 1);
+void link(Builder<D, Real>& figure, const std::vector<ParticleId>& row, const ConstraintSpec<double>& spec,
+          std::string_view stem = "link") {
+    figure.number_constraints(stem, row.size() - 1);
     for (std::size_t i = 0; i + 1 < row.size(); ++i)
         figure.template constrain<Distance>("", {row[i], row[i + 1]}, spec);
 }

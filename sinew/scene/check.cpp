@@ -43,10 +43,6 @@ class ValueCheck {
             detail::visit_held(scene_.pins[i].driver, [&](const auto& driver) {
                 if constexpr (requires { driver.keys; }) keys(driver.keys, under("pins", i, "keys"));
             });
-        for (std::size_t i = 0; i < scene_.events.size(); ++i)
-            if (std::holds_alternative<CutEvent>(scene_.events[i].event) && scene_.dimension != 2)
-                document_.error(under("events", i, "cut"), "a cut along a line needs a scene of 2 dimensions",
-                                "use snip, which names constraints");
     }
 
   private:

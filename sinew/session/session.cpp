@@ -3,8 +3,11 @@
 #include "sinew/scene/reader.h"
 #include "sinew/session/driver.h"
 #include "sinew/session/transplant.h"
+#include "sinew/session/view.h"
+#include "sinew/solver/cut.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/measure.h"
+#include "sinew/solver/sever.h"
 #include "sinew/solver/step.h"
 
 #include <algorithm>
@@ -22,28 +25,8 @@ template <class WorldT> Gravity<WorldT::dimension, typename WorldT::Real>* gravi
                                 : std::get_if<Gravity<WorldT::dimension, typename WorldT::Real>>(&world.forces.front());
 }
 
-/// Whether the segments a b and c d cross.
-bool cross_each_other(Vec2<double> a, Vec2<double> b, Vec2<double> c, Vec2<double> d) {
-    const auto side = [](Vec2<double> from, Vec2<double> to, Vec2<double> point) {
-        return cross(to - from, point - from);
-    };
-    return (side(a, b, c) > 0) != (side(a, b, d) > 0) && (side(c, d, a) > 0) != (side(c, d, b) > 0);
-}
-
-template <class WorldT>
-std::vector<ConstraintId> distances_across(const WorldT& world, const std::array<Point, 2>& line) {
-    std::vector<ConstraintId> crossed;
-    const auto& distances = std::get<kind_number<Distance, WorldT::dimension>>(world.constraints);
-    const auto flat = [&](Row row) {
-        const auto& place = world.particles.position[row];
-        return Vec2<double>{{double(place[0]), double(place[1])}};
-    };
-    for (Row row = 0; row < distances.size(); ++row) {
-        const auto ends = distances.members[row];
-        if (cross_each_other(line[0].as<2, double>(), line[1].as<2, double>(), flat(ends[0]), flat(ends[1])))
-            crossed.push_back({kind_number<Distance, WorldT::dimension>, distances.slots.id_of(row)});
-    }
-    return crossed;
+template <class WorldT> bool is_link(const Event& torn) {
+    return torn.constraint.kind == kind_number<Distance, WorldT::dimension>;
 }
 
 /// What an event does to a world. Returns where it happened, as the scene calls it.
@@ -62,16 +45,11 @@ template <class WorldT> struct Doer {
         return impulse.target;
     }
 
-    std::string operator()(const CutEvent& cut) const {
-        remove_constraints(world, std::span<const ConstraintId>(distances_across(world, cut.line)));
-        return "";
-    }
-
     std::string operator()(const SnipEvent& snip) const {
         std::vector<ConstraintId> ids;
         for (const auto& name : snip.constraints)
             if (const auto id = find_constraint(world, name)) ids.push_back(*id);
-        remove_constraints(world, std::span<const ConstraintId>(ids));
+        cut(world, std::span<const ConstraintId>(ids));
         return snip.constraints.empty() ? "" : snip.constraints.front();
     }
 
@@ -185,11 +163,44 @@ void Session::happen(const EventSection& event) {
                     blowing_.push_back({world.forces.size(), now + happening.over});
                     world.forces.push_back(Wind<D, Real>{.velocity = happening.velocity.template as<D, Real>(),
                                                          .strength = Real(happening.strength)});
+                } else if constexpr (std::is_same_v<Event, CutEvent>) {
+                    if (cut(happening.line, happening.within) > 0) return; // has told of it
                 } else {
                     where = Doer<WorldT>{world}(happening);
                 }
                 note(std::string(Event::name), where);
             });
+        },
+        world_);
+}
+
+std::size_t Session::cut(const std::array<Point, 2>& line, double within) {
+    return cut(line, within, View(scene_, focus_, scene_.view.size[0], scene_.view.size[1]));
+}
+
+std::size_t Session::cut(const std::array<Point, 2>& line, double within, const View& view) {
+    return std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            Cut done;
+            if constexpr (WorldT::dimension == 2) {
+                done = sinew::cut(world, Blade{line[0].as<2, double>(), line[1].as<2, double>(), within});
+            } else {
+                const auto from = view.see(line[0].as<3, double>()), to = view.see(line[1].as<3, double>());
+                if (!from || !to) return done.links;
+                std::vector<Vec2<double>> pixels;
+                pixels.reserve(world.particles.size());
+                for (const auto& place : world.particles.position) {
+                    constexpr double nowhere = std::numeric_limits<double>::infinity();
+                    const auto seen = view.see(cast<double>(place));
+                    pixels.push_back(seen ? cast<double>(seen->pixel) : Vec2<double>{{nowhere, nowhere}});
+                }
+                const double scale = (double(from->scale) + double(to->scale)) / 2;
+                done = sinew::cut(world, Blade{cast<double>(from->pixel), cast<double>(to->pixel), within * scale},
+                                  std::span<const Vec2<double>>(pixels));
+            }
+            for (const auto figure : done.figures)
+                note(std::string(CutEvent::name), figure < world.figures.size() ? world.figures[figure].name : "");
+            return done.links;
         },
         world_);
 }
@@ -274,10 +285,15 @@ void Session::note(std::string what, std::string where) {
 
 void Session::note_events() {
     std::visit(
-        [&](const auto& world) {
-            for (const auto& event : world.events)
+        [&](auto& world) {
+            std::vector<Ends> gone;
+            for (const auto& event : world.events) {
                 note(event.type == EventType::torn ? "torn" : "quarantined",
                      event.figure < world.figures.size() ? world.figures[event.figure].name : "");
+                if (event.type == EventType::torn && is_link<std::decay_t<decltype(world)>>(event))
+                    gone.push_back(event.ends);
+            }
+            sever(world, std::span<const Ends>(gone));
         },
         world_);
 }

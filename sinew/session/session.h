@@ -71,15 +71,17 @@ class Session {
     /// What is held, or nothing.
     const Hand* hand() const { return hand_ ? &*hand_ : nullptr; }
 
-    /// Does now what an event of a scene does.
-    void act(const EventSection& event) { happen(event); }
-
     /// Draws it in another theme than the scene says.
     void set_theme(std::string name) { scene_.view.theme = std::move(name); }
 
     /// Goes on as another scene: figures that are the same in both keep where they are, how they move, and what was
     /// cut.
     void become(Scene scene);
+
+    /// Cuts every distance that crosses the line from one place to the other or comes within some length of it, as seen
+    /// in the picture; tells how many. What a pointer draws is a row of such lines.
+    std::size_t cut(const std::array<Point, 2>& line, double within = 0);
+    std::size_t cut(const std::array<Point, 2>& line, double within, const View& view);
 
     Report report() const;
     /// All that happened so far; at most `most_happenings`, then only counted.

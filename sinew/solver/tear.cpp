@@ -25,9 +25,14 @@ template <int D, class Real> void tear(World<D, Real>& world) {
             if (table.breaking_strain[row] >= limit::measure<Real> || world.events.size() >= events_per_step) continue;
             if (absolute(strain_of(world, table, row)) <= table.breaking_strain[row]) continue;
             const ConstraintId id{kind, table.slots.id_of(row)};
+            const auto members = table.members[row];
             table.torn[row] = 1;
             torn = true;
-            world.events.push_back({.type = EventType::torn, .figure = table.figure[row], .constraint = id});
+            world.events.push_back(
+                {.type = EventType::torn,
+                 .figure = table.figure[row],
+                 .constraint = id,
+                 .ends = {world.particles.slots.id_of(members.front()), world.particles.slots.id_of(members.back())}});
         }
         if (torn) detail::erase_constraints(world, table, kind, table.torn);
         any = any || torn;

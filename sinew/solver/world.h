@@ -224,8 +224,9 @@ enum class EventType : std::uint8_t {
 struct Event {
     EventType type{};
     FigureIndex figure = no_figure;
-    ConstraintId constraint{}; ///< torn: its id while it lived
-    ParticleId particle{};     ///< quarantined: the first that was not finite
+    ConstraintId constraint{};        ///< torn: its id while it lived
+    std::array<ParticleId, 2> ends{}; ///< torn: its first particle and its last
+    ParticleId particle{};            ///< quarantined: the first that was not finite
 };
 
 /// Events a step can report. A step that would tear more leaves the rest for the next.

@@ -100,5 +100,27 @@ TEST(StickFigure, IsAsTallAsItsHeightFromTheTopOfItsHeadToItsFeet) {
     EXPECT_NEAR(made.place("head")[1] + head.width / 2 - made.place("left_foot")[1], 2, 1e-12);
 }
 
+TEST(Tire, HasTreadBracesAndSpokesAsTheOriginals) {
+    using Counts = std::pair<std::size_t, std::size_t>;
+    const auto counts = [](int segments) {
+        const auto made = make(Tire{.segments = segments});
+        return Counts(made.particles(), made.constraints());
+    };
+    EXPECT_EQ(counts(30), Counts(31, 90));
+    EXPECT_EQ(counts(7), Counts(8, 21));
+    EXPECT_EQ(counts(10), Counts(11, 25)) << "opposite corners share a brace";
+    for (const int few : {3, 4, 5, 6}) EXPECT_EQ(counts(few), Counts(few + 1, 2 * few)) << "a brace would be an edge";
+}
+
+TEST(Tire, HasItsRelaxationsInClassicModeOnly) {
+    const Tire tire{.segments = 7, .spoke_relaxation = 0.025, .tread_relaxation = 0.05};
+    const auto classic = make(tire, Mode::classic), physical = make(tire);
+    const auto& shares = std::get<kind_number<Distance, 2>>(classic.world.constraints).relaxation;
+    EXPECT_EQ(shares.front(), 0.05);
+    EXPECT_EQ(shares.back(), 0.025);
+    for (const auto share : std::get<kind_number<Distance, 2>>(physical.world.constraints).relaxation)
+        EXPECT_EQ(share, 1);
+}
+
 } // namespace
 } // namespace sinew

@@ -29,13 +29,13 @@ class CutTool final : public Tool {
         const auto to = play.pointer();
         if (to == from_) return;
         const auto view = play.view();
-        const double depth = norm(view.towards_eye()) > 0 ? 1 : 0; // any: only the direction counts
-        const CutEvent cut{.line = {view.place_of(from_, depth), view.place_of(to, depth)}};
+        constexpr double depth = 1; // any: only the direction counts
+        const Slash slash{{view.place_of(from_, depth), view.place_of(to, depth)}, 0, view};
         const auto before = count_constraints(play.session().world());
         if (cut_ == 0)
-            play.tape().edit(Happen{{.event = cut}}, "cut");
+            play.tape().edit(slash, "cut");
         else
-            play.tape().act(Happen{{.event = cut}});
+            play.tape().act(slash);
         const auto gone = before - count_constraints(play.session().world());
         if (cut_ == 0 && gone == 0) play.tape().forget_edit();
         cut_ += gone;

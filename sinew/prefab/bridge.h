@@ -1,0 +1,48 @@
+#pragma once
+
+#include "sinew/prefab/strand.h"
+
+namespace sinew {
+
+/// Planks joined end to end between two banks, standing on the left one. Particles joint_0 (also called left_bank),
+/// ..., the last also called right_bank; constraints plank_0 (joint_0 to joint_1), .... With a rail also rail_0, ...
+/// above the joints, held above the banks; rail_link_0, ... between them and hanger_0 (joint_1 to rail_1), ....
+struct Bridge {
+    static constexpr std::string_view name = "bridge";
+    static constexpr std::string_view about = "Planks that hang between two banks, with or without a rail of rope.";
+    static constexpr Dimensions dimensions{2, 3};
+
+    double span = 4;
+    int planks = 16;
+    double slack = 0.04;
+    double rail = 0;
+    double mass = 40;
+    double thickness = 0.08;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        constexpr double least = 1e-6, most = 1e6;
+        visit(self.span,
+              Field{.name = "span", .help = "From bank to bank", .unit = unit::length, .low = least, .high = most});
+        visit(self.planks, Field{.name = "planks", .help = "How many", .low = 2, .high = 1e9});
+        visit(self.slack, Field{.name = "slack",
+                                .help = "How much longer it is than the way between the banks: 0.1 is a tenth",
+                                .low = 0,
+                                .high = 100});
+        visit(self.rail, Field{.name = "rail",
+                               .help = "How high above the planks a rope runs; 0: there is none",
+                               .unit = unit::length,
+                               .low = 0,
+                               .high = most});
+        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.thickness, Field{.name = "thickness",
+                                    .help = "Of a plank; it stays half of it away from walls",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = most});
+    }
+
+    Sizes sizes() const;
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew

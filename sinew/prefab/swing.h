@@ -1,0 +1,61 @@
+#pragma once
+
+#include "sinew/prefab/strand.h"
+
+namespace sinew {
+
+/// A seat on two ropes, hanging from the point in the middle between its hooks. Particles left_0 (also called
+/// left_hook), ..., the last also called seat_left; right_0 (right_hook), ..., seat_right. Constraints left_link_0,
+/// ..., right_link_0, ... from the hooks down, and seat. In classic mode the pieces of the ropes are sticks.
+struct Swing {
+    static constexpr std::string_view name = "swing";
+    static constexpr std::string_view about = "A seat on two ropes, to be pushed.";
+    static constexpr Dimensions dimensions{2, 3};
+
+    double length = 1.8;
+    double width = 0.6;
+    int segments = 12;
+    double angle = 0;
+    double mass = 4;
+    double weight = 0;
+    double thickness = 0.03;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        constexpr double least = 1e-6, most = 1e6;
+        visit(self.length, Field{.name = "length",
+                                 .help = "Of each rope, from hook to seat",
+                                 .unit = unit::length,
+                                 .low = least,
+                                 .high = most});
+        visit(self.width, Field{.name = "width",
+                                .help = "Of the seat: from rope to rope",
+                                .unit = unit::length,
+                                .low = least,
+                                .high = most});
+        visit(self.segments,
+              Field{.name = "segments", .help = "How many straight pieces a rope is made of", .low = 1, .high = 1e9});
+        visit(self.angle, Field{.name = "angle",
+                                .help = "How far it is drawn aside at first: 0 hangs straight down, 90 is level to the "
+                                        "right",
+                                .unit = unit::angle,
+                                .low = -2 * pi<double>,
+                                .high = 2 * pi<double>});
+        visit(self.mass, Field{.name = "mass",
+                               .help = "Of the ropes and the seat, which weighs half of it",
+                               .unit = unit::mass,
+                               .low = 1e-6,
+                               .high = 1e9});
+        visit(self.weight,
+              Field{.name = "weight", .help = "Mass that sits on it", .unit = unit::mass, .low = 0, .high = 1e9});
+        visit(self.thickness, Field{.name = "thickness",
+                                    .help = "Of a rope as drawn; the seat is twice as thick",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = most});
+    }
+
+    Sizes sizes() const;
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "sinew/prefab/builder.h"
+
+namespace sinew {
+
+/// Particles corner_0, ... counter-clockwise about center; constraints tread_0, ... along the rim, brace_0, ... from a
+/// corner to one further on, spoke_0, ... from the centre. (After the tire of verlet-js.)
+struct Tire {
+    static constexpr std::string_view name = "tire";
+    static constexpr std::string_view about =
+        "A tire that gives where it stands: a tread with braces, and spokes to a hub.";
+    static constexpr Dimensions dimensions{2, 2};
+
+    int segments = 30;
+    double radius = 0.5;
+    int brace_span = 5;
+    double spoke_compliance = 1e-3;
+    double tread_compliance = 2e-4;
+    double spoke_relaxation = 1;
+    double tread_relaxation = 1;
+    double mass = 10;
+    double thickness = 0.1;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.segments, Field{.name = "segments", .help = "Corners, each with a spoke", .low = 3, .high = 1e9});
+        visit(self.radius, Field{.name = "radius",
+                                 .help = "From the hub, where it stands, to the tread",
+                                 .unit = unit::length,
+                                 .low = 1e-6,
+                                 .high = 1e6});
+        visit(self.brace_span, Field{.name = "brace_span",
+                                     .help = "A brace joins a corner and the one so many further on, unless those are "
+                                             "one, or neighbours",
+                                     .low = 2,
+                                     .high = 1e9});
+        visit(self.spoke_compliance, Field{.name = "spoke_compliance",
+                                           .help = "How soft the spokes are; 0 is rigid",
+                                           .unit = unit::compliance,
+                                           .low = 0,
+                                           .high = 1e9});
+        visit(self.tread_compliance, Field{.name = "tread_compliance",
+                                           .help = "The same of tread and braces",
+                                           .unit = unit::compliance,
+                                           .low = 0,
+                                           .high = 1e9});
+        visit(self.spoke_relaxation, Field{.name = "spoke_relaxation",
+                                           .help = "Share of their error that spokes lose in a pass (classic mode)",
+                                           .low = 0,
+                                           .high = 1});
+        visit(self.tread_relaxation, Field{.name = "tread_relaxation",
+                                           .help = "The same of tread and braces (classic mode)",
+                                           .low = 0,
+                                           .high = 1});
+        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.thickness, Field{.name = "thickness",
+                                    .help = "Of the tread, which keeps the corners half of it away from walls",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = 1e6});
+    }
+
+    Sizes sizes() const { return {.particles = std::size_t(segments) + 1, .constraints = 3 * std::size_t(segments)}; }
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew

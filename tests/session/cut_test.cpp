@@ -1,0 +1,74 @@
+#include "sinew/session/session.h"
+#include "sinew/solver/edit.h"
+
+#include <gtest/gtest.h>
+
+/// Cuts in scenes: events and pointers.
+namespace sinew {
+namespace {
+
+Session session_of(const std::string& more, const std::string& figure) {
+    auto document = load(R"({"sinew": 1, )" + more + R"("figures": [)" + figure + "]}", "test.json");
+    auto opened = open_scene(document);
+    EXPECT_TRUE(opened) << to_text(document.diagnostics);
+    return Session(std::move(*opened));
+}
+
+const std::string rope = R"({"prefab": "rope", "name": "rope", "segments": 10, "length": 1, "at": [0, 1]})";
+
+std::vector<std::string> told(const Session& session) {
+    std::vector<std::string> texts;
+    for (const auto& happening : session.happenings()) texts.push_back(happening.what + " " + happening.where);
+    return texts;
+}
+
+TEST(Cuts, AnEventCutsWhatItCrossesAndTellsWhose) {
+    auto session =
+        session_of(R"("world": {"gravity": [0, -9.81]}, "events": [{"at": 0.1, "cut": [[-1, 0.55], [1, 0.55]]},
+                                            {"at": 0.2, "cut": [[5, 0], [6, 0]]}], )",
+                   rope);
+    const auto before = session.report().constraints;
+    session.run_until(0.3);
+    EXPECT_LT(session.report().constraints, before);
+    EXPECT_EQ(told(session), (std::vector<std::string>{"cut rope", "cut "}));
+    EXPECT_LT(
+        position_of(std::get<1>(session.world()), *find_particle(std::get<1>(session.world()), "rope/end")).value()[1],
+        -0.01);
+}
+
+// The camera looks along -x: what is seen to the right is further along -z.
+TEST(Cuts, InSpaceTheyGoWhereTheyAreSeen) {
+    const std::string side = R"("dimension": 3, "view": {"camera": {"eye": [5, 0.5, 0], "target": [0, 0.5, 0]}}, )";
+    const std::string rope3 = R"({"prefab": "rope", "name": "rope", "segments": 10, "length": 1, "at": [0, 1, 0]})";
+    auto session = session_of(side, rope3);
+    const double near = 2.5; // half way to the eye: what is crossed lies twice as far from the middle
+    EXPECT_EQ(session.cut({Point{{near, 0.5, -0.2}}, Point{{near, 0.5, -0.1}}}), 0U);
+    EXPECT_EQ(session.cut({Point{{near, 0.62, -0.2}}, Point{{near, 0.64, 0.2}}}), 1U);
+    const auto& world = std::get<World<3, double>>(session.world());
+    EXPECT_FALSE(find_constraint(world, "rope/link_2"));
+    EXPECT_TRUE(find_constraint(world, "rope/link_1"));
+    EXPECT_EQ(session.cut({Point{{7, 0.5, -0.2}}, Point{{7, 0.5, 0.2}}}, 10), 0U); // behind the eye
+    EXPECT_EQ(told(session), std::vector<std::string>{"cut rope"});
+}
+
+TEST(Cuts, ATornLinkIsDrawnNoLonger) {
+    auto session = session_of(R"("units": {"length": "px"}, "world": {"gravity": [0, -981]}, )",
+                              R"({"name": "x", "particles": {"top": {"at": [0, 100], "pinned": true},
+        "low": {"at": [0, 0], "mass": 1}}, "constraints": [{"between": ["top", "low"], "compliance": 0.1,
+        "breaking_strain": 0.2}]})");
+    const auto lines = [&] {
+        Picture picture;
+        picture.width = picture.height = 400;
+        session.draw(picture);
+        return std::count_if(picture.items.begin(), picture.items.end(),
+                             [](const auto& item) { return item.shape == Shape::polyline; });
+    };
+    const auto before = lines();
+    EXPECT_GE(before, 1);
+    session.run_until(2);
+    EXPECT_EQ(told(session), std::vector<std::string>{"torn x"});
+    EXPECT_LT(lines(), before);
+}
+
+} // namespace
+} // namespace sinew
