@@ -1,3 +1,6 @@
+#include "sinew/solver/islands.h"
+#include "sinew/solver/rig.h"
+
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
@@ -26,6 +29,7 @@ struct FigureSummary {
     std::string name, prefab;
     std::size_t particles = 0;
     double mass = 0;
+    std::size_t islands = 0; ///< in the end
     KindCounts constraints;
     std::vector<std::string> particle_names, constraint_names;
 };
@@ -53,13 +57,9 @@ template <class Id> std::vector<std::string> names_in(const NameTable<Id>& named
 }
 
 template <int D, class Real> FigureSummary summary_of(const World<D, Real>& world, const Figure& figure) {
-    FigureSummary summary{figure.name,
-                          figure.prefab,
-                          figure.particles.size(),
-                          mass_of(world, figure),
-                          no_constraints<D>(),
-                          names_in(figure.particle_names),
-                          names_in(figure.constraint_names)};
+    FigureSummary summary{
+        figure.name, figure.prefab,       figure.particles.size(),         mass_of(world, figure),
+        0,           no_constraints<D>(), names_in(figure.particle_names), names_in(figure.constraint_names)};
     for (const auto& constraint : figure.constraints) ++summary.constraints[std::size_t(constraint.kind)].count;
     return summary;
 }
@@ -72,6 +72,29 @@ std::vector<FigureSummary> figures_of(const AnyWorld& any) {
         },
         any);
     return figures;
+}
+
+/// Into how many islands each has fallen by now.
+void count_islands(const AnyWorld& any, std::vector<FigureSummary>& figures) {
+    const auto counts = std::visit([](const auto& world) { return islands(world); }, any);
+    for (std::size_t i = 0; i < figures.size() && i < counts.size(); ++i) figures[i].islands = counts[i];
+}
+
+std::vector<RigFault> rig_of(const AnyWorld& any) {
+    return std::visit([](const auto& world) { return rig_faults(world); }, any);
+}
+
+std::string rig_text(const std::vector<RigFault>& faults) {
+    if (faults.empty()) return "  nothing is wrong with it\n";
+    Rows rows;
+    for (const auto& fault : faults) rows.push_back({fault.where, fault.what});
+    return table(rows);
+}
+
+json::Array rig_json(const std::vector<RigFault>& faults) {
+    json::Array items;
+    for (const auto& fault : faults) items.push_back(json::Object{{"where", fault.where}, {"what", fault.what}});
+    return items;
 }
 
 KindCounts constraints_of(const AnyWorld& any) {
@@ -133,7 +156,8 @@ std::string figures_text(const std::vector<FigureSummary>& figures, const Scene&
     Rows rows;
     for (const auto& figure : figures)
         rows.push_back({figure.name, figure.prefab, count_of(figure.particles, "particle"),
-                        quantity(figure.mass, unit::mass, scene), in_words(figure.constraints)});
+                        quantity(figure.mass, unit::mass, scene), in_words(figure.constraints),
+                        count_of(figure.islands, "island") + " in the end"});
     return table(rows);
 }
 
@@ -149,11 +173,9 @@ std::string names_text(const std::vector<FigureSummary>& figures) {
 json::Array figures_json(const std::vector<FigureSummary>& figures, bool names) {
     json::Array items;
     for (const auto& figure : figures) {
-        json::Object item{{"name", figure.name},
-                          {"prefab", figure.prefab},
-                          {"particles", figure.particles},
-                          {"mass", figure.mass},
-                          {"constraints", in_json(figure.constraints)}};
+        json::Object item{{"name", figure.name},           {"prefab", figure.prefab},
+                          {"particles", figure.particles}, {"mass", figure.mass},
+                          {"islands", figure.islands},     {"constraints", in_json(figure.constraints)}};
         if (names) {
             item.push_back({"particle_names", in_json(figure.particle_names)});
             item.push_back({"constraint_names", in_json(figure.constraint_names)});
@@ -176,7 +198,11 @@ class InfoCommand final : public Command {
             .name = "info",
             .usage = "SCENE [--seconds S] [--names] [--json] [key=value...]",
             .about = "tells what is in a scene: figures, constraints, forces, energy, stretch",
-            .details = "Energy, stretch and speed are told as they are at the start and after some seconds.\n",
+            .details =
+                "Energy, stretch and speed are told as they are at the start and after some seconds; so is into\n"
+                "how many islands a figure has fallen that was cut or torn. What is wrong with the rig as it\n"
+                "starts is listed by name: limits that nothing can meet or that the pose breaks, lengths that\n"
+                "cannot all be, loops that nothing can move.\n",
             .examples = "sinew info ragdoll\n"
                         "sinew info ragdoll --names                what events and pins can refer to\n"
                         "sinew info cloth_wind --seconds 1 mode=classic\n",
@@ -196,7 +222,8 @@ class InfoCommand final : public Command {
         canvas::catch_interrupts();
         const auto& scene = run.session.scene();
         const auto& name = words.scene;
-        const auto figures = figures_of(run.session.world());
+        auto figures = figures_of(run.session.world());
+        const auto faults = rig_of(run.session.world());
         const auto kinds = constraints_of(run.session.world());
         const auto pins = pins_of(run.session.world());
         const auto before = run.session.report();
@@ -206,11 +233,13 @@ class InfoCommand final : public Command {
             run.advance(steps, progress);
         }
         const auto after = run.session.report();
+        count_islands(run.session.world(), figures);
 
         if (as_json) {
             auto object = scene_json(name, scene);
             object.push_back({"about", scene.about});
             object.push_back({"figures", figures_json(figures, names)});
+            object.push_back({"rig", rig_json(faults)});
             object.push_back({"constraints", in_json(kinds)});
             object.push_back({"pins", pins});
             object.push_back({"forces", in_json(forces_of(scene))});
@@ -223,6 +252,7 @@ class InfoCommand final : public Command {
         print(fmt::format("{} {}\n", bold(name), scene_text(scene)));
         if (!scene.about.empty()) print(scene.about + "\n");
         print(fmt::format("\n{}\n{}", bold("figures"), figures_text(figures, scene)));
+        print(fmt::format("\n{}\n{}", bold("rig"), rig_text(faults)));
         print(fmt::format("\n{}\n{}", bold("world"),
                           table({{"constraints", in_words(kinds)},
                                  {"pins", std::to_string(pins)},

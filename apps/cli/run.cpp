@@ -56,9 +56,11 @@ StepTimes timed(Run& run, std::uint64_t steps, const std::string& label) {
 json::Array events_json(const Session& session) {
     constexpr std::size_t most = 100;
     json::Array events;
-    for (const auto& [seconds, what, where] : session.happenings()) {
+    for (const auto& [seconds, what, where, islands] : session.happenings()) {
         if (events.size() == most) break;
-        events.push_back(json::Object{{"seconds", seconds}, {"what", what}, {"where", where}});
+        json::Object event{{"seconds", seconds}, {"what", what}, {"where", where}};
+        if (islands > 0) event.push_back({"islands", islands});
+        events.push_back(std::move(event));
     }
     return events;
 }
@@ -95,7 +97,8 @@ class RunCommand final : public Command {
             .details = "With --json the last line is one JSON object: scene, mode, precision, dimension, units,\n"
                        "seconds, steps, particles, constraints, hash, energy {kinetic, potential, stored, total},\n"
                        "stretch_max, stretch_mean (of distances, as fractions of their rest length), max_speed,\n"
-                       "ms_per_step (median), events_count and events (the first 100). Numbers are in the scene's\n"
+                       "ms_per_step (median), events_count and events (the first 100): torn, cut, parted (a figure\n"
+                       "fell into so many islands), quarantined and those of the scene. Numbers are in the scene's\n"
                        "units; one that is not finite is null. The hash is the same on every machine.\n",
             .examples = "sinew run ragdoll\n"
                         "sinew run ragdoll --seconds 10 --json | jq .hash\n"

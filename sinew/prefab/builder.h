@@ -40,6 +40,14 @@ inline double tears_beyond(double strain) {
     return strain > 0 ? strain : std::numeric_limits<double>::infinity();
 }
 
+/// How slowly something tears that has a breaking strain.
+inline constexpr Field toughness_field{.name = "toughness",
+                                       .help = "Strain beyond breaking_strain, times time, that it bears before it "
+                                               "tears: 0.1 is a tenth too far for a second; 0 tears at once",
+                                       .unit = unit::time,
+                                       .low = 0,
+                                       .high = 1e6};
+
 /// Whether a measure changes its sign in a mirror: signed angles do, and areas in the plane, and volumes in space.
 template <class Kind, int D> inline constexpr bool mirrors = Kind::period > 0 || Kind::length_power == D;
 
@@ -103,6 +111,7 @@ template <int D, class RealT> class Builder {
                                         .relaxation = Real(spec.relaxation),
                                         .split = Real(spec.split),
                                         .breaking_strain = Real(spec.breaking_strain),
+                                        .toughness = Real(spec.toughness),
                                         .figure = figure_});
         if (!id) return;
         figure().constraints.push_back(*id);

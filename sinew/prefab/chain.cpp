@@ -33,7 +33,10 @@ template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {
                                            .radius = thickness / 2});
     // The original moves the lower of two loops only.
     link(figure, row,
-         {.limits = exactly(pitch), .split = classic ? 0 : 0.5, .breaking_strain = tears_beyond(breaking_strain)});
+         {.limits = exactly(pitch),
+          .split = classic ? 0 : 0.5,
+          .breaking_strain = tears_beyond(breaking_strain),
+          .toughness = toughness});
     if (!classic && bend_limit < pi<double> && links > 1)
         stiffen(figure, row, {.limits = between(-bend_limit, bend_limit)});
     hold_ends(figure, row, pinned);

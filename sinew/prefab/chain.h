@@ -25,6 +25,7 @@ struct Chain {
     double weight = 0;
     double bend_limit = pi<double>;
     double breaking_strain = 0;
+    double toughness = 0;
     double thickness = 0.06;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -67,6 +68,7 @@ struct Chain {
                                           .help = "A link stretched by this fraction tears; 0 never tears",
                                           .low = 0,
                                           .high = 1e6});
+        visit(self.toughness, toughness_field);
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Of a link seen from its broad side; it stays half of it away from walls",
                                     .unit = unit::length,

@@ -72,7 +72,10 @@ void weave(Builder<D, Real>& figure, const Grid& grid, const Thread& thread, Con
 
 template <int D, class Real> void weave(Builder<D, Real>& figure, const Grid& grid, const Cloth& cloth) {
     const auto threads = [&](const Thread& thread, double compliance) {
-        weave(figure, grid, thread, {.compliance = compliance, .breaking_strain = tears_beyond(cloth.breaking_strain)},
+        weave(figure, grid, thread,
+              {.compliance = compliance,
+               .breaking_strain = tears_beyond(cloth.breaking_strain),
+               .toughness = cloth.toughness},
               cloth.spacing);
     };
     threads({"across", 1, 0}, cloth.compliance);

@@ -38,6 +38,7 @@ struct Cloth {
     double shear_compliance = 0;
     double bend_compliance = 0.1;
     double breaking_strain = 0;
+    double toughness = 0;
     std::string drawn = "threads";
     double thickness = 0.01;
 
@@ -86,6 +87,7 @@ struct Cloth {
                                           .help = "A thread stretched by this fraction tears; 0 never tears",
                                           .low = 0,
                                           .high = most});
+        visit(self.toughness, toughness_field);
         visit(self.drawn,
               Field{.name = "drawn", .help = "Its threads, its cells filled, or both", .choices = drawings});
         visit(self.thickness, Field{.name = "thickness",

@@ -24,7 +24,8 @@ template <int D, class Real> void Rope::build(Builder<D, Real>& figure) const {
     link(figure, row,
          {.limits = links == "exact" ? exactly(piece) : at_most(piece),
           .compliance = compliance,
-          .breaking_strain = tears_beyond(breaking_strain)});
+          .breaking_strain = tears_beyond(breaking_strain),
+          .toughness = toughness});
     // A joint stands for the bending of one piece: energy E I / 2 turn^2 / piece.
     if (bend_stiffness > 0 && segments > 1)
         stiffen(figure, row, {.limits = exactly(0.0), .compliance = piece / bend_stiffness});

@@ -27,6 +27,7 @@ struct Rope {
     double compliance = 0;
     double bend_stiffness = 0;
     double breaking_strain = 0;
+    double toughness = 0;
     double thickness = 0.03;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -72,6 +73,7 @@ struct Rope {
                                           .help = "A piece stretched by this fraction tears; 0 never tears",
                                           .low = 0,
                                           .high = 1e6});
+        visit(self.toughness, toughness_field);
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "As drawn; it stays half of it away from walls",
                                     .unit = unit::length,

@@ -24,6 +24,7 @@ struct ConstraintSection {
     double compliance = 0;
     std::optional<double> relaxation, split;
     double breaking_strain = 0;
+    double toughness = 0;
     bool hidden = false;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -47,6 +48,7 @@ struct ConstraintSection {
                                 .high = 1});
         visit(self.breaking_strain,
               Field{.name = "breaking_strain", .help = "Torn beyond it; 0 never tears", .low = 0, .high = 1e6});
+        visit(self.toughness, toughness_field);
         visit(self.hidden, Field{.name = "hidden", .help = "A support that is not drawn"});
     }
 };

@@ -190,6 +190,7 @@ template <int D, class Real> class Maker {
                                   .relaxation = Real(section.relaxation.value_or(1)),
                                   .split = Real(section.split.value_or(0.5)),
                                   .breaking_strain = Real(tears_beyond(section.breaking_strain)),
+                                  .toughness = Real(section.toughness),
                                   .figure = figure};
         const auto id = add_constraint(world_, kind_of(section.kind), members, spec);
         if (!id || figure == no_figure) return;

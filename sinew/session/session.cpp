@@ -6,6 +6,7 @@
 #include "sinew/session/view.h"
 #include "sinew/solver/cut.h"
 #include "sinew/solver/edit.h"
+#include "sinew/solver/islands.h"
 #include "sinew/solver/measure.h"
 #include "sinew/solver/sever.h"
 #include "sinew/solver/step.h"
@@ -91,10 +92,13 @@ Session::Session(Opened opened)
     std::stable_sort(scene_.events.begin(), scene_.events.end(),
                      [](const EventSection& a, const EventSection& b) { return a.at < b.at; });
     find_driven();
+    note_parted();
 }
 
 void Session::restart() {
     world_ = instantiate(scene_);
+    islands_.clear();
+    note_parted();
     find_driven();
     next_event_ = 0;
     hand_.reset();
@@ -169,6 +173,7 @@ void Session::happen(const EventSection& event) {
                     where = Doer<WorldT>{world}(happening);
                 }
                 note(std::string(Event::name), where);
+                if constexpr (std::is_same_v<Event, SnipEvent>) note_parted();
             });
         },
         world_);
@@ -200,6 +205,7 @@ std::size_t Session::cut(const std::array<Point, 2>& line, double within, const 
             }
             for (const auto figure : done.figures)
                 note(std::string(CutEvent::name), figure < world.figures.size() ? world.figures[figure].name : "");
+            if (done.links > 0) note_parted();
             return done.links;
         },
         world_);
@@ -279,21 +285,37 @@ void Session::still_gusts() {
         world_);
 }
 
-void Session::note(std::string what, std::string where) {
-    if (happening_count_++ < most_happenings) happenings_.push_back({seconds(), std::move(what), std::move(where)});
+void Session::note(std::string what, std::string where, std::size_t islands) {
+    if (happening_count_++ < most_happenings)
+        happenings_.push_back({seconds(), std::move(what), std::move(where), islands});
+}
+
+/// Tells of figures that fell into more islands than before.
+void Session::note_parted() {
+    std::visit(
+        [&](const auto& world) {
+            auto now = islands(world);
+            for (std::size_t i = 0; i < now.size(); ++i)
+                if (i < islands_.size() && now[i] > islands_[i]) note("parted", world.figures[i].name, now[i]);
+            islands_ = std::move(now);
+        },
+        world_);
 }
 
 void Session::note_events() {
     std::visit(
         [&](auto& world) {
             std::vector<Ends> gone;
+            bool any_torn = false;
             for (const auto& event : world.events) {
+                any_torn = any_torn || event.type == EventType::torn;
                 note(event.type == EventType::torn ? "torn" : "quarantined",
                      event.figure < world.figures.size() ? world.figures[event.figure].name : "");
                 if (event.type == EventType::torn && is_link<std::decay_t<decltype(world)>>(event))
                     gone.push_back(event.ends);
             }
             sever(world, std::span<const Ends>(gone));
+            if (any_torn) note_parted();
         },
         world_);
 }

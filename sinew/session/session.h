@@ -31,8 +31,9 @@ struct Report {
 /// Something that happened, and when.
 struct Happening {
     double seconds = 0;
-    std::string what;  ///< "torn", "quarantined", or the name of a scene event ("grab")
+    std::string what;  ///< "torn", "parted", "quarantined", or the name of a scene event ("grab")
     std::string where; ///< the figure or particle, as the scene calls it; may be empty
+    std::size_t islands = 0; ///< of "parted": into how many the figure fell (islands.h); else 0
 };
 
 /// Two corners around what a world shows.
@@ -124,8 +125,9 @@ class Session {
     void carry_held();
     void still_gusts();
     void keep_going(const AnyWorld& old);
-    void note(std::string what, std::string where);
+    void note(std::string what, std::string where, std::size_t islands = 0);
     void note_events();
+    void note_parted();
 
     Scene scene_;
     AnyWorld world_;
@@ -138,6 +140,7 @@ class Session {
     bool taken_over_ = false; ///< by a pointer: the scene's own hand keeps away until a restart
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;
+    std::vector<std::size_t> islands_; ///< of each figure, when last told of
     std::vector<Happening> happenings_;
     std::size_t happening_count_ = 0;
 };

@@ -46,6 +46,7 @@ template <int D> struct BlockLink : BlockLimit {
     std::uint32_t a = 0, b = 0; ///< nodes
     std::uint32_t entry = 0;    ///< of the matrix; none if one of them is fixed
     double length = 0;          ///< the limit that counts for its scale
+    double per_length2 = 0;     ///< 1 / length^2
     Vec<D, double> start{}, along{};
 };
 

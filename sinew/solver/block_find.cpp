@@ -209,6 +209,7 @@ template <int D, class Real> class Finder {
             added.entry = inner ? entry_of(a, b) : Blocks<D>::none;
             constexpr double far = 1e12; // as good as no limit
             added.length = added.high < far ? added.high : maximum(added.low, 1e-6);
+            added.per_length2 = 1 / square(added.length);
             blocks_.links.push_back(added);
         }
     }

@@ -49,9 +49,9 @@ template <int D> class BlockSolve {
         set_out(rule);
         double before = 0;
         for (int i = 0;; ++i) {
+            if (i > 0 && steady() && worst_error() <= good_enough) return true;
             const double worst = assemble(rule);
             hold();
-            if (i > 0 && worst <= good_enough && moved_ <= good_enough * reach_) return true;
             if (i > 0 && !(worst <= absurd)) return false;
             if (i % patience == 0) { // a solution that exists comes nearer
                 if (i > 0 && worst > 0.5 * before && worst > acceptable) return false;
@@ -68,13 +68,15 @@ template <int D> class BlockSolve {
         }
     }
 
-    /// How far the worst rigid link is outside its limits, relative to its length, at the places or at the start.
+    /// How far the worst rigid link is outside its limits, as Green's strain, at the places or at the start.
     template <class At> double worst_strain(At&& at) const {
         double worst = 0;
         for (const auto& link : links()) {
             if (soft(link)) continue;
-            const double length = norm(at(node(link.b)) - at(node(link.a)));
-            worst = maximum(worst, absolute(length - clamp(length, link.low, link.high)) / link.length);
+            const auto span = at(node(link.b)) - at(node(link.a));
+            const double length2 = dot(span, span);
+            const double error = maximum(length2 - square(link.high), square(link.low) - length2);
+            worst = maximum(worst, 0.5 * error * link.per_length2);
         }
         return worst;
     }
@@ -97,7 +99,7 @@ template <int D> class BlockSolve {
             clear_entries();
             for (auto& link : links()) {
                 link.along = node(link.b).place - node(link.a).place;
-                const double k = relative * total_mass_ / square(link.length);
+                const double k = relative * total_mass_ * link.per_length2;
                 const double rate = dot(link.along, node(link.b).velocity - node(link.a).velocity);
                 const double pull = link.pull + k * rate;
                 const bool resists =
@@ -189,6 +191,8 @@ template <int D> class BlockSolve {
   private:
     static constexpr double relative_stiffness = 1e4; ///< of a rigid link, over all mass / h^2
     static constexpr double good_enough = 1e-7;
+    static constexpr double hardly = 1e-5;        ///< a move after which the next would be too small to matter
+    static constexpr double hardly_pulled = 1e-3; ///< the same of a tension
     static constexpr double acceptable = 1e-5;
     static constexpr double absurd = 100;
     static constexpr int undecided_after = 8;  ///< iterations: then half steps, which settle what goes to and fro
@@ -202,7 +206,8 @@ template <int D> class BlockSolve {
     Blocks<D>& blocks_;
     const Block& block_;
     double h_, per_h_;
-    double total_mass_ = 0, stiffness_ = 0, reach_ = 0, moved_ = 0;
+    double total_mass_ = 0, stiffness_ = 0, reach_ = 0;
+    double moved_ = 0, tightened_ = 0, strongest_ = 0; ///< by an iteration: the most of any node and link
     bool elastic_ = false;
     double slight_ = 0; ///< a tension that is none
 
@@ -266,7 +271,7 @@ template <int D> class BlockSolve {
         ++limit.flips;
     }
 
-    void add(const BlockLink<D>& link, const Matrix<D, double>& stiffness, const Vector& force) {
+    [[gnu::always_inline]] void add(const BlockLink<D>& link, const Matrix<D, double>& stiffness, const Vector& force) {
         auto &a = node(link.a), &b = node(link.b);
         a.diagonal += stiffness;
         b.diagonal += stiffness;
@@ -293,12 +298,12 @@ template <int D> class BlockSolve {
                 spring(rule, link, now);
                 continue;
             }
-            const double k = hardest / square(link.length);
+            const double k = hardest * link.per_length2;
             const double length2 = dot(now, now);
             const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
             if (link.side == 0) come_to_a_limit(link, above, below, good_enough * square(link.length));
             const double error = link.side > 0 ? above : link.side < 0 ? below : 0;
-            worst = maximum(worst, absolute(error) / square(link.length));
+            worst = maximum(worst, absolute(error) * link.per_length2);
             link.pull = link.side != 0 ? link.tension + k * error : 0;
             link.stiffness = link.side != 0 ? k : 0;
             if (link.side == 0) continue;
@@ -315,8 +320,29 @@ template <int D> class BlockSolve {
         return worst;
     }
 
-    // --- angles
-    // --------------------------------------------------------------------------------------------------------
+    static double outside(const BlockLimit& limit, double above, double below) {
+        return limit.side > 0 ? absolute(above) : limit.side < 0 ? absolute(below) : maximum(above, -below);
+    }
+
+    /// What `assemble` would return, without the equations.
+    double worst_error() {
+        double worst = 0;
+        for (const auto& link : links()) {
+            if (soft(link)) continue;
+            const auto now = node(link.b).place - node(link.a).place;
+            const double length2 = dot(now, now);
+            const double above = length2 - square(link.high), below = length2 - square(link.low);
+            worst = maximum(worst, 0.5 * outside(link, above, below) * link.per_length2);
+        }
+        for (const auto& bend : bends()) {
+            if (soft(bend)) continue;
+            const double angle = angle_of(bend, place_of);
+            worst = maximum(worst, small_angle * outside(bend, angle - bend.high, angle - bend.low));
+        }
+        return worst;
+    }
+
+    // --- angles -----------------------------------------------------------------------------------------------------
 
     double measure(BlockBend<D>& bend) const {
         const Points<3, D, double> points{node(bend.nodes[0]).place, node(bend.nodes[1]).place,
@@ -378,15 +404,14 @@ template <int D> class BlockSolve {
         return turn;
     }
 
-    // --- links
-    // ---------------------------------------------------------------------------------------------------------
+    // --- links ------------------------------------------------------------------------------------------------------
 
     /// A soft link: its force is what it is, and needs no multiplier.
     void spring(Rule rule, BlockLink<D>& link, const Vector& now) {
         const double length = norm(now), per_length = inverse_or_zero(length);
         const double error = length - clamp(length, link.low, link.high);
         link.stiffness = 0;
-        link.tension = 0;
+        link.pull = link.tension = 0;
         if (error == 0 || rule == Rule::place) return;
         const double k = 1 / link.compliance;
         double force = k * error;
@@ -394,18 +419,24 @@ template <int D> class BlockSolve {
         auto matrix = outer(along * k, along);
         matrix += Matrix<D, double>::diagonal(maximum(force, 0.0) * per_length);
         add(link, matrix, along * force);
-        link.tension = force * per_length;
+        link.pull = link.tension = force * per_length;
     }
 
     /// No link changes by more than its own length at once: further out, Newton's model of it means nothing.
-    double trusted_share() const {
+    double trusted_share() {
         double most = 0;
-        for (const auto& link : links()) {
+        tightened_ = strongest_ = 0;
+        for (auto& link : links()) {
             const auto change = move_of(node(link.b)) - move_of(node(link.a));
-            most = maximum(most, dot(change, change) / square(link.length));
+            most = maximum(most, dot(change, change) * link.per_length2);
+            link.pull += link.stiffness * dot(link.along, change);
+            tightened_ = maximum(tightened_, absolute(link.pull - link.tension) * link.length);
+            strongest_ = maximum(strongest_, absolute(link.pull) * link.length);
         }
         return most > square(most_change) ? most_change / square_root(most) : 1;
     }
+
+    bool steady() const { return moved_ <= hardly * reach_ && tightened_ <= hardly_pulled * strongest_; }
 
     void take_step(double most) {
         const double share = minimum(most, trusted_share());
@@ -414,11 +445,8 @@ template <int D> class BlockSolve {
             node.place += node.move * share;
             moved_ = maximum(moved_, largest_component(node.move));
         }
-        for (auto& link : links()) {
-            if (soft(link)) continue;
-            const auto change = move_of(node(link.b)) - move_of(node(link.a));
-            renew(link, link.pull + link.stiffness * dot(link.along, change), share);
-        }
+        for (auto& link : links())
+            if (!soft(link)) renew(link, link.pull, share);
         for (auto& bend : bends())
             if (!soft(bend)) renew(bend, bend.pull + bend.stiffness * turn_of(bend), share);
     }

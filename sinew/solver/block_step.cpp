@@ -315,7 +315,7 @@ template <int D, class Real> class BlockStep {
     /// A swing never gains energy by itself.
     bool gains(const Solve& solve) {
         if (driven_) return false;
-        constexpr double rounding = 1e-6, tiny = 3e-8;
+        constexpr double rounding = 1e-6, tiny = 2e-7;
         double before = 0, after = 0, weight = 0;
         for (const auto& node : unknowns()) {
             weight += node.mass * norm(node.push);

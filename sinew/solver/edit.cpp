@@ -37,6 +37,8 @@ void append_row(Table& table, const ConstraintSpec<Real>& spec, Interval<Real> l
     table.relaxation.push_back(clamp(spec.relaxation, Real(0), Real(1)));
     table.split.push_back(clamp(spec.split, Real(0), Real(1)));
     table.breaking_strain.push_back(clamp(spec.breaking_strain, Real(0), most));
+    table.toughness.push_back(clamp(spec.toughness, Real(0), most));
+    table.fatigue.push_back(Real(0));
     table.multiplier.push_back(Real(0));
     table.figure.push_back(spec.figure);
     table.torn.push_back(0);

@@ -42,6 +42,7 @@ template <class Real> struct ConstraintSpec {
     Real relaxation = 1;                    ///< share of the error removed at once, (0, 1]
     Real split = Real(0.5);                 ///< share of the correction the first member takes
     Real breaking_strain = std::numeric_limits<Real>::infinity();
+    Real toughness = 0; ///< strain beyond the breaking strain, times time, that it bears before it tears
     FigureIndex figure = no_figure;
 };
 

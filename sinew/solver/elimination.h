@@ -41,13 +41,13 @@ class Elimination {
         begin_.assign(rows, 0);
         size_.assign(rows, 0);
         position_.assign(rows, no_row);
+        before_.resize(rows), after_.resize(rows);
     }
     /// Room for a graph of that many rows and neighbours.
     void reserve(std::size_t rows, std::size_t neighbours) {
         pool_.reserve(most_pool(neighbours) + most_neighbours);
         order_.reserve(rows);
         merged_.reserve(2 * most_neighbours);
-        for (auto& bucket : buckets_) bucket.reserve(rows + neighbours);
     }
 
     /// The graph, one row after the other: begin, its neighbours, end.
@@ -65,17 +65,19 @@ class Elimination {
     bool run(std::span<const Row> rows) {
         const auto most = most_pool(pool_.size());
         order_.clear();
-        for (auto& bucket : buckets_) bucket.clear();
-        for (std::size_t i = rows.size(); i-- > 0;)
-            if (!file(rows[i])) return false;
+        waiting_ = {};
+        for (const Row row : rows)
+            if (!wait(row)) return false;
         while (order_.size() < rows.size()) {
             const Row next = least_degree();
+            stop_waiting(next);
             position_[next] = Row(order_.size());
             order_.push_back(next);
             for (std::uint32_t i = 0; i < size_[next]; ++i) {
                 const Row neighbour = neighbours(next)[i];
+                stop_waiting(neighbour);
                 merge(neighbour, next);
-                if (!file(neighbour)) return false;
+                if (!wait(neighbour)) return false;
             }
             if (pool_.size() > most) return false;
         }
@@ -94,22 +96,34 @@ class Elimination {
     std::vector<std::size_t> begin_;
     std::vector<std::uint32_t> size_;
     std::vector<Row> position_, pool_, order_, merged_;
-    std::array<std::vector<Row>, most_neighbours + 1>
-        buckets_; ///< rows by degree, and stale entries of rows that moved
 
-    bool file(Row row) {
+    /// Rows that wait for their turn, by degree: linked lists.
+    struct Queue {
+        Row first = no_row, last = no_row;
+    };
+    std::array<Queue, most_neighbours + 1> waiting_{};
+    std::vector<Row> before_, after_;
+
+    bool wait(Row row) {
         if (size_[row] > most_neighbours) return false;
-        buckets_[size_[row]].push_back(row);
+        auto& queue = waiting_[size_[row]];
+        before_[row] = queue.last, after_[row] = no_row;
+        (queue.last == no_row ? queue.first : after_[queue.last]) = row;
+        queue.last = row;
         return true;
     }
+    void stop_waiting(Row row) {
+        auto& queue = waiting_[size_[row]];
+        (before_[row] == no_row ? queue.first : after_[before_[row]]) = after_[row];
+        (after_[row] == no_row ? queue.last : before_[after_[row]]) = before_[row];
+    }
 
+    /// Of those that wait, the one that has waited longest: a chain is eliminated from both its ends in turn, which a
+    /// processor does at once.
     Row least_degree() {
-        for (std::size_t degree = 0;; ++degree)
-            for (auto& bucket = buckets_[degree]; !bucket.empty();) {
-                const Row row = bucket.back();
-                bucket.pop_back();
-                if (position_[row] == no_row && size_[row] == degree) return row;
-            }
+        for (auto& queue : waiting_)
+            if (queue.first != no_row) return queue.first;
+        return no_row;
     }
 
     /// The neighbours of one that goes become each other's.

@@ -72,6 +72,8 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
             for (const Row member : table.members[row]) digest.add(member);
         digest.add(table.low, table.high, table.compliance, table.relaxation, table.split, table.breaking_strain,
                    table.multiplier);
+        for (Row row = 0; row < table.size(); ++row)
+            if (table.toughness[row] > 0) digest.add(row, table.toughness[row], table.fatigue[row]);
     });
     for (const auto& run : world.sweep) digest.add(run.kind, run.count);
     for (const auto& pin : world.pins)

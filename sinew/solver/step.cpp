@@ -169,7 +169,7 @@ template <int D, class Real> void begin(World<D, Real>& world) {
 }
 
 template <int D, class Real> void end(World<D, Real>& world, Real dt) {
-    tear(world);
+    tear(world, dt);
     for (auto& pin : world.pins) pin.from = pin.target;
     std::fill(world.particles.force.begin(), world.particles.force.end(), Vec<D, Real>{});
     world.time += double(dt);

@@ -14,16 +14,24 @@ template <class Table, int D, class Real> Real strain_of(World<D, Real>& world, 
     return detail::strain<Kind>(measure, table.low[row], table.high[row]);
 }
 
+/// Whether a constraint that was overstrained for a step has had enough.
+template <class Table, class Real> bool wears_out(Table& table, Row row, Real strain_times_time) {
+    if (table.toughness[row] == Real(0)) return true;
+    table.fatigue[row] = minimum(table.fatigue[row] + strain_times_time, limit::measure<Real>);
+    return table.fatigue[row] > table.toughness[row];
+}
+
 } // namespace
 
-template <int D, class Real> void tear(World<D, Real>& world) {
+template <int D, class Real> void tear(World<D, Real>& world, Real dt) {
     bool any = false;
     int kind = 0;
     for_each_table(world, [&](auto& table) {
         bool torn = false;
         for (Row row = 0; row < table.size(); ++row) {
             if (table.breaking_strain[row] >= limit::measure<Real> || world.events.size() >= events_per_step) continue;
-            if (absolute(strain_of(world, table, row)) <= table.breaking_strain[row]) continue;
+            const Real beyond = absolute(strain_of(world, table, row)) - table.breaking_strain[row];
+            if (!(beyond > Real(0)) || !wears_out(table, row, beyond * dt)) continue;
             const ConstraintId id{kind, table.slots.id_of(row)};
             const auto members = table.members[row];
             table.torn[row] = 1;
@@ -41,7 +49,7 @@ template <int D, class Real> void tear(World<D, Real>& world) {
     if (any) detail::forget_the_dead(world);
 }
 
-#define SINEW_TEAR(D, Real) template void tear(World<D, Real>&);
+#define SINEW_TEAR(D, Real) template void tear(World<D, Real>&, Real);
 SINEW_INSTANTIATE(SINEW_TEAR)
 
 } // namespace sinew

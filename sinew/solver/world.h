@@ -121,6 +121,8 @@ template <class KindT, class Real> struct Constraints {
     std::vector<Real> relaxation;      ///< share of the error removed at once, (0, 1]
     std::vector<Real> split;           ///< share of the correction that the first member takes, 0..1; 1/2 is fair
     std::vector<Real> breaking_strain; ///< torn beyond it; limit::measure and more never tears
+    std::vector<Real> toughness;       ///< strain beyond that, times time, which it bears before it tears; 0: none
+    std::vector<Real> fatigue;         ///< what it has borne of it
     std::vector<Real> multiplier;      ///< of the last substep; tension = -multiplier / h^2
     std::vector<FigureIndex> figure;
     std::vector<char> torn; ///< scratch: to be removed when the step ends
@@ -135,6 +137,8 @@ template <class KindT, class Real> struct Constraints {
         visit(self.relaxation);
         visit(self.split);
         visit(self.breaking_strain);
+        visit(self.toughness);
+        visit(self.fatigue);
         visit(self.multiplier);
         visit(self.figure);
         visit(self.torn);

@@ -52,14 +52,18 @@ TEST(Run, MeasuresTheWorld) {
 
 TEST(Run, TellsWhatHappened) {
     const auto result = json_of({"run", "tearing", "--json"});
-    ASSERT_EQ(result["events_count"], 3);
+    ASSERT_EQ(result["events_count"], 4);
     const auto events = result["events"];
     EXPECT_NEAR(events[0]["seconds"], 0.5, 1e-12);
     EXPECT_EQ(events[0]["what"], "impulse");
     EXPECT_EQ(events[0]["where"], "weight/bob");
     EXPECT_EQ(events[1]["what"], "torn");
-    EXPECT_EQ(events[2]["where"], "crate");
-    EXPECT_TRUE(has(sinew({"run", "tearing"}).out, "2 impulse, 1 torn"));
+    EXPECT_EQ(events[2]["what"], "parted");
+    EXPECT_EQ(events[2]["where"], "weight");
+    EXPECT_EQ(events[2]["islands"], 2);
+    EXPECT_EQ(events[3]["where"], "crate");
+    EXPECT_FALSE(events[3].contains("islands"));
+    EXPECT_TRUE(has(sinew({"run", "tearing"}).out, "2 impulse, 1 torn, 1 parted"));
 }
 
 TEST(Run, TwiceIsTheSame) {
@@ -136,6 +140,23 @@ TEST(Info, IsJsonToo) {
     EXPECT_EQ(info["then"]["steps"], 60);
     EXPECT_EQ(info["start"]["constraints"], 6);
     EXPECT_EQ(info["then"]["constraints"], 5); // one is torn
+    EXPECT_EQ(info["figures"][0]["islands"], 2);
+    EXPECT_EQ(info["figures"][1]["islands"], 1);
+    EXPECT_EQ(info["rig"], json::array());
+}
+
+TEST(Info, TellsWhatIsWrongWithARig) {
+    const std::string scene = R"({"sinew": 1, "figures": [{"name": "arm", "particles": {
+        "shoulder": {"at": [0, 0], "pinned": true}, "elbow": {"at": [1, 0]}, "hand": {"at": [1, 1], "pinned": true}},
+        "constraints": [{"name": "upper", "between": ["shoulder", "elbow"], "high": 0.4},
+                        {"name": "lower", "between": ["elbow", "hand"]},
+                        {"name": "bend", "kind": "angle", "between": ["shoulder", "elbow", "hand"], "low": -10,
+                         "high": 30}]}]})";
+    const auto text = sinew({"info", "-", "--seconds", "0"}, {.input = scene}).out;
+    EXPECT_TRUE(has(text, "arm/upper     stands at 1, its limits are at most 0.4\n")) << text;
+    EXPECT_TRUE(has(text, "arm/bend      stands at 90, its limits are -10 to 30\n")) << text;
+    EXPECT_TRUE(has(text, "arm/shoulder  is held 1.414 from arm/hand, but the links between them reach 1.4\n")) << text;
+    EXPECT_TRUE(has(sinew({"info", "tearing"}).out, "nothing is wrong with it"));
 }
 
 TEST(List, NamesScenesAndPrefabs) {

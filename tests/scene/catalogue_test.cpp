@@ -1,92 +1,12 @@
-#include "sinew/session/session.h"
-#include "sinew/solver/edit.h"
-
 #include "tests/sanitized.h"
+#include "tests/scene/scene_runs.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <filesystem>
-#include <fmt/format.h>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <limits>
-#include <sstream>
 
 /// Every file under scenes/, in both modes and precisions.
 namespace sinew {
 namespace {
-
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-std::vector<std::string> scene_names() {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(SINEW_SCENES_DIR))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-/// A session of a scene with a mode and a precision; what is wrong with it is a failure.
-std::optional<Session> open(const std::string& name, const std::string& mode, const std::string& precision = "double") {
-    const auto path = std::filesystem::path(SINEW_SCENES_DIR) / (name + ".json");
-    const std::array<Override, 2> choice = {Override{"mode=" + mode}, Override{"precision=" + precision}};
-    auto document = load(text_of(path), path.string(), choice);
-    auto opened = open_scene(document);
-    EXPECT_TRUE(opened.has_value()) << to_text(document.diagnostics);
-    if (!opened) return std::nullopt;
-    return Session(std::move(*opened));
-}
-
-/// How far the particles that move are beyond the bounds, at most, in their radii or in `size`, if that is larger.
-double distance_outside(const AnyWorld& any, double size) {
-    return std::visit(
-        [&](const auto& world) {
-            double farthest = 0;
-            for (const auto& plane : world.bounds)
-                for (Row row = 0; row < world.particles.size(); ++row) {
-                    if (world.particles.mobility[row] == 0) continue;
-                    const double depth =
-                        double(plane.offset) - double(dot(plane.normal, world.particles.position[row]));
-                    farthest = std::max(farthest, depth / std::max(double(world.particles.radius[row]), size));
-                }
-            return farthest;
-        },
-        any);
-}
-
-bool is_finite(const AnyWorld& any) {
-    return std::visit(
-        [](const auto& world) {
-            return std::all_of(world.particles.position.begin(), world.particles.position.end(),
-                               [](const auto& place) { return is_finite(place); });
-        },
-        any);
-}
-
-/// The worst strain of a distance that is not meant to give.
-double rigid_strain(const AnyWorld& any) {
-    return std::visit(
-        []<class WorldT>(const WorldT& world) {
-            const auto& distances = std::get<kind_number<Distance, WorldT::dimension>>(world.constraints);
-            double worst = 0;
-            for (Row row = 0; row < distances.size(); ++row) {
-                if (distances.compliance[row] > 0) continue;
-                const auto ends = distances.members[row];
-                const double length =
-                    double(distance(world.particles.position[ends[0]], world.particles.position[ends[1]]));
-                const double low = double(distances.low[row]), high = double(distances.high[row]);
-                worst = std::max({worst, length / high - 1, low > 0 ? 1 - length / low : 0});
-            }
-            return worst;
-        },
-        any);
-}
 
 /// How many items have a point in the picture.
 std::size_t items_on_screen(const Session& session) {
@@ -103,24 +23,7 @@ std::size_t items_on_screen(const Session& session) {
     }));
 }
 
-struct Run {
-    std::string scene, mode, precision;
-
-    friend std::ostream& operator<<(std::ostream& out, const Run& run) {
-        return out << run.scene << ' ' << run.mode << ' ' << run.precision;
-    }
-};
-
-std::vector<Run> runs() {
-    std::vector<Run> all;
-    for (const auto& scene : scene_names())
-        for (const auto mode : modes)
-            for (const auto precision : SolverSection::precisions)
-                all.push_back({scene, std::string(mode), std::string(precision)});
-    return all;
-}
-
-class CatalogueRun : public testing::TestWithParam<Run> {};
+class CatalogueRun : public testing::TestWithParam<SceneRun> {};
 
 TEST_P(CatalogueRun, RunsItsTimeWhole) {
     const auto& [name, mode, precision] = GetParam();
@@ -130,9 +33,7 @@ TEST_P(CatalogueRun, RunsItsTimeWhole) {
     EXPECT_FALSE(session->scene().source.empty());
     EXPECT_GT(items_on_screen(*session), 0U);
 
-    // An original's sweep comes after its walls, so that a stick pushes a point out again for a frame.
-    const double metre = session->scene().measures().per_metre;
-    const double size = (mode == "classic" ? 0.5 : 0.01) * metre;
+    const double size = least_size(*session, mode);
     double outside = 0;
     const double whole = session->scene().seconds, end = test::sanitized ? std::min(1.0, whole) : whole;
     while (session->seconds() < end) {
@@ -148,9 +49,7 @@ TEST_P(CatalogueRun, RunsItsTimeWhole) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, CatalogueRun, testing::ValuesIn(runs()), [](const auto& test) {
-    return fmt::format("{}_{}_{}", test.param.scene, test.param.mode, test.param.precision);
-});
+INSTANTIATE_TEST_SUITE_P(Scenes, CatalogueRun, testing::ValuesIn(runs()), name_of_run);
 
 // The numbers of the originals, in pixels and frames.
 struct Original {

@@ -30,7 +30,8 @@ TEST(Cuts, AnEventCutsWhatItCrossesAndTellsWhose) {
     const auto before = session.report().constraints;
     session.run_until(0.3);
     EXPECT_LT(session.report().constraints, before);
-    EXPECT_EQ(told(session), (std::vector<std::string>{"cut rope", "cut "}));
+    EXPECT_EQ(told(session), (std::vector<std::string>{"cut rope", "parted rope", "cut "}));
+    EXPECT_EQ(session.happenings()[1].islands, 2U);
     EXPECT_LT(
         position_of(std::get<1>(session.world()), *find_particle(std::get<1>(session.world()), "rope/end")).value()[1],
         -0.01);
@@ -48,7 +49,23 @@ TEST(Cuts, InSpaceTheyGoWhereTheyAreSeen) {
     EXPECT_FALSE(find_constraint(world, "rope/link_2"));
     EXPECT_TRUE(find_constraint(world, "rope/link_1"));
     EXPECT_EQ(session.cut({Point{{7, 0.5, -0.2}}, Point{{7, 0.5, 0.2}}}, 10), 0U); // behind the eye
-    EXPECT_EQ(told(session), std::vector<std::string>{"cut rope"});
+    EXPECT_EQ(told(session), (std::vector<std::string>{"cut rope", "parted rope"}));
+}
+
+TEST(Cuts, AFigureThatFallsApartKeepsItsNamesAndTellsOfItEachTime) {
+    auto session =
+        session_of(R"("events": [{"at": 0, "snip": ["rope/link_2"]}, {"at": 0.1, "snip": ["rope/link_7"]}],)", rope);
+    session.run_until(0.2);
+    std::vector<std::size_t> islands;
+    for (const auto& happening : session.happenings())
+        if (happening.what == "parted") islands.push_back(happening.islands);
+    EXPECT_EQ(islands, (std::vector<std::size_t>{2, 3}));
+    const auto& world = std::get<World<2, double>>(session.world());
+    for (const auto name : {"rope/start", "rope/particle_5", "rope/end", "rope/link_0", "rope/link_5", "rope/link_9"})
+        EXPECT_TRUE(find_particle(world, name) || find_constraint(world, name)) << name;
+    session.restart();
+    session.run_until(0.2);
+    EXPECT_EQ(session.happening_count(), 4U);
 }
 
 TEST(Cuts, ATornLinkIsDrawnNoLonger) {
@@ -66,7 +83,7 @@ TEST(Cuts, ATornLinkIsDrawnNoLonger) {
     const auto before = lines();
     EXPECT_GE(before, 1);
     session.run_until(2);
-    EXPECT_EQ(told(session), std::vector<std::string>{"torn x"});
+    EXPECT_EQ(told(session), (std::vector<std::string>{"torn x", "parted x"}));
     EXPECT_LT(lines(), before);
 }
 
