@@ -92,7 +92,7 @@ class RunCommand final : public Command {
     Manual manual() const override {
         return {
             .name = "run",
-            .usage = "SCENE [--seconds S] [--json] [key=value...]",
+            .usage = "SCENE [--seconds S] [--threads N] [--json] [key=value...]",
             .about = "steps a scene without drawing it and tells how it ended",
             .details = "With --json the last line is one JSON object: scene, mode, precision, dimension, units,\n"
                        "seconds, steps, particles, constraints, hash, energy {kinetic, potential, stored, total},\n"
@@ -110,11 +110,13 @@ class RunCommand final : public Command {
     void declare(CLI::App& parser) override {
         declare_scene(parser, words);
         declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S", "how long; else what the scene says");
+        declare_number(parser, "--threads", threads, {1, 1024}, "N", "how many work on a step; else one for each core");
         declare_flag(parser, "--json", as_json, "ends with one line of JSON");
     }
 
     int run() override {
         Run run(open_file(words.scene, words.overrides));
+        std::visit([&](auto& world) { world.threads = int(threads.value_or(0)); }, run.session.world());
         canvas::catch_interrupts();
         const auto& scene = run.session.scene();
         const auto& name = words.scene;
@@ -132,7 +134,7 @@ class RunCommand final : public Command {
     }
 
     SceneWords words;
-    std::optional<double> seconds;
+    std::optional<double> seconds, threads;
     bool as_json = false;
 };
 

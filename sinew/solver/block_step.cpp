@@ -2,6 +2,7 @@
 #include "sinew/solver/decay.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/rigid_motion.h"
+#include "sinew/solver/workers.h"
 
 #include <cmath>
 
@@ -366,6 +367,18 @@ template <int D, class Real> class BlockStep {
     }
 };
 
+/// Blocks are handed out to threads some at a time.
+constexpr int a_part = 8;
+constexpr std::size_t worth_a_thread = 500; ///< nodes: of fewer, telling others takes longer than doing it
+
+template <int D> int parts_of(const Blocks<D>& blocks) {
+    return int((blocks.list.size() + a_part - 1) / a_part);
+}
+template <int D> std::span<const Block> part_of(const Blocks<D>& blocks, int part) {
+    const auto first = std::size_t(part) * a_part;
+    return std::span(blocks.list).subspan(first, std::min<std::size_t>(a_part, blocks.list.size() - first));
+}
+
 } // namespace
 
 template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep) {
@@ -380,11 +393,15 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Re
     }
     constexpr int few = 2;
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : few;
-    for (const auto& block : blocks.list) {
-        BlockStep<D, Real> step(world, block, double(dt), double(world.last_substep));
-        step.run(substeps);
-        step.report_tensions(double(substep));
-    }
+    const auto move = [&](int part) {
+        for (const auto& block : part_of(blocks, part)) {
+            BlockStep<D, Real> step(world, block, double(dt), double(world.last_substep));
+            step.run(substeps);
+            step.report_tensions(double(substep));
+        }
+    };
+    const int threads = world.threads > 0 ? world.threads : hardware_threads();
+    Workers::run(blocks.nodes.size() < worth_a_thread ? 1 : threads, parts_of(blocks), move);
 }
 
 #define SINEW_BLOCK_STEP(D, Real) template void step_blocks(World<D, Real>&, Real, Real);

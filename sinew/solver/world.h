@@ -242,6 +242,7 @@ template <int D, class RealT> struct World {
     using Vector = Vec<D, Real>;
 
     Settings<Real> settings;
+    int threads = 0; ///< how many may work on a step; 0: as many as the machine has cores. Never changes a result
     Particles<D, Real> particles;
     ConstraintTables<D, Real> constraints;
     std::vector<Run> sweep; ///< the order in which constraints are solved: as they were added
