@@ -31,8 +31,8 @@ struct Report {
 /// Something that happened, and when.
 struct Happening {
     double seconds = 0;
-    std::string what;  ///< "torn", "parted", "quarantined", or the name of a scene event ("grab")
-    std::string where; ///< the figure or particle, as the scene calls it; may be empty
+    std::string what;        ///< "torn", "parted", "quarantined", or the name of a scene event ("grab")
+    std::string where;       ///< the figure or particle, as the scene calls it; may be empty
     std::size_t islands = 0; ///< of "parted": into how many the figure fell (islands.h); else 0
 };
 
