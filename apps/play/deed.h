@@ -26,7 +26,6 @@ struct LetGo {};
 /// As seen in a view.
 struct Slash {
     std::array<Point, 2> line;
-    double within = 0;
     View view;
 };
 struct Become {
@@ -36,8 +35,14 @@ struct Return {
     std::shared_ptr<const Session> to;
 }; ///< to what it was then
 struct Restart {};
+/// Sets what is said of one particle.
+struct Tweak {
+    ParticleId particle;
+    std::optional<Point> position, velocity;
+    std::optional<double> mass;
+};
 
-using Deed = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart>;
+using Deed = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart, Tweak>;
 
 void carry_out(const Deed& deed, Session& session);
 

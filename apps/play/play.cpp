@@ -167,11 +167,16 @@ void Play::redo() {
     tell("redo", {{"edit", what}, {"hash", hash()}});
 }
 
-void Play::become(Scene scene, std::string name) {
+void Play::become(Scene scene, std::string name, bool goes_on) {
     let_go_of_everything();
-    tape_->edit(Become{std::make_shared<const Scene>(std::move(scene))}, name);
+    tape_->edit(Become{std::make_shared<const Scene>(std::move(scene))}, name, goes_on);
     clock_->set_rate(session().scene().solver.rate);
     edited_ = true;
+    tell("edit", {{"edit", std::move(name)}});
+}
+
+void Play::edit(Deed deed, std::string name) {
+    tape_->edit(std::move(deed), name, tape_->undo_name() == name);
     tell("edit", {{"edit", std::move(name)}});
 }
 
@@ -183,11 +188,11 @@ bool Play::add_figure(json::Object figure, const std::string& name) {
     return true;
 }
 
-bool Play::set(const std::string& path, const std::string& value) {
+bool Play::set(const std::string& path, const std::string& value, bool goes_on) {
     const std::array<Override, 1> overrides = {{{path + "=" + value, "the panel"}}};
     auto changed = edited(session().scene(), overrides);
     if (!changed.scene) return report_problem(std::move(changed.problem)), false;
-    become(std::move(*changed.scene), path);
+    become(std::move(*changed.scene), path, goes_on);
     return true;
 }
 

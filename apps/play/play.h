@@ -69,11 +69,13 @@ class Play {
     void undo();
     void redo();
     /// Goes on as another scene; can be undone.
-    void become(Scene scene, std::string name);
+    void become(Scene scene, std::string name, bool goes_on = false);
+    /// Any other edit of what runs.
+    void edit(Deed deed, std::string name);
     /// Puts a figure, as a file says it, into the scene.
     bool add_figure(json::Object figure, const std::string& name);
     /// Sets one value of the scene by its path, as on the command line; what is wrong with it is the problem.
-    bool set(const std::string& path, const std::string& value);
+    bool set(const std::string& path, const std::string& value, bool goes_on = false);
     void switch_mode();
     void toggle_gravity();
     void toggle_wind();

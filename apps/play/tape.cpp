@@ -121,7 +121,14 @@ void Tape::mark() {
     marks_ = std::move(every_second);
 }
 
-void Tape::edit(Deed deed, std::string name) {
+void Tape::edit(Deed deed, std::string name, bool goes_on) {
+    if (goes_on && undone_ == 0 && !edits_.empty() && edits_.back().name == name) {
+        auto& last = edits_.back();
+        last.again = deed;
+        act(std::move(deed));
+        if (!std::holds_alternative<Become>(last.again)) finish_edit();
+        return;
+    }
     while (undone_ > 0) edits_.pop_back(), --undone_;
     Edit edit{std::move(name), Return{}, deed};
     if (std::holds_alternative<Become>(deed))

@@ -38,7 +38,8 @@ class Tape {
 
     /// An act that can be undone. An edit of the scene is undone by itself; of anything else (a cut), all that came
     /// after it is undone too.
-    void edit(Deed deed, std::string name);
+    /// One that goes on with the last (a slider on its way) is undone together with it.
+    void edit(Deed deed, std::string name, bool goes_on = false);
     /// The last edit ends only now: to do it again leads here.
     void finish_edit();
     /// The last edit changed nothing.

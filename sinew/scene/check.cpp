@@ -260,12 +260,21 @@ template <int D, class Real> class ReferenceCheck {
         if (!by_hand) return;
         for (std::size_t k = 0; k < by_hand->constraints.size(); ++k)
             for (std::size_t m = 0; m < by_hand->constraints[k].between.size(); ++m)
-                particle(built.name + "/" + by_hand->constraints[k].between[m],
-                         under("figures", i) + under("constraints", k) + fmt::format("/between/{}", m));
+                particle_seen_from(i, by_hand->constraints[k].between[m],
+                                   under("figures", i) + under("constraints", k) + fmt::format("/between/{}", m));
         for (std::size_t k = 0; k < by_hand->pieces.size(); ++k)
             for (std::size_t m = 0; m < by_hand->pieces[k].through.size(); ++m)
-                particle(built.name + "/" + by_hand->pieces[k].through[m],
-                         under("figures", i) + under("pieces", k) + fmt::format("/through/{}", m));
+                particle_seen_from(i, by_hand->pieces[k].through[m],
+                                   under("figures", i) + under("pieces", k) + fmt::format("/through/{}", m));
+    }
+
+    /// Inside a figure: one of its own, or as figure/name one of a figure before it.
+    void particle_seen_from(std::size_t i, std::string_view name, const std::string& place) {
+        particle(full_name(name, world_.figures[i].name + "/"), place);
+        const auto index = find_figure(world_, name.substr(0, std::min(name.find('/'), name.size())));
+        if (name.find('/') != std::string_view::npos && index && *index > i)
+            document_.error(place, fmt::format("\"{}\" is of a figure that is made later", name),
+                            "figures are made in their order: put the one that joins others behind them");
     }
 
     static bool has_part(const Figure& figure, std::string_view part) {
@@ -323,6 +332,10 @@ std::string_view name_of(const FigureSection& figure) {
     std::string_view name;
     detail::visit_held(figure.made, [&](const auto& made) { name = made.name; });
     return name;
+}
+
+std::string full_name(std::string_view name, std::string_view prefix) {
+    return name.find('/') == std::string_view::npos ? concat(prefix, name) : std::string(name);
 }
 
 void check_values(const Scene& scene, Document& document) {

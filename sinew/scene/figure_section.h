@@ -29,9 +29,12 @@ struct ConstraintSection {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.kind, Field{.name = "kind", .help = "What is measured", .choices = kind_names});
-        visit(self.between, Field{.name = "between",
-                                  .help = "The particles, as figure/name; inside a figure its own need no figure/",
-                                  .required = true});
+        visit(
+            self.between,
+            Field{.name = "between",
+                  .help =
+                      "The particles, as figure/name; inside a figure its own need no figure/, and others come before",
+                  .required = true});
         visit(self.name, Field{.name = "name", .help = "For events and reports"});
         visit(self.rest, Field{.name = "rest", .help = "The measure is kept at this value; left out, at what it is"});
         visit(self.low, Field{.name = "low", .help = "The measure is kept at least this"});
@@ -95,7 +98,7 @@ struct PieceSection {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.mark, Field{.name = "mark", .help = "What it is drawn as", .choices = mark_names});
         visit(self.part, Field{.name = "part", .help = "What looks call it; left out: as its mark"});
-        visit(self.through, Field{.name = "through", .help = "Its particles, by name", .required = true});
+        visit(self.through, Field{.name = "through", .help = "Its particles, as between names them", .required = true});
         visit(self.width, Field{.name = "width",
                                 .help = "Thickness or diameter; 0 leaves it to the looks",
                                 .unit = unit::length,

@@ -175,16 +175,16 @@ template <int D, class Real> class Maker {
                     .width = section.width,
                     .end_width = section.width > 0 ? section.end_width : 0};
         for (const auto& particle : section.through)
-            piece.particles.push_back(find_particle(world_, prefix + particle).value_or(ParticleId{}));
+            piece.particles.push_back(find_particle(world_, full_name(particle, prefix)).value_or(ParticleId{}));
         world_.figures[figure].pieces.push_back(std::move(piece));
     }
 
-    /// A constraint between particles whose names begin with `prefix`. References are checked later: one to nothing is
-    /// left out.
+    /// A constraint between particles, where those of the figure itself leave its name, `prefix`, out. References are
+    /// checked later: one to nothing is left out.
     void join(const ConstraintSection& section, FigureIndex figure, const std::string& prefix) {
         std::vector<ParticleId> members;
         for (const auto& name : section.between)
-            members.push_back(find_particle(world_, prefix + name).value_or(ParticleId{}));
+            members.push_back(find_particle(world_, full_name(name, prefix)).value_or(ParticleId{}));
         ConstraintSpec<Real> spec{.limits = limits(section),
                                   .compliance = Real(section.compliance),
                                   .relaxation = Real(section.relaxation.value_or(1)),

@@ -30,7 +30,7 @@ class CutTool final : public Tool {
         if (to == from_) return;
         const auto view = play.view();
         constexpr double depth = 1; // any: only the direction counts
-        const Slash slash{{view.place_of(from_, depth), view.place_of(to, depth)}, 0, view};
+        const Slash slash{{view.place_of(from_, depth), view.place_of(to, depth)}, view};
         const auto before = count_constraints(play.session().world());
         if (cut_ == 0)
             play.tape().edit(slash, "cut");
