@@ -26,7 +26,7 @@ constexpr std::array actions = {
     KeyAction{"ctrl+s", "save", [](Play& play) { play.save_beside(); }},
     KeyAction{"tab", "panel", [](Play& play) { play.panel = !play.panel; }},
     KeyAction{"f1", "this help", [](Play& play) { play.help = !play.help; }},
-    KeyAction{"escape", "quit", [](Play& play) { play.quit = true; }},
+    KeyAction{"escape", "close, or quit", [](Play& play) { play.close(); }},
 };
 
 } // namespace

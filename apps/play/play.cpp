@@ -59,7 +59,7 @@ void Play::begin(Fetched fetched) {
     problem_.clear();
     message.clear();
     hovered.reset(), selected.reset();
-    edited_ = false;
+    saved_edits_ = 0;
     told_ = 0;
     path_ = std::move(fetched.path);
     written_ = time_written(path_);
@@ -115,6 +115,7 @@ void Play::advance(double seconds, const std::function<bool()>& enough) {
             break;
         }
     }
+    if (over_ && !held_) hovered = pick_here(); // things move under a pointer that rests
 }
 
 void Play::pause(bool on) {
@@ -141,6 +142,15 @@ void Play::go_to(std::uint64_t step) {
     pause(true);
     tape_->go_to(step);
     tell("scrub", {{"hash", hash()}});
+}
+
+void Play::close() {
+    if (help)
+        help = false;
+    else if (!problem_.empty())
+        problem_.clear();
+    else
+        quit = true;
 }
 
 void Play::restart() {
@@ -171,7 +181,6 @@ void Play::become(Scene scene, std::string name, bool goes_on) {
     let_go_of_everything();
     tape_->edit(Become{std::make_shared<const Scene>(std::move(scene))}, name, goes_on);
     clock_->set_rate(session().scene().solver.rate);
-    edited_ = true;
     tell("edit", {{"edit", std::move(name)}});
 }
 
@@ -199,7 +208,7 @@ bool Play::set(const std::string& path, const std::string& value, bool goes_on) 
 /// The file may say more about the other mode than which it is.
 void Play::switch_mode() {
     const std::string other = session().scene().solver.mode == "classic" ? "physical" : "classic";
-    if (edited_) {
+    if (is_edited()) {
         set("solver.mode", other);
         return;
     }
@@ -245,7 +254,7 @@ void Play::toggle_wind() {
 bool Play::save(const std::filesystem::path& path) {
     if (auto failure = write_file(path, text_of(session()))) return report_problem(std::move(*failure)), false;
     if (path == path_) written_ = time_written(path_);
-    edited_ = false;
+    saved_edits_ = tape_->edits();
     message = "saved " + path.string();
     tell("saved", {{"path", path.string()}});
     return true;

@@ -57,10 +57,12 @@ class Play {
     View view() const { return eye_.view(session()); }
     const Shelf& shelf() const { return shelf_; }
     const std::string& scene_name() const { return name_; }
-    bool is_edited() const { return edited_; }
+    bool is_edited() const { return tape_ && tape_->edits() != saved_edits_; }
 
     void open(const std::string& scene, std::vector<Override> overrides = {});
     void open_neighbour(int by);
+    /// What lies over the scene, or else all of it.
+    void close();
     void restart();
     void pause(bool on);
     void step();
@@ -139,10 +141,10 @@ class Play {
     bool space_ = false;
     std::optional<Button> held_;
     std::vector<std::unique_ptr<Tool>> tools_;
-    Tool* busy_ = nullptr; ///< between press and release
-    bool edited_ = false;
-    std::size_t told_ = 0; ///< of the session's happenings
-    Point gravity_;        ///< while it is off
+    Tool* busy_ = nullptr;         ///< between press and release
+    std::int64_t saved_edits_ = 0; ///< the tape's, when it was saved last
+    std::size_t told_ = 0;         ///< of the session's happenings
+    Point gravity_;                ///< while it is off
     std::vector<std::filesystem::path> screenshots_;
     std::unique_ptr<canvas::Writer> film_;
     std::filesystem::path film_path_;

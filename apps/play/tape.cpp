@@ -130,6 +130,7 @@ void Tape::edit(Deed deed, std::string name, bool goes_on) {
         return;
     }
     while (undone_ > 0) edits_.pop_back(), --undone_;
+    ++edits_made_;
     Edit edit{std::move(name), Return{}, deed};
     if (std::holds_alternative<Become>(deed))
         edit.back = Become{std::make_shared<const Scene>(session_.scene())};
@@ -146,17 +147,21 @@ void Tape::finish_edit() {
 }
 
 void Tape::forget_edit() {
-    if (!edits_.empty()) edits_.pop_back();
+    if (edits_.empty()) return;
+    edits_.pop_back();
+    --edits_made_;
 }
 
 bool Tape::undo() {
     if (undone_ == edits_.size()) return false;
+    --edits_made_;
     act(edits_[edits_.size() - 1 - undone_++].back);
     return true;
 }
 
 bool Tape::redo() {
     if (undone_ == 0) return false;
+    ++edits_made_;
     act(edits_[edits_.size() - undone_--].again);
     return true;
 }

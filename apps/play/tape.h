@@ -46,6 +46,8 @@ class Tape {
     void forget_edit();
     bool undo();
     bool redo();
+    /// How many edits lead from the scene as it was opened to this one: the same number, the same scene.
+    std::int64_t edits() const { return edits_made_; }
     /// What undo and redo would do; empty where there is nothing.
     std::string undo_name() const { return undone_ < edits_.size() ? edits_[edits_.size() - 1 - undone_].name : ""; }
     std::string redo_name() const { return undone_ > 0 ? edits_[edits_.size() - undone_].name : ""; }
@@ -75,6 +77,7 @@ class Tape {
     std::deque<Mark> marks_;
     std::deque<Done> done_;
     std::deque<Edit> edits_;
+    std::int64_t edits_made_ = 0;
     std::size_t undone_ = 0; ///< of edits_, from the back
 };
 

@@ -16,10 +16,13 @@ constexpr float side_width = 340, tools_width = 56, time_height = 64;
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-void begin_fixed(const char* name, float left, float top, float width, float height, ImGuiWindowFlags more = 0) {
+/// A part of the panel, with a hairline around it.
+void begin_fixed(const char* name, float left, float top, float width, float height) {
     ImGui::SetNextWindowPos({left, top});
     ImGui::SetNextWindowSize({width, height});
-    ImGui::Begin(name, nullptr, fixed_window | more);
+    ImGui::Begin(name, nullptr, fixed_window);
+    const auto line = ImGui::GetColorU32(ImGuiCol_Border);
+    ImGui::GetWindowDrawList()->AddRect({left, top}, {left + width, top + height}, line);
 }
 
 } // namespace
@@ -97,6 +100,7 @@ void Panel::title() {
 void Panel::side() {
     const auto& look = look_called(play_.shown_theme());
     title();
+    if (play_.tool == "spawn" && section("PREFAB", true)) prefab_form(play_, look);
     if (section("SCENES", true)) browser_.show(look, fonts_, float(density_));
     if (section("PARAMETERS", false)) sliders(play_, look, fonts_);
     if (section("OVERLAYS", false)) overlay_chips(play_, look);
@@ -158,6 +162,7 @@ void Panel::help() {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(about.data(), about.data() + about.size());
     };
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(10 * scale, 3 * scale));
     if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
         for (const auto& action : play::key_actions()) line(action.key, action.about);
         for (const auto& tool : play::all_tools()) line(tool->key(), std::string(tool->name()) + " tool");
@@ -169,7 +174,7 @@ void Panel::help() {
         ImGui::EndTable();
     }
     ImGui::End();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
 }
 
 } // namespace sinew::window

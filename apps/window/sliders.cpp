@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace sinew::window {
 namespace {
@@ -15,16 +17,21 @@ namespace {
 /// Walks a layout beside what the scene says, and shows what can be changed.
 class Form {
   public:
-    Form(play::Play& play, const Look& look) : play_(play), look_(look), units_(play.session().scene().measures()) {}
+    /// Takes a new value of a path; the last argument: it is one of many on the way of a slider.
+    using Setter = std::function<void(const std::string&, const json::Value&, bool)>;
+
+    Form(const Scene& scene, const Look& look, Setter setter)
+        : look_(look), units_(scene.measures()), dimension_(scene.dimension), setter_(std::move(setter)) {}
 
     void record(const Layout& layout, const json::Value* value, const std::string& path) {
         for (const auto& part : layout.parts) field(part, value, path);
     }
 
   private:
-    play::Play& play_;
     const Look& look_;
     Units units_;
+    int dimension_;
+    Setter setter_;
 
     static const json::Value* member(const json::Value* value, std::string_view key) {
         const auto* object = value ? value->as<json::Object>() : nullptr;
@@ -81,9 +88,8 @@ class Form {
 
     static std::string id(const std::string& path) { return "##" + path; }
 
-    void set(const std::string& path, const std::string& value) {
-        const bool goes_on = ImGui::IsItemActive() && !ImGui::IsItemActivated();
-        play_.set(path, value, goes_on);
+    void set(const std::string& path, const json::Value& value) {
+        setter_(path, value, ImGui::IsItemActive() && !ImGui::IsItemActivated());
     }
 
     void truth(const Layout& part, const json::Value* own, const std::string& path) {
@@ -91,7 +97,7 @@ class Form {
         const auto* said = own ? own->as<bool>() : nullptr;
         bool value = said ? *said : usual && *usual;
         label(part);
-        if (ImGui::Checkbox(id(path).c_str(), &value)) set(path, value ? "true" : "false");
+        if (ImGui::Checkbox(id(path).c_str(), &value)) set(path, value);
     }
 
     void word(const Layout& part, const json::Value* own, const std::string& path) {
@@ -101,7 +107,7 @@ class Form {
         if (!ImGui::BeginCombo(id(path).c_str(), said ? said->c_str() : "")) return;
         for (const auto choice : part.field.choices) {
             const std::string text(choice);
-            if (ImGui::Selectable(text.c_str(), said && *said == text)) play_.set(path, text);
+            if (ImGui::Selectable(text.c_str(), said && *said == text)) setter_(path, text, false);
         }
         ImGui::EndCombo();
     }
@@ -128,16 +134,15 @@ class Form {
         }
         if (!changed) return;
         value = std::clamp(whole ? std::round(value) : value, range.low, range.high);
-        set(path, number_text(value));
+        set(path, whole ? json::Value(std::int64_t(value)) : json::Value(value));
     }
 
     void point(const Layout& part, const json::Value* own, const std::string& path) {
         const auto* said = own ? own->as<json::Array>() : nullptr;
         if (!said && part.optional) return;
-        const int dimension = play_.session().scene().dimension;
         std::array<double, 3> value{};
         double largest = 0;
-        for (int i = 0; i < dimension; ++i) {
+        for (int i = 0; i < dimension_; ++i) {
             const auto* item =
                 said && std::size_t(i) < said->size() ? (*said)[std::size_t(i)].as<json::Number>() : nullptr;
             value[std::size_t(i)] = item ? item->value : 0;
@@ -145,12 +150,12 @@ class Form {
         }
         label(part);
         const auto speed = float(std::max(largest * 0.01, 0.002 * units_.scale(part.field.unit)));
-        if (!ImGui::DragScalarN(id(path).c_str(), ImGuiDataType_Double, value.data(), dimension, speed, nullptr,
+        if (!ImGui::DragScalarN(id(path).c_str(), ImGuiDataType_Double, value.data(), dimension_, speed, nullptr,
                                 nullptr, "%.4g"))
             return;
-        std::string text = "[";
-        for (int i = 0; i < dimension; ++i) text += (i ? "," : "") + number_text(value[std::size_t(i)]);
-        set(path, text + "]");
+        json::Array numbers;
+        for (int i = 0; i < dimension_; ++i) numbers.push_back(value[std::size_t(i)]);
+        set(path, std::move(numbers));
     }
 };
 
@@ -160,7 +165,9 @@ void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
     static const Layout scene_layout = layout_of<Scene>();
     const auto document = play::document_of(play.session().scene());
     const auto& root = *document.as<json::Object>();
-    Form form(play, look);
+    Form form(play.session().scene(), look, [&](const std::string& path, const json::Value& value, bool goes_on) {
+        play.set(path, json::to_text(value), goes_on);
+    });
     const auto title = [&](const std::string& text) {
         ImGui::PushFont(fonts.small);
         ImGui::TextColored(look.accent, "%s", text.c_str());
@@ -183,6 +190,33 @@ void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
         }
     }
     ImGui::PopStyleVar();
+}
+
+void prefab_form(play::Play& play, const Look& look) {
+    static const Layout figure_layout = layout_of<FigureSection>();
+    const auto made = std::find_if(figure_layout.parts.begin(), figure_layout.parts.end(),
+                                   [](const Layout& part) { return part.type == Layout::Type::choice; });
+    if (made == figure_layout.parts.end()) return;
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##prefab", play.prefab.c_str())) {
+        for (const auto& one : made->parts) {
+            const std::string name(one.name);
+            if (name == ByHand::name || !ImGui::Selectable(name.c_str(), name == play.prefab)) continue;
+            play.prefab = name;
+            play.prefab_parameters.clear();
+        }
+        ImGui::EndCombo();
+    }
+    Form form(play.session().scene(), look, [&](const std::string& path, const json::Value& value, bool) {
+        const auto key = path.substr(path.find('.') + 1);
+        if (auto* member = json::find(play.prefab_parameters, key))
+            member->value = value;
+        else
+            play.prefab_parameters.push_back({key, value});
+    });
+    const json::Value said = play.prefab_parameters;
+    for (const auto& one : made->parts)
+        if (one.name == play.prefab) form.record(one, &said, "prefab");
 }
 
 } // namespace sinew::window

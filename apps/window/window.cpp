@@ -38,6 +38,7 @@ class Window {
             const auto now = Clock::now();
             frame(seconds_between(last, now));
             last = now;
+            rest(now);
         }
         finish();
         return std::nullopt;
@@ -52,6 +53,8 @@ class Window {
     Picture picture_;
     Area area_; ///< of the scene
     std::string title_;
+    std::int64_t frames_ = 0;
+    double shown_ = 0, stepping_ = 0, gathering_ = 0, painting_ = 0; ///< seconds, of all frames
 
     /// What lives in the OpenGL context.
     std::optional<std::string> prepare() {
@@ -65,6 +68,13 @@ class Window {
     }
 
     void finish() {
+        const double each = frames_ > 0 ? 1000 / double(frames_) : 0;
+        play_.tell("end", {{"hash", play_.hash()},
+                           {"frames", frames_},
+                           {"seconds_shown", shown_},
+                           {"ms_step", stepping_ * each},
+                           {"ms_gather", gathering_ * each},
+                           {"ms_paint", painting_ * each}});
         int width = 0, height = 0;
         SDL_GetWindowSize(screen_.window(), &width, &height);
         save_settings({play_.theme, width, height, play_.panel});
@@ -87,8 +97,11 @@ class Window {
         panel_.dress(density);
         area_ = panel_.area(width, height);
         play_.resize(area_.width, area_.height, density);
+        const auto begin = Clock::now();
         step(passed);
+        const auto stepped = Clock::now();
         play_.draw(picture_);
+        const auto drawn = Clock::now();
         name_window();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         painter_->paint(picture_, area_.left, height - area_.top - area_.height);
@@ -100,6 +113,18 @@ class Window {
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         screen_.show();
+        ++frames_;
+        shown_ += passed;
+        stepping_ += seconds_between(begin, stepped);
+        gathering_ += seconds_between(stepped, drawn);
+        painting_ += seconds_between(drawn, Clock::now());
+    }
+
+    /// Where the display does not make the program wait, more pictures than any display shows are of no use.
+    static void rest(Clock::time_point begin) {
+        constexpr double shortest = 1.0 / 250;
+        const double left = shortest - seconds_between(begin, Clock::now());
+        if (left > 0) SDL_Delay(Uint32(left * 1000));
     }
 
     /// As many steps as are due, as long as pictures keep coming.

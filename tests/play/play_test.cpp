@@ -242,7 +242,9 @@ TEST(Play, AnEditGoesOnWhereTheWorldIs) {
     EXPECT_EQ(pixel_of(play, "bob/right_hand"), hand);
     EXPECT_FALSE(play.set("figures.box.width", "-1"));
     EXPECT_NE(play.problem().find("width"), std::string::npos);
+    EXPECT_TRUE(play.is_edited());
     play.undo(), play.undo();
+    EXPECT_FALSE(play.is_edited());
     EXPECT_EQ(play.session().scene().figures.size(), 1u);
     EXPECT_EQ(pixel_of(play, "bob/right_hand"), hand);
 }
@@ -326,6 +328,44 @@ TEST(Play, SmallestAndStrangestPicturesDoNoHarm) {
         play.draw(picture);
         play.advance(1.0 / 60);
     }
+}
+
+/// Slower machines, faster displays: what is drawn lies between two steps, and the world is the same.
+TEST(Play, TheDisplaysRateChangesNothingButThePictures) {
+    std::vector<std::string> hashes;
+    for (const char* fps : {"30", "60", "200"}) {
+        Play play(shelf, "ragdoll");
+        run(std::string("fps ") + fps + "\n2 end", play);
+        play.go_to(110);
+        hashes.push_back(play.hash());
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[1], hashes[2]);
+}
+
+TEST(Play, ASceneInSpaceIsTurnedAndItsClothIsTaken) {
+    Play play({{}, fetch}, "cloth3d");
+    play.resize(1000, 700);
+    for (int i = 0; i < 30; ++i) play.advance(1.0 / 60);
+    const auto eye = play.view().towards_eye();
+    play.handle(Moved{{5, 5}});
+    play.handle(Pressed{});
+    play.handle(Moved{{105, 25}});
+    play.handle(Released{});
+    EXPECT_GT(distance(play.view().towards_eye(), eye), 0.1);
+    const auto id =
+        std::visit([](const auto& world) { return world.particles.slots.id_of(Row(world.particles.size() - 1)); },
+                   play.session().world());
+    const auto pixel = [&] {
+        return cast<double>(play.view().see(place_of(play.session().world(), {&id, 1})->as<3, double>())->pixel);
+    };
+    play.handle(Moved{pixel()});
+    play.handle(Pressed{});
+    ASSERT_NE(play.session().hand(), nullptr);
+    play.handle(Moved{pixel() + Vec2<double>{{30, -20}}});
+    const auto goal = play.pointer();
+    for (int i = 0; i < 60; ++i) play.advance(1.0 / 60);
+    EXPECT_LT(distance(pixel(), goal), 3);
 }
 
 TEST(PlayScript, SaysWhatIsWrongAndWhere) {

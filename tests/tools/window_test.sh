@@ -71,9 +71,10 @@ key b; until_said '"what": "back"'
 [ "$(hashes pause)" = "$(hashes back)" ] || fail "back is another state"
 [ "$(hashes pause)" != "$(hashes step)" ] || fail "a step changes nothing"
 key p; until_said '"what": "resume"'
-sleep 1
 
-# The right button cuts; undo makes it whole.
+# The right button cuts what hangs; undo makes it whole.
+key r; until_said '"what": "restart"'
+sleep 0.2
 xdotool mousemove $((middle_x - 250)) $middle_y mousedown 3; sleep 0.1
 for i in $(seq 10); do xdotool mousemove $((middle_x - 250 + 50 * i)) $((middle_y + i)); sleep 0.02; done
 xdotool mouseup 3
