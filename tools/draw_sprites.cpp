@@ -327,6 +327,24 @@ void die(Sprite& s) {
     cairo_new_path(s.pen);
 }
 
+/// A creature from space, pixel by pixel: the left half of it, the right one is its mirror image.
+void invader(Sprite& s) {
+    constexpr const char* rows[] = {"...#..", "#...##", "#.####", "##.##.", "######", ".#####", "..#.#.", ".#.#.."};
+    constexpr int wide = 6, high = 8;
+    const double pixel = s.height / high;
+    for (const double grown : {0.9, 0.0}) { // the outline below, then the creature
+        for (int y = 0; y < high; ++y)
+            for (int x = 0; x < wide; ++x) {
+                if (rows[y][x] != '#') continue;
+                for (const int column : {x, 2 * wide - 2 - x})
+                    cairo_rectangle(s.pen, (column - wide + 0.5) * pixel - grown, (y - high / 2) * pixel - grown,
+                                    pixel + 2 * grown, pixel + 2 * grown);
+            }
+        s.color(grown > 0 ? 0x1d3b2aU : 0x7ddc84U);
+        cairo_fill(s.pen);
+    }
+}
+
 /// From above, its head up: eight legs, two parts, a cross on its back.
 void spider(Sprite& s) {
     for (const double side : {-1.0, 1.0})
@@ -386,6 +404,7 @@ int main(int count, char** words) {
     drawn("plank.png", 60, 12, plank);
     drawn("crate.png", 100, 100, crate);
     drawn("die.png", 100, 100, die);
+    drawn("invader.png", 46, 32, invader);
     drawn("spider.png", 40, 44, spider);
     return good ? 0 : 1;
 }

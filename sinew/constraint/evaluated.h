@@ -12,7 +12,8 @@
 ///     dimensions        {lowest, highest} dimension it exists in
 ///     length_power      how the measure grows with size: 1 a length, 2 an area, 3 a volume, 0 an angle
 ///     period            for angles: a whole turn; 0 for the rest
-///     evaluate(points)  the measure and its gradient with respect to each point
+///     sided             optional: true if it changes its sign in a mirror though its length_power and period do not
+///     say so evaluate(points)  the measure and its gradient with respect to each point
 ///
 /// The scalar T is open: one number, a pack of lanes, or a dual number in tests. Degenerate points (coincident,
 /// collinear) give a zero gradient, never NaN; the solver knows what to do then.

@@ -48,8 +48,11 @@ inline constexpr Field toughness_field{.name = "toughness",
                                        .low = 0,
                                        .high = 1e6};
 
-/// Whether a measure changes its sign in a mirror: signed angles do, and areas in the plane, and volumes in space.
-template <class Kind, int D> inline constexpr bool mirrors = Kind::period > 0 || Kind::length_power == D;
+/// Whether a measure changes its sign in a mirror: signed angles do, and areas in the plane, and volumes in space, and
+/// what says so.
+template <class Kind, int D> inline constexpr bool mirrors = Kind::period > 0 || Kind::length_power == D || requires {
+    Kind::sided;
+};
 
 template <int D, class RealT> class Builder {
   public:
@@ -68,10 +71,14 @@ template <int D, class RealT> class Builder {
     /// know points, all alike: there the mass is 1 and the radius 0.
     ParticleId particle(std::string_view name, const Local& local, double mass, double radius = 0) {
         const bool classic = mode_ == Mode::classic;
-        const auto id = add_particle(world_, {.position = placement_.place(local),
-                                              .mass = classic ? Real(1) : Real(mass),
-                                              .radius = classic ? Real(0) : Real(radius),
-                                              .figure = figure_});
+        return weighed_particle(name, local, classic ? 1 : mass, classic ? 0 : radius);
+    }
+
+    /// The same for the few originals that did weigh their points, and gave them a size.
+    ParticleId weighed_particle(std::string_view name, const Local& local, double mass, double radius = 0) {
+        const auto id = add_particle(
+            world_,
+            {.position = placement_.place(local), .mass = Real(mass), .radius = Real(radius), .figure = figure_});
         locals_.push_back(local);
         figure().particles.push_back(id);
         if (!name.empty()) figure().particle_names.emplace_back(name, id);

@@ -1,5 +1,7 @@
 #include "sinew/prefab/cloth.h"
 
+#include "sinew/math/random.h"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -59,15 +61,19 @@ template <int D, class Real> void name_corners(Builder<D, Real>& figure, const G
 
 template <int D, class Real>
 void weave(Builder<D, Real>& figure, const Grid& grid, const Thread& thread, ConstraintSpec<double> spec,
-           double spacing) {
+           double spacing, double uneven) {
     if (grid.columns <= thread.across || grid.rows <= thread.down) return;
     const auto columns = grid.columns - thread.across, rows = grid.rows - thread.down;
     const std::size_t from = thread.rising ? thread.across : 0, to = thread.across - from;
     spec.limits = exactly(spacing * square_root(double(thread.across * thread.across + thread.down * thread.down)));
     figure.number_constraints(thread.stem, columns * rows, columns);
+    const double weakest = spec.breaking_strain;
     for (std::size_t r = 0; r < rows; ++r)
-        for (std::size_t c = 0; c < columns; ++c)
+        for (std::size_t c = 0; c < columns; ++c) {
+            const auto number = figure.figure().constraints.size();
+            spec.breaking_strain = weakest * (1 + uneven * random::uniform(0, number, 0));
             figure.template constrain<Distance>("", {grid.at(c + from, r), grid.at(c + to, r + thread.down)}, spec);
+        }
 }
 
 template <int D, class Real> void weave(Builder<D, Real>& figure, const Grid& grid, const Cloth& cloth) {
@@ -76,7 +82,7 @@ template <int D, class Real> void weave(Builder<D, Real>& figure, const Grid& gr
               {.compliance = compliance,
                .breaking_strain = tears_beyond(cloth.breaking_strain),
                .toughness = cloth.toughness},
-              cloth.spacing);
+              cloth.spacing, cloth.uneven);
     };
     threads({"across", 1, 0}, cloth.compliance);
     threads({"down", 0, 1}, cloth.compliance);

@@ -39,6 +39,7 @@ struct Cloth {
     double bend_compliance = 0.1;
     double breaking_strain = 0;
     double toughness = 0;
+    double uneven = 0;
     std::string drawn = "threads";
     double thickness = 0.01;
 
@@ -88,6 +89,11 @@ struct Cloth {
                                           .low = 0,
                                           .high = most});
         visit(self.toughness, toughness_field);
+        visit(self.uneven, Field{.name = "uneven",
+                                 .help = "How much more than breaking_strain some threads bear, at random: 1 is up to "
+                                         "twice as much",
+                                 .low = 0,
+                                 .high = 1e3});
         visit(self.drawn,
               Field{.name = "drawn", .help = "Its threads, its cells filled, or both", .choices = drawings});
         visit(self.thickness, Field{.name = "thickness",

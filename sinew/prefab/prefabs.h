@@ -4,7 +4,10 @@
 #include "sinew/prefab/bridge.h"
 #include "sinew/prefab/chain.h"
 #include "sinew/prefab/cloth.h"
+#include "sinew/prefab/crank.h"
+#include "sinew/prefab/formation.h"
 #include "sinew/prefab/polygon.h"
+#include "sinew/prefab/puppet.h"
 #include "sinew/prefab/ragdoll.h"
 #include "sinew/prefab/rope.h"
 #include "sinew/prefab/spiderweb.h"
@@ -28,7 +31,8 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Cloth, Spiderweb, Tree, StickFigure, Ragdoll>;
+using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Crank, Cloth, Spiderweb, Tree, Formation,
+                         StickFigure, Puppet, Ragdoll>;
 
 namespace detail {
 template <class List> struct VariantOf;

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <set>
+#include <span>
 
 namespace sinew {
 namespace {
@@ -15,13 +17,19 @@ std::string under(std::string_view list, std::size_t index, std::string_view key
     return key.empty() ? fmt::format("/{}/{}", list, index) : fmt::format("/{}/{}/{}", list, index, key);
 }
 
+/// Whether one of the names stands for many particles.
+bool has_star(std::span<const std::string> names) {
+    return std::ranges::any_of(names, [](const std::string& name) { return name.ends_with('*'); });
+}
+
 Sizes sizes_of(const FigureSection& figure) {
     Sizes sizes;
     detail::visit_held(figure.made, [&](const auto& made) {
         if constexpr (requires { made.sizes(); })
             sizes = made.sizes();
         else
-            sizes = {made.particles.size(), made.constraints.size()};
+            for (sizes.particles = made.particles.size(); const auto& constraint : made.constraints)
+                sizes.constraints += has_star(constraint.between) ? sizes.particles : 1;
     });
     return sizes;
 }
@@ -43,6 +51,7 @@ class ValueCheck {
             detail::visit_held(scene_.pins[i].driver, [&](const auto& driver) {
                 if constexpr (requires { driver.keys; }) keys(driver.keys, under("pins", i, "keys"));
             });
+        for (std::size_t i = 0; i < scene_.events.size(); ++i) event(scene_.events[i], i);
     }
 
   private:
@@ -66,7 +75,21 @@ class ValueCheck {
         const auto& limits = document_.limits;
         count(std::int64_t(scene_.figures.size()), limits.figures, "figures", "/figures");
         count(std::int64_t(scene_.events.size()), limits.events, "events", "/events");
-        Sizes sum{0, scene_.constraints.size()};
+        Sizes sum;
+        std::map<std::string_view, std::size_t> particles; // what a star can stand for
+        for (const auto& figure : scene_.figures)
+            particles[name_of(figure)] = std::min(sizes_of(figure).particles, std::size_t(1e12));
+        const auto most = [&](const std::string_view name) {
+            const auto found = particles.find(name.substr(0, name.find('/')));
+            return name.ends_with('*') && found != particles.end() ? found->second : 1;
+        };
+        for (const auto& constraint : scene_.constraints) {
+            std::size_t many = 1;
+            for (const auto& name : constraint.between) many = std::max(many, most(name));
+            sum.constraints += many;
+        }
+        for (const auto& pin : scene_.pins)
+            if (pin.particle.ends_with('*')) sum.constraints += most(pin.particle);
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) {
             const auto sizes = sizes_of(scene_.figures[i]);
             sum.particles += sizes.particles;
@@ -122,7 +145,19 @@ class ValueCheck {
             document_.error(place + "/end_width", "an end_width needs a width to begin with");
     }
 
-    void constraint(const ConstraintSection& section, const std::string& place) {
+    void event(const EventSection& section, std::size_t i) {
+        const double step = step_length(scene_);
+        if (section.times > 0 && section.every == 0)
+            document_.error(under("events", i, "times"), "what happens several times needs an \"every\"");
+        if (section.every > 0 && section.every < step * 0.999)
+            document_.error(under("events", i, "every"),
+                            fmt::format("{} is shorter than a step, {:.6g}", section.every, step));
+        if (const auto* join = std::get_if<JoinEvent>(&section.event))
+            constraint(join->constraint, under("events", i), "join");
+    }
+
+    void constraint(const ConstraintSection& section, const std::string& place, std::string_view members = "between") {
+        const auto between = fmt::format("{}/{}", place, members);
         if (section.rest && (section.low || section.high))
             document_.error(place + "/rest", "a constraint has either a rest or limits low and high, not both");
         if (section.low && section.high && *section.low > *section.high)
@@ -130,16 +165,17 @@ class ValueCheck {
         const auto size = section.between.size();
         const auto wanted = arity(section.kind);
         if (section.kind == "area" ? size < 3 : size != wanted)
-            document_.error(place + "/between",
+            document_.error(between,
                             fmt::format("{} {} needs {}{} particles, found {}",
                                         section.kind == "angle" || section.kind == "area" ? "an" : "a", section.kind,
                                         section.kind == "area" ? "at least " : "", wanted, size));
+        if (std::ranges::count_if(section.between, [](const auto& name) { return name.ends_with('*'); }) > 1)
+            document_.error(between, "one of the names can end in a star, not more");
         std::set<std::string_view> seen;
         for (const auto& name : section.between)
-            if (!seen.insert(name).second)
-                document_.error(place + "/between", fmt::format("\"{}\" is named twice", name));
-        const bool exists =
-            scene_.dimension == 2 ? section.kind != "volume" && section.kind != "dihedral" : section.kind != "area";
+            if (!seen.insert(name).second) document_.error(between, fmt::format("\"{}\" is named twice", name));
+        const bool exists = scene_.dimension == 2 ? section.kind != "volume" && section.kind != "dihedral"
+                                                  : section.kind != "area" && section.kind != "rail";
         if (!exists)
             document_.error(place + "/kind",
                             fmt::format("there is no {} in {} dimensions", section.kind, scene_.dimension));
@@ -147,7 +183,7 @@ class ValueCheck {
 
     static std::size_t arity(std::string_view kind) {
         if (kind == "distance") return 2;
-        return kind == "angle" || kind == "area" ? 3 : 4;
+        return kind == "volume" || kind == "dihedral" ? 4 : 3;
     }
 
     void look(const Look& look, const std::string& place) {
@@ -234,7 +270,7 @@ template <int D, class Real> class ReferenceCheck {
     }
 
     void particle(std::string_view name, const std::string& place) {
-        path("particle", name, place, find_particle(world_, name).has_value(), [](const Figure& figure) {
+        path("particle", name, place, !find_particles(world_, name).empty(), [](const Figure& figure) {
             std::vector<std::string_view> names;
             for (const auto& named : figure.particle_names) names.emplace_back(named.first);
             return names;
@@ -254,7 +290,7 @@ template <int D, class Real> class ReferenceCheck {
         for (const auto& [name, kick] : section.kicks)
             particle(built.name + "/" + name, under("figures", i, "kicks") + json::pointer_step(name));
         for (const auto& [part, seen] : section.looks)
-            if (part != "all" && !has_part(built, part))
+            if (part != "all" && !has_part(built, part) && !is_joined_later(built.name + "/" + part))
                 unknown("part", part, under("figures", i, "looks") + json::pointer_step(part), parts_of(built));
         const auto* by_hand = std::get_if<ByHand>(&section.made);
         if (!by_hand) return;
@@ -275,6 +311,17 @@ template <int D, class Real> class ReferenceCheck {
         if (name.find('/') != std::string_view::npos && index && *index > i)
             document_.error(place, fmt::format("\"{}\" is of a figure that is made later", name),
                             "figures are made in their order: put the one that joins others behind them");
+    }
+
+    /// Whether an event makes a constraint of that full name.
+    bool is_joined_later(std::string_view path) const {
+        return std::ranges::any_of(scene_.events, [&](const EventSection& section) {
+            const auto* join = std::get_if<JoinEvent>(&section.event);
+            if (!join || join->constraint.name.empty() || join->constraint.between.empty()) return false;
+            const std::string_view first = join->constraint.between.front();
+            const auto figure = first.substr(0, first.find('/') + 1);
+            return path.starts_with(figure) && path.substr(figure.size()) == join->constraint.name;
+        });
     }
 
     static bool has_part(const Figure& figure, std::string_view part) {
@@ -318,9 +365,15 @@ template <int D, class Real> class ReferenceCheck {
     void event(const ImpulseEvent& impulse, std::size_t i) {
         if (!find_figure(world_, impulse.target)) particle(impulse.target, under("events", i, "impulse"));
     }
+    void event(const KickEvent& kick, std::size_t i) { particle(kick.target, under("events", i, "kick")); }
+    void event(const JoinEvent& join, std::size_t i) {
+        for (std::size_t k = 0; k < join.constraint.between.size(); ++k)
+            particle(join.constraint.between[k], under("events", i, "join") + fmt::format("/{}", k));
+    }
     void event(const SnipEvent& snip, std::size_t i) {
         for (std::size_t k = 0; k < snip.constraints.size(); ++k)
-            constraint(snip.constraints[k], under("events", i, "snip") + fmt::format("/{}", k));
+            if (!is_joined_later(snip.constraints[k]))
+                constraint(snip.constraints[k], under("events", i, "snip") + fmt::format("/{}", k));
     }
     template <class Event> void event(const Event&, std::size_t) {}
 };

@@ -2,6 +2,7 @@
 
 #include "sinew/math/point.h"
 #include "sinew/math/record.h"
+#include "sinew/scene/figure_section.h"
 
 #include <array>
 #include <optional>
@@ -19,6 +20,7 @@ struct GrabEvent {
     std::string particle;
     std::optional<Point> to;
     double over = 0;
+    double within = 0;
     double compliance = 0;
     double max_force = 0;
 
@@ -27,6 +29,11 @@ struct GrabEvent {
         visit(self.to, Field{.name = "to", .help = "Where it is carried; left out: held", .unit = unit::length});
         visit(self.over,
               Field{.name = "over", .help = "How long that takes", .unit = unit::time, .low = 0, .high = 1e9});
+        visit(self.within, Field{.name = "within",
+                                 .help = "What of its figure is as near is carried along",
+                                 .unit = unit::length,
+                                 .low = 0,
+                                 .high = 1e6});
         visit(self.compliance, Field{.name = "compliance",
                                      .help = "How much the hold gives under a force; 0 holds fast",
                                      .unit = unit::compliance,
@@ -61,6 +68,46 @@ struct ImpulseEvent {
                                  .help = "A particle as figure/name, or a figure, whose particles share it by mass",
                                  .required = true});
         visit(self.by, Field{.name = "by", .help = "Mass times velocity", .unit = unit::impulse, .required = true});
+    }
+};
+
+struct KickEvent {
+    static constexpr std::string_view name = "kick";
+    static constexpr std::string_view about =
+        "A random change of velocity, another one each time and for each particle.";
+    std::string target;
+    Point by{};
+    std::int64_t seed = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.target, Field{.name = "kick",
+                                 .help = "Which particle, as figure/name; figure/stem_* are all that begin so",
+                                 .required = true});
+        visit(self.by, Field{.name = "by",
+                             .help = "The largest change, to either side along each axis",
+                             .unit = unit::speed,
+                             .required = true});
+        visit(self.seed, Field{.name = "seed", .help = "Another number, other kicks"});
+    }
+};
+
+struct JoinEvent {
+    static constexpr std::string_view name = "join";
+    static constexpr std::string_view about =
+        "Joins particles by a constraint of the figure of the first, unless one of its name is there; snip parts them.";
+    ConstraintSection constraint;
+    double within = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        ConstraintSection::fields(self.constraint, [&](auto& member, Field field) {
+            if (field.name == "between") field.name = "join";
+            visit(member, field);
+        });
+        visit(self.within, Field{.name = "within",
+                                 .help = "Only if the first two are as near as that; 0: however far",
+                                 .unit = unit::length,
+                                 .low = 0,
+                                 .high = 1e8});
     }
 };
 
@@ -139,11 +186,21 @@ struct SetEvent {
 
 struct EventSection {
     double at = 0;
-    std::variant<GrabEvent, ReleaseEvent, ImpulseEvent, GustEvent, CutEvent, SnipEvent, SetEvent> event;
+    double every = 0;
+    int times = 0;
+    std::variant<GrabEvent, ReleaseEvent, ImpulseEvent, KickEvent, GustEvent, CutEvent, SnipEvent, JoinEvent, SetEvent>
+        event;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.at,
               Field{.name = "at", .help = "When", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
+        visit(self.every, Field{.name = "every",
+                                .help = "Again and again, after as long each time; 0: once",
+                                .unit = unit::time,
+                                .low = 0,
+                                .high = 1e12});
+        visit(self.times,
+              Field{.name = "times", .help = "How often in all, if again; 0: without end", .low = 0, .high = 1e9});
         visit(self.event, Field{.required = true});
     }
 };

@@ -14,7 +14,8 @@
 /// What there is in a scene: its figures, and what joins and holds them.
 namespace sinew {
 
-inline constexpr std::array<std::string_view, 5> kind_names = {"distance", "angle", "area", "volume", "dihedral"};
+inline constexpr std::array<std::string_view, 6> kind_names = {"distance", "angle",    "area",
+                                                               "volume",   "dihedral", "rail"};
 
 struct ConstraintSection {
     std::string kind = "distance";
@@ -29,12 +30,11 @@ struct ConstraintSection {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.kind, Field{.name = "kind", .help = "What is measured", .choices = kind_names});
-        visit(
-            self.between,
-            Field{.name = "between",
-                  .help =
-                      "The particles, as figure/name; inside a figure its own need no figure/, and others come before",
-                  .required = true});
+        visit(self.between,
+              Field{.name = "between",
+                    .help = "The particles, as figure/name; inside a figure its own need no figure/, and "
+                            "others come before. One can end in a star: a constraint for each that begins so",
+                    .required = true});
         visit(self.name, Field{.name = "name", .help = "For events and reports"});
         visit(self.rest, Field{.name = "rest", .help = "The measure is kept at this value; left out, at what it is"});
         visit(self.low, Field{.name = "low", .help = "The measure is kept at least this"});
@@ -169,7 +169,9 @@ struct PinSection {
     std::optional<Driver> driver;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.particle, Field{.name = "particle", .help = "Which, as figure/name", .required = true});
+        visit(self.particle, Field{.name = "particle",
+                                   .help = "Which, as figure/name; figure/stem_* are all that begin so",
+                                   .required = true});
         visit(self.to, Field{.name = "to", .help = "Where it is held; left out: where it is", .unit = unit::length});
         visit(self.compliance, Field{.name = "compliance",
                                      .help = "How much it gives under a force; 0 holds fast",

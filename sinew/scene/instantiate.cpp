@@ -1,5 +1,6 @@
 #include "sinew/math/random.h"
 #include "sinew/scene/check.h"
+#include "sinew/scene/join.h"
 #include "sinew/scene/scene.h"
 #include "sinew/scene/types.h"
 #include "sinew/solver/edit.h"
@@ -19,7 +20,7 @@ template <int D, class Real> class Maker {
         forces();
         bounds();
         for (const auto& figure : scene_.figures) add(figure);
-        for (const auto& constraint : scene_.constraints) join(constraint, no_figure, "");
+        for (const auto& constraint : scene_.constraints) join(world_, constraint);
         for (const auto& section : scene_.pins) hold(section);
         return std::move(world_);
     }
@@ -56,6 +57,8 @@ template <int D, class Real> class Maker {
             .points_only_passes = rules.points_only_passes,
             .unscaled_inertia = rules.unscaled_inertia,
             .halved_acceleration = rules.halved_acceleration,
+            .dropped_leftover = rules.dropped_leftover,
+            .displaced_hold = rules.displaced_hold,
         };
     }
 
@@ -157,7 +160,7 @@ template <int D, class Real> class Maker {
             world_.figures[figure].particle_names.emplace_back(called, id);
             if (particle.pinned) pin(world_, id);
         }
-        for (const auto& constraint : by_hand.constraints) join(constraint, figure, std::string(name) + "/");
+        for (const auto& constraint : by_hand.constraints) join(world_, constraint, figure, std::string(name) + "/");
         for (const auto& piece : by_hand.pieces) add_piece(piece, figure, std::string(name) + "/");
         for (std::size_t i = 0; i < by_hand.particles.size(); ++i)
             world_.figures[figure].pieces.push_back({.mark = Mark::dot,
@@ -179,61 +182,15 @@ template <int D, class Real> class Maker {
         world_.figures[figure].pieces.push_back(std::move(piece));
     }
 
-    /// A constraint between particles, where those of the figure itself leave its name, `prefix`, out. References are
-    /// checked later: one to nothing is left out.
-    void join(const ConstraintSection& section, FigureIndex figure, const std::string& prefix) {
-        std::vector<ParticleId> members;
-        for (const auto& name : section.between)
-            members.push_back(find_particle(world_, full_name(name, prefix)).value_or(ParticleId{}));
-        ConstraintSpec<Real> spec{.limits = limits(section),
-                                  .compliance = Real(section.compliance),
-                                  .relaxation = Real(section.relaxation.value_or(1)),
-                                  .split = Real(section.split.value_or(0.5)),
-                                  .breaking_strain = Real(tears_beyond(section.breaking_strain)),
-                                  .toughness = Real(section.toughness),
-                                  .figure = figure};
-        const auto id = add_constraint(world_, kind_of(section.kind), members, spec);
-        if (!id || figure == no_figure) return;
-        auto& built = world_.figures[figure];
-        built.constraints.push_back(*id);
-        if (!section.name.empty()) built.constraint_names.emplace_back(section.name, *id);
-        const bool line = section.kind == "distance";
-        if (line || section.kind == "area")
-            built.pieces.push_back({.mark = line ? Mark::stroke : Mark::fill,
-                                    .part = section.name.empty() ? (line ? "line" : "area") : section.name,
-                                    .particles = members,
-                                    .hidden = section.hidden});
-    }
-
-    static std::optional<Interval<Real>> limits(const ConstraintSection& section) {
-        const Real in_program = section.kind == "angle" || section.kind == "dihedral" ? pi<Real> / 180 : 1;
-        if (section.rest) return exactly(Real(*section.rest) * in_program);
-        if (!section.low && !section.high) return std::nullopt;
-        auto limits = between(-std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity());
-        if (section.low) limits.low = Real(*section.low) * in_program;
-        if (section.high) limits.high = Real(*section.high) * in_program;
-        return limits;
-    }
-
-    static int kind_of(std::string_view name) {
-        int number = 0, found = -1;
-        Kinds<D>::for_each([&]<class Kind>(std::type_identity<Kind>) {
-            if (name == Kind::name) found = number;
-            ++number;
-        });
-        return found;
-    }
-
     void hold(const PinSection& section) {
-        const auto id = find_particle(world_, section.particle);
-        if (!id) return;
         std::optional<Vector> target;
         if (section.to) target = vector(*section.to);
-        pin(world_, *id,
-            {.target = target,
-             .compliance = Real(section.compliance),
-             .damping = Real(section.damping),
-             .max_force = Real(section.max_force)});
+        for (const auto id : find_particles(world_, section.particle))
+            pin(world_, id,
+                {.target = target,
+                 .compliance = Real(section.compliance),
+                 .damping = Real(section.damping),
+                 .max_force = Real(section.max_force)});
     }
 };
 

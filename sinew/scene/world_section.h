@@ -183,6 +183,8 @@ struct RulesSection {
     bool points_only_passes = false;
     bool unscaled_inertia = false;
     bool halved_acceleration = false;
+    bool dropped_leftover = false;
+    bool displaced_hold = false;
 
     static constexpr std::array<std::string_view, 3> orders = {"sweeps_last", "walls_each_pass", "interleaved"};
 
@@ -213,6 +215,12 @@ struct RulesSection {
                     .help = "Known bug (GameMaker): inertia does not shrink with the time step"});
         visit(self.halved_acceleration,
               Field{.name = "halved_acceleration", .help = "Known bug (tearable cloth): x += v + a/2 dt^2"});
+        visit(self.dropped_leftover,
+              Field{.name = "dropped_leftover",
+                    .help = "Known bug (tearable cloth): whole steps of 16 ms, what is left of a frame is dropped"});
+        visit(self.displaced_hold,
+              Field{.name = "displaced_hold",
+                    .help = "Known bug (Godot chain): what is carried along also moves by itself, ever faster"});
     }
 };
 

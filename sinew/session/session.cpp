@@ -1,8 +1,7 @@
 #include "sinew/session/session.h"
 
 #include "sinew/scene/reader.h"
-#include "sinew/session/driver.h"
-#include "sinew/session/transplant.h"
+#include "sinew/session/doer.h"
 #include "sinew/session/view.h"
 #include "sinew/solver/cut.h"
 #include "sinew/solver/edit.h"
@@ -14,83 +13,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace sinew {
 namespace {
 
 template <class WorldT> using VectorOf = typename WorldT::Vector;
 
-template <class WorldT> Gravity<WorldT::dimension, typename WorldT::Real>* gravity_of(WorldT& world) {
-    return world.forces.empty() ? nullptr
-                                : std::get_if<Gravity<WorldT::dimension, typename WorldT::Real>>(&world.forces.front());
-}
-
 template <class WorldT> bool is_link(const Event& torn) {
     return torn.constraint.kind == kind_number<Distance, WorldT::dimension>;
 }
-
-/// What an event does to a world. Returns where it happened, as the scene calls it.
-template <class WorldT> struct Doer {
-    using Real = typename WorldT::Real;
-    static constexpr int D = WorldT::dimension;
-    WorldT& world;
-
-    std::string operator()(const ImpulseEvent& impulse) const {
-        const auto by = impulse.by.template as<D, Real>();
-        if (const auto particle = find_particle(world, impulse.target)) {
-            apply_impulse(world, *particle, by);
-        } else if (const auto figure = find_figure(world, impulse.target)) {
-            strike(world.figures[*figure], by);
-        }
-        return impulse.target;
-    }
-
-    std::string operator()(const SnipEvent& snip) const {
-        std::vector<ConstraintId> ids;
-        for (const auto& name : snip.constraints)
-            if (const auto id = find_constraint(world, name)) ids.push_back(*id);
-        cut(world, std::span<const ConstraintId>(ids));
-        return snip.constraints.empty() ? "" : snip.constraints.front();
-    }
-
-    std::string operator()(const SetEvent& set) const {
-        const auto& to = set.changes;
-        auto& settings = world.settings;
-        if (auto* gravity = gravity_of(world); gravity && to.gravity)
-            gravity->acceleration = to.gravity->template as<D, Real>();
-        if (to.damping) (settings.mode == Mode::classic ? settings.classic.keep : settings.damping) = Real(*to.damping);
-        if (to.bounce) settings.classic.bounce = Real(*to.bounce);
-        for (auto& plane : world.bounds) {
-            if (to.bounce) plane.restitution = Real(*to.bounce);
-            if (to.friction) plane.friction = Real(*to.friction);
-        }
-        if (to.time_scale) settings.classic.time_scale = Real(*to.time_scale);
-        if (to.substeps) settings.substeps = *to.substeps;
-        if (to.iterations) settings.iterations = *to.iterations;
-        if (to.passes) settings.classic.passes = *to.passes;
-        return "";
-    }
-
-  private:
-    /// A figure takes a blow as one body: every particle gets the same change of velocity.
-    void strike(const Figure& figure, const Vec<D, Real>& by) const {
-        Real mass = 0;
-        for (const auto id : figure.particles)
-            if (const auto row = row_of(world, id)) mass += inverse_or_zero(world.particles.mobility[*row]);
-        for (const auto id : figure.particles)
-            if (const auto row = row_of(world, id); row && world.particles.mobility[*row] > Real(0))
-                set_velocity(world, id, world.particles.velocity[*row] + by * inverse_or_zero(mass));
-    }
-};
 
 } // namespace
 
 Session::Session(Opened opened)
     : scene_(std::move(opened.scene)), world_(std::move(opened.world)), images_(std::move(opened.images)),
       focus_(focus_of(scene_, world_)) {
-    std::stable_sort(scene_.events.begin(), scene_.events.end(),
-                     [](const EventSection& a, const EventSection& b) { return a.at < b.at; });
+    plan_events();
     find_driven();
     note_parted();
 }
@@ -99,8 +37,8 @@ void Session::restart() {
     world_ = instantiate(scene_);
     islands_.clear();
     note_parted();
+    plan_events();
     find_driven();
-    next_event_ = 0;
     hand_.reset();
     taken_over_ = false;
     held_.clear();
@@ -120,10 +58,8 @@ void Session::run_until(double seconds) {
 }
 
 void Session::step() {
-    const double now = std::visit([](const auto& world) { return world.time; }, world_);
     const double dt = step_length(scene_);
-    while (next_event_ < scene_.events.size() && scene_.events[next_event_].at <= now + dt * 1e-6)
-        happen(scene_.events[next_event_++]);
+    happen_now();
     still_gusts();
     drive();
     carry_held();
@@ -132,7 +68,29 @@ void Session::step() {
     note_events();
 }
 
-void Session::happen(const EventSection& event) {
+void Session::plan_events() {
+    due_.clear();
+    for (std::size_t i = 0; i < scene_.events.size(); ++i) due_.push_back({scene_.events[i].at, i});
+    std::make_heap(due_.begin(), due_.end());
+}
+
+void Session::happen_now() {
+    const double now = std::visit([](const auto& world) { return world.time; }, world_);
+    while (!due_.empty() && due_.front().at <= now + step_length(scene_) * 1e-6) {
+        std::pop_heap(due_.begin(), due_.end());
+        auto& due = due_.back();
+        const auto& event = scene_.events[due.event];
+        happen(event, due.before++);
+        if (event.every > 0 && (event.times == 0 || due.before < std::uint64_t(event.times))) {
+            due.at = event.at + event.every * double(due.before);
+            std::push_heap(due_.begin(), due_.end());
+        } else {
+            due_.pop_back();
+        }
+    }
+}
+
+void Session::happen(const EventSection& event, std::uint64_t before) {
     const double now = std::visit([](const auto& world) { return world.time; }, world_);
     std::visit(
         [&]<class WorldT>(WorldT& world) {
@@ -159,6 +117,7 @@ void Session::happen(const EventSection& event) {
                                           PinSpec<D, Real>{.compliance = Real(happening.compliance),
                                                            .max_force = Real(happening.max_force)});
                     held_.push_back({where, *held, from, happening.to.value_or(from), now, happening.over});
+                    if (happening.within > 0) hold_around(world, *id, happening, held_.back());
                 } else if constexpr (std::is_same_v<Event, ReleaseEvent>) {
                     where = happening.particle;
                     let_go(where);
@@ -170,7 +129,8 @@ void Session::happen(const EventSection& event) {
                 } else if constexpr (std::is_same_v<Event, CutEvent>) {
                     if (cut(happening.line, happening.within) > 0) return; // has told of it
                 } else {
-                    where = Doer<WorldT>{world}(happening);
+                    where = Doer<WorldT>{world, scene_, before}(happening);
+                    if (std::is_same_v<Event, JoinEvent> && where.empty()) return;
                 }
                 note(std::string(Event::name), where);
                 if constexpr (std::is_same_v<Event, SnipEvent>) note_parted();
@@ -212,20 +172,45 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
         world_);
 }
 
-/// The scene's pins are the last that were made, in its order.
+/// The scene's pins are the last that were made, in its order; one whose name ends in a star stands for many.
 void Session::find_driven() {
     driven_.clear();
     std::visit(
         [&]<class WorldT>(WorldT& world) {
             std::size_t row = world.pins.size();
-            for (std::size_t i = scene_.pins.size(); i-- > 0 && row-- > 0;) {
-                if (!scene_.pins[i].driver) continue;
-                Point rest;
-                for (int k = 0; k < WorldT::dimension; ++k) rest[k] = double(world.pins[row].target[k]);
-                driven_.push_back({world.pin_slots.id_of(Row(row)), i, rest});
-            }
+            for (std::size_t i = scene_.pins.size(); i-- > 0;)
+                for (auto left = find_particles(world, scene_.pins[i].particle).size(); left-- > 0 && row-- > 0;) {
+                    if (!scene_.pins[i].driver) continue;
+                    Point rest;
+                    for (int k = 0; k < WorldT::dimension; ++k) rest[k] = double(world.pins[row].target[k]);
+                    driven_.push_back({world.pin_slots.id_of(Row(row)), i, rest, Seeker{.at = rest, .before = rest}});
+                }
         },
         world_);
+}
+
+/// What is near to what is held is carried along with it, unless it is held already.
+template <class WorldT>
+void Session::hold_around(WorldT& world, ParticleId middle, const GrabEvent& grab, const Held& held) {
+    using Real = typename WorldT::Real;
+    constexpr int D = WorldT::dimension;
+    const auto place = *position_of(world, middle);
+    const auto figure = world.particles.figure[*row_of(world, middle)];
+    const auto whole = held; // held_ grows
+    for (Row row = 0; row < world.particles.size(); ++row) {
+        const auto offset = world.particles.position[row] - place;
+        if (world.particles.figure[row] != figure || !(norm(offset) <= Real(grab.within))) continue;
+        const auto id = world.particles.slots.id_of(row);
+        if (id == middle || world.particles.mobility[row] == Real(0)) continue;
+        auto near = whole;
+        for (int i = 0; i < D; ++i) {
+            near.from[i] += double(offset[i]);
+            near.to[i] += double(offset[i]);
+        }
+        near.pin =
+            *pin(world, id, PinSpec<D, Real>{.compliance = Real(grab.compliance), .max_force = Real(grab.max_force)});
+        held_.push_back(near);
+    }
 }
 
 void Session::drive() {
@@ -233,10 +218,12 @@ void Session::drive() {
     std::visit(
         [&]<class WorldT>(WorldT& world) {
             const double then = world.time + step_length(scene_);
-            for (const auto& driven : driven_) {
+            for (auto& driven : driven_) {
                 const auto& driver = *scene_.pins[driven.section].driver;
-                const bool follows = pointer_ && std::holds_alternative<PointerDriver>(driver);
-                const auto place = follows ? *pointer_ : driven_to(driver, driven.rest, then, up);
+                const auto* follower = std::get_if<PointerDriver>(&driver);
+                auto place = pointer_ && follower ? *pointer_ : driven_to(driver, driven.rest, then, up);
+                if (follower && (follower->seek < 1 || follower->seek_damping < 1))
+                    place = driven.seeker.follow(place, then / double(world.settings.frame), *follower);
                 move_pin(world, driven.pin, place.template as<WorldT::dimension, typename WorldT::Real>());
             }
         },
@@ -317,72 +304,6 @@ void Session::note_events() {
             }
             sever(world, std::span<const Ends>(gone));
             if (any_torn) note_parted();
-        },
-        world_);
-}
-
-bool Session::grab(std::span<const ParticleId> members, const Point& place) {
-    let_go();
-    std::visit(
-        [&](auto& world) {
-            for (const auto& held : held_) unpin(world, held.pin);
-        },
-        world_);
-    held_.clear();
-    taken_over_ = true;
-    const auto units = scene_.measures();
-    hand_ = Hand::take(world_, members, place, Hand::strength * units.per_metre / square(units.per_second));
-    return hand_.has_value();
-}
-
-void Session::drag(const Point& place) {
-    if (hand_) hand_->target = place;
-}
-
-void Session::let_go() {
-    if (hand_) hand_->let_go(world_);
-    hand_.reset();
-}
-
-void Session::become(Scene scene) {
-    let_go();
-    auto fresh = instantiate(scene);
-    transplant(scene_, world_, scene, fresh);
-    const AnyWorld old = std::exchange(world_, std::move(fresh));
-    scene_ = std::move(scene);
-    std::stable_sort(scene_.events.begin(), scene_.events.end(),
-                     [](const EventSection& a, const EventSection& b) { return a.at < b.at; });
-    const double now = std::visit([](const auto& world) { return world.time; }, world_);
-    next_event_ = 0;
-    while (next_event_ < scene_.events.size() && scene_.events[next_event_].at < now) ++next_event_;
-    find_driven();
-    keep_going(old);
-}
-
-/// What events of the scene began and did not end: holds and gusts.
-void Session::keep_going(const AnyWorld& old) {
-    std::visit(
-        [&]<class WorldT>(WorldT& world) {
-            const auto* before = std::get_if<WorldT>(&old);
-            std::erase_if(held_, [&](Held& held) {
-                const auto id = find_particle(world, held.particle);
-                const auto row = before ? before->pin_slots.find(held.pin) : std::nullopt;
-                if (!id || !row) return true;
-                auto spec = before->pins[*row];
-                const auto again = pin(world, *id,
-                                       {.target = spec.target,
-                                        .compliance = spec.compliance,
-                                        .damping = spec.damping,
-                                        .max_force = spec.max_force});
-                if (again) held.pin = *again;
-                return !again;
-            });
-            for (auto& blowing : blowing_) {
-                if (!before) continue;
-                world.forces.push_back(before->forces[blowing.force]);
-                blowing.force = world.forces.size() - 1;
-            }
-            if (!before) blowing_.clear();
         },
         world_);
 }

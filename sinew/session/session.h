@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/scene/scene.h"
+#include "sinew/session/driver.h"
 #include "sinew/session/hand.h"
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
@@ -117,11 +118,25 @@ class Session {
         PinId pin;
         std::size_t section = 0; ///< of the scene's pins
         Point rest;
+        Seeker seeker;
     };
 
     void find_driven();
     void drive();
-    void happen(const EventSection& event);
+    /// An event that is still to come.
+    struct Due {
+        double at = 0;
+        std::size_t event = 0;    ///< of the scene's events
+        std::uint64_t before = 0; ///< how often it has happened already
+        /// Later, so that the first is on top of the heap; of those at once the scene's first.
+        bool operator<(const Due& other) const { return at != other.at ? at > other.at : event > other.event; }
+    };
+
+    void plan_events();
+    void skip_past_events();
+    void happen_now();
+    void happen(const EventSection& event, std::uint64_t before);
+    template <class WorldT> void hold_around(WorldT& world, ParticleId middle, const GrabEvent& grab, const Held& held);
     void carry_held();
     void still_gusts();
     void keep_going(const AnyWorld& old);
@@ -133,7 +148,7 @@ class Session {
     AnyWorld world_;
     Images images_;
     std::array<Point, 2> focus_; ///< two corners around what the scene shows at its start
-    std::size_t next_event_ = 0;
+    std::vector<Due> due_;       ///< a heap
     std::vector<Driven> driven_;
     std::optional<Point> pointer_;
     std::optional<Hand> hand_;

@@ -81,6 +81,12 @@ template <int D, class Real> class ClassicStep {
         for (const auto& pin : world_.pins) {
             const auto row = p_.slots.find(pin.particle);
             if (!row || p_.quarantined[*row]) continue;
+            if (rules_.displaced_hold && pin.moves) { // Godot's loop: pushed along, and free all the same
+                p_.position[*row] =
+                    clamp_components(p_.position[*row] + pin.target - pin.from, limit::coordinate<Real>);
+                p_.mobility[*row] = p_.inverse_mass[*row];
+                continue;
+            }
             p_.previous[*row] = p_.position[*row];
             p_.position[*row] = pin.target;
             p_.mobility[*row] = Real(0);
@@ -214,7 +220,12 @@ template <int D, class Real> class ClassicStep {
 } // namespace
 
 template <int D, class Real> void classic_step(World<D, Real>& world, Real dt) {
-    ClassicStep<D, Real>(world, dt).run();
+    if (!world.settings.classic.dropped_leftover) return ClassicStep<D, Real>(world, dt).run();
+    constexpr Real tick_share = Real(0.96); // 16 ms of a frame
+    constexpr int most_ticks = 1000;
+    const Real tick = tick_share * world.settings.frame;
+    const Real whole = clamp(dt * inverse_or_zero(tick) + Real(1e-4), Real(0), Real(most_ticks));
+    for (int left = int(whole); left > 0; --left) ClassicStep<D, Real>(world, tick).run();
 }
 
 #define SINEW_CLASSIC(D, Real) template void classic_step(World<D, Real>&, Real);

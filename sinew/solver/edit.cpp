@@ -3,6 +3,7 @@
 #include "sinew/solver/remove.h"
 
 #include <algorithm>
+#include <set>
 
 namespace sinew {
 namespace {
@@ -236,7 +237,7 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
 
 template <int D, class Real> bool move_pin(World<D, Real>& world, PinId pin, const Vec<D, Real>& target) {
     const auto row = world.pin_slots.find(pin);
-    if (row) world.pins[*row].target = target;
+    if (row) world.pins[*row].target = target, world.pins[*row].moves = true;
     return row.has_value();
 }
 
@@ -340,6 +341,26 @@ std::optional<ParticleId> find_particle(const World<D, Real>& world, std::string
 }
 
 template <int D, class Real>
+std::vector<ParticleId> find_particles(const World<D, Real>& world, std::string_view path) {
+    if (const auto one = find_particle(world, path)) return {*one};
+    auto [figure, stem] = split(world, path);
+    if (!figure || !stem.ends_with('*')) return {};
+    stem.remove_suffix(1);
+    const auto& built = figure->particles;
+    std::set<std::uint32_t> named;
+    for (const auto& [name, id] : figure->particle_names)
+        if (name.starts_with(stem)) named.insert(id.slot);
+    std::vector<ParticleId> found;
+    for (std::size_t i = 0; i < built.size(); ++i) {
+        if (!world.particles.slots.find(built[i])) continue;
+        if (named.contains(built[i].slot) || stem.empty() ||
+            name_of(i, figure->particle_numbers).starts_with(stem)) // nameless ones begin with nothing
+            found.push_back(built[i]);
+    }
+    return found;
+}
+
+template <int D, class Real>
 std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::string_view path) {
     const auto [figure, name] = split(world, path);
     if (!figure) return std::nullopt;
@@ -370,6 +391,7 @@ std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::st
     template void release_quarantine(World<D, Real>&, FigureIndex);                                                    \
     template std::optional<FigureIndex> find_figure(const World<D, Real>&, std::string_view);                          \
     template std::optional<ParticleId> find_particle(const World<D, Real>&, std::string_view);                         \
+    template std::vector<ParticleId> find_particles(const World<D, Real>&, std::string_view);                          \
     template std::optional<ConstraintId> find_constraint(const World<D, Real>&, std::string_view);
 
 SINEW_INSTANTIATE(SINEW_EDIT)

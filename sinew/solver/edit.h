@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 /// Everything that changes a world between steps. Ids stay good until what they name is removed; a function given an id
 /// of something gone does nothing and says so by returning false or nothing.
@@ -130,6 +131,9 @@ template <int D, class Real> void release_quarantine(World<D, Real>& world, Figu
 /// The particle called "figure/name", or nothing.
 template <int D, class Real>
 std::optional<ParticleId> find_particle(const World<D, Real>& world, std::string_view path);
+/// The particle of that path; or, where it ends in a star, all of the figure whose names begin so, in the order they
+/// were built: "bridge/joint_*". Empty if there is none.
+template <int D, class Real> std::vector<ParticleId> find_particles(const World<D, Real>& world, std::string_view path);
 template <int D, class Real>
 std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::string_view path);
 template <int D, class Real> std::optional<FigureIndex> find_figure(const World<D, Real>& world, std::string_view name);

@@ -172,6 +172,7 @@ template <int D, class Real> struct Pin {
     Vec<D, Real> from{};       ///< where the target was when the step began
     Vec<D, Real> target{};     ///< where it is when the step ends; interpolated over the substeps
     Real compliance = 0;       ///< 0: the particle is on the target, whatever pulls at it
+    bool moves = false;        ///< its target was moved at least once
     Real damping = 1;          ///< of a compliant pin, as a fraction of critical
     Real max_force = 0;        ///< most it pulls with; 0 means no limit
     Vec<D, Real> multiplier{}; ///< of the last substep; force = -multiplier / h^2
@@ -196,7 +197,7 @@ enum class PassOrder : std::uint8_t {
     interleaved      ///< each particle moves just before the first constraint that names it, once a pass
 };
 
-/// Classic mode's rules, each as some original had it (docs/classic.md). The last four are the originals' known bugs.
+/// Classic mode's rules, each as some original had it (docs/classic.md). The last six are the originals' known bugs.
 template <class Real> struct ClassicRules {
     int passes = 1;
     PassOrder order = PassOrder::sweeps_last;
@@ -211,6 +212,8 @@ template <class Real> struct ClassicRules {
     bool points_only_passes = false;  ///< Roblox: the passes move the points, the constraints are swept once
     bool unscaled_inertia = false;    ///< GameMaker: inertia does not shrink with the step
     bool halved_acceleration = false; ///< tearable cloth: x += v + a/2 dt^2
+    bool dropped_leftover = false;    ///< tearable cloth: steps of 16 ms, what is left of a frame is dropped
+    bool displaced_hold = false;      ///< Godot chain: what is carried along also moves by itself
 };
 
 /// Of a sweep, where the settings leave it open.

@@ -196,6 +196,15 @@ TEST(Distance, IsTheLengthBetweenItsEnds) {
     EXPECT_NEAR(distance(m.gradient[1], Vec2<double>{0.6, 0.8}), 0, 1e-15);
 }
 
+TEST(Rail, IsTheDistanceFromTheLineAndPositiveOnItsLeft) {
+    const auto m = measure<Rail<2>, 2>({{1, 1}, {5, 1}, {3, 4}});
+    EXPECT_DOUBLE_EQ(m.value, 3);
+    EXPECT_NEAR(distance(m.gradient[2], Vec2<double>{0, 1}), 0, 1e-15);
+    EXPECT_NEAR(distance(m.gradient[0], Vec2<double>{0, -0.5}), 0, 1e-15)
+        << "both ends give way alike under its middle";
+    EXPECT_DOUBLE_EQ((measure<Rail<2>, 2>({{1, 1}, {5, 1}, {9, -2}}).value), -3) << "also beyond its ends";
+}
+
 TEST(Angle, IsPositiveCounterClockwiseInTwoDimensionsAndZeroWhereStraight) {
     const auto turn = [](Vec2<double> c) { return measure<Angle<2>, 2>({{-1, 0}, {0, 0}, c}).value; };
     EXPECT_EQ(turn({2, 0}), 0);
@@ -247,7 +256,7 @@ TEST(Kinds, NamesAreUniqueAndArityFits) {
         EXPECT_TRUE(Kind::arity == any_arity || Kind::arity >= 2) << Kind::name;
         EXPECT_TRUE(Kind::dimensions.include(D)) << Kind::name;
     });
-    EXPECT_EQ((Kinds<2>::size), 3);
+    EXPECT_EQ((Kinds<2>::size), 4);
     EXPECT_EQ((Kinds<3>::size), 4);
 }
 

@@ -2,6 +2,7 @@
 #include "sinew/session/session.h"
 #include "sinew/solver/edit.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -107,6 +108,33 @@ TEST(Driver, FollowsThePointerOrThePathThatStandsInForIt) {
     session.point_at({});
     session.step();
     EXPECT_NEAR(place(session, "f/b")[0], 500, 1e-9);
+}
+
+// With all of its speed lost each frame a seeker is a share nearer each frame: 1 - (1 - 0.05)^n of the way.
+TEST(Driver, SeeksThePointerByAShareOfTheWayEachFrame) {
+    auto session = session_of(R"("driver": "pointer", "seek": 0.05, "keys": [{"at": 0, "to": [550, 100]}])", "classic");
+    for (int frame = 1; frame <= 40; ++frame) {
+        session.step();
+        EXPECT_NEAR(place(session, "f/b")[0], 450 + 100 * (1 - std::pow(0.95, frame)), 1e-9);
+    }
+    session.restart();
+    session.step();
+    EXPECT_NEAR(place(session, "f/b")[0], 455, 1e-9) << "from the start again";
+}
+
+// v = 0.9 v + 0.05 d: a damped oscillation of about 28 frames that overshoots, and ends where the pointer is.
+TEST(Driver, SeeksWithSpeedLeftAndOvershoots) {
+    const PointerDriver driver{.keys = {}, .seek = 0.05, .seek_damping = 0.1};
+    Seeker seeker, fine;
+    double most = 0;
+    for (int frame = 1; frame <= 200; ++frame) {
+        const double x = seeker.follow(Point{{100, 0, 0}}, frame, driver)[0];
+        most = std::max(most, x);
+        for (const double part : {0.75, 0.5, 0.25}) fine.follow(Point{{100, 0, 0}}, frame - part, driver);
+        EXPECT_NEAR((fine.follow(Point{{100, 0, 0}}, frame, driver))[0], x, 1e-9) << "however often it is asked";
+    }
+    EXPECT_GT(most, 120);
+    EXPECT_NEAR(seeker.at[0], 100, 0.1);
 }
 
 TEST(Driver, KeysOutOfOrderAreAnError) {

@@ -313,6 +313,33 @@ TEST(Classic, TearableClothHalvesTheGravityWhenAskedTo) {
     expect_at(world, p, 0, 5);
 }
 
+// At 60 frames a second a step of 0.96 frames each; at 120 half a frame holds no step, and nothing moves.
+TEST(Classic, TearableClothDropsWhatIsLeftOfAFrameWhenAskedTo) {
+    auto world = classic({.dropped_leftover = true});
+    const auto p = add_particle(world, {.velocity = {1, 0}});
+    for (int frame = 0; frame < 10; ++frame) step(world, 1.0);
+    EXPECT_NEAR(place(world, p)[0], 9.6, tight);
+    for (int half_frame = 0; half_frame < 10; ++half_frame) step(world, 0.5);
+    EXPECT_NEAR(place(world, p)[0], 9.6, tight);
+    step(world, 2.0); // two steps of 0.96 and 0.08 that are lost
+    EXPECT_NEAR(place(world, p)[0], 9.6 + 1.92, tight);
+}
+
+// What is dragged by 1 a frame and keeps 0.9 of its speed has v = 0.9 (v + 1) in the end: 9, where 1 is right.
+TEST(Classic, GodotChainGathersMomentumWhileItIsDraggedWhenAskedTo) {
+    for (const bool bug : {false, true}) {
+        auto world = classic({.keep = 0.9, .displaced_hold = bug});
+        const auto p = add_particle(world, {});
+        const auto grab = *pin(world, p);
+        for (int frame = 1; frame <= 200; ++frame) {
+            move_pin(world, grab, {{double(frame), 0}});
+            step(world, 1.0);
+        }
+        unpin(world, grab);
+        EXPECT_NEAR((*velocity_of(world, p))[0], bug ? 9 : 1, 1e-6);
+    }
+}
+
 // The OpenGL article's projectile: x_prev = (0, 0), x = (1, 1), a = (0, -10): x = 1 + n, y = 1 + n - 10 n (n + 1) / 2.
 TEST(Classic, ProjectileLeavesAtFortyFiveDegreesOnAParabola) {
     auto world = classic({});

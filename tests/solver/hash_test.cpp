@@ -55,6 +55,8 @@ TYPED_TEST(StateHash, ChangesWithEverythingThatDecidesTheFuture) {
         +[](World& w) { w.settings.damping += 1; },
         +[](World& w) { w.settings.mode = Mode::classic; },
         +[](World& w) { w.settings.classic.halved_acceleration = true; },
+        +[](World& w) { w.settings.classic.dropped_leftover = true; },
+        +[](World& w) { w.settings.classic.displaced_hold = true; },
         +[](World& w) { w.time += 1; },
         +[](World& w) { w.steps += 1; },
         +[](World& w) { w.last_substep *= 2; },

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "sinew/constraint/evaluated.h"
+#include "sinew/math/scalar.h"
+
+namespace sinew {
+
+/// How far the particle p is from the line through a and b, positive to the left of the way from a to b where y is up:
+/// 0 is a slider on a rail, limits are a slot.   u = (b - a) / |b - a|
+///
+///     C = u x (p - a)        t = u . (p - a) / |b - a|
+///     dC/dp = perp(u)        dC/da = -(1 - t) perp(u)        dC/db = -t perp(u)
+///
+/// A line shorter than a millionth of the way to p is none: t is held there.
+template <int D> struct Rail {
+    static constexpr auto name = "rail";
+    static constexpr int arity = 3;
+    static constexpr Dimensions dimensions{2, 2};
+    static constexpr int length_power = 1;
+    static constexpr double period = 0;
+    static constexpr bool sided = true;
+
+    template <class T> static Evaluated<3, 2, T> evaluate(const Points<3, 2, T>& x) {
+        const auto ab = x[1] - x[0], ap = x[2] - x[0];
+        const auto u = direction(ab), n = perpendicular(u);
+        const T t = clamp(dot(u, ap) * inverse_or_zero(norm(ab)), T(-1e6), T(1e6));
+        return {cross(u, ap), {-n * (T(1) - t), -n * t, n}};
+    }
+};
+
+} // namespace sinew

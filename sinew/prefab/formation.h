@@ -1,0 +1,49 @@
+#pragma once
+
+#include "sinew/prefab/builder.h"
+
+namespace sinew {
+
+/// Ships in rows and columns, each on a spring to an anchor of its own, standing where the middle of the top row is.
+/// Particles anchor_0_0 (held, top left), anchor_1_0 to its right, anchor_0_1 below it, ...; ship_0_0, ...; constraints
+/// spring_0_0, .... A scene moves them by a pin on "formation/anchor_*" with a driver. In
+/// classic mode give it a relaxation, and a split of 1: ships follow, anchors do not.
+struct Formation {
+    static constexpr std::string_view name = "formation";
+    static constexpr std::string_view about = "Ships in rows, held by springs to anchors that can move.";
+    static constexpr Dimensions dimensions{2, 3};
+
+    int columns = 8;
+    int rows = 4;
+    double spacing = 0.6;
+    double size = 0.4;
+    double mass = 32;
+    double compliance = 0.01;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.columns, Field{.name = "columns", .help = "Ships from left to right", .low = 1, .high = 1e9});
+        visit(self.rows, Field{.name = "rows", .help = "Ships from top to bottom", .low = 1, .high = 1e9});
+        visit(self.spacing, Field{.name = "spacing",
+                                  .help = "From one ship to the next",
+                                  .unit = unit::length,
+                                  .low = 1e-6,
+                                  .high = 1e6});
+        visit(self.size,
+              Field{.name = "size", .help = "Of a ship as drawn", .unit = unit::length, .low = 1e-6, .high = 1e6});
+        visit(self.mass, Field{.name = "mass",
+                               .help = "Of the whole: of each ship as much as of its anchor",
+                               .unit = unit::mass,
+                               .low = 1e-6,
+                               .high = 1e9});
+        visit(self.compliance, Field{.name = "compliance",
+                                     .help = "How much a spring gives under a force",
+                                     .unit = unit::compliance,
+                                     .low = 0,
+                                     .high = 1e9});
+    }
+
+    Sizes sizes() const;
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew

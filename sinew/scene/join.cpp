@@ -1,0 +1,79 @@
+#include "sinew/scene/join.h"
+
+#include "sinew/scene/check.h"
+#include "sinew/solver/edit.h"
+
+#include <algorithm>
+
+namespace sinew {
+namespace {
+
+template <class Real> std::optional<Interval<Real>> limits_of(const ConstraintSection& section) {
+    const Real in_program = section.kind == "angle" || section.kind == "dihedral" ? pi<Real> / 180 : 1;
+    if (section.rest) return exactly(Real(*section.rest) * in_program);
+    if (!section.low && !section.high) return std::nullopt;
+    auto limits = between(-std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity());
+    if (section.low) limits.low = Real(*section.low) * in_program;
+    if (section.high) limits.high = Real(*section.high) * in_program;
+    return limits;
+}
+
+template <int D> int kind_of(std::string_view name) {
+    int number = 0, found = -1;
+    Kinds<D>::for_each([&]<class Kind>(std::type_identity<Kind>) {
+        if (name == Kind::name) found = number;
+        ++number;
+    });
+    return found;
+}
+
+template <int D, class Real>
+void join_members(World<D, Real>& world, const ConstraintSection& section, FigureIndex figure,
+                  const std::vector<ParticleId>& members) {
+    const ConstraintSpec<Real> spec{.limits = limits_of<Real>(section),
+                                    .compliance = Real(section.compliance),
+                                    .relaxation = Real(section.relaxation.value_or(1)),
+                                    .split = Real(section.split.value_or(0.5)),
+                                    .breaking_strain = Real(tears_beyond(section.breaking_strain)),
+                                    .toughness = Real(section.toughness),
+                                    .figure = figure};
+    const auto id = add_constraint(world, kind_of<D>(section.kind), members, spec);
+    if (!id || figure == no_figure) return;
+    auto& built = world.figures[figure];
+    built.constraints.push_back(*id);
+    if (!section.name.empty()) built.constraint_names.emplace_back(section.name, *id);
+    const bool line = section.kind == "distance";
+    if (line || section.kind == "area")
+        built.pieces.push_back({.mark = line ? Mark::stroke : Mark::fill,
+                                .part = section.name.empty() ? (line ? "line" : "area") : section.name,
+                                .particles = members,
+                                .hidden = section.hidden});
+}
+
+} // namespace
+
+template <int D, class Real>
+void join(World<D, Real>& world, const ConstraintSection& section, FigureIndex figure, const std::string& prefix) {
+    std::vector<ParticleId> members, each;
+    std::size_t many = 0; // the place of the star
+    for (const auto& name : section.between) {
+        auto found = find_particles(world, full_name(name, prefix));
+        if (found.empty()) return;
+        members.push_back(found.front());
+        if (!name.ends_with('*')) continue;
+        many = members.size() - 1;
+        each = std::move(found);
+    }
+    if (each.empty()) return join_members(world, section, figure, members);
+    for (const auto id : each) {
+        members[many] = id;
+        if (std::count(members.begin(), members.end(), id) == 1) // never with itself
+            join_members(world, section, figure, members);
+    }
+}
+
+#define SINEW_JOIN(D, Real)                                                                                            \
+    template void join(World<D, Real>&, const ConstraintSection&, FigureIndex, const std::string&);
+SINEW_INSTANTIATE(SINEW_JOIN)
+
+} // namespace sinew

@@ -1,0 +1,133 @@
+#include "sinew/scene/reader.h"
+#include "sinew/session/session.h"
+#include "sinew/solver/edit.h"
+
+#include <gtest/gtest.h>
+
+/// What events do: those that repeat, that kick, that join, that grab many. A rate of 60: a step is a frame.
+namespace sinew {
+namespace {
+
+std::string told(const std::string& text) {
+    auto document = load(text, "test.json");
+    EXPECT_FALSE(open_scene(document));
+    return to_text(document.diagnostics);
+}
+
+Session play(const std::string& rest) {
+    auto document = load(R"({"sinew": 1, "units": {"length": "px", "time": "frame"}, )" + rest + "}", "test.json");
+    auto opened = open_scene(document);
+    EXPECT_TRUE(opened) << to_text(document.diagnostics);
+    return Session(std::move(*opened));
+}
+
+const World<2, double>& world_of(const Session& session) {
+    return std::get<World<2, double>>(session.world());
+}
+Vec2<double> place(const Session& session, std::string_view name) {
+    return *position_of(world_of(session), *find_particle(world_of(session), name));
+}
+Vec2<double> speed(const Session& session, std::string_view name) {
+    return *velocity_of(world_of(session), *find_particle(world_of(session), name));
+}
+
+constexpr auto two = R"("figures": [{"name": "f", "particles": {"a": {"at": [0, 0]}, "b": {"at": [10, 0]}}}], )";
+
+TEST(Event, HappensAgainAsOftenAsItSays) {
+    auto session = play(std::string(two) + R"("events": [
+        {"at": 3, "every": 10, "times": 4, "impulse": "f/a", "by": [1, 0]},
+        {"at": 5, "every": 2.5, "impulse": "f/b", "by": [0, 1]}])");
+    for (int frame = 0; frame < 100; ++frame) session.step();
+    EXPECT_NEAR(speed(session, "f/a")[0], 4, 1e-9);
+    EXPECT_NEAR(speed(session, "f/b")[1], 38, 1e-9) << "at 5, 7.5, ..., 97.5 and not at 100";
+    session.restart();
+    for (int frame = 0; frame < 20; ++frame) session.step();
+    EXPECT_NEAR(speed(session, "f/a")[0], 2, 1e-9);
+}
+
+TEST(Event, ThatRepeatsIsChecked) {
+    const std::string begin =
+        R"({"sinew": 1, "figures": [{"prefab": "rope"}], "events": [{"at": 0, "impulse": "rope/end", "by": [1, 0], )";
+    EXPECT_NE(told(begin + R"("times": 3}]})").find("needs an \"every\""), std::string::npos);
+    EXPECT_NE(told(begin + R"("every": 0.01}]})").find("shorter than a step"), std::string::npos);
+}
+
+TEST(Kick, IsRandomWithinItsBoundsAndTheSameForTheSameSeed) {
+    const auto kicked = [](const std::string& seed) {
+        auto session = play(std::string(two) + R"("solver": {"mode": "classic"},
+            "events": [{"at": 0, "every": 64, "kick": "f/*", "by": [16, 4], "seed": )" +
+                            seed + "}]");
+        std::vector<Vec2<double>> changes;
+        Vec2<double> before[2] = {};
+        for (int frame = 0; frame < 64 * 50; ++frame) {
+            session.step();
+            for (const int i : {0, 1}) {
+                const auto now = speed(session, i == 0 ? "f/a" : "f/b");
+                if (frame % 64 == 0)
+                    changes.push_back(now - before[i]);
+                else
+                    EXPECT_NEAR(distance(now, before[i]), 0, 1e-9) << "only then";
+                before[i] = now;
+            }
+        }
+        return changes;
+    };
+    const auto first = kicked("1"), again = kicked("1"), other = kicked("2");
+    EXPECT_EQ(first, again);
+    EXPECT_NE(first, other);
+    double most_x = 0, most_y = 0, sum = 0;
+    for (const auto& change : first) {
+        most_x = std::max(most_x, std::abs(change[0]));
+        most_y = std::max(most_y, std::abs(change[1]));
+        sum += change[0];
+    }
+    EXPECT_TRUE(most_x > 14 && most_x <= 16 + 1e-9) << most_x;
+    EXPECT_TRUE(most_y > 3.5 && most_y <= 4 + 1e-9) << most_y;
+    EXPECT_LT(std::abs(sum) / double(first.size()), 16 / std::sqrt(3.0) / 10 * 3)
+        << "three deviations of the mean of 100";
+    EXPECT_NE(first[0], first[1]) << "each particle its own";
+}
+
+TEST(Join, TiesWhatIsNearUntilItIsSnipped) {
+    const std::string events = R"("events": [
+        {"at": 10, "join": ["f/a", "f/b"], "name": "tie", "within": 5, "high": 10},
+        {"at": 20, "every": 1, "join": ["f/a", "f/b"], "name": "tie", "within": 50, "high": 10},
+        {"at": 20, "impulse": "f/b", "by": [2, 0]}, {"at": 60, "every": 1, "snip": ["f/tie"]}])";
+    auto session = play(std::string(two) + events);
+    for (int frame = 0; frame < 15; ++frame) session.step();
+    EXPECT_FALSE(find_constraint(world_of(session), "f/tie")) << "they are 10 apart";
+    for (int frame = 15; frame < 50; ++frame) session.step();
+    ASSERT_TRUE(find_constraint(world_of(session), "f/tie"));
+    EXPECT_NEAR(distance(place(session, "f/a"), place(session, "f/b")), 10, 1e-6);
+    EXPECT_NEAR(speed(session, "f/a")[0], 1, 1e-6) << "half of the momentum went over";
+    EXPECT_EQ(world_of(session).figures[0].pieces.back().part, "tie");
+    EXPECT_EQ(std::get<0>(world_of(session).constraints).size(), 1U) << "only once while it lasts";
+    for (int frame = 50; frame < 70; ++frame) session.step();
+    EXPECT_FALSE(find_constraint(world_of(session), "f/tie"));
+    for (const auto& piece : world_of(session).figures[0].pieces) EXPECT_NE(piece.part, "tie") << "no longer drawn";
+}
+
+TEST(Join, IsCheckedAsAConstraintIs) {
+    const std::string begin = R"({"sinew": 1, "figures": [{"prefab": "rope"}], "events": [{"at": 0, )";
+    EXPECT_NE(told(begin + R"("join": ["rope/start", "rope/knot"]}]})").find("/events/0/join/1"), std::string::npos);
+    EXPECT_NE(told(begin + R"("join": ["rope/start"]}]})").find("distance needs 2 particles, found 1"),
+              std::string::npos);
+    EXPECT_NE(told(begin + R"("snip": ["rope/tie"]}]})").find("/events/0/snip/0"), std::string::npos);
+}
+
+TEST(Grab, CarriesWhatIsNearAlongAndLetsGoOfAll) {
+    auto session =
+        play(R"("figures": [{"prefab": "cloth", "name": "c", "columns": 11, "rows": 11, "spacing": 6}], "events": [
+        {"at": 1, "grab": "c/particle_5_5", "to": [40, -30], "over": 20, "within": 12.5}, {"at": 30, "release": "c/particle_5_5"}])");
+    const auto middle = place(session, "c/particle_5_5"), beside = place(session, "c/particle_7_5");
+    const auto pins = world_of(session).pins.size();
+    for (int frame = 0; frame < 25; ++frame) session.step();
+    EXPECT_EQ(world_of(session).pins.size(), pins + 13) << "a disc of two threads about the middle";
+    EXPECT_NEAR(distance(place(session, "c/particle_5_5"), Vec2<double>{40, -30}), 0, 1e-9);
+    EXPECT_NEAR(distance(place(session, "c/particle_7_5"), Vec2<double>{40, -30} + beside - middle), 0, 1e-9);
+    for (int frame = 25; frame < 40; ++frame) session.step();
+    EXPECT_EQ(world_of(session).pins.size(), pins);
+}
+
+} // namespace
+} // namespace sinew
