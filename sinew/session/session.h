@@ -5,7 +5,6 @@
 #include "sinew/session/hand.h"
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
-#include "sinew/session/view.h"
 
 #include <array>
 #include <cstddef>
