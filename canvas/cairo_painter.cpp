@@ -72,24 +72,12 @@ void paint_item(cairo_t* context, Shape shape, Outline outline, double width, do
     }
 }
 
-/// Letters in the colour that is set, on a rim of `paper` that parts them from what is behind.
-void write(cairo_t* context, const std::string& text, Vec2<float> middle, double height, const Color& paper) {
-    constexpr double rim = 0.25; // of the height
+/// Of the height of letters: how wide the rim around them is, both sides together.
+constexpr double text_rim = 0.25;
+
+void set_font(cairo_t* context, double height) {
     cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(context, height);
-    cairo_text_extents_t extents;
-    cairo_text_extents(context, text.c_str(), &extents);
-    const double x = double(middle[0]) - extents.x_bearing - extents.width / 2;
-    const double y = double(middle[1]) - extents.y_bearing - extents.height / 2;
-    cairo_save(context);
-    set_color(context, paper);
-    cairo_move_to(context, x, y);
-    cairo_text_path(context, text.c_str());
-    stroke(context, height * rim);
-    cairo_restore(context);
-    cairo_move_to(context, x, y);
-    cairo_show_text(context, text.c_str());
-    cairo_new_path(context); // where it ends would be the beginning of the next
 }
 
 } // namespace
@@ -97,6 +85,36 @@ void write(cairo_t* context, const std::string& text, Vec2<float> middle, double
 void cover(cairo_t* context, const Color& color) {
     set_color(context, color);
     cairo_paint(context);
+}
+
+void write(cairo_t* context, const std::string& text, Vec2<float> middle, double height, const Color& color,
+           const Color& paper) {
+    cairo_text_extents_t extents;
+    set_font(context, height);
+    cairo_text_extents(context, text.c_str(), &extents);
+    const double x = double(middle[0]) - extents.x_bearing - extents.width / 2;
+    const double y = double(middle[1]) - extents.y_bearing - extents.height / 2;
+    cairo_save(context);
+    cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+    set_color(context, paper);
+    cairo_move_to(context, x, y);
+    cairo_text_path(context, text.c_str());
+    stroke(context, height * text_rim);
+    cairo_restore(context);
+    set_color(context, color);
+    cairo_move_to(context, x, y);
+    cairo_show_text(context, text.c_str());
+    cairo_new_path(context); // where it ends would be the beginning of the next
+}
+
+Vec2<double> size_of_text(const std::string& text, double height) {
+    const CairoSurface nowhere(cairo_recording_surface_create(CAIRO_CONTENT_ALPHA, nullptr));
+    const CairoContext context(cairo_create(nowhere.get()));
+    set_font(context.get(), height);
+    cairo_text_extents_t extents;
+    cairo_text_extents(context.get(), text.c_str(), &extents);
+    const double rim = height * text_rim + 2;
+    return {{extents.width + rim, extents.height + rim}};
 }
 
 void paint(cairo_t* context, const Picture& picture) {
@@ -116,7 +134,7 @@ void paint(cairo_t* context, const Picture& picture) {
         const double width = item.width >= pixel ? minimum(double(item.width), farthest * pixel) : pixel;
         set_color(context, item.color);
         if (item.shape == Shape::text && item.number < picture.texts.size())
-            write(context, picture.texts[item.number], outline[0], width, picture.background);
+            write(context, picture.texts[item.number], outline[0], width, item.color, picture.background);
         paint_item(context, item.shape, outline, width, pixel);
     }
     cairo_restore(context);

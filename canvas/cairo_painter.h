@@ -21,6 +21,13 @@ void cover(cairo_t* context, const Color& color);
 /// point that is not finite is left out, a point far away is drawn at the edge of what cairo can count.
 void paint(cairo_t* context, const Picture& picture);
 
+/// A line of text about a middle, in letters so many pixels high, on a rim of `paper` that parts it from what is
+/// behind.
+void write(cairo_t* context, const std::string& text, Vec2<float> middle, double height, const Color& color,
+           const Color& paper);
+/// How many pixels that takes, rim and all.
+Vec2<double> size_of_text(const std::string& text, double height);
+
 /// Paints a picture into a region: scaled evenly until it just fits, centred, the rest filled with its background.
 void paint_fitted(cairo_t* context, const Picture& picture, const Region& region);
 

@@ -39,7 +39,7 @@ class Command {
 
 /// The list of sub-commands, in the order of the help. A new one is one new file, NAME.cpp, that defines
 /// `std::unique_ptr<Command> command::NAME()`, and one word here.
-#define SINEW_COMMANDS(X) X(render) X(gallery) X(run) X(check) X(info) X(list) X(describe) X(bench)
+#define SINEW_COMMANDS(X) X(play) X(render) X(gallery) X(run) X(check) X(info) X(list) X(describe) X(bench)
 
 namespace command {
 #define SINEW_DECLARE(name) std::unique_ptr<Command> name();

@@ -79,6 +79,10 @@ void print(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) < text.size() && output_error == 0) output_error = errno;
 }
 
+void flush_output() {
+    if (std::fflush(stdout) != 0 && output_error == 0) output_error = errno;
+}
+
 void print_error(std::string_view text) {
     std::fflush(stdout); // on a terminal both are seen in the order they were said
     std::fwrite(text.data(), 1, text.size(), stderr);

@@ -27,6 +27,8 @@ std::string error_text(std::string_view where, std::string_view message, std::st
 
 /// To standard output. Whoever reads it may leave early (`sinew list | head -1`): that is no error.
 void print(std::string_view text);
+/// So that who reads it sees it now.
+void flush_output();
 void print_error(std::string_view text);
 
 /// What main returns in the end: `code`, unless standard output could not be written.

@@ -101,6 +101,14 @@ Opened open_file(const std::string& word, std::span<const Override> overrides) {
     throw GiveUp{bad_input, to_text(document.diagnostics, style)};
 }
 
+fs::path scene_path(const std::string& word) {
+    return word == "-" ? fs::path() : path_of(word);
+}
+
+std::string read_text(const fs::path& path, std::size_t most) {
+    return read_path(path, most);
+}
+
 std::string title_of(const std::string& word) {
     const auto stem = fs::path(word).stem().string();
     return word == "-" || stem.empty() ? "scene" : stem;

@@ -2,6 +2,8 @@
 
 #include "sinew/scene/scene.h"
 
+#include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -13,6 +15,12 @@ Opened open_file(const std::string& word, std::span<const Override> overrides = 
 
 /// The file as it is, unchecked; what is wrong with it is in its diagnostics.
 Document open_document(const std::string& word, std::span<const Override> overrides = {});
+
+/// The scene's file; none for standard input. Throws GiveUp where no scene has that name.
+std::filesystem::path scene_path(const std::string& word);
+
+/// A text file, of at most so many bytes. Throws GiveUp.
+std::string read_text(const std::filesystem::path& path, std::size_t most);
 
 /// What files made of the scene are called: "ragdoll", "mine", "scene".
 std::string title_of(const std::string& word);

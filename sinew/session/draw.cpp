@@ -318,10 +318,14 @@ Vec2<double> Session::place_of(Vec2<double> pixel, int width, int height) const 
 }
 
 void Session::draw(Picture& picture, OverlaySet overlay) const {
-    const View view(scene_, focus_, picture.width, picture.height);
+    draw(picture, overlay, View(scene_, focus_, picture.width, picture.height));
+}
+
+void Session::draw(Picture& picture, OverlaySet overlay, const View& view) const {
     Onlooker onlooker{images_, pointer(), {}};
     std::visit(
         [&](const auto& world) {
+            if (hand_) onlooker.held = hand_->members;
             for (const auto& held : held_)
                 if (const auto id = find_particle(world, held.particle)) onlooker.held.push_back(*id);
             Drawer(scene_, world, view, onlooker, picture).draw();

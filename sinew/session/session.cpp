@@ -39,6 +39,8 @@ void Session::restart() {
     note_parted();
     plan_events();
     find_driven();
+    hand_.reset();
+    taken_over_ = false;
     held_.clear();
     blowing_.clear();
     happenings_.clear();
@@ -62,6 +64,7 @@ void Session::step() {
     drive();
     winder_.run(scene_, world_);
     carry_held();
+    if (hand_) hand_->carry(world_);
     std::visit([&]<class WorldT>(WorldT& world) { sinew::step(world, typename WorldT::Real(dt)); }, world_);
     note_events();
 }
@@ -104,6 +107,7 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
             detail::visit_held(event.event, [&]<class Event>(const Event& happening) {
                 std::string where;
                 if constexpr (std::is_same_v<Event, GrabEvent>) {
+                    if (taken_over_) return;
                     where = happening.particle;
                     let_go(where);
                     const auto id = find_particle(world, where);
@@ -137,6 +141,10 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
 }
 
 std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double> within) {
+    return cut(line, within, View(scene_, focus_, scene_.view.size[0], scene_.view.size[1]));
+}
+
+std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double> within, const View& view) {
     const double reach = within.value_or(scene_.pointer.cuts_within);
     return std::visit(
         [&]<class WorldT>(WorldT& world) {
@@ -144,7 +152,6 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
             if constexpr (WorldT::dimension == 2) {
                 done = sinew::cut(world, Blade{line[0].as<2, double>(), line[1].as<2, double>(), reach});
             } else {
-                const View view(scene_, focus_, scene_.view.size[0], scene_.view.size[1]);
                 const auto from = view.see(line[0].as<3, double>()), to = view.see(line[1].as<3, double>());
                 if (!from || !to) return done.links;
                 std::vector<Vec2<double>> pixels;

@@ -2,6 +2,7 @@
 
 #include "sinew/scene/scene.h"
 #include "sinew/session/driver.h"
+#include "sinew/session/hand.h"
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
 #include "sinew/session/winder.h"
@@ -10,7 +11,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sinew {
@@ -61,9 +64,26 @@ class Session {
     /// Where it is, or where the scene says a pointer would be.
     std::optional<Point> pointer() const;
 
+    /// Takes hold of one particle, or of the place between several; false where one is gone or nothing moves it. What
+    /// was held before is let go.
+    bool grab(std::span<const ParticleId> members, const Point& place);
+    /// Where what is held shall be when the next step ends.
+    void drag(const Point& place);
+    void let_go();
+    /// What is held, or nothing.
+    const Hand* hand() const { return hand_ ? &*hand_ : nullptr; }
+
+    /// Draws it in another theme than the scene says.
+    void set_theme(std::string name) { scene_.view.theme = std::move(name); }
+
+    /// Goes on as another scene: figures that are the same in both keep where they are, how they move, and what was
+    /// cut.
+    void become(Scene scene);
+
     /// Cuts every distance that crosses the line from one place to the other or comes within some length of it, as seen
     /// in the picture; tells how many. What a pointer draws is a row of such lines, within what the scene says.
     std::size_t cut(const std::array<Point, 2>& line, std::optional<double> within = {});
+    std::size_t cut(const std::array<Point, 2>& line, std::optional<double> within, const View& view);
 
     Report report() const;
     /// All that happened so far; at most `most_happenings`, then only counted.
@@ -74,8 +94,12 @@ class Session {
     /// Where a pixel of a picture of that size is in a 2D scene.
     Vec2<double> place_of(Vec2<double> pixel, int width, int height) const;
 
+    /// Two corners around what the scene shows at its start.
+    const std::array<Point, 2>& focus() const { return focus_; }
+
     /// The picture of now, filling `picture` (whose width and height the caller sets), with overlays on it.
     void draw(Picture& picture, OverlaySet overlay = {}) const;
+    void draw(Picture& picture, OverlaySet overlay, const View& view) const;
 
   private:
     struct Held {
@@ -109,11 +133,13 @@ class Session {
     };
 
     void plan_events();
+    void skip_past_events();
     void happen_now();
     void happen(const EventSection& event, std::uint64_t before);
     template <class WorldT> void hold_around(WorldT& world, ParticleId middle, const GrabEvent& grab, const Held& held);
     void carry_held();
     void still_gusts();
+    void keep_going(const AnyWorld& old);
     void note(std::string what, std::string where, std::size_t islands = 0);
     void note_events();
     void note_parted();
@@ -126,6 +152,8 @@ class Session {
     std::vector<Driven> driven_;
     Winder winder_;
     std::optional<Point> pointer_;
+    std::optional<Hand> hand_;
+    bool taken_over_ = false; ///< by a pointer: the scene's own hand keeps away until a restart
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;
     std::vector<std::size_t> islands_; ///< of each figure, when last told of

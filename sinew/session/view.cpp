@@ -6,9 +6,8 @@
 
 namespace sinew {
 
-View::View(const Scene& scene, const std::array<Point, 2>& focus, int width, int height)
+View::View(const Scene& scene, const ViewSection& view, const std::array<Point, 2>& focus, int width, int height)
     : flat_(scene.dimension == 2), up_(scene.units.up == "-y" ? -1 : 1), middle_pixel_{{width * 0.5, height * 0.5}} {
-    const auto& view = scene.view;
     if (flat_) {
         above_ = Vec3<double>{{0, up_, 0}};
         const double nominal_width = view.size[0], nominal_height = view.size[1];
@@ -55,6 +54,19 @@ std::optional<View::Seen> View::see(const Vec3<double>& place) const {
 Vec2<double> View::place_of(Vec2<double> pixel) const {
     const auto offset = (pixel - middle_pixel_) * (1 / scale_);
     return {{center_[0] + offset[0], center_[1] - up_ * offset[1]}};
+}
+
+Point View::place_of(Vec2<double> pixel, double depth) const {
+    Point place;
+    if (flat_) {
+        const auto flat = place_of(pixel);
+        place[0] = flat[0], place[1] = flat[1];
+        return place;
+    }
+    const auto offset = (pixel - middle_pixel_) * (depth / scale_);
+    const auto wide = eye_ - back_ * depth + right_ * offset[0] - above_ * offset[1];
+    for (int i = 0; i < 3; ++i) place[i] = wide[i];
+    return place;
 }
 
 } // namespace sinew

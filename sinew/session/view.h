@@ -10,7 +10,10 @@ namespace sinew {
 class View {
   public:
     /// `focus` is what a 2D scene that does not say is looked at: two corners around all it shows.
-    View(const Scene& scene, const std::array<Point, 2>& focus, int width, int height);
+    View(const Scene& scene, const std::array<Point, 2>& focus, int width, int height)
+        : View(scene, scene.view, focus, width, height) {}
+    /// Looks at it in another way than the scene says.
+    View(const Scene& scene, const ViewSection& view, const std::array<Point, 2>& focus, int width, int height);
 
     struct Seen {
         Vec2<float> pixel{};
@@ -23,6 +26,12 @@ class View {
 
     /// Where a pixel is in the plane of a 2D scene.
     Vec2<double> place_of(Vec2<double> pixel) const;
+    /// Where a pixel is in the plane across the view at that depth; in 2D there is only one.
+    Point place_of(Vec2<double> pixel, double depth) const;
+
+    /// 2D: what is in the middle of the picture, and how many pixels a unit of length has.
+    const Vec2<double>& center() const { return center_; }
+    double scale() const { return scale_; }
 
     /// Unit vector from what is looked at to the eye; towards the reader in 2D.
     const Vec3<double>& towards_eye() const { return back_; }

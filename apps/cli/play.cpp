@@ -1,0 +1,162 @@
+#include "sinew/scene/text.h"
+
+#include "apps/cli/arguments.h"
+#include "apps/cli/catalogue.h"
+#include "apps/cli/command.h"
+#include "apps/cli/console.h"
+#include "apps/cli/json_line.h"
+#include "apps/cli/scene_file.h"
+#include "apps/cli/stepping.h"
+#include "apps/play/keys.h"
+#include "apps/play/script.h"
+#include "apps/play/tool.h"
+#include "canvas/interrupt.h"
+#ifdef SINEW_WINDOW
+#include "apps/window/window.h"
+#endif
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace sinew::cli {
+namespace {
+
+using play::Play;
+
+constexpr std::size_t longest_script = 1 << 20; // bytes
+
+/// The text without what colours it on a terminal.
+std::string plain(const std::string& text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\033')
+            while (i < text.size() && text[i] != 'm') ++i;
+        else
+            out += text[i];
+    }
+    return out;
+}
+
+play::Fetched fetch(const std::string& word, std::span<const Override> overrides) {
+    try {
+        play::Fetched fetched{open_file(word, overrides), "", {}};
+        fetched.path = scene_path(word);
+        return fetched;
+    } catch (const GiveUp& problem) {
+        return {std::nullopt, plain(problem.message), {}};
+    }
+}
+
+std::string keys_text() {
+    std::string text;
+    for (const auto& action : play::key_actions()) text += fmt::format("  {:8} {}\n", action.key, action.about);
+    text += fmt::format("  {:8} {}\n", "1 to 9", "overlays");
+    for (const auto& tool : play::all_tools())
+        text += fmt::format("  {:8} {}: {}\n", tool->key(), tool->name(), tool->about());
+    return text;
+}
+
+class PlayCommand final : public Command {
+    Manual manual() const override {
+        return {
+            .name = "play",
+            .usage = "[SCENE] [--script FILE] [--json] [key=value...]",
+            .about = "plays with a scene in a window",
+            .details = details,
+            .examples = "sinew play\n"
+                        "sinew play ragdoll mode=classic\n"
+                        "sinew play my-scene.json view.theme=dark\n"
+                        "sinew play ragdoll --script throw.txt --json\n",
+        };
+    }
+
+    void declare(CLI::App& parser) override {
+        declare_words(parser, words);
+        declare_text(parser, "--script", script_path, "FILE", "plays what the file says, without a window");
+        declare_flag(parser, "--json", as_json, "tells what happens, one line of JSON each");
+    }
+
+    int run() override {
+        if (words.plain.size() > 1)
+            misused(fmt::format("{} is neither an option nor key=value", in_quotes(words.plain[1])),
+                    "one scene is played at a time");
+        const auto script = script_path.empty() ? std::nullopt : std::optional(read_script());
+        if (!script) refuse_without_window();
+        const auto scene = words.plain.empty() ? std::string("ragdoll") : words.plain[0];
+        canvas::catch_interrupts();
+        Play game({catalogue_names(), fetch}, scene, words.overrides);
+        if (!game.ready()) throw GiveUp{bad_input, game.problem()};
+        if (as_json) game.listener = [&](const play::Told& told) { print_told(game, told); };
+        return script ? play_script(*script, game) : play_window(game);
+    }
+
+    play::Script read_script() const {
+        auto read = play::read_script(read_text(script_path, longest_script));
+        if (!read.problem.empty()) refuse(script_path, read.problem);
+        return std::move(read.script);
+    }
+
+    int play_script(const play::Script& script, Play& game) const {
+        const auto problem = play::run_script(script, game, [](double) { give_up_if_interrupted(); });
+        if (!problem.empty()) refuse(script_path, problem);
+        game.tell("end", {{"hash", game.hash()}});
+        if (!game.problem().empty()) throw GiveUp{bad_input, game.problem()};
+        return done;
+    }
+
+#ifdef SINEW_WINDOW
+    static void refuse_without_window() {
+        if (!window::has_display())
+            refuse("sinew play", "there is no display to open a window on",
+                   "draw it into a file instead: sinew render ragdoll -o ragdoll.mp4");
+    }
+    static int play_window(Play& game) {
+        if (const auto problem = window::show(game)) refuse("sinew play", *problem);
+        return done;
+    }
+#else
+    static void refuse_without_window() {
+        refuse("sinew play", "this sinew was built without its window",
+               "apt-get install libsdl2-dev libimgui-dev libepoxy-dev, and build again; or draw into a file: sinew "
+               "render ragdoll -o ragdoll.mp4");
+    }
+    static int play_window(Play&) {
+        return bad_input;
+    }
+#endif
+
+    static void print_told(const Play& game, const play::Told& told) {
+        json::Object line{{"what", told.what}};
+        if (game.ready()) {
+            line.push_back({"scene", game.scene_name()});
+            line.push_back({"seconds", game.session().seconds()});
+        }
+        for (const auto& member : told.more) line.push_back(member);
+        print(to_line(line));
+        flush_output();
+    }
+
+    std::string details =
+        "In the window: drag to throw, drag with the right button to cut, with the middle one to look\n"
+        "elsewhere; the wheel zooms. Keys:\n\n" +
+        keys_text() +
+        "\nA script is a line of text for each thing that a player does: the second, then what.\n\n"
+        "  0.5 move bob/right_hand\n"
+        "  0.7 press\n"
+        "  1.0 move 900 200 over 0.5\n"
+        "  1.6 release\n"
+        "  2.0 key p\n"
+        "  2.1 shot thrown.png\n\n"
+        "Also: scroll N, where PARTICLE, set PATH=VALUE, open SCENE, go STEP, save FILE, end.\n";
+    Words words;
+    std::string script_path;
+    bool as_json = false;
+};
+
+} // namespace
+
+std::unique_ptr<Command> command::play() {
+    return std::make_unique<PlayCommand>();
+}
+
+} // namespace sinew::cli

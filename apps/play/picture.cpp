@@ -1,0 +1,97 @@
+#include "sinew/math/trig.h"
+#include "sinew/session/theme.h"
+
+#include "apps/play/files.h"
+#include "apps/play/play.h"
+#include "apps/play/tool.h"
+#include "canvas/formats.h"
+
+#include <utility>
+
+/// What a game looks like, on the screen and in files.
+namespace sinew::play {
+namespace {
+
+constexpr double film_rate = 30; // frames a second
+
+} // namespace
+
+void Play::draw(Picture& picture) {
+    picture.width = width_, picture.height = height_;
+    tape_->draw(picture, overlay, view(), clock_->paused() ? 1 : clock_->share(), theme);
+    take_pictures(picture);
+    highlight(picture);
+    if (busy_) busy_->draw(*this, picture);
+}
+
+/// A ring around what the pointer would take hold of.
+void Play::highlight(Picture& picture) const {
+    if (!hovered || busy_ || !over_) return;
+    const auto place =
+        hovered->members.size() == 1 ? place_of(session().world(), hovered->members) : std::optional(hovered->place);
+    const auto seen = place ? view().see(place->as<3, double>()) : std::nullopt;
+    if (!seen) return;
+    const auto& colors = theme_called(shown_theme());
+    constexpr int corners = 24;
+    const auto unit = float(density_);
+    std::array<Vec2<float>, corners> ring;
+    for (int i = 0; i < corners; ++i) {
+        const double turn = 2 * pi<double> * i / corners;
+        ring[std::size_t(i)] = seen->pixel + Vec2<float>{{float(cosine(turn)), float(sine(turn))}} * (9 * unit);
+    }
+    picture.add(Shape::loop, ring, 4.5F * unit, colors.background);
+    picture.add(Shape::loop, ring, 2 * unit, colors.palette[0]);
+    picture.add(Shape::disc, std::span(&seen->pixel, 1), 5 * unit, colors.palette[0]);
+}
+
+void Play::switch_theme() {
+    theme = shown_theme() == "dark" ? "light" : "dark";
+}
+
+void Play::screenshot(std::filesystem::path path) {
+    screenshots_.push_back(path.empty() ? free_path("out/" + name_ + ".png") : std::move(path));
+}
+
+void Play::toggle_recording(std::filesystem::path path) {
+    if (film_) {
+        const auto failure = film_->finish();
+        film_.reset();
+        if (failure) return report_problem(*failure);
+        message = "recorded " + film_path_.string();
+        return tell("recorded", {{"path", film_path_.string()}});
+    }
+    film_path_ = path.empty() ? free_path("out/" + name_ + ".mp4") : std::move(path);
+    auto opened = canvas::open(film_path_, {.width = width_, .height = height_, .fps = film_rate});
+    if (opened.failure) return report_problem(*opened.failure);
+    film_ = std::move(opened.writer);
+    film_due_ = 0;
+    message = "recording; V ends it";
+    tell("recording", {{"path", film_path_.string()}});
+}
+
+void Play::take_pictures(const Picture& picture) {
+    for (const auto& path : std::exchange(screenshots_, {})) {
+        auto opened = canvas::open(path, {.width = width_, .height = height_});
+        auto failure = opened.failure;
+        if (!failure) failure = opened.writer->frame(picture);
+        if (!failure) failure = opened.writer->finish();
+        if (failure) {
+            report_problem(*failure);
+            continue;
+        }
+        message = "screenshot " + path.string();
+        tell("screenshot", {{"path", path.string()}});
+    }
+    for (; film_ && film_due_ <= 0; film_due_ += 1 / film_rate)
+        if (auto failure = film_->frame(picture)) {
+            film_.reset();
+            return report_problem(*failure);
+        }
+}
+
+void Play::save_beside() {
+    const bool own = !path_.empty() && path_.has_extension() && name_.find_first_of("./") != std::string::npos;
+    save(own ? path_ : free_path(name_ + ".json"));
+}
+
+} // namespace sinew::play

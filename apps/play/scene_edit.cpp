@@ -1,0 +1,83 @@
+#include "apps/play/scene_edit.h"
+
+#include "sinew/scene/check.h"
+#include "sinew/scene/text.h"
+#include "sinew/scene/writer.h"
+
+#include <algorithm>
+
+namespace sinew::play {
+namespace {
+
+constexpr std::string_view source = "the scene";
+
+Edited read_again(Document document) {
+    if (auto opened = open_scene(document)) return {std::move(opened->scene), ""};
+    return {std::nullopt, to_text(document.diagnostics, {.color = false, .most = 5})};
+}
+
+std::string constraint_name(const Figure& figure, std::size_t number) {
+    for (const auto& [name, id] : figure.constraint_names)
+        if (id == figure.constraints[number]) return figure.name + "/" + std::string(name);
+    const auto name = name_of(number, figure.constraint_numbers);
+    return name.empty() ? "" : figure.name + "/" + name;
+}
+
+/// The constraints that the scene's figures were built with and have no more, by name. What has no name is not told.
+SnipEvent snipped(const AnyWorld& world) {
+    SnipEvent snip;
+    std::visit(
+        [&](const auto& any) {
+            for (const auto& figure : any.figures)
+                for (std::size_t i = 0; i < figure.constraints.size(); ++i)
+                    if (!constraint_state(any, figure.constraints[i]))
+                        if (auto name = constraint_name(figure, i); !name.empty())
+                            snip.constraints.push_back(std::move(name));
+        },
+        world);
+    return snip;
+}
+
+} // namespace
+
+json::Value document_of(const Scene& scene) {
+    return write(scene, Writing{.dimension = scene.dimension, .units = scene.measures()});
+}
+
+std::string text_of(const Session& session) {
+    auto scene = session.scene();
+    if (auto snip = snipped(session.world()); !snip.constraints.empty())
+        scene.events.insert(scene.events.begin(), EventSection{.at = 0, .event = std::move(snip)});
+    return json::to_text(document_of(scene)) + "\n";
+}
+
+Edited edited(const Scene& scene, const std::function<void(json::Object& root)>& change) {
+    auto root = document_of(scene);
+    change(*root.as<json::Object>());
+    return read_again(load(json::to_text(root), std::string(source)));
+}
+
+Edited edited(const Scene& scene, std::span<const Override> overrides) {
+    return read_again(load(json::to_text(document_of(scene)), std::string(source), overrides));
+}
+
+std::string free_name(const Scene& scene, const std::string& stem) {
+    const auto taken = [&](std::string_view name) {
+        return std::any_of(scene.figures.begin(), scene.figures.end(),
+                           [&](const FigureSection& figure) { return sinew::name_of(figure) == name; });
+    };
+    auto name = stem;
+    for (int number = 2; taken(name); ++number) name = concat(stem, "_", number);
+    return name;
+}
+
+void append(json::Object& root, std::string_view list, json::Value element) {
+    auto* member = json::find(root, list);
+    if (!member || !member->value.as<json::Array>()) {
+        root.push_back({std::string(list), json::Array{}});
+        member = &root.back();
+    }
+    member->value.as<json::Array>()->push_back(std::move(element));
+}
+
+} // namespace sinew::play

@@ -1,0 +1,238 @@
+#include "apps/play/script.h"
+
+#include "sinew/scene/diagnostic.h"
+#include "sinew/scene/text.h"
+#include "sinew/solver/edit.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace sinew::play {
+namespace {
+
+struct Action {
+    std::string_view name;
+    std::size_t least, most; ///< words after it
+};
+constexpr std::array actions = {
+    Action{"move", 1, 4},  Action{"press", 0, 1}, Action{"release", 0, 1}, Action{"scroll", 1, 1}, Action{"key", 1, 1},
+    Action{"where", 1, 1}, Action{"set", 1, 1},   Action{"open", 1, 1},    Action{"drop", 1, 1},   Action{"go", 1, 1},
+    Action{"save", 1, 1},  Action{"shot", 1, 1},  Action{"end", 0, 0},
+};
+
+std::optional<double> number_of(const std::string& text) {
+    double number = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
+std::optional<Button> button_of(const std::vector<std::string>& words) {
+    if (words.empty() || words[0] == "left") return Button::left;
+    if (words[0] == "middle") return Button::middle;
+    if (words[0] == "right") return Button::right;
+    return std::nullopt;
+}
+
+std::vector<std::string> words_of(const std::string& line) {
+    std::istringstream stream(line.substr(0, line.find('#')));
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    return words;
+}
+
+/// Takes one line; what is wrong with it, or nothing.
+std::string read_line(const std::vector<std::string>& words, std::size_t number, Script& script) {
+    if (words[0] == "size" && words.size() == 2) {
+        const auto cross = words[1].find('x');
+        const auto width = number_of(words[1].substr(0, cross));
+        const auto height = cross == std::string::npos ? std::nullopt : number_of(words[1].substr(cross + 1));
+        if (!width || !height || *width < 1 || *height < 1 || *width > 16384 || *height > 16384)
+            return "expected a size as 1280x720, found " + in_quotes(words[1]);
+        script.width = int(*width), script.height = int(*height);
+        return "";
+    }
+    if (words[0] == "fps" && words.size() == 2) {
+        const auto fps = number_of(words[1]);
+        if (!fps || *fps < 1 || *fps > 1000)
+            return "expected frames a second from 1 to 1000, found " + in_quotes(words[1]);
+        script.fps = *fps;
+        return "";
+    }
+    const auto at = number_of(words[0]);
+    if (!at || *at < 0) return "expected a second, found " + in_quotes(words[0]);
+    if (words.size() < 2) return "nothing to do at that second";
+    if (!script.lines.empty() && script.lines.back().at > *at) return "it is earlier than the line before";
+    const auto action = std::ranges::find(actions, words[1], &Action::name);
+    if (action == actions.end()) {
+        std::vector<std::string_view> names;
+        for (const auto& known : actions) names.push_back(known.name);
+        return "nobody can " + in_quotes(words[1]) + "; " + suggest(words[1], names);
+    }
+    const auto count = words.size() - 2;
+    if (count < action->least || count > action->most)
+        return concat(in_quotes(words[1]), " with ", count, count == 1 ? " word" : " words");
+    script.lines.push_back({*at, words[1], {words.begin() + 2, words.end()}, number});
+    return "";
+}
+
+/// Plays the lines as their time comes.
+class Player {
+  public:
+    Player(const Script& script, Play& play) : script_(script), play_(play) {}
+
+    /// All that is due by that second; a problem ends it.
+    std::string perform(double now) {
+        glide(now);
+        for (; next_ < script_.lines.size() && script_.lines[next_].at <= now; ++next_) {
+            const auto& line = script_.lines[next_];
+            if (line.action == "end") return over_ = true, "";
+            if (auto problem = perform(line); !problem.empty()) return concat("line ", line.number, ": ", problem);
+        }
+        return "";
+    }
+
+    bool over() const { return over_ || (next_ == script_.lines.size() && !to_) || play_.quit; }
+
+  private:
+    const Script& script_;
+    Play& play_;
+    std::size_t next_ = 0;
+    bool over_ = false;
+    Vec2<double> from_{};
+    std::optional<Vec2<double>> to_; ///< where the pointer glides
+    std::optional<ParticleId> followed_;
+    double since_ = 0, until_ = 0;
+
+    void glide(double now) {
+        if (!to_) return;
+        if (followed_)
+            if (const auto pixel = pixel_of(*followed_)) to_ = pixel;
+        const double share = until_ > since_ ? std::clamp((now - since_) / (until_ - since_), 0.0, 1.0) : 1.0;
+        play_.handle(Moved{from_ + (*to_ - from_) * share});
+        if (share >= 1) to_.reset();
+    }
+
+    std::optional<ParticleId> particle(const std::string& name) const {
+        return std::visit([&](const auto& world) { return find_particle(world, name); }, play_.session().world());
+    }
+
+    std::optional<Vec2<double>> pixel_of(ParticleId id) const {
+        const auto place = place_of(play_.session().world(), {&id, 1});
+        const auto seen = place ? play_.view().see(place->as<3, double>()) : std::nullopt;
+        return seen ? std::optional(cast<double>(seen->pixel)) : std::nullopt;
+    }
+
+    std::string perform(const ScriptLine& line) {
+        const auto& [at, action, words, number] = line;
+        if (action == "move") return move(at, words);
+        if (action == "press" || action == "release") {
+            const auto button = button_of(words);
+            if (!button) return "no button is called " + in_quotes(words[0]);
+            if (action == "press")
+                play_.handle(Pressed{*button});
+            else
+                play_.handle(Released{*button});
+        } else if (action == "scroll" || action == "go") {
+            const auto amount = number_of(words[0]);
+            if (!amount) return "expected a number, found " + in_quotes(words[0]);
+            if (action == "scroll")
+                play_.handle(Scrolled{*amount});
+            else
+                play_.go_to(std::uint64_t(std::max(*amount, 0.0)));
+        } else if (action == "key") {
+            play_.handle(Key{words[0]});
+            play_.handle(KeyUp{words[0]});
+        } else if (action == "where") {
+            return where(words[0]);
+        } else if (action == "set") {
+            const auto equals = std::min(words[0].find('='), words[0].size() - 1);
+            play_.set(words[0].substr(0, equals), words[0].substr(equals + 1));
+        } else if (action == "open" || action == "drop") {
+            play_.open(words[0]);
+        } else if (action == "save") {
+            play_.save(words[0]);
+        } else if (action == "shot") {
+            play_.screenshot(words[0]);
+        }
+        return "";
+    }
+
+    std::string move(double at, const std::vector<std::string>& words) {
+        constexpr double usual = 0.2;
+        std::optional<Vec2<double>> to;
+        std::size_t used = 1;
+        if (const auto x = number_of(words[0])) {
+            const auto y = words.size() > 1 ? number_of(words[1]) : std::nullopt;
+            if (!y) return "expected two pixels or a particle";
+            to = {{*x, *y}};
+            used = 2;
+            followed_.reset();
+        } else {
+            followed_ = particle(words[0]);
+            if (!followed_) return "no particle is called " + in_quotes(words[0]);
+            to = pixel_of(*followed_);
+            if (!to) return in_quotes(words[0]) + " is behind the eye";
+        }
+        double over = usual;
+        if (words.size() > used) {
+            const auto said =
+                words.size() == used + 2 && words[used] == "over" ? number_of(words[used + 1]) : std::nullopt;
+            if (!said || *said < 0) return "expected `over` and seconds after the place";
+            over = *said;
+        }
+        from_ = play_.pointer();
+        to_ = to;
+        since_ = at, until_ = at + over;
+        if (over == 0) glide(at);
+        return "";
+    }
+
+    std::string where(const std::string& name) {
+        const auto id = particle(name);
+        const auto place = id ? place_of(play_.session().world(), {&*id, 1}) : std::nullopt;
+        if (!place) return "no particle is called " + in_quotes(name);
+        json::Array at;
+        for (int i = 0; i < play_.session().scene().dimension; ++i) at.push_back((*place)[i]);
+        json::Object told{{"particle", name}, {"at", std::move(at)}};
+        if (const auto seen = play_.view().see(place->as<3, double>()))
+            told.push_back({"pixel", json::Array{double(seen->pixel[0]), double(seen->pixel[1])}});
+        play_.tell("where", std::move(told));
+        return "";
+    }
+};
+
+} // namespace
+
+ReadScript read_script(const std::string& text) {
+    ReadScript read;
+    std::istringstream stream(text);
+    std::size_t number = 0;
+    for (std::string line; std::getline(stream, line);) {
+        ++number;
+        const auto words = words_of(line);
+        if (words.empty()) continue;
+        if (auto problem = read_line(words, number, read.script); !problem.empty())
+            return {{}, concat("line ", number, ": ", problem)};
+    }
+    return read;
+}
+
+std::string run_script(const Script& script, Play& play, const std::function<void(double)>& frame) {
+    Player player(script, play);
+    Picture picture;
+    play.resize(script.width, script.height);
+    for (std::uint64_t i = 0; !player.over(); ++i) {
+        const double now = double(i) / script.fps;
+        if (auto problem = player.perform(now); !problem.empty()) return problem;
+        play.draw(picture);
+        if (frame) frame(now);
+        play.advance(1 / script.fps);
+    }
+    return "";
+}
+
+} // namespace sinew::play

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "sinew/scene/document.h"
+#include "sinew/scene/scene.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sinew::play {
+
+/// A scene that was opened, or all that is wrong with it.
+struct Fetched {
+    std::optional<Opened> opened;
+    std::string problem;
+    std::filesystem::path path; ///< where it is, to see when it changes; empty where it is no file
+};
+
+/// Where scenes come from.
+struct Shelf {
+    std::vector<std::string> names; ///< of the catalogue
+    std::function<Fetched(const std::string& word, std::span<const Override> overrides)> fetch;
+};
+
+} // namespace sinew::play

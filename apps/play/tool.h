@@ -1,0 +1,36 @@
+#pragma once
+
+#include "apps/play/play.h"
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace sinew::play {
+
+/// What the pointer does. A tool lives as long as the game; between press and release it is busy.
+class Tool {
+  public:
+    virtual ~Tool() = default;
+    virtual std::string_view name() const = 0;
+    virtual std::string_view key() const = 0;
+    virtual std::string_view about() const = 0; ///< one line, begins with a verb
+    virtual void press(Play& play) = 0;
+    virtual void move(Play&) {}
+    virtual void release(Play&) {}
+    /// Over the scene, while it is busy.
+    virtual void draw(const Play&, Picture&) const {}
+};
+
+/// The list of tools, in the order of the toolbar. A new one is a file that defines its maker, and a word here.
+#define SINEW_TOOLS(X) X(grab) X(pin) X(cut) X(rope) X(polygon) X(cloth) X(spawn) X(remove) X(measure)
+
+namespace tool {
+#define SINEW_DECLARE(name) std::unique_ptr<Tool> name();
+SINEW_TOOLS(SINEW_DECLARE)
+#undef SINEW_DECLARE
+} // namespace tool
+
+std::vector<std::unique_ptr<Tool>> all_tools();
+
+} // namespace sinew::play

@@ -1,0 +1,61 @@
+#include "sinew/scene/check.h"
+
+#include "apps/play/scene_edit.h"
+#include "apps/play/tool.h"
+
+#include <algorithm>
+
+namespace sinew::play {
+namespace {
+
+/// Whether a name is the figure's or of something in it.
+bool belongs(std::string_view name, const std::string& figure) {
+    return name == figure || name.starts_with(figure + "/");
+}
+
+/// A scene without a figure, and without what speaks of it.
+Scene without(Scene scene, const std::string& figure) {
+    std::erase_if(scene.figures, [&](const FigureSection& one) { return sinew::name_of(one) == figure; });
+    std::erase_if(scene.pins, [&](const PinSection& pin) { return belongs(pin.particle, figure); });
+    std::erase_if(scene.looks, [&](const auto& look) { return belongs(look.first, figure); });
+    std::erase_if(scene.constraints, [&](const ConstraintSection& constraint) {
+        return std::ranges::any_of(constraint.between, [&](const auto& name) { return belongs(name, figure); });
+    });
+    std::erase_if(scene.events, [&](const EventSection& event) {
+        if (const auto* grab = std::get_if<GrabEvent>(&event.event)) return belongs(grab->particle, figure);
+        if (const auto* release = std::get_if<ReleaseEvent>(&event.event)) return belongs(release->particle, figure);
+        if (const auto* impulse = std::get_if<ImpulseEvent>(&event.event)) return belongs(impulse->target, figure);
+        if (const auto* snip = std::get_if<SnipEvent>(&event.event))
+            return std::ranges::any_of(snip->constraints, [&](const auto& name) { return belongs(name, figure); });
+        return false;
+    });
+    return scene;
+}
+
+class RemoveTool final : public Tool {
+    std::string_view name() const override { return "remove"; }
+    std::string_view key() const override { return "delete"; }
+    std::string_view about() const override { return "deletes the figure under the pointer"; }
+
+    void press(Play& play) override {
+        const auto picked = play.pick_here();
+        if (!picked) return;
+        const auto figure = std::visit(
+            [&](const auto& world) {
+                return picked->figure < world.figures.size() ? world.figures[picked->figure].name : std::string();
+            },
+            play.session().world());
+        if (figure.empty()) return;
+        play.hovered.reset(), play.selected.reset();
+        play.become(without(play.session().scene(), figure), "delete " + figure);
+        play.tell("remove", {{"figure", figure}});
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Tool> tool::remove() {
+    return std::make_unique<RemoveTool>();
+}
+
+} // namespace sinew::play

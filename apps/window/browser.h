@@ -1,0 +1,25 @@
+#pragma once
+
+#include "apps/play/play.h"
+#include "apps/window/look.h"
+#include "apps/window/thumbnails.h"
+
+#include <array>
+
+namespace sinew::window {
+
+/// The catalogue: a search, and a picture of every scene.
+class Browser {
+  public:
+    explicit Browser(play::Play& play) : play_(play), thumbnails_(play.shelf()) {}
+    void show(const Look& look, const Fonts& fonts, float scale);
+
+  private:
+    void card(const std::string& name, float width, const Look& look, const Fonts& fonts);
+
+    play::Play& play_;
+    Thumbnails thumbnails_;
+    std::array<char, 64> search_{};
+};
+
+} // namespace sinew::window

@@ -1,0 +1,332 @@
+#include "apps/window/gl_painter.h"
+
+#include "apps/window/triangles.h"
+#include "canvas/cairo_handle.h"
+#include "canvas/cairo_painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <epoxy/gl.h>
+
+namespace sinew::window {
+namespace {
+
+constexpr const char* vertex_text = R"(#version 330 core
+layout(location = 0) in vec2 place;
+layout(location = 1) in vec2 local;
+layout(location = 2) in vec2 shape;
+layout(location = 3) in vec4 color;
+uniform vec2 size;
+out vec2 at;
+flat out vec2 form;
+out vec4 paint;
+void main() {
+    at = local;
+    form = shape;
+    paint = color;
+    gl_Position = vec4(place.x / size.x * 2.0 - 1.0, 1.0 - place.y / size.y * 2.0, 0.0, 1.0);
+}
+)";
+
+// Colours are straight, images are premultiplied, what is written is premultiplied.
+constexpr const char* fragment_text = R"(#version 330 core
+in vec2 at;
+flat in vec2 form;
+in vec4 paint;
+uniform sampler2D image;
+out vec4 result;
+void main() {
+    if (form.x >= 0.0) {
+        float away = length(vec2(max(abs(at.x) - form.x, 0.0), at.y)) - form.y;
+        float cover = clamp(0.5 - away, 0.0, 1.0) * paint.a;
+        result = vec4(paint.rgb * cover, cover);
+    } else if (form.x > -1.5) {
+        result = vec4(paint.rgb * paint.a, paint.a);
+    } else {
+        vec4 texel = texture(image, at);
+        vec2 inside = min(at, 1.0 - at) / max(fwidth(at), vec2(1e-6)) + 0.5;
+        float cover = clamp(min(inside.x, inside.y), 0.0, 1.0);
+        result = mix(texel, vec4(paint.rgb * texel.a, texel.a), paint.a) * cover;
+    }
+}
+)";
+
+constexpr Vec2<float> flat{{-1, 0}}, textured{{-2, 0}};
+
+std::uint32_t packed(const Color& color) {
+    const auto byte = [](float channel) { return std::uint32_t(std::clamp(channel, 0.0F, 1.0F) * 255 + 0.5F); };
+    return byte(color.red) | byte(color.green) << 8U | byte(color.blue) << 16U | byte(color.alpha) << 24U;
+}
+
+std::uint32_t without_alpha(std::uint32_t color) {
+    return color & 0xffffffU;
+}
+
+GLuint compiled(GLenum stage, const char* text, std::string& problem) {
+    const GLuint shader = glCreateShader(stage);
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint good = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+    if (!good) {
+        char log[1024] = "";
+        glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+        problem = std::string("the graphics driver refuses a shader: ") + log;
+    }
+    return shader;
+}
+
+bool is_paintable(std::span<const Vec2<float>> outline) {
+    return !outline.empty() && std::ranges::all_of(outline, [](const auto& p) { return is_finite(p); });
+}
+
+} // namespace
+
+GlPainter::GlPainter() {
+    program_ = glCreateProgram();
+    for (const auto& [stage, text] :
+         {std::pair<GLenum, const char*>{GL_VERTEX_SHADER, vertex_text}, {GL_FRAGMENT_SHADER, fragment_text}}) {
+        const GLuint shader = compiled(stage, text, problem_);
+        glAttachShader(program_, shader);
+        glDeleteShader(shader);
+    }
+    glLinkProgram(program_);
+    size_place_ = glGetUniformLocation(program_, "size");
+    glGenVertexArrays(1, &array_);
+    glGenBuffers(1, &vertices_buffer_);
+    glGenBuffers(1, &indices_buffer_);
+    glBindVertexArray(array_);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_buffer_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_buffer_);
+    const auto column = [](GLuint number, GLint parts, GLenum type, GLboolean scaled, std::size_t offset) {
+        glEnableVertexAttribArray(number);
+        glVertexAttribPointer(number, parts, type, scaled, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+    };
+    column(0, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, place));
+    column(1, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, local));
+    column(2, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, shape));
+    column(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, color));
+    glBindVertexArray(0);
+}
+
+GlPainter::~GlPainter() {
+    for (const auto& texture : textures_) glDeleteTextures(1, &texture.name);
+    glDeleteBuffers(1, &vertices_buffer_);
+    glDeleteBuffers(1, &indices_buffer_);
+    glDeleteVertexArrays(1, &array_);
+    glDeleteProgram(program_);
+}
+
+void GlPainter::paint(const Picture& picture, int left, int bottom) {
+    if (picture.width < 1 || picture.height < 1) return;
+    ++frame_;
+    gather(picture);
+    glViewport(left, bottom, picture.width, picture.height);
+    glScissor(left, bottom, picture.width, picture.height);
+    glEnable(GL_SCISSOR_TEST);
+    glClearColor(picture.background.red, picture.background.green, picture.background.blue, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glUseProgram(program_);
+    glUniform2f(size_place_, float(picture.width), float(picture.height));
+    glBindVertexArray(array_);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_buffer_);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices_.size() * sizeof(Vertex)), vertices_.data(), GL_STREAM_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices_.size() * sizeof(std::uint32_t)), indices_.data(),
+                 GL_STREAM_DRAW);
+    glActiveTexture(GL_TEXTURE0);
+    for (const auto& batch : batches_) {
+        glBindTexture(GL_TEXTURE_2D, batch.texture);
+        glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT,
+                       reinterpret_cast<const void*>(std::size_t(batch.first) * sizeof(std::uint32_t)));
+    }
+    glBindVertexArray(0);
+    glDisable(GL_SCISSOR_TEST);
+    forget_unused();
+}
+
+void GlPainter::gather(const Picture& picture) {
+    vertices_.clear(), indices_.clear(), batches_.clear();
+    batches_.push_back({});
+    for (const auto& item : picture.items) {
+        const auto outline = picture.points_of(item);
+        if (!is_paintable(outline)) continue;
+        if (item.shape == Shape::image) {
+            add_image(picture, item);
+            continue;
+        }
+        if (item.color.alpha <= 0) continue;
+        const float width = item.width >= 1 ? item.width : 1;
+        const auto color = packed(item.color);
+        switch (item.shape) {
+        case Shape::disc:
+            add_line(outline[0], outline[0], width, color);
+            break;
+        case Shape::polygon:
+            add_polygon(outline, color);
+            break;
+        case Shape::text:
+            add_text(picture, item);
+            break;
+        case Shape::loop:
+            if (outline.size() > 2) add_line(outline.back(), outline.front(), width, color);
+            [[fallthrough]];
+        default:
+            if (outline.size() == 1) add_line(outline[0], outline[0], width, color);
+            for (std::size_t i = 0; i + 1 < outline.size(); ++i) add_line(outline[i], outline[i + 1], width, color);
+        }
+    }
+}
+
+std::uint32_t GlPainter::put(const Vertex& vertex) {
+    vertices_.push_back(vertex);
+    return std::uint32_t(vertices_.size() - 1);
+}
+
+void GlPainter::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    indices_.push_back(a), indices_.push_back(b), indices_.push_back(c);
+    batches_.back().count += 3;
+}
+
+/// What follows is painted with that texture; what has none can be painted with any.
+void GlPainter::use(std::uint32_t texture) {
+    auto& last = batches_.back();
+    if (last.texture == texture) return;
+    if (last.texture == 0)
+        last.texture = texture;
+    else
+        batches_.push_back({texture, std::uint32_t(indices_.size()), 0});
+}
+
+void GlPainter::add_line(Vec2<float> a, Vec2<float> b, float width, std::uint32_t color) {
+    const auto way = b - a;
+    const float length = norm(way), half = length / 2, radius = width / 2;
+    const auto along = length > 1e-6F ? way * (1 / length) : Vec2<float>{{1, 0}};
+    const auto across = perpendicular(along);
+    const auto middle = (a + b) * 0.5F;
+    const float far = half + radius + 1, wide = radius + 1; // a pixel more: where it fades
+    const auto corner = [&](float x, float y) {
+        return put({middle + along * x + across * y, {{x, y}}, {{half, radius}}, color});
+    };
+    const auto first = corner(-far, -wide);
+    corner(far, -wide), corner(far, wide), corner(-far, wide);
+    triangle(first, first + 1, first + 2), triangle(first, first + 2, first + 3);
+}
+
+/// Triangles, and around them a rim that fades.
+void GlPainter::add_polygon(std::span<const Vec2<float>> outline, std::uint32_t color) {
+    constexpr float fade = 0.75F; // pixels
+    const auto count = std::uint32_t(outline.size());
+    if (count < 3) return;
+    const auto first = std::uint32_t(vertices_.size());
+    for (const auto& place : outline) put({place, {}, flat, color});
+    triangulate(outline, rest_,
+                [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangle(first + a, first + b, first + c); });
+    const float side = signed_area(outline) < 0 ? -1.0F : 1.0F;
+    const auto outer = std::uint32_t(vertices_.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const auto before = direction(outline[i] - outline[(i + count - 1) % count]);
+        const auto after = direction(outline[(i + 1) % count] - outline[i]);
+        const auto out = direction(perpendicular(before) + perpendicular(after)) * (-side * fade);
+        put({outline[i] + out, {}, flat, without_alpha(color)});
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const auto next = (i + 1) % count;
+        triangle(first + i, first + next, outer + i);
+        triangle(first + next, outer + next, outer + i);
+    }
+}
+
+void GlPainter::add_image(const Picture& picture, const Picture::Item& item) {
+    const auto grid = picture.points_of(item);
+    if (item.number >= picture.images.size() || !picture.images[item.number] || item.across < 2) return;
+    const auto across = item.across, down = item.count / across;
+    if (down < 2) return;
+    use(texture_of(picture.images[item.number]).name);
+    const auto color = packed(item.color);
+    const auto first = std::uint32_t(vertices_.size());
+    for (std::uint32_t row = 0; row < down; ++row)
+        for (std::uint32_t column = 0; column < across; ++column)
+            put({grid[row * across + column],
+                 {{float(column) / float(across - 1), float(row) / float(down - 1)}},
+                 textured,
+                 color});
+    for (std::uint32_t row = 0; row + 1 < down; ++row)
+        for (std::uint32_t column = 0; column + 1 < across; ++column) {
+            const auto a = first + row * across + column;
+            triangle(a, a + 1, a + across), triangle(a + 1, a + across + 1, a + across);
+        }
+}
+
+void GlPainter::add_text(const Picture& picture, const Picture::Item& item) {
+    if (item.number >= picture.texts.size() || picture.texts[item.number].empty()) return;
+    const auto color = packed(item.color);
+    const auto key = picture.texts[item.number] + '\n' + std::to_string(color) + '\n' + std::to_string(item.width) +
+                     '\n' + std::to_string(packed(picture.background));
+    const auto& texture = texture_of(key, picture, item);
+    use(texture.name);
+    const auto middle = picture.points_of(item)[0];
+    // On whole pixels, where letters are sharp.
+    const Vec2<float> corner{
+        {std::round(middle[0] - float(texture.width) / 2), std::round(middle[1] - float(texture.height) / 2)}};
+    const auto first = std::uint32_t(vertices_.size());
+    for (const Vec2<float> uv : {Vec2<float>{{0, 0}}, Vec2<float>{{1, 0}}, Vec2<float>{{1, 1}}, Vec2<float>{{0, 1}}})
+        put({corner + Vec2<float>{{uv[0] * float(texture.width), uv[1] * float(texture.height)}}, uv, textured, 0});
+    triangle(first, first + 1, first + 2), triangle(first, first + 2, first + 3);
+}
+
+GlPainter::Texture& GlPainter::fresh_texture(int width, int height, const void* pixels, bool fine) {
+    Texture texture{.width = width, .height = height, .used = frame_, .of = {}, .text = {}};
+    glGenTextures(1, &texture.name);
+    glBindTexture(GL_TEXTURE_2D, texture.name);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, fine ? GL_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
+    if (!fine) glGenerateMipmap(GL_TEXTURE_2D);
+    textures_.push_back(std::move(texture));
+    return textures_.back();
+}
+
+const GlPainter::Texture& GlPainter::texture_of(const std::shared_ptr<const Image>& image) {
+    for (auto& texture : textures_)
+        if (texture.of.lock() == image) return texture.used = frame_, texture;
+    auto& texture = fresh_texture(image->width, image->height, image->pixels.data(), false);
+    texture.of = image;
+    return texture;
+}
+
+const GlPainter::Texture& GlPainter::texture_of(const std::string& key, const Picture& picture,
+                                                const Picture::Item& item) {
+    for (auto& texture : textures_)
+        if (texture.text == key) return texture.used = frame_, texture;
+    const auto& text = picture.texts[item.number];
+    const auto size = canvas::size_of_text(text, double(item.width));
+    const int width = std::clamp(int(std::ceil(size[0])), 1, 4096),
+              height = std::clamp(int(std::ceil(size[1])), 1, 512);
+    const canvas::CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+    const canvas::CairoContext context(cairo_create(surface.get()));
+    canvas::write(context.get(), text, {{float(width) / 2, float(height) / 2}}, double(item.width), item.color,
+                  picture.background);
+    cairo_surface_flush(surface.get());
+    auto& texture = fresh_texture(width, height, cairo_image_surface_get_data(surface.get()), true);
+    texture.text = key;
+    return texture;
+}
+
+void GlPainter::forget_unused() {
+    constexpr std::uint64_t patience = 240; // frames
+    std::erase_if(textures_, [&](const Texture& texture) {
+        const bool gone = texture.used + patience < frame_;
+        if (gone) glDeleteTextures(1, &texture.name);
+        return gone;
+    });
+}
+
+} // namespace sinew::window

@@ -1,0 +1,112 @@
+#include "apps/window/inspector.h"
+
+#include "sinew/solver/edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sinew::window {
+namespace {
+
+template <class WorldT> class Shown {
+  public:
+    Shown(play::Play& play, const WorldT& world, ParticleId id, Row at, const Look& look)
+        : play_(play), world_(world), id_(id), row_(at), look_(look) {}
+
+    /// What the player changes of it, if anything.
+    std::optional<play::Tweak> particle() {
+        const auto& p = world_.particles;
+        const auto units = play_.session().scene().measures();
+        ImGui::TextColored(look_.accent, "%s", play::name_of(play_.session().world(), id_).c_str());
+        std::array<double, 3> place{}, velocity{};
+        for (int i = 0; i < D; ++i) {
+            place[std::size_t(i)] = double(p.position[row_][i]);
+            velocity[std::size_t(i)] = double(p.velocity[row_][i]);
+        }
+        play::Tweak tweak{.particle = id_, .position = {}, .velocity = {}, .mass = {}};
+        if (numbers("position", place, units.text(unit::length))) tweak.position = Point{place};
+        if (numbers("velocity", velocity, units.text(unit::speed))) tweak.velocity = Point{velocity};
+        double mass = double(inverse_or_zero(p.inverse_mass[row_]));
+        label("mass", units.text(unit::mass));
+        constexpr double least = 1e-6, most = 1e9;
+        if (mass <= 0)
+            ImGui::TextColored(look_.faint, "nothing moves it");
+        else if (ImGui::DragScalar("##mass", ImGuiDataType_Double, &mass, float(mass * 0.01), &least, &most, "%.4g"))
+            tweak.mass = mass;
+        return tweak.position || tweak.velocity || tweak.mass ? std::optional(tweak) : std::nullopt;
+    }
+
+    /// What it is part of.
+    void constraints() {
+        constexpr int most = 6;
+        int kind = 0, shown = 0;
+        for_each_table(world_, [&](const auto& table) {
+            for (Row i = 0; i < table.size() && shown < most; ++i) {
+                const auto members = table.members[i];
+                if (std::find(members.begin(), members.end(), row_) == members.end()) continue;
+                const auto state = constraint_state(world_, {kind, table.slots.id_of(i)});
+                if (!state) continue;
+                ++shown;
+                ImGui::TextColored(look_.faint, "%s", std::string(kind_names[std::size_t(kind)]).c_str());
+                ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.42F);
+                ImGui::Text("%.4g", state->measure);
+                if (std::fabs(state->strain) > 1e-6) {
+                    ImGui::SameLine();
+                    ImGui::TextColored(look_.accent, "%+.3g %%", state->strain * 100);
+                }
+            }
+            ++kind;
+        });
+    }
+
+  private:
+    static constexpr int D = WorldT::dimension;
+    play::Play& play_;
+    const WorldT& world_;
+    ParticleId id_;
+    Row row_;
+    const Look& look_;
+
+    void label(const char* name, const std::string& unit) const {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextColored(look_.faint, "%s", name);
+        if (ImGui::IsItemHovered() && !unit.empty()) ImGui::SetTooltip("%s", unit.c_str());
+        ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.3F);
+        ImGui::SetNextItemWidth(-1);
+    }
+
+    bool numbers(const char* name, std::array<double, 3>& values, const std::string& unit) const {
+        label(name, unit);
+        double largest = 0.1;
+        for (const double value : values) largest = std::max(largest, std::fabs(value));
+        const std::string id = std::string("##") + name;
+        return ImGui::DragScalarN(id.c_str(), ImGuiDataType_Double, values.data(), D, float(largest * 0.005), nullptr,
+                                  nullptr, "%.4g");
+    }
+};
+
+} // namespace
+
+void inspector(play::Play& play, const Look& look, const Fonts& fonts) {
+    const auto& picked = play.selected ? play.selected : play.hovered;
+    if (!picked) {
+        ImGui::PushFont(fonts.small);
+        ImGui::TextColored(look.faint, "press a particle to see it here");
+        ImGui::PopFont();
+        return;
+    }
+    const auto id = picked->members.front();
+    const auto tweak = std::visit(
+        [&](const auto& world) -> std::optional<play::Tweak> {
+            const auto row = row_of(world, id);
+            if (!row) return ImGui::TextColored(look.faint, "it is gone"), std::nullopt;
+            Shown shown(play, world, id, *row, look);
+            auto change = shown.particle();
+            shown.constraints();
+            return change;
+        },
+        play.session().world());
+    if (tweak) play.edit(*tweak, "change a particle");
+}
+
+} // namespace sinew::window

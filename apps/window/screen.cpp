@@ -1,0 +1,89 @@
+#include "apps/window/screen.h"
+
+#include "apps/window/window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+namespace sinew::window {
+namespace {
+
+bool is_set(const char* variable) {
+    const char* const value = std::getenv(variable);
+    return value && *value;
+}
+
+std::string because(const std::string& what) {
+    return what + " (" + SDL_GetError() + ")";
+}
+
+} // namespace
+
+bool has_display() {
+    return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+}
+
+Screen::~Screen() {
+    if (context_) SDL_GL_DeleteContext(context_);
+    if (window_) SDL_DestroyWindow(window_);
+    if (started_) SDL_Quit();
+}
+
+std::optional<std::string> Screen::open(const std::string& title, int width, int height) {
+    // Left to itself SDL may take a driver that shows nothing.
+    SDL_SetHint(SDL_HINT_VIDEODRIVER, is_set("DISPLAY") ? "x11,wayland" : "wayland,x11");
+    SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) return because("the display cannot be opened");
+    started_ = true;
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
+    SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
+    window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
+                               SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+    if (!window_) return because("no window can be opened");
+    context_ = SDL_GL_CreateContext(window_);
+    if (!context_) return because("the display has no OpenGL 3.3");
+    SDL_GL_SetSwapInterval(1);
+    SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
+    return std::nullopt;
+}
+
+int Screen::width() const {
+    int width = 0, height = 0;
+    SDL_GL_GetDrawableSize(window_, &width, &height);
+    return width;
+}
+
+int Screen::height() const {
+    int width = 0, height = 0;
+    SDL_GL_GetDrawableSize(window_, &width, &height);
+    return height;
+}
+
+double Screen::pointer_scale() const {
+    int width = 0, height = 0;
+    SDL_GetWindowSize(window_, &width, &height);
+    return width > 0 ? double(this->width()) / width : 1;
+}
+
+/// SINEW_SCALE decides; else what the desktop says to other programs; else how dense the display is.
+double Screen::density() const {
+    for (const char* variable : {"SINEW_SCALE", "GDK_SCALE"})
+        if (is_set(variable))
+            if (const double scale = std::atof(std::getenv(variable)); scale >= 0.5 && scale <= 4) return scale;
+    if (const double scale = pointer_scale(); scale > 1) return scale;
+    float dpi = 0;
+    const int display = SDL_GetWindowDisplayIndex(window_);
+    if (display < 0 || SDL_GetDisplayDPI(display, nullptr, &dpi, nullptr) != 0 || dpi < 140 || dpi > 400) return 1;
+    return std::round(double(dpi) / 96 * 4) / 4;
+}
+
+bool Screen::minimized() const {
+    return (SDL_GetWindowFlags(window_) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) != 0;
+}
+
+} // namespace sinew::window

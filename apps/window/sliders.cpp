@@ -1,0 +1,222 @@
+#include "apps/window/sliders.h"
+
+#include "sinew/scene/check.h"
+#include "sinew/scene/layout.h"
+#include "sinew/scene/text.h"
+
+#include "apps/play/scene_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace sinew::window {
+namespace {
+
+/// Walks a layout beside what the scene says, and shows what can be changed.
+class Form {
+  public:
+    /// Takes a new value of a path; the last argument: it is one of many on the way of a slider.
+    using Setter = std::function<void(const std::string&, const json::Value&, bool)>;
+
+    Form(const Scene& scene, const Look& look, Setter setter)
+        : look_(look), units_(scene.measures()), dimension_(scene.dimension), setter_(std::move(setter)) {}
+
+    void record(const Layout& layout, const json::Value* value, const std::string& path) {
+        for (const auto& part : layout.parts) field(part, value, path);
+    }
+
+  private:
+    const Look& look_;
+    Units units_;
+    int dimension_;
+    Setter setter_;
+
+    static const json::Value* member(const json::Value* value, std::string_view key) {
+        const auto* object = value ? value->as<json::Object>() : nullptr;
+        const auto* found = object ? json::find(*object, key) : nullptr;
+        return found ? &found->value : nullptr;
+    }
+
+    void field(const Layout& part, const json::Value* value, const std::string& path) {
+        using Type = Layout::Type;
+        const auto name = std::string(part.field.name);
+        const auto* own = member(value, name);
+        const auto here = path + "." + name;
+        switch (part.type) {
+        case Type::truth:
+            return truth(part, own, here);
+        case Type::integer:
+        case Type::number:
+            return number(part, own, here);
+        case Type::text:
+            return word(part, own, here);
+        case Type::point:
+            return point(part, own, here);
+        case Type::choice:
+            return alternative(part, value, path);
+        case Type::record:
+            if (!part.optional || own) record(part, own, here);
+            return;
+        default:
+            return; // lists and maps are for an editor of text
+        }
+    }
+
+    /// The fields of the alternative that the object says it is.
+    void alternative(const Layout& part, const json::Value* value, const std::string& path) {
+        const auto* said = member(value, part.field.name);
+        const auto* name = said ? said->as<std::string>() : nullptr;
+        for (const auto& one : part.parts)
+            if (name && one.name == *name) record(one, value, path);
+    }
+
+    void label(const Layout& part) const {
+        auto name = std::string(part.field.name);
+        std::replace(name.begin(), name.end(), '_', ' ');
+        const auto unit = units_.text(part.field.unit);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextColored(look_.text, "%s", name.c_str());
+        if (ImGui::IsItemHovered()) {
+            const auto help = std::string(part.field.help) + (unit.empty() ? "" : " (" + unit + ")");
+            ImGui::SetTooltip("%s", help.c_str());
+        }
+        ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.42F);
+        ImGui::SetNextItemWidth(-1);
+    }
+
+    static std::string id(const std::string& path) { return "##" + path; }
+
+    void set(const std::string& path, const json::Value& value) {
+        setter_(path, value, ImGui::IsItemActive() && !ImGui::IsItemActivated());
+    }
+
+    void truth(const Layout& part, const json::Value* own, const std::string& path) {
+        const auto* usual = part.usual.as<bool>();
+        const auto* said = own ? own->as<bool>() : nullptr;
+        bool value = said ? *said : usual && *usual;
+        label(part);
+        if (ImGui::Checkbox(id(path).c_str(), &value)) set(path, value);
+    }
+
+    void word(const Layout& part, const json::Value* own, const std::string& path) {
+        if (part.field.choices.empty()) return;
+        const auto* said = own ? own->as<std::string>() : part.usual.as<std::string>();
+        label(part);
+        if (!ImGui::BeginCombo(id(path).c_str(), said ? said->c_str() : "")) return;
+        for (const auto choice : part.field.choices) {
+            const std::string text(choice);
+            if (ImGui::Selectable(text.c_str(), said && *said == text)) setter_(path, text, false);
+        }
+        ImGui::EndCombo();
+    }
+
+    /// Narrow ranges are sliders; in wide ones the pointer moves a number in parts of itself.
+    void number(const Layout& part, const json::Value* own, const std::string& path) {
+        const auto* said = own ? own->as<json::Number>() : nullptr;
+        const auto* usual = part.usual.as<json::Number>();
+        if (!said && !usual && part.optional) return;
+        double value = said ? said->value : usual ? usual->value * units_.scale(part.field.unit) : 0;
+        const auto range = range_in_file(part.field, units_);
+        label(part);
+        bool changed = false;
+        const bool whole = part.type == Layout::Type::integer;
+        const char* const format = whole ? "%.0f" : "%.4g";
+        if (range.low > -1e4 && range.high <= 1000 && range.high - range.low <= 1000) {
+            changed =
+                ImGui::SliderScalar(id(path).c_str(), ImGuiDataType_Double, &value, &range.low, &range.high, format);
+        } else {
+            const auto speed =
+                float(std::max(std::fabs(value) * 0.01, whole ? 0.2 : 1e-4 * units_.scale(part.field.unit)));
+            changed = ImGui::DragScalar(id(path).c_str(), ImGuiDataType_Double, &value, speed, &range.low, &range.high,
+                                        format);
+        }
+        if (!changed) return;
+        value = std::clamp(whole ? std::round(value) : value, range.low, range.high);
+        set(path, whole ? json::Value(std::int64_t(value)) : json::Value(value));
+    }
+
+    void point(const Layout& part, const json::Value* own, const std::string& path) {
+        const auto* said = own ? own->as<json::Array>() : nullptr;
+        if (!said && part.optional) return;
+        std::array<double, 3> value{};
+        double largest = 0;
+        for (int i = 0; i < dimension_; ++i) {
+            const auto* item =
+                said && std::size_t(i) < said->size() ? (*said)[std::size_t(i)].as<json::Number>() : nullptr;
+            value[std::size_t(i)] = item ? item->value : 0;
+            largest = std::max(largest, std::fabs(value[std::size_t(i)]));
+        }
+        label(part);
+        const auto speed = float(std::max(largest * 0.01, 0.002 * units_.scale(part.field.unit)));
+        if (!ImGui::DragScalarN(id(path).c_str(), ImGuiDataType_Double, value.data(), dimension_, speed, nullptr,
+                                nullptr, "%.4g"))
+            return;
+        json::Array numbers;
+        for (int i = 0; i < dimension_; ++i) numbers.push_back(value[std::size_t(i)]);
+        set(path, std::move(numbers));
+    }
+};
+
+} // namespace
+
+void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
+    static const Layout scene_layout = layout_of<Scene>();
+    const auto document = play::document_of(play.session().scene());
+    const auto& root = *document.as<json::Object>();
+    Form form(play.session().scene(), look, [&](const std::string& path, const json::Value& value, bool goes_on) {
+        play.set(path, json::to_text(value), goes_on);
+    });
+    const auto title = [&](const std::string& text) {
+        ImGui::PushFont(fonts.small);
+        ImGui::TextColored(look.accent, "%s", text.c_str());
+        ImGui::PopFont();
+    };
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, 4));
+    for (const auto& part : scene_layout.parts) {
+        const auto name = std::string(part.field.name);
+        const auto* own = json::find(root, name);
+        if (name == "solver" || name == "world") {
+            title(name);
+            form.record(part, own ? &own->value : nullptr, name);
+        }
+        const auto* figures = name == "figures" && own ? own->value.as<json::Array>() : nullptr;
+        if (!figures) continue;
+        constexpr std::size_t most = 12; // figures: a crowd is for the file
+        for (std::size_t i = 0; i < std::min(figures->size(), most); ++i) {
+            title(std::string(sinew::name_of(play.session().scene().figures[i])));
+            form.record(part.parts.front(), &(*figures)[i], "figures." + std::to_string(i));
+        }
+    }
+    ImGui::PopStyleVar();
+}
+
+void prefab_form(play::Play& play, const Look& look) {
+    static const Layout figure_layout = layout_of<FigureSection>();
+    const auto made = std::find_if(figure_layout.parts.begin(), figure_layout.parts.end(),
+                                   [](const Layout& part) { return part.type == Layout::Type::choice; });
+    if (made == figure_layout.parts.end()) return;
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##prefab", play.prefab.c_str())) {
+        for (const auto& one : made->parts) {
+            const std::string name(one.name);
+            if (name == ByHand::name || !ImGui::Selectable(name.c_str(), name == play.prefab)) continue;
+            play.prefab = name;
+            play.prefab_parameters.clear();
+        }
+        ImGui::EndCombo();
+    }
+    Form form(play.session().scene(), look, [&](const std::string& path, const json::Value& value, bool) {
+        const auto key = path.substr(path.find('.') + 1);
+        if (auto* member = json::find(play.prefab_parameters, key))
+            member->value = value;
+        else
+            play.prefab_parameters.push_back({key, value});
+    });
+    const json::Value said = play.prefab_parameters;
+    for (const auto& one : made->parts)
+        if (one.name == play.prefab) form.record(one, &said, "prefab");
+}
+
+} // namespace sinew::window

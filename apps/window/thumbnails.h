@@ -1,0 +1,43 @@
+#pragma once
+
+#include "apps/play/shelf.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace sinew::window {
+
+/// Small pictures of scenes, drawn one after the other by a thread of their own.
+class Thumbnails {
+  public:
+    static constexpr int width = 192, height = 144; ///< pixels
+
+    explicit Thumbnails(const play::Shelf& shelf) : shelf_(shelf) {}
+    ~Thumbnails();
+
+    /// Its texture; 0 as long as there is none.
+    std::uint32_t of(const std::string& name, const std::string& theme);
+
+  private:
+    struct Drawn {
+        std::string key;
+        std::vector<std::byte> pixels;
+    };
+
+    void work(const std::stop_token& stop);
+
+    const play::Shelf& shelf_;
+    std::map<std::string, std::uint32_t> textures_; ///< by name and theme; 0: asked for
+    std::mutex mutex_;
+    std::condition_variable_any wanted_changed_;
+    std::vector<std::pair<std::string, std::string>> wanted_;
+    std::vector<Drawn> drawn_;
+    std::jthread thread_;
+};
+
+} // namespace sinew::window

@@ -1,0 +1,233 @@
+#include "apps/window/window.h"
+
+#include "apps/window/gl_painter.h"
+#include "apps/window/keyboard.h"
+#include "apps/window/panel.h"
+#include "apps/window/screen.h"
+#include "apps/window/settings.h"
+#include "canvas/interrupt.h"
+
+#include <algorithm>
+#include <backends/imgui_impl_opengl3.h>
+#include <backends/imgui_impl_sdl.h>
+#include <chrono>
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+namespace sinew::window {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+class Window {
+  public:
+    explicit Window(play::Play& play) : play_(play), panel_(play) {}
+
+    std::optional<std::string> run() {
+        settings_ = load_settings();
+        play_.theme = settings_.theme;
+        play_.panel = settings_.panel;
+        if (auto problem = screen_.open("Sinew", settings_.width, settings_.height)) return problem;
+        if (auto problem = prepare()) return problem;
+        auto last = Clock::now();
+        while (!play_.quit && !canvas::interrupted()) {
+            const auto now = Clock::now();
+            frame(seconds_between(last, now));
+            last = now;
+            rest(now);
+        }
+        finish();
+        return std::nullopt;
+    }
+
+  private:
+    play::Play& play_;
+    Settings settings_;
+    Screen screen_;
+    Panel panel_;
+    std::unique_ptr<GlPainter> painter_;
+    Picture picture_;
+    Area area_; ///< of the scene
+    std::string title_;
+    std::int64_t frames_ = 0;
+    double shown_ = 0, stepping_ = 0, gathering_ = 0, painting_ = 0; ///< seconds, of all frames
+
+    /// What lives in the OpenGL context.
+    std::optional<std::string> prepare() {
+        painter_ = std::make_unique<GlPainter>();
+        if (!painter_->problem().empty()) return painter_->problem();
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;
+        ImGui_ImplSDL2_InitForOpenGL(screen_.window(), screen_.context());
+        if (!ImGui_ImplOpenGL3_Init("#version 330 core")) return "OpenGL cannot draw the panel";
+        return std::nullopt;
+    }
+
+    void finish() {
+        const double each = frames_ > 0 ? 1000 / double(frames_) : 0;
+        play_.tell("end", {{"hash", play_.hash()},
+                           {"frames", frames_},
+                           {"seconds_shown", shown_},
+                           {"ms_step", stepping_ * each},
+                           {"ms_gather", gathering_ * each},
+                           {"ms_paint", painting_ * each}});
+        int width = 0, height = 0;
+        SDL_GetWindowSize(screen_.window(), &width, &height);
+        save_settings({play_.theme, width, height, play_.panel});
+        if (play_.is_edited()) keep_for_later(play_);
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplSDL2_Shutdown();
+        ImGui::DestroyContext();
+        painter_.reset();
+    }
+
+    void frame(double passed) {
+        for (SDL_Event event; SDL_PollEvent(&event);) take(event);
+        const int width = screen_.width(), height = screen_.height();
+        if (screen_.minimized() || width < 1 || height < 1) { // nothing to see: time stands still
+            SDL_Delay(50);
+            return;
+        }
+        panel_.measure_frame(passed);
+        const double density = screen_.density();
+        panel_.dress(density);
+        area_ = panel_.area(width, height);
+        play_.resize(area_.width, area_.height, density);
+        const auto begin = Clock::now();
+        step(passed);
+        const auto stepped = Clock::now();
+        play_.draw(picture_);
+        const auto drawn = Clock::now();
+        name_window();
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        painter_->paint(picture_, area_.left, height - area_.top - area_.height);
+        glViewport(0, 0, width, height);
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplSDL2_NewFrame();
+        ImGui::NewFrame();
+        panel_.show();
+        ImGui::Render();
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        screen_.show();
+        ++frames_;
+        shown_ += passed;
+        stepping_ += seconds_between(begin, stepped);
+        gathering_ += seconds_between(stepped, drawn);
+        painting_ += seconds_between(drawn, Clock::now());
+    }
+
+    /// Where the display does not make the program wait, more pictures than any display shows are of no use.
+    static void rest(Clock::time_point begin) {
+        constexpr double shortest = 1.0 / 250;
+        const double left = shortest - seconds_between(begin, Clock::now());
+        if (left > 0) SDL_Delay(Uint32(left * 1000));
+    }
+
+    /// As many steps as are due, as long as pictures keep coming.
+    void step(double passed) {
+        constexpr double longest = 0.025; // seconds
+        const auto begin = Clock::now();
+        const auto before = play_.tape().now();
+        play_.advance(passed, [&] { return seconds_between(begin, Clock::now()) > longest; });
+        panel_.measure_steps(seconds_between(begin, Clock::now()), play_.tape().now() - before);
+    }
+
+    void name_window() {
+        const auto title = play_.scene_name() + (play_.is_edited() ? " * - Sinew" : " - Sinew");
+        if (title == title_) return;
+        title_ = title;
+        SDL_SetWindowTitle(screen_.window(), title_.c_str());
+    }
+
+    Vec2<double> in_scene(int x, int y) const {
+        const double scale = screen_.pointer_scale();
+        return {{x * scale - area_.left, y * scale - area_.top}};
+    }
+
+    void take(const SDL_Event& event) {
+        ImGui_ImplSDL2_ProcessEvent(&event);
+        const auto& io = ImGui::GetIO();
+        switch (event.type) {
+        case SDL_QUIT:
+            play_.quit = true;
+            break;
+        case SDL_RENDER_DEVICE_RESET:
+        case SDL_RENDER_TARGETS_RESET:
+            painter_ = std::make_unique<GlPainter>();
+            break;
+        case SDL_DROPFILE:
+            play_.open(event.drop.file);
+            SDL_free(event.drop.file);
+            break;
+        case SDL_MOUSEMOTION:
+            if (!io.WantCaptureMouse || dragging_) play_.handle(play::Moved{in_scene(event.motion.x, event.motion.y)});
+            break;
+        case SDL_MOUSEBUTTONDOWN:
+            if (io.WantCaptureMouse) break;
+            play_.handle(play::Moved{in_scene(event.button.x, event.button.y)});
+            if (const auto button = button_of(event.button.button)) press(*button);
+            break;
+        case SDL_MOUSEBUTTONUP:
+            if (const auto button = button_of(event.button.button); button && dragging_) release(*button);
+            break;
+        case SDL_MOUSEWHEEL:
+            if (!io.WantCaptureMouse) play_.handle(play::Scrolled{double(event.wheel.preciseY)});
+            break;
+        case SDL_MULTIGESTURE:
+            pinch(event.mgesture);
+            break;
+        case SDL_KEYDOWN:
+            if (!io.WantTextInput) play_.handle(play::Key{name_of_key(event.key.keysym)});
+            break;
+        case SDL_KEYUP:
+            play_.handle(play::KeyUp{name_of_key(event.key.keysym)});
+            break;
+        case SDL_WINDOWEVENT:
+            if (event.window.event == SDL_WINDOWEVENT_LEAVE && !dragging_) play_.handle(play::Left{});
+            break;
+        default:
+            break;
+        }
+    }
+
+    bool dragging_ = false;
+
+    static std::optional<play::Button> button_of(int number) {
+        if (number == SDL_BUTTON_LEFT) return play::Button::left;
+        if (number == SDL_BUTTON_MIDDLE) return play::Button::middle;
+        if (number == SDL_BUTTON_RIGHT) return play::Button::right;
+        return std::nullopt;
+    }
+
+    /// What is dragged stays so beyond the window's edge.
+    void press(play::Button button) {
+        dragging_ = true;
+        SDL_CaptureMouse(SDL_TRUE);
+        play_.handle(play::Pressed{button});
+    }
+    void release(play::Button button) {
+        dragging_ = false;
+        SDL_CaptureMouse(SDL_FALSE);
+        play_.handle(play::Released{button});
+    }
+
+    void pinch(const SDL_MultiGestureEvent& gesture) {
+        if (gesture.numFingers != 2) return;
+        const Vec2<double> at{
+            {double(gesture.x) * screen_.width() - area_.left, double(gesture.y) * screen_.height() - area_.top}};
+        play_.handle(play::Pinched{at - play_.pointer(), 1 + double(gesture.dDist) * 2});
+        play_.handle(play::Moved{at});
+    }
+};
+
+} // namespace
+
+std::optional<std::string> show(play::Play& play) {
+    return Window(play).run();
+}
+
+} // namespace sinew::window

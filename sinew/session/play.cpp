@@ -1,0 +1,91 @@
+#include "sinew/session/session.h"
+#include "sinew/session/transplant.h"
+#include "sinew/solver/edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+/// What a player does to a session while it runs.
+namespace sinew {
+
+bool Session::grab(std::span<const ParticleId> members, const Point& place) {
+    let_go();
+    std::visit(
+        [&](auto& world) {
+            for (const auto& held : held_) unpin(world, held.pin);
+        },
+        world_);
+    held_.clear();
+    taken_over_ = true;
+    const auto units = scene_.measures();
+    hand_ = Hand::take(world_, members, place, Hand::strength * units.per_metre / square(units.per_second));
+    return hand_.has_value();
+}
+
+void Session::drag(const Point& place) {
+    if (hand_) hand_->target = place;
+}
+
+void Session::let_go() {
+    if (hand_) hand_->let_go(world_);
+    hand_.reset();
+}
+
+void Session::become(Scene scene) {
+    let_go();
+    auto fresh = instantiate(scene);
+    transplant(scene_, world_, scene, fresh);
+    const AnyWorld old = std::exchange(world_, std::move(fresh));
+    scene_ = std::move(scene);
+    skip_past_events();
+    find_driven();
+    keep_going(old);
+}
+
+/// Those whose step is over. What comes again and again goes on.
+void Session::skip_past_events() {
+    plan_events();
+    const double now = std::visit([](const auto& world) { return world.time; }, world_);
+    const double first = now - step_length(scene_) / 2;
+    std::erase_if(due_, [&](Due& due) {
+        const auto& event = scene_.events[due.event];
+        if (due.at >= first) return false;
+        if (!(event.every > 0)) return true;
+        due.before = std::uint64_t(std::ceil((first - event.at) / event.every));
+        due.at = event.at + event.every * double(due.before);
+        return event.times != 0 && due.before >= std::uint64_t(event.times);
+    });
+    std::make_heap(due_.begin(), due_.end());
+}
+
+/// What events of the scene began and did not end: holds and gusts.
+void Session::keep_going(const AnyWorld& old) {
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            const auto* before = std::get_if<WorldT>(&old);
+            std::erase_if(held_, [&](Held& held) {
+                const auto id = find_particle(world, held.particle);
+                const auto row = before ? before->pin_slots.find(held.pin) : std::nullopt;
+                if (!id || !row) return true;
+                const auto& spec = before->pins[*row];
+                if (find_particle(*before, held.particle) != spec.particle) return true; // held along with another
+                const auto again = pin(world, *id,
+                                       {.target = spec.target,
+                                        .compliance = spec.compliance,
+                                        .damping = spec.damping,
+                                        .max_force = spec.max_force});
+                if (again) held.pin = *again;
+                return !again;
+            });
+            for (auto& blowing : blowing_) {
+                if (!before) continue;
+                world.forces.push_back(before->forces[blowing.force]);
+                blowing.force = world.forces.size() - 1;
+            }
+            if (!before) blowing_.clear();
+        },
+        world_);
+}
+
+} // namespace sinew

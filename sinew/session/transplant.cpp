@@ -1,0 +1,105 @@
+#include "sinew/session/transplant.h"
+
+#include "sinew/scene/writer.h"
+#include "sinew/solver/edit.h"
+
+#include <span>
+#include <vector>
+
+namespace sinew {
+namespace {
+
+/// One figure of an old world as it is in a new one.
+template <class WorldT> class Transplant {
+  public:
+    Transplant(const WorldT& old, const Figure& was, WorldT& fresh, Figure& is)
+        : old_(old), was_(was), fresh_(fresh), is_(is) {}
+
+    /// Parts that came later (where something was cut) are not in the new figure; they make it another one.
+    bool fits() const {
+        return was_.particles.size() == is_.particles.size() && was_.constraints.size() == is_.constraints.size();
+    }
+
+    void carry(std::vector<ParticleId>& gone, std::vector<ConstraintId>& cut) {
+        for (std::size_t i = 0; i < is_.particles.size(); ++i) carry_particle(i, gone);
+        for (std::size_t i = 0; i < is_.constraints.size(); ++i) carry_constraint(i, cut);
+        carry_pieces();
+        is_.quarantined = was_.quarantined;
+    }
+
+  private:
+    const WorldT& old_;
+    const Figure& was_;
+    WorldT& fresh_;
+    Figure& is_;
+
+    void carry_particle(std::size_t i, std::vector<ParticleId>& gone) {
+        const auto from = row_of(old_, was_.particles[i]), to = row_of(fresh_, is_.particles[i]);
+        if (!from) gone.push_back(is_.particles[i]);
+        if (!from || !to) return;
+        const auto& source = old_.particles;
+        auto& target = fresh_.particles;
+        target.position[*to] = source.position[*from];
+        target.previous[*to] = source.previous[*from];
+        target.velocity[*to] = source.velocity[*from];
+        target.residual[*to] = source.residual[*from];
+        target.quarantined[*to] = source.quarantined[*from];
+        if (target.quarantined[*to]) target.mobility[*to] = 0;
+    }
+
+    void carry_constraint(std::size_t i, std::vector<ConstraintId>& cut) {
+        if (!constraint_state(old_, was_.constraints[i])) cut.push_back(is_.constraints[i]);
+    }
+
+    /// What is drawn changes where something is cut.
+    void carry_pieces() {
+        std::vector<ParticleId> becomes(old_.particles.size());
+        for (std::size_t i = 0; i < is_.particles.size(); ++i)
+            if (const auto row = row_of(old_, was_.particles[i])) becomes[*row] = is_.particles[i];
+        is_.pieces = was_.pieces;
+        for (auto& piece : is_.pieces)
+            for (auto& id : piece.particles) {
+                const auto row = row_of(old_, id);
+                id = row ? becomes[*row] : ParticleId{};
+            }
+    }
+};
+
+const FigureSection* section_of(const Scene& scene, std::size_t figure) {
+    return figure < scene.figures.size() ? &scene.figures[figure] : nullptr;
+}
+
+bool same_words(const Scene& scene, const FigureSection& a, const FigureSection& b) {
+    const Writing plain{.dimension = scene.dimension, .units = scene.measures()};
+    return write(a, plain) == write(b, plain);
+}
+
+template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, const Scene& edited, WorldT& fresh) {
+    fresh.time = old.time;
+    fresh.steps = old.steps;
+    fresh.last_substep = old.last_substep;
+    std::vector<ParticleId> gone;
+    std::vector<ConstraintId> cut;
+    for (std::size_t i = 0; i < fresh.figures.size(); ++i) {
+        const auto known = find_figure(old, fresh.figures[i].name);
+        if (!known) continue;
+        const auto *before = section_of(scene, *known), *after = section_of(edited, i);
+        if (!before || !after || !same_words(scene, *before, *after)) continue;
+        Transplant figure(old, old.figures[*known], fresh, fresh.figures[i]);
+        if (figure.fits()) figure.carry(gone, cut);
+    }
+    if (!cut.empty()) remove_constraints(fresh, std::span<const ConstraintId>(cut));
+    if (!gone.empty()) remove_particles(fresh, std::span<const ParticleId>(gone));
+}
+
+} // namespace
+
+void transplant(const Scene& scene, const AnyWorld& world, const Scene& edited, AnyWorld& fresh) {
+    std::visit(
+        [&]<class WorldT>(WorldT& into) {
+            if (const auto* from = std::get_if<WorldT>(&world)) carry_all(scene, *from, edited, into);
+        },
+        fresh);
+}
+
+} // namespace sinew

@@ -1,0 +1,382 @@
+#include "sinew/solver/measure.h"
+
+#include "apps/play/clock.h"
+#include "apps/play/scene_edit.h"
+#include "apps/play/script.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+
+/// The game without its window: what a player does, said as a script or done by hand.
+namespace sinew::play {
+namespace {
+
+std::string text_of_file(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// Scenes of the catalogue, or files.
+Fetched fetch(const std::string& word, std::span<const Override> overrides) {
+    const bool file = word.find('/') != std::string::npos;
+    const std::filesystem::path path = file ? word : std::string(SINEW_SCENES_DIR) + "/" + word + ".json";
+    auto document = load(text_of_file(path), path.string(), overrides);
+    Fetched fetched{open_scene(document), "", path};
+    if (!fetched.opened) fetched.problem = to_text(document.diagnostics, {});
+    return fetched;
+}
+
+const Shelf shelf{{"chains", "ragdoll", "rope"}, fetch};
+
+Session session_of(const std::string& name) {
+    return Session(std::move(*fetch(name, {}).opened));
+}
+
+std::uint64_t hash_of(const Session& session) {
+    return std::visit([](const auto& world) { return state_hash(world); }, session.world());
+}
+
+struct Listening {
+    explicit Listening(Play& play) {
+        play.listener = [this](const Told& one) { told.push_back(one); };
+    }
+    std::size_t count(std::string_view what) const {
+        return std::size_t(std::count_if(told.begin(), told.end(), [&](const Told& one) { return one.what == what; }));
+    }
+    std::string value(std::string_view what, std::string_view key, std::size_t number = 0) const {
+        for (const auto& one : told)
+            if (one.what == what && number-- == 0) {
+                const auto* member = json::find(one.more, key);
+                const auto* text = member ? member->value.as<std::string>() : nullptr;
+                return text ? *text : "";
+            }
+        return "";
+    }
+    std::vector<Told> told;
+};
+
+void run(const std::string& text, Play& play) {
+    const auto read = read_script(text);
+    ASSERT_EQ(read.problem, "");
+    ASSERT_EQ(run_script(read.script, play), "");
+}
+
+Vec2<double> pixel_of(const Play& play, std::string_view particle) {
+    const auto id =
+        std::visit([&](const auto& world) { return find_particle(world, particle); }, play.session().world());
+    const auto place = id ? place_of(play.session().world(), {&*id, 1}) : std::nullopt;
+    return place ? cast<double>(play.view().see(place->as<3, double>())->pixel) : Vec2<double>{};
+}
+
+// --- the clock -------------------------------------------------------------------------------------------------------
+
+TEST(PlayClock, TakesTheSameStepsAtAnyRateOfTheDisplay) {
+    for (const double display : {30.0, 60.0, 75.0, 144.0, 200.0}) {
+        Clock clock(60);
+        int steps = 0;
+        for (int frame = 0; frame < int(display) * 10; ++frame) {
+            steps += clock.advance(1 / display);
+            EXPECT_GE(clock.share(), 0);
+            EXPECT_LE(clock.share(), 1);
+        }
+        EXPECT_NEAR(steps, 600, 1) << display;
+    }
+}
+
+TEST(PlayClock, ForgetsAStallInsteadOfCatchingUp) {
+    Clock clock(60);
+    EXPECT_EQ(clock.advance(30), int(Clock::longest_stall * 60));
+    EXPECT_EQ(clock.advance(-1), 0);
+    EXPECT_EQ(clock.advance(std::nan("")), 0);
+}
+
+TEST(PlayClock, SlowMotionAndPause) {
+    Clock clock(60);
+    clock.set_scale(0.25);
+    int steps = 0;
+    for (int frame = 0; frame < 240; ++frame) steps += clock.advance(1.0 / 60);
+    EXPECT_NEAR(steps, 60, 1);
+    clock.pause(true);
+    EXPECT_EQ(clock.advance(1), 0);
+    clock.set_scale(1e9);
+    EXPECT_EQ(clock.scale(), Clock::fastest);
+}
+
+// --- the tape --------------------------------------------------------------------------------------------------------
+
+/// Any step of the past, gone to in any order, is the one that was.
+TEST(PlayTape, GoesBackToTheSameBits) {
+    Tape tape(session_of("ragdoll"));
+    std::vector<std::uint64_t> hashes = {hash_of(tape.session())};
+    const auto hand =
+        std::visit([](const auto& world) { return *find_particle(world, "bob/right_hand"); }, tape.session().world());
+    for (int i = 1; i <= 200; ++i) {
+        tape.step();
+        if (i == 50) tape.act(Grab{{hand}, {{240, 100, 0}}});
+        if (i > 50 && i < 90) tape.act(Drag{{{240.0 + i, 100, 0}}});
+        if (i == 90) tape.act(LetGo{});
+        hashes.push_back(hash_of(tape.session()));
+    }
+    for (const std::uint64_t step : {199, 50, 51, 0, 90, 89, 200, 137, 15, 14}) {
+        tape.go_to(step);
+        EXPECT_EQ(tape.now(), step);
+        EXPECT_EQ(hash_of(tape.session()), hashes[step]) << step;
+    }
+    tape.go_to(60);
+    for (int i = 0; i < 140; ++i) tape.step();
+    EXPECT_EQ(hash_of(tape.session()), hashes[200]);
+}
+
+TEST(PlayTape, WhatIsDoneInThePastChangesTheFuture) {
+    Tape tape(session_of("ragdoll"));
+    for (int i = 0; i < 60; ++i) tape.step();
+    tape.go_to(30);
+    EXPECT_EQ(tape.end(), 60u);
+    tape.act(Restart{});
+    EXPECT_EQ(tape.end(), 30u);
+    EXPECT_EQ(tape.session().seconds(), 0);
+}
+
+TEST(PlayTape, RemembersAMinuteAndNoMore) {
+    Tape tape(session_of("stick"));
+    for (int i = 0; i < 90 * 60; ++i) tape.step();
+    EXPECT_LE(tape.first(), tape.end() - 60 * 60);
+    EXPECT_GT(tape.first(), tape.end() - 62 * 60);
+    tape.go_to(0);
+    EXPECT_EQ(tape.now(), tape.first());
+}
+
+// --- the game --------------------------------------------------------------------------------------------------------
+
+TEST(Play, AHandThatIsDraggedFollowsAndIsThrown) {
+    Play play(shelf, "ragdoll");
+    run("size 960x720\n0 key p\n0 move bob/right_hand over 0\n0.1 press\n0.1 key p\n0.2 move 700 200 over 0.5\n"
+        "1.2 end",
+        play);
+    EXPECT_LT(distance(pixel_of(play, "bob/right_hand"), Vec2<double>{{700, 200}}), 1);
+    play.handle(Moved{{500, 200}});
+    play.advance(1.0 / 60);
+    play.handle(Released{});
+    EXPECT_EQ(play.session().hand(), nullptr);
+    const auto let_go = pixel_of(play, "bob/right_hand");
+    play.advance(1.0 / 60);
+    EXPECT_LT(pixel_of(play, "bob/right_hand")[0], let_go[0] - 5) << "it keeps the speed that it was carried with";
+}
+
+TEST(Play, NothingIsDraggedThroughAWall) {
+    Play play(shelf, "ragdoll");
+    run("size 960x720\n0 key p\n0 move bob/right_hand over 0\n0.1 press\n0.1 key p\n0.2 move 480 5000 over 0.1\n"
+        "1 end",
+        play);
+    const double floor = play.session().scene().world.bounds->box->at(1)[1];
+    std::visit(
+        [&](const auto& world) {
+            for (const auto& place : world.particles.position) EXPECT_LE(double(place[1]), floor + 1e-6);
+        },
+        play.session().world());
+}
+
+TEST(Play, PauseStepAndStepBackReturnTheSameHash) {
+    Play play(shelf, "ragdoll");
+    Listening listening(play);
+    run("1 key p\n1.1 key o\n1.2 key b\n1.3 key o\n1.4 key b\n1.5 end", play);
+    const auto paused = listening.value("pause", "hash");
+    EXPECT_EQ(paused.size(), 16u);
+    EXPECT_EQ(listening.value("back", "hash", 0), paused);
+    EXPECT_EQ(listening.value("back", "hash", 1), paused);
+    EXPECT_NE(listening.value("step", "hash", 0), paused);
+    EXPECT_EQ(listening.value("step", "hash", 0), listening.value("step", "hash", 1));
+}
+
+TEST(Play, ACutRopeFallsAndIsWholeAgainOnceUndone) {
+    Play play(shelf, "ragdoll");
+    Listening listening(play);
+    {
+        std::ofstream file(::testing::TempDir() + "/hanging.json");
+        file << R"({"sinew": 1, "world": {"gravity": [0, -9.8]},
+                    "figures": [{"prefab": "rope", "name": "rope", "length": 2}]})";
+    }
+    play.open(::testing::TempDir() + "/hanging.json");
+    const auto constraints = play.session().report().constraints;
+    run("size 800x600\n0.1 move rope/particle_10 over 0\n0.2 end", play);
+    const auto middle = play.pointer();
+    const auto end = pixel_of(play, "rope/particle_20");
+    play.handle(Moved{middle + Vec2<double>{{-60, 4}}});
+    play.handle(Pressed{Button::right});
+    play.handle(Moved{middle + Vec2<double>{{60, 4}}});
+    play.handle(Released{Button::right});
+    EXPECT_EQ(listening.count("cut"), 1u);
+    EXPECT_LT(play.session().report().constraints, constraints);
+    for (int i = 0; i < 30; ++i) play.advance(1.0 / 60);
+    EXPECT_GT(pixel_of(play, "rope/particle_20")[1], end[1] + 50) << "it fell";
+    const auto fallen = play.hash();
+    play.handle(Key{"ctrl+z"});
+    EXPECT_EQ(play.session().report().constraints, constraints);
+    EXPECT_NEAR(pixel_of(play, "rope/particle_20")[1], end[1], 1);
+    play.handle(Key{"ctrl+y"});
+    EXPECT_LT(play.session().report().constraints, constraints);
+    for (int i = 0; i < 30; ++i) play.advance(1.0 / 60);
+    EXPECT_EQ(play.hash(), fallen) << "what comes after it is as it was";
+}
+
+/// An edit of one figure leaves the others as they move.
+TEST(Play, AnEditGoesOnWhereTheWorldIs) {
+    Play play(shelf, "ragdoll");
+    for (int i = 0; i < 60; ++i) play.advance(1.0 / 60);
+    const auto hand = pixel_of(play, "bob/right_hand");
+    play.tool = "spawn";
+    play.prefab = "box";
+    play.handle(Moved{{400, 300}});
+    play.handle(Pressed{});
+    play.handle(Released{});
+    EXPECT_EQ(play.session().scene().figures.size(), 2u);
+    EXPECT_EQ(pixel_of(play, "bob/right_hand"), hand);
+    EXPECT_NEAR(play.session().seconds(), 1, 1e-9);
+    EXPECT_TRUE(play.set("figures.box.width", "80")) << play.problem();
+    EXPECT_EQ(pixel_of(play, "bob/right_hand"), hand);
+    EXPECT_FALSE(play.set("figures.box.width", "-1"));
+    EXPECT_NE(play.problem().find("width"), std::string::npos);
+    EXPECT_TRUE(play.is_edited());
+    play.undo(), play.undo();
+    EXPECT_FALSE(play.is_edited());
+    EXPECT_EQ(play.session().scene().figures.size(), 1u);
+    EXPECT_EQ(pixel_of(play, "bob/right_hand"), hand);
+}
+
+TEST(Play, EveryToolLeavesASceneThatCanBeSavedAndOpened) {
+    const auto path = ::testing::TempDir() + "/saved.json";
+    for (const auto* tool : {"rope", "polygon", "cloth", "spawn", "pin", "remove", "measure"}) {
+        Play play(shelf, "ragdoll");
+        play.resize(1280, 720);
+        play.tool = tool;
+        play.handle(Moved{pixel_of(play, "bob/right_hand")});
+        play.handle(Pressed{});
+        for (const Vec2<double> to : {Vec2<double>{{700, 200}}, Vec2<double>{{800, 300}}, Vec2<double>{{900, 600}}})
+            play.handle(Moved{to});
+        play.handle(Released{});
+        EXPECT_EQ(play.problem(), "") << tool;
+        EXPECT_EQ(play.is_edited(), std::string_view(tool) != "measure") << tool;
+        for (int i = 0; i < 30; ++i) play.advance(1.0 / 60);
+        ASSERT_TRUE(play.save(path)) << play.problem();
+        auto again = fetch(path, {});
+        ASSERT_TRUE(again.opened) << tool << "\n" << again.problem;
+        EXPECT_EQ(document_of(again.opened->scene), document_of(play.session().scene())) << tool;
+    }
+}
+
+TEST(Play, ABrokenFileLeavesTheSceneThatRuns) {
+    Play play(shelf, "ragdoll");
+    const auto path = ::testing::TempDir() + "/broken.json";
+    std::ofstream(path) << R"({"sinew": 1, "figures": [{"prefab": "roope"}]})";
+    for (int i = 0; i < 10; ++i) play.advance(1.0 / 60);
+    play.open(path);
+    EXPECT_NE(play.problem().find("did you mean \"rope\""), std::string::npos);
+    EXPECT_EQ(play.scene_name(), "ragdoll");
+    EXPECT_GT(play.session().seconds(), 0.1);
+}
+
+TEST(Play, AFileThatIsWrittenAgainIsReadAgain) {
+    const auto path = ::testing::TempDir() + "/live.json";
+    const auto write = [&](const char* length, int later) {
+        std::ofstream(path) << R"({"sinew": 1, "figures": [{"prefab": "rope", "length": )" << length << "}]}";
+        std::filesystem::last_write_time(path,
+                                         std::filesystem::file_time_type::clock::now() + std::chrono::seconds(later));
+    };
+    write("2", 0);
+    Play play(shelf, path);
+    Listening listening(play);
+    write("3", 10);
+    for (int i = 0; i < 60; ++i) play.advance(1.0 / 60);
+    EXPECT_EQ(listening.count("reloaded"), 1u);
+    write("\"long\"", 20);
+    for (int i = 0; i < 60; ++i) play.advance(1.0 / 60);
+    EXPECT_EQ(listening.count("problem"), 1u);
+    EXPECT_TRUE(play.ready());
+}
+
+TEST(Play, ZoomKeepsWhatIsUnderThePointer) {
+    Play play(shelf, "ragdoll");
+    play.resize(1000, 700);
+    const Vec2<double> pointer{{300, 200}};
+    play.handle(Moved{pointer});
+    const auto before = play.view().place_of(pointer);
+    play.handle(Scrolled{4});
+    EXPECT_LT(distance(play.view().place_of(pointer), before), 1e-9);
+    play.handle(Pressed{Button::middle});
+    play.handle(Moved{pointer + Vec2<double>{{50, 30}}});
+    play.handle(Released{Button::middle});
+    EXPECT_LT(distance(play.view().place_of(pointer + Vec2<double>{{50, 30}}), before), 1e-9);
+    play.handle(Key{"home"});
+    EXPECT_EQ(play.view().scale(), View(play.session().scene(), play.session().focus(), 1000, 700).scale());
+}
+
+TEST(Play, SmallestAndStrangestPicturesDoNoHarm) {
+    Play play(shelf, "ragdoll");
+    Picture picture;
+    for (const auto& [width, height] : {std::pair{0, 0}, {1, 1}, {3, 2000}, {-5, 7}}) {
+        play.resize(width, height, 0);
+        play.handle(Moved{{1e30, std::nan("")}});
+        play.handle(Scrolled{1e9});
+        play.handle(Pressed{});
+        play.handle(Released{});
+        play.draw(picture);
+        play.advance(1.0 / 60);
+    }
+}
+
+/// Slower machines, faster displays: what is drawn lies between two steps, and the world is the same.
+TEST(Play, TheDisplaysRateChangesNothingButThePictures) {
+    std::vector<std::string> hashes;
+    for (const char* fps : {"30", "60", "200"}) {
+        Play play(shelf, "ragdoll");
+        run(std::string("fps ") + fps + "\n2 end", play);
+        play.go_to(110);
+        hashes.push_back(play.hash());
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[1], hashes[2]);
+}
+
+TEST(Play, ASceneInSpaceIsTurnedAndItsClothIsTaken) {
+    Play play({{}, fetch}, "cloth3d");
+    play.resize(1000, 700);
+    for (int i = 0; i < 30; ++i) play.advance(1.0 / 60);
+    const auto eye = play.view().towards_eye();
+    play.handle(Moved{{5, 5}});
+    play.handle(Pressed{});
+    play.handle(Moved{{105, 25}});
+    play.handle(Released{});
+    EXPECT_GT(distance(play.view().towards_eye(), eye), 0.1);
+    const auto id =
+        std::visit([](const auto& world) { return world.particles.slots.id_of(Row(world.particles.size() - 1)); },
+                   play.session().world());
+    const auto pixel = [&] {
+        return cast<double>(play.view().see(place_of(play.session().world(), {&id, 1})->as<3, double>())->pixel);
+    };
+    play.handle(Moved{pixel()});
+    play.handle(Pressed{});
+    ASSERT_NE(play.session().hand(), nullptr);
+    play.handle(Moved{pixel() + Vec2<double>{{30, -20}}});
+    const auto goal = play.pointer();
+    for (int i = 0; i < 60; ++i) play.advance(1.0 / 60);
+    EXPECT_LT(distance(pixel(), goal), 3);
+}
+
+TEST(PlayScript, SaysWhatIsWrongAndWhere) {
+    EXPECT_EQ(read_script("0 dance").problem.substr(0, 8), "line 1: ");
+    EXPECT_NE(read_script("0 mov 1 2").problem.find("did you mean \"move\""), std::string::npos);
+    EXPECT_NE(read_script("1 press\n0.5 release").problem.find("earlier"), std::string::npos);
+    EXPECT_NE(read_script("size 0x4").problem, "");
+    EXPECT_NE(read_script("size").problem, "");
+    Play play(shelf, "ragdoll");
+    EXPECT_NE(run_script(read_script("0 move bob/nose").script, play).find("bob/nose"), std::string::npos);
+}
+
+} // namespace
+} // namespace sinew::play

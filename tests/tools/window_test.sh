@@ -1,0 +1,102 @@
+#!/bin/bash
+# The window as a person uses it: on a display of its own, by pointer and keys; what happens is read from --json.
+set -euo pipefail
+skip() { echo "skipped: $1"; exit 77; }
+for program in Xvfb xdotool; do command -v "$program" >/dev/null || skip "$program is not installed (packages.apt, window-test)"; done
+
+folder=$(mktemp -d)
+server= game=
+trap 'kill $game $server 2>/dev/null; wait 2>/dev/null; rm -rf "$folder"' EXIT
+
+number=$folder/display
+exec 3<>"$number"
+Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp >/dev/null 2>&1 &
+server=$!
+for _ in $(seq 100); do [ -s "$number" ] && break; sleep 0.1; done
+[ -s "$number" ] || skip "Xvfb does not start here"
+export DISPLAY=:$(head -1 "$number")
+export XDG_CONFIG_HOME=$folder/config XDG_STATE_HOME=$folder/state LIBGL_ALWAYS_SOFTWARE=1
+events=$folder/events
+
+cat >"$folder/rope.json" <<'JSON'
+{"sinew": 1, "view": {"center": [0, 0], "height": 6}, "world": {"gravity": [0, -9.8]},
+ "figures": [{"prefab": "rope", "name": "rope", "at": [0, 2], "length": 3}]}
+JSON
+
+fail() { echo "$1"; echo "--- what happened:"; tail -30 "$events"; cat "$folder/errors"; exit 1; }
+# Waits until the events say so, so many times.
+until_said() {
+    for _ in $(seq 200); do
+        [ "$(grep -c "$1" "$events" || true)" -ge "${2:-1}" ] && return
+        kill -0 $game 2>/dev/null || fail "the window is gone while waiting for $1"
+        sleep 0.05
+    done
+    fail "not in 10 s: $1"
+}
+key() { xdotool key --clearmodifiers "$1"; sleep 0.1; }
+hashes() { grep "\"what\": \"$1\"" "$events" | sed 's/.*"hash": "\([^"]*\)".*/\1/'; }
+
+cd "$folder"
+(trap - INT; exec "$SINEW" play rope.json --json) >"$events" 2>"$folder/errors" &
+game=$!
+for _ in $(seq 200); do
+    window=$(xdotool search --onlyvisible --name Sinew 2>/dev/null | head -1) && [ -n "$window" ] && break
+    if ! kill -0 $game 2>/dev/null; then
+        grep -q 'OpenGL' "$folder/errors" && skip "no OpenGL 3.3 here"
+        fail "no window"
+    fi
+    sleep 0.05
+done
+[ -n "$window" ] || fail "no window"
+xdotool windowfocus "$window" 2>/dev/null || true
+eval "$(xdotool getwindowgeometry --shell "$window")"
+sleep 0.5
+
+# The scene lies between the tools (56) and the panel (340), above the bar (64); its middle is the middle of the view.
+middle_x=$((X + 56 + (WIDTH - 396) / 2)) middle_y=$((Y + (HEIGHT - 64) / 2))
+
+# A rope that is taken by its middle goes where the pointer goes.
+xdotool mousemove $middle_x $middle_y; sleep 0.2
+xdotool mousedown 1; until_said '"what": "grab"'
+for i in 1 2 3 4 5; do xdotool mousemove $((middle_x + 20 * i)) $middle_y; sleep 0.05; done
+sleep 0.3
+xdotool mouseup 1; until_said '"what": "let_go"'
+moved=$(grep '"what": "let_go"' "$events" | sed 's/.*"at": \[\([^,]*\),.*/\1/')
+awk -v x="$moved" 'BEGIN { exit !(x > 0.5) }' || fail "the rope did not follow the pointer: $moved m"
+
+# Paused, a step forward and back is the same state.
+key p; until_said '"what": "pause"'
+key o; until_said '"what": "step"'
+key b; until_said '"what": "back"'
+[ "$(hashes pause)" = "$(hashes back)" ] || fail "back is another state"
+[ "$(hashes pause)" != "$(hashes step)" ] || fail "a step changes nothing"
+key p; until_said '"what": "resume"'
+
+# The right button cuts what hangs; undo makes it whole.
+key r; until_said '"what": "restart"'
+sleep 0.2
+xdotool mousemove $((middle_x - 250)) $middle_y mousedown 3; sleep 0.1
+for i in $(seq 10); do xdotool mousemove $((middle_x - 250 + 50 * i)) $((middle_y + i)); sleep 0.02; done
+xdotool mouseup 3
+until_said '"constraints":'
+key ctrl+z; until_said '"what": "undo"'
+key ctrl+s; until_said '"what": "saved"'
+"$SINEW" check rope.json >/dev/null || fail "what was saved is no scene"
+
+# A file that is written again is read again; a wrong one leaves what runs.
+sleep 1; sed -i 's/"length": 3/"length": 2.5/' rope.json; until_said '"what": "reloaded"'
+sleep 1; echo '{' >rope.json; until_said '"what": "problem"'
+
+# Any size.
+for size in "1600 1000" "500 300" "40 40" "1280 720"; do xdotool windowsize "$window" $size; sleep 0.2; done
+kill -0 $game 2>/dev/null || fail "the window is gone"
+
+# Every scene, and out.
+for _ in 1 2 3 4 5 6; do key bracketright; done
+until_said '"what": "scene"' 6
+key Escape
+for _ in $(seq 100); do kill -0 $game 2>/dev/null || break; sleep 0.05; done
+code=0; wait $game || code=$?
+game=
+[ "$code" = 0 ] || fail "exit code $code"
+[ -s "$folder/config/sinew/window.json" ] || fail "settings are not kept"

@@ -1,0 +1,116 @@
+#include "sinew/session/session.h"
+
+#include "apps/window/gl_painter.h"
+#include "canvas/png.h"
+#include "canvas/raster.h"
+#include "tests/canvas/ssim.h"
+
+#include <SDL.h>
+#include <algorithm>
+#include <cstring>
+#include <epoxy/gl.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <limits>
+#include <sstream>
+
+/// The two painters of a picture show the same.
+namespace sinew::window {
+namespace {
+
+constexpr int width = 640, height = 480;
+
+/// An OpenGL context that needs no display.
+class GlPainterTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        SDL_SetHint(SDL_HINT_VIDEODRIVER, "offscreen");
+        if (SDL_Init(SDL_INIT_VIDEO) != 0) GTEST_SKIP() << "no OpenGL without a display here: " << SDL_GetError();
+        SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
+        SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+        SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
+        window = SDL_CreateWindow("test", 0, 0, width, height, SDL_WINDOW_OPENGL | SDL_WINDOW_HIDDEN);
+        context = window ? SDL_GL_CreateContext(window) : nullptr;
+        if (!context) GTEST_SKIP() << "no OpenGL 3.3 here: " << SDL_GetError();
+        GLuint texture = 0;
+        glGenTextures(1, &texture);
+        glBindTexture(GL_TEXTURE_2D, texture);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        GLuint target = 0;
+        glGenFramebuffers(1, &target);
+        glBindFramebuffer(GL_FRAMEBUFFER, target);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    }
+
+    void TearDown() override {
+        if (context) SDL_GL_DeleteContext(context);
+        if (window) SDL_DestroyWindow(window);
+        SDL_Quit();
+    }
+
+    static Image by_gl(const Picture& picture) {
+        GlPainter painter;
+        EXPECT_EQ(painter.problem(), "");
+        painter.paint(picture, 0, 0);
+        Image image{.width = width, .height = height, .pixels = std::vector<std::uint32_t>(width * height)};
+        glReadPixels(0, 0, width, height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, image.pixels.data());
+        for (int row = 0; row < height / 2; ++row)
+            std::swap_ranges(image.pixels.begin() + row * width, image.pixels.begin() + (row + 1) * width,
+                             image.pixels.begin() + (height - 1 - row) * width);
+        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+        return image;
+    }
+
+    static Image by_cairo(const Picture& picture) {
+        canvas::Raster raster(width, height);
+        EXPECT_FALSE(raster.paint(picture));
+        Image image{.width = width, .height = height, .pixels = std::vector<std::uint32_t>(width * height)};
+        std::memcpy(image.pixels.data(), raster.bytes().data(), image.pixels.size() * sizeof(std::uint32_t));
+        return image;
+    }
+
+    SDL_Window* window = nullptr;
+    SDL_GLContext context = nullptr;
+};
+
+Session session_of(const std::string& name) {
+    const std::filesystem::path folder = SINEW_SCENES_DIR;
+    std::ifstream file(folder / (name + ".json"));
+    std::ostringstream text;
+    text << file.rdbuf();
+    auto document = load(text.str(), name);
+    return Session(std::move(*open_scene(document, [&](const std::string& image, const Limits& limits) {
+        return canvas::read_png(folder / image, image, limits);
+    })));
+}
+
+TEST_F(GlPainterTest, ShowsScenesAsCairoDoes) {
+    for (const auto* name :
+         {"ragdoll", "rope", "chains", "filled_forms", "cloth_wind", "cloth3d", "bezier_humanoid", "box"}) {
+        auto session = session_of(name);
+        for (int i = 0; i < 60; ++i) session.step();
+        Picture picture;
+        picture.width = width, picture.height = height;
+        for (const unsigned long overlay : {0UL, ~0UL}) {
+            session.draw(picture, OverlaySet(overlay));
+            EXPECT_GE(ssim(by_gl(picture), by_cairo(picture)), 0.97) << name << " " << overlay;
+        }
+    }
+}
+
+TEST_F(GlPainterTest, LeavesOutWhatCannotBePainted) {
+    Picture picture;
+    picture.width = width, picture.height = height;
+    const float nan = std::numeric_limits<float>::quiet_NaN(), far = 1e30F;
+    const std::array<Vec2<float>, 4> odd = {{{{nan, 1}}, {{far, -far}}, {{3, 3}}, {{3, 3}}}};
+    for (const auto shape : {Shape::polyline, Shape::loop, Shape::disc, Shape::polygon, Shape::image, Shape::text}) {
+        picture.add(shape, std::span(odd), 3, {1, 0, 0, 1});
+        picture.add(shape, std::span(odd).subspan(1), -1, {1, 0, 0, 1});
+        picture.add(shape, std::span(odd).first(0), nan, {1, 0, 0, 1});
+        picture.items.back().number = 77;
+    }
+    by_gl(picture);
+}
+
+} // namespace
+} // namespace sinew::window
