@@ -68,7 +68,10 @@ template <int D, class Real> class BlockStep {
         const bool found = solve.run(Rule::swing, few, [&] { hold(solve); }), blow = struck(solve);
         if (found && !blow && !gains(solve)) {
             for (auto& node : unknowns()) node.velocity = (node.place - node.start) * (2 / h_) - node.velocity;
-            if (any_tightened()) settle(solve);
+            if (any_tightened())
+                settle(solve);
+            else if (solve.jolted())
+                straighten(solve);
             keep_momentum();
             return store();
         }
@@ -285,6 +288,14 @@ template <int D, class Real> class BlockStep {
         if (!near_ && !driven_) slow_down(solve, kinetic); // less but for rounding
     }
 
+    /// Where a whip cracks, what it does along its links is no motion but the rule's own error: it goes back into what
+    /// is one.
+    void straighten(Solve& solve) {
+        const double kinetic = solve.kinetic();
+        settle(solve);
+        if (!driven_) bring_to(solve, kinetic);
+    }
+
     /// What struck a plane leaves it with its restitution; what rests on it stays.
     void rebound(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) {
         if (!(depth(node, plane) > 0)) return;
@@ -329,8 +340,12 @@ template <int D, class Real> class BlockStep {
 
     /// What moves about the motion of the whole is slowed down, until no more than that is left.
     void slow_down(const Solve& solve, double most) {
-        const double now = solve.kinetic();
-        if (now <= most) return;
+        if (solve.kinetic() > most) bring_to(solve, most);
+    }
+
+    /// What moves about the motion of the whole gets slower or faster, until the energy is that.
+    void bring_to(const Solve& solve, double kinetic) {
+        constexpr double fastest = 1.1; // a correction, not a kick
         const auto motion = is_free() ? Motion::of(unknowns(), Solve::place_of) : Motion{};
         const auto rate = motion.rate_of(unknowns(), Solve::place_of);
         const auto whole = [&](const BlockNode<D>& node) {
@@ -338,7 +353,8 @@ template <int D, class Real> class BlockStep {
         };
         double kept = 0;
         for (const auto& node : unknowns()) kept += 0.5 * node.mass * dot(whole(node), whole(node));
-        const double share = square_root(maximum(most - kept, 0.0) * inverse_or_zero(now - kept));
+        const double share =
+            minimum(fastest, square_root(maximum(kinetic - kept, 0.0) * inverse_or_zero(solve.kinetic() - kept)));
         for (auto& node : unknowns()) node.velocity = whole(node) + (node.velocity - whole(node)) * share;
     }
 
