@@ -103,6 +103,7 @@ template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const Cons
     constexpr int link_kind = kind_number<Distance, D>;
     const auto& distances = std::get<link_kind>(world.constraints);
     Cut done;
+    if (ids.empty()) return done;
     std::vector<Ends> gone;
     for (const auto& id : ids) {
         const auto row = id.kind == link_kind ? distances.slots.find(id.id) : std::nullopt;

@@ -21,6 +21,6 @@ struct RigFault {
 ///   - loops of links whose particles have no mass to move by, which nothing can move.
 /// Ways are followed for `most_ways` links altogether: in a larger world the last are not looked at.
 template <int D, class Real> std::vector<RigFault> rig_faults(const World<D, Real>& world, std::size_t most = 100);
-inline constexpr std::size_t most_ways = 50'000'000;
+inline constexpr std::size_t most_ways = 10'000'000;
 
 } // namespace sinew
