@@ -37,14 +37,14 @@ template <int D, class Real> std::vector<ParticleId> build_strand(Builder<D, Rea
     std::vector<ParticleId> particles;
     particles.reserve(pieces + 1);
     figure.number_particles(strand.stem, pieces + 1);
-    double x = strand.x, y = strand.y;
-    particles.push_back(figure.particle(strand.first, on_screen<D>(x, y), share / 2, strand.radius));
+    double x = 0, y = 0; // from where it begins, so that strands side by side are alike to the last digit
+    particles.push_back(figure.particle(strand.first, on_screen<D>(strand.x, strand.y), share / 2, strand.radius));
     for (std::size_t i = 0; i < pieces; ++i) {
         const double heading = strand.angle + half_turn * (2 * double(i) - double(pieces - 1));
         x += piece * sine(heading);
         y -= piece * cosine(heading);
         const bool last = i + 1 == pieces;
-        particles.push_back(figure.particle(last ? strand.last : "", on_screen<D>(x, y),
+        particles.push_back(figure.particle(last ? strand.last : "", on_screen<D>(strand.x + x, strand.y + y),
                                             last ? share / 2 + strand.weight : share, strand.radius));
     }
     return particles;

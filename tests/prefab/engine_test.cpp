@@ -53,6 +53,42 @@ TEST(Formation, ItsShipsSwingAboutTheirAnchors) {
     EXPECT_EQ(made.place("ship_0_0"), make(Formation{.columns = 2, .rows = 1}).place("ship_0_0"));
 }
 
+// The table of the tearable cloth: masses by part, of 83 in all; links in heads, of which he is 7.5 tall.
+TEST(Puppet, HasTheMassesAndTheLinksOfTheOriginalInBothModes) {
+    for (const auto mode : {Mode::classic, Mode::physical}) {
+        const auto made = make(Puppet{.height = 40, .mass = 83}, mode);
+        const double head = 40 / 7.5;
+        for (const auto& [part, mass] : {std::pair{"head", 4.0},
+                                         {"shoulder", 26.0},
+                                         {"left_elbow", 2.0},
+                                         {"left_hand", 2.0},
+                                         {"pelvis", 15.0},
+                                         {"right_knee", 10.0},
+                                         {"right_foot", 5.0}})
+            EXPECT_NEAR(made.mass(part), mass, 1e-9) << part;
+        for (const auto& [link, length] : {std::pair{"neck", 1.25},
+                                           {"left_upper_arm", 1.5},
+                                           {"right_forearm", 2.0},
+                                           {"spine", 3.5},
+                                           {"left_thigh", 2.0},
+                                           {"right_shin", 2.0}})
+            EXPECT_NEAR(made.constraint(link).measure, length * head, 1e-9) << link;
+        EXPECT_EQ(find_constraint(made.world, "it/left_support").has_value(), mode == Mode::classic);
+    }
+}
+
+TEST(Cloth, OfUnevenThreadsTearsSomeOfThemEarlierThanOthers) {
+    const auto made =
+        make(Cloth{.columns = 61, .rows = 41, .diagonals = "none", .breaking_strain = 4, .uneven = 5.0 / 6});
+    const auto& strains = std::get<0>(made.world.constraints).breaking_strain;
+    const auto [weakest, strongest] = std::minmax_element(strains.begin(), strains.end());
+    EXPECT_GE(*weakest, 4); // 30 px of 6
+    EXPECT_LT(*weakest, 4.01);
+    EXPECT_LE(*strongest, 4 * 11.0 / 6); // 50 px
+    EXPECT_GT(*strongest, 7.3);
+    EXPECT_EQ(std::get<0>(make(Cloth{.breaking_strain = 4}).world.constraints).breaking_strain[7], 4);
+}
+
 std::optional<Opened> scene_of(const std::string& text, std::string* errors = nullptr) {
     auto document = load(text, "test.json");
     auto opened = open_scene(document);
