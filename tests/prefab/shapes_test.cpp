@@ -122,5 +122,36 @@ TEST(Tire, HasItsRelaxationsInClassicModeOnly) {
         EXPECT_EQ(share, 1);
 }
 
+TEST(Limb, IsThreeParticlesDrawnAsOneBandWithATip) {
+    const auto made = make(Limb{.upper = 3, .lower = 2, .angle = pi<double> / 2, .bend = -pi<double> / 2, .mass = 10});
+    EXPECT_NEAR(norm(made.place("joint") - Vec<2, double>{{3, 0}}), 0, 1e-12);
+    EXPECT_NEAR(norm(made.place("end") - Vec<2, double>{{3, -2}}), 0, 1e-12) << "bent clockwise, so down";
+    EXPECT_NEAR(made.mass("root"), 3, 1e-12);
+    EXPECT_NEAR(made.mass("end"), 2, 1e-12);
+    ASSERT_EQ(made.figure().pieces.size(), 2U);
+    EXPECT_EQ(made.figure().pieces[0].mark, Mark::tip);
+    EXPECT_EQ(made.figure().pieces[1].mark, Mark::limb);
+    EXPECT_EQ(made.constraints(), 3U);
+    EXPECT_EQ(make(Limb{}, Mode::classic).constraints(), 2U) << "the original knows no limits";
+}
+
+TEST(Limb, IsRefusedWhereItsBendIsOutOfItsLimits) {
+    EXPECT_EQ(problem_of(Limb{.bend = -pi<double> / 6, .bend_least = 0}, 2),
+              "bend is -30 degrees, out of its limits 0 and 150");
+}
+
+TEST(Humanoid, HasTheOriginalsElevenLinksAndATrunkOfItsOwn) {
+    const Humanoid man{.height = 216};
+    const auto classic = make(man, Mode::classic), physical = make(man);
+    EXPECT_EQ(classic.particles(), 14U);
+    EXPECT_EQ(classic.constraints(), 11U);
+    EXPECT_EQ(physical.constraints(), 19U);
+    EXPECT_NEAR(classic.constraint("neck").measure, 24, 1e-12);
+    for (const auto* bone : {"right_upper_arm", "right_forearm"})
+        EXPECT_NEAR(classic.constraint(bone).measure, 40, 1e-12) << bone;
+    for (const auto* bone : {"left_upper_arm", "left_forearm", "left_thigh", "left_shin", "right_thigh", "right_shin"})
+        EXPECT_NEAR(classic.constraint(bone).measure, 64, 1e-12) << bone;
+}
+
 } // namespace
 } // namespace sinew

@@ -1,0 +1,38 @@
+#include "sinew/prefab/limb.h"
+
+#include <fmt/format.h>
+
+namespace sinew {
+
+std::optional<std::string> Limb::problem(int) const {
+    if (bend_least <= bend && bend <= bend_most) return std::nullopt;
+    const auto degrees = [](double radians) { return radians * 180 / pi<double>; };
+    return fmt::format("bend is {:.6g} degrees, out of its limits {:.6g} and {:.6g}", degrees(bend),
+                       degrees(bend_least), degrees(bend_most));
+}
+
+template <int D, class Real> void Limb::build(Builder<D, Real>& figure) const {
+    const auto along = [](double heading, double length) {
+        return on_screen<D>(sine(heading) * length, -cosine(heading) * length);
+    };
+    const auto elbow = along(angle, upper);
+    // Each bone weighs as it is long, half of it at either end.
+    const double heavy = mass * upper / (upper + lower) / 2, light = mass / 2 - heavy;
+    const auto root = figure.particle("root", {}, heavy, width / 2);
+    const auto joint = figure.particle("joint", elbow, mass / 2, (width + end_width) / 4);
+    const auto end = figure.particle("end", elbow + along(angle + bend, lower), light, end_width / 2);
+
+    figure.template constrain<Distance>("upper", {root, joint});
+    figure.template constrain<Distance>("lower", {joint, end});
+    if (figure.mode() == Mode::physical)
+        figure.template constrain<Angle>("bend", {root, joint, end}, {.limits = between(bend_least, bend_most)});
+    if (pinned) figure.hold(root);
+
+    if (tip > 0) figure.draw(Mark::tip, "tip", {root, joint, end}, tip);
+    figure.draw_tapered(Mark::limb, "limb", {root, joint, end}, width, end_width);
+}
+
+template void Limb::build(Builder<2, float>&) const;
+template void Limb::build(Builder<2, double>&) const;
+
+} // namespace sinew

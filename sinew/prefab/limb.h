@@ -1,0 +1,84 @@
+#pragma once
+
+#include "sinew/prefab/builder.h"
+
+#include <optional>
+#include <string>
+
+namespace sinew {
+
+/// Two bones and the joint between them, from the point where it stands: particles root, joint, end; constraints upper,
+/// lower, and in physical mode bend, which keeps the turn at the joint in its range. Drawn as one band bent along the
+/// quadratic Bezier curve of the three, with a tip at its end that is turned as the curve ends.
+struct Limb {
+    static constexpr std::string_view name = "limb";
+    static constexpr std::string_view about = "An arm or a leg: two bones, drawn as one band bent along a curve.";
+    static constexpr Dimensions dimensions{2, 2};
+
+    double upper = 0.4;
+    double lower = 0.4;
+    double angle = 0;
+    double bend = 0;
+    double bend_least = -150 * pi<double> / 180;
+    double bend_most = 150 * pi<double> / 180;
+    bool pinned = true;
+    double mass = 5;
+    double width = 0.14;
+    double end_width = 0.1;
+    double tip = 0.16;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        constexpr double least = 1e-6, most = 1e6, turn = 2 * pi<double>, fold = 175 * pi<double> / 180;
+        visit(self.upper, Field{.name = "upper",
+                                .help = "Length of the bone from its root to its joint",
+                                .unit = unit::length,
+                                .low = least,
+                                .high = most});
+        visit(self.lower, Field{.name = "lower",
+                                .help = "Length of the bone from its joint to its end",
+                                .unit = unit::length,
+                                .low = least,
+                                .high = most});
+        visit(self.angle, Field{.name = "angle",
+                                .help = "Which way the upper bone lies at first: 0 hangs straight down, 90 is level to "
+                                        "the right",
+                                .unit = unit::angle,
+                                .low = -turn,
+                                .high = turn});
+        visit(self.bend, Field{.name = "bend",
+                               .help = "Turn at the joint at first, counter-clockwise as seen",
+                               .unit = unit::angle,
+                               .low = -fold,
+                               .high = fold});
+        visit(self.bend_least, Field{.name = "bend_least",
+                                     .help = "Smallest turn at the joint. In physical mode only",
+                                     .unit = unit::angle,
+                                     .low = -fold,
+                                     .high = 0});
+        visit(self.bend_most, Field{.name = "bend_most",
+                                    .help = "Largest turn at the joint. In physical mode only",
+                                    .unit = unit::angle,
+                                    .low = 0,
+                                    .high = fold});
+        visit(self.pinned, Field{.name = "pinned", .help = "Whether its root is held"});
+        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(
+            self.width,
+            Field{.name = "width", .help = "Thickness at its root", .unit = unit::length, .low = least, .high = most});
+        visit(
+            self.end_width,
+            Field{
+                .name = "end_width", .help = "Thickness at its end", .unit = unit::length, .low = least, .high = most});
+        visit(self.tip, Field{.name = "tip",
+                              .help = "Diameter of the hand or foot; 0 has none",
+                              .unit = unit::length,
+                              .low = 0,
+                              .high = most});
+    }
+
+    Sizes sizes() const { return {.particles = 3, .constraints = 3}; }
+    std::optional<std::string> problem(int dimension) const;
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew
