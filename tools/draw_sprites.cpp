@@ -327,6 +327,39 @@ void die(Sprite& s) {
     cairo_new_path(s.pen);
 }
 
+/// From above, its head up: eight legs, two parts, a cross on its back.
+void spider(Sprite& s) {
+    for (const double side : {-1.0, 1.0})
+        for (int leg = 0; leg < 4; ++leg) {
+            const double lean = -1.15 + 0.75 * leg; // from forwards to backwards
+            const double knee_x = side * 11 * std::cos(lean * 0.8), knee_y = -3 + 9 * std::sin(lean * 0.8) - 3;
+            const double foot_x = side * (17 - 3 * std::abs(lean)), foot_y = -1 + 17 * std::sin(lean);
+            cairo_new_path(s.pen);
+            cairo_move_to(s.pen, side * 2, -3);
+            cairo_line_to(s.pen, knee_x, knee_y);
+            cairo_line_to(s.pen, foot_x, foot_y);
+            cairo_set_line_width(s.pen, 3);
+            s.color(0x3a2a24);
+            cairo_stroke_preserve(s.pen);
+            s.line(0xb5733a, 1.6);
+        }
+    s.ellipse(0, 5, 6.5, 8.5);
+    s.fill(0xa8642f);
+    s.line(0x3a2a24, outline);
+    s.segment(0, -0.5, 0, 9);
+    s.line(0xf6e3c0, 1.6);
+    s.segment(-3, 2.5, 3, 2.5);
+    s.line(0xf6e3c0, 1.6);
+    s.ellipse(0, -5, 4.4, 4.6);
+    s.fill(0x7a4522);
+    s.line(0x3a2a24, outline);
+    for (const double x : {-1.6, 1.6}) {
+        s.ellipse(x, -7.4, 0.9, 0.9);
+        s.fill(0xf6e3c0);
+    }
+    cairo_new_path(s.pen);
+}
+
 } // namespace
 
 int main(int count, char** words) {
@@ -353,5 +386,6 @@ int main(int count, char** words) {
     drawn("plank.png", 60, 12, plank);
     drawn("crate.png", 100, 100, crate);
     drawn("die.png", 100, 100, die);
+    drawn("spider.png", 40, 44, spider);
     return good ? 0 : 1;
 }

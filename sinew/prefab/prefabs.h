@@ -7,9 +7,11 @@
 #include "sinew/prefab/polygon.h"
 #include "sinew/prefab/ragdoll.h"
 #include "sinew/prefab/rope.h"
+#include "sinew/prefab/spiderweb.h"
 #include "sinew/prefab/stick_figure.h"
 #include "sinew/prefab/swing.h"
 #include "sinew/prefab/tire.h"
+#include "sinew/prefab/tree.h"
 
 #include <optional>
 #include <string>
@@ -26,7 +28,7 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Rope, Chain, Cloth, StickFigure, Ragdoll, Tire, Swing, Bridge>;
+using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Cloth, Spiderweb, Tree, StickFigure, Ragdoll>;
 
 namespace detail {
 template <class List> struct VariantOf;

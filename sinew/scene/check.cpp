@@ -129,11 +129,16 @@ class ValueCheck {
             document_.error(place + "/low", fmt::format("low ({}) is above high ({})", *section.low, *section.high));
         const auto size = section.between.size();
         const auto wanted = arity(section.kind);
-        if (section.kind == "area" ? size < 3 : size != wanted)
+        const bool any = section.kind == "area" || section.kind == "pulley";
+        if (any ? size < wanted : size != wanted)
             document_.error(place + "/between",
                             fmt::format("{} {} needs {}{} particles, found {}",
                                         section.kind == "angle" || section.kind == "area" ? "an" : "a", section.kind,
-                                        section.kind == "area" ? "at least " : "", wanted, size));
+                                        any ? "at least " : "", wanted, size));
+        if (section.lead > 0 && section.compliance == 0)
+            document_.error(place + "/lead",
+                            "only a constraint with a compliance has a lead: a rigid one has nothing to damp");
+        if (section.drive) keys(section.drive->keys, place + "/drive/keys");
         std::set<std::string_view> seen;
         for (const auto& name : section.between)
             if (!seen.insert(name).second)
@@ -147,7 +152,7 @@ class ValueCheck {
 
     static std::size_t arity(std::string_view kind) {
         if (kind == "distance") return 2;
-        return kind == "angle" || kind == "area" ? 3 : 4;
+        return kind == "angle" || kind == "area" || kind == "pulley" ? 3 : 4;
     }
 
     void look(const Look& look, const std::string& place) {
@@ -158,7 +163,7 @@ class ValueCheck {
                                 "a name such as tomato or teal, ink or paper, #rgb, #rrggbb, #rrggbbaa or none");
     }
 
-    void keys(const std::vector<Keyframe>& keys, const std::string& place) {
+    template <class Key> void keys(const std::vector<Key>& keys, const std::string& place) {
         for (std::size_t i = 1; i < keys.size(); ++i)
             if (keys[i].at <= keys[i - 1].at)
                 document_.error(
@@ -260,12 +265,21 @@ template <int D, class Real> class ReferenceCheck {
         if (!by_hand) return;
         for (std::size_t k = 0; k < by_hand->constraints.size(); ++k)
             for (std::size_t m = 0; m < by_hand->constraints[k].between.size(); ++m)
-                particle(built.name + "/" + by_hand->constraints[k].between[m],
-                         under("figures", i) + under("constraints", k) + fmt::format("/between/{}", m));
+                particle_seen_from(i, by_hand->constraints[k].between[m],
+                                   under("figures", i) + under("constraints", k) + fmt::format("/between/{}", m));
         for (std::size_t k = 0; k < by_hand->pieces.size(); ++k)
             for (std::size_t m = 0; m < by_hand->pieces[k].through.size(); ++m)
-                particle(built.name + "/" + by_hand->pieces[k].through[m],
-                         under("figures", i) + under("pieces", k) + fmt::format("/through/{}", m));
+                particle_seen_from(i, by_hand->pieces[k].through[m],
+                                   under("figures", i) + under("pieces", k) + fmt::format("/through/{}", m));
+    }
+
+    /// Inside a figure: one of its own, or as figure/name one of a figure before it.
+    void particle_seen_from(std::size_t i, std::string_view name, const std::string& place) {
+        particle(full_name(name, world_.figures[i].name + "/"), place);
+        const auto index = find_figure(world_, name.substr(0, std::min(name.find('/'), name.size())));
+        if (name.find('/') != std::string_view::npos && index && *index > i)
+            document_.error(place, fmt::format("\"{}\" is of a figure that is made later", name),
+                            "figures are made in their order: put the one that joins others behind them");
     }
 
     static bool has_part(const Figure& figure, std::string_view part) {
@@ -323,6 +337,10 @@ std::string_view name_of(const FigureSection& figure) {
     std::string_view name;
     detail::visit_held(figure.made, [&](const auto& made) { name = made.name; });
     return name;
+}
+
+std::string full_name(std::string_view name, std::string_view prefix) {
+    return name.find('/') == std::string_view::npos ? concat(prefix, name) : std::string(name);
 }
 
 void check_values(const Scene& scene, Document& document) {

@@ -15,4 +15,7 @@ void check_references(const Scene& scene, const AnyWorld& world, Document& docum
 /// What the scene calls a figure: its name, else its prefab's.
 std::string_view name_of(const FigureSection& figure);
 
+/// A particle's name as figure/name; where it has no figure, of the one that `prefix`, "figure/", says.
+std::string full_name(std::string_view name, std::string_view prefix);
+
 } // namespace sinew

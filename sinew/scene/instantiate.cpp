@@ -108,6 +108,7 @@ template <int D, class Real> class Maker {
         const auto name = name_of(section);
         FigureIndex figure = no_figure;
         detail::visit_held(section.made, [&](const auto& made) { figure = build_figure(made, name, section); });
+        world_.figures[figure].direct = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
         for (const auto id : world_.figures[figure].particles) speed_up(id, section.velocity);
         for (const auto& [particle, kick] : section.kicks)
             if (const auto id = find_particle(world_, std::string(name) + "/" + particle)) speed_up(*id, kick);
@@ -115,6 +116,10 @@ template <int D, class Real> class Maker {
             figure, section.relaxation, [](auto& table) -> auto& { return table.relaxation; });
         override_column(
             figure, section.split, [](auto& table) -> auto& { return table.split; });
+    }
+
+    static Direct direct(std::string_view name) {
+        return Direct(std::find(direct_names.begin(), direct_names.end(), name) - direct_names.begin());
     }
 
     void speed_up(ParticleId id, const Point& velocity) {
@@ -175,20 +180,22 @@ template <int D, class Real> class Maker {
                     .width = section.width,
                     .end_width = section.width > 0 ? section.end_width : 0};
         for (const auto& particle : section.through)
-            piece.particles.push_back(find_particle(world_, prefix + particle).value_or(ParticleId{}));
+            piece.particles.push_back(find_particle(world_, full_name(particle, prefix)).value_or(ParticleId{}));
         world_.figures[figure].pieces.push_back(std::move(piece));
     }
 
-    /// A constraint between particles whose names begin with `prefix`. References are checked later: one to nothing is
-    /// left out.
+    /// A constraint between particles, where those of the figure itself leave its name, `prefix`, out. References are
+    /// checked later: one to nothing is left out.
     void join(const ConstraintSection& section, FigureIndex figure, const std::string& prefix) {
         std::vector<ParticleId> members;
         for (const auto& name : section.between)
-            members.push_back(find_particle(world_, prefix + name).value_or(ParticleId{}));
+            members.push_back(find_particle(world_, full_name(name, prefix)).value_or(ParticleId{}));
         ConstraintSpec<Real> spec{.limits = limits(section),
                                   .compliance = Real(section.compliance),
                                   .relaxation = Real(section.relaxation.value_or(1)),
                                   .split = Real(section.split.value_or(0.5)),
+                                  .max_force = section.max_force > 0 ? Real(section.max_force) : limit::measure<Real>,
+                                  .lead = Real(section.lead),
                                   .breaking_strain = Real(tears_beyond(section.breaking_strain)),
                                   .toughness = Real(section.toughness),
                                   .figure = figure};
@@ -197,7 +204,7 @@ template <int D, class Real> class Maker {
         auto& built = world_.figures[figure];
         built.constraints.push_back(*id);
         if (!section.name.empty()) built.constraint_names.emplace_back(section.name, *id);
-        const bool line = section.kind == "distance";
+        const bool line = section.kind == "distance" || section.kind == "pulley";
         if (line || section.kind == "area")
             built.pieces.push_back({.mark = line ? Mark::stroke : Mark::fill,
                                     .part = section.name.empty() ? (line ? "line" : "area") : section.name,

@@ -122,6 +122,7 @@ void Session::step() {
         happen(scene_.events[next_event_++]);
     still_gusts();
     drive();
+    winder_.run(scene_, world_);
     carry_held();
     std::visit([&]<class WorldT>(WorldT& world) { sinew::step(world, typename WorldT::Real(dt)); }, world_);
     note_events();
@@ -204,6 +205,7 @@ std::size_t Session::cut(const std::array<Point, 2>& line, double within) {
 
 /// The scene's pins are the last that were made, in its order.
 void Session::find_driven() {
+    winder_.find(scene_, world_);
     driven_.clear();
     std::visit(
         [&]<class WorldT>(WorldT& world) {

@@ -3,6 +3,7 @@
 #include "sinew/scene/scene.h"
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
+#include "sinew/session/winder.h"
 
 #include <array>
 #include <cstddef>
@@ -109,6 +110,7 @@ class Session {
     std::array<Point, 2> focus_; ///< two corners around what the scene shows at its start
     std::size_t next_event_ = 0;
     std::vector<Driven> driven_;
+    Winder winder_;
     std::optional<Point> pointer_;
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;

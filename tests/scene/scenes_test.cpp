@@ -1,5 +1,6 @@
 #include "sinew/scene/layout.h"
 #include "sinew/scene/scene.h"
+#include "sinew/solver/measure.h"
 
 #include "tests/scene/laws.h"
 #include "tests/scene/schema_check.h"
@@ -59,6 +60,34 @@ TEST(Scenes, NoRecordNamesAKeyTwice) {
     EXPECT_TRUE(laws::each_key_once<FigureSection>());
     EXPECT_TRUE(laws::each_key_once<ForceSection>());
     EXPECT_TRUE(laws::each_key_once<EventSection>());
+}
+
+std::string with_a_joint(const std::string& first, const std::string& second) {
+    const std::string hook = R"({"name": "hook", "particles": {"p": {"at": [0, 1]}}})";
+    const std::string ball = R"({"name": "ball", "particles": {"q": {"at": [0, 0]}}, "constraints":
+        [{"name": "thread", "between": ["hook/p", "q"]}], "looks": {"thread": {"color": "red"}}})";
+    return R"({"sinew": 1, "figures": [)" + (first == "hook" ? hook : ball) + "," + (second == "hook" ? hook : ball) +
+           "]}";
+}
+
+TEST(Scenes, AFigureJoinsAndDrawsParticlesOfThoseBeforeIt) {
+    auto document = load(with_a_joint("hook", "ball"), "a.json");
+    const auto open = open_scene(document);
+    ASSERT_TRUE(open) << to_text(document.diagnostics);
+    const auto& world = std::get<World<2, double>>(open->world);
+    const auto joint = find_constraint(world, "ball/thread");
+    ASSERT_TRUE(joint);
+    EXPECT_EQ(constraint_state(world, *joint)->measure, 1);
+    EXPECT_EQ(world.figures[1].pieces[0].particles[0], find_particle(world, "hook/p"));
+}
+
+TEST(Scenes, AFigureDoesNotJoinThoseBehindIt) {
+    const auto document = opened(with_a_joint("ball", "hook"), "a.json");
+    EXPECT_NE(to_text(document.diagnostics)
+                  .find("error: \"hook/p\" is of a figure that is made later at "
+                        "/figures/0/constraints/0/between/0"),
+              std::string::npos)
+        << to_text(document.diagnostics);
 }
 
 /// A scene with any value replaced is good, or its errors have places inside their sources.

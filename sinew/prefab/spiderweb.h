@@ -1,0 +1,61 @@
+#pragma once
+
+#include "sinew/prefab/builder.h"
+
+namespace sinew {
+
+/// A web about the point where it stands: one thread laid in a spiral from the rim inwards, each of its particles also
+/// tied to the one a turn further in. Particles particle_0, ..., the last of them also called center; constraints
+/// thread_0, ... along the spiral, spoke_0, ... across it. (After the web of verlet-js, a little uneven as real ones.)
+struct Spiderweb {
+    static constexpr std::string_view name = "spiderweb";
+    static constexpr std::string_view about = "A web stretched between a few anchors.";
+    static constexpr Dimensions dimensions{2, 3};
+
+    double radius = 1.5;
+    int spokes = 20;
+    int rings = 7;
+    int anchor_every = 4;
+    double rest = 0.3;
+    double unevenness = 1;
+    double compliance = 1;
+    double mass = 0.1;
+    double thickness = 0.01;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.radius, Field{.name = "radius",
+                                 .help = "From the centre, where it stands, to the rim",
+                                 .unit = unit::length,
+                                 .low = 1e-6,
+                                 .high = 1e6});
+        visit(self.spokes, Field{.name = "spokes", .help = "Particles in a turn", .low = 3, .high = 1e5});
+        visit(self.rings, Field{.name = "rings", .help = "Turns of the spiral", .low = 2, .high = 1e4});
+        visit(self.anchor_every,
+              Field{.name = "anchor_every",
+                    .help = "On the rim, the first particle and every so manieth from it are held; 0 holds none",
+                    .low = 0,
+                    .high = 1e5});
+        visit(self.rest, Field{.name = "rest",
+                               .help = "How long threads would be if nothing pulled, as a share of how long they are",
+                               .low = 0.01,
+                               .high = 1});
+        visit(self.unevenness,
+              Field{.name = "unevenness", .help = "0 makes a perfect spiral, 1 a natural one", .low = 0, .high = 1});
+        visit(self.compliance, Field{.name = "compliance",
+                                     .help = "How much a thread gives under a force",
+                                     .unit = unit::compliance,
+                                     .low = 1e-9,
+                                     .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.thickness,
+              Field{.name = "thickness", .help = "Of a thread as drawn", .unit = unit::length, .low = 0, .high = 1e6});
+    }
+
+    Sizes sizes() const {
+        const auto n = std::size_t(spokes) * std::size_t(rings);
+        return {.particles = n, .constraints = 2 * n};
+    }
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew
