@@ -87,12 +87,12 @@ struct CutEvent {
     static constexpr std::string_view name = "cut";
     static constexpr std::string_view about = "Cuts every distance that crosses a line, as seen in the picture.";
     std::array<Point, 2> line{};
-    double within = 0;
+    std::optional<double> within;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.line, Field{.name = "cut", .help = "From here to there", .unit = unit::length, .required = true});
         visit(self.within, Field{.name = "within",
-                                 .help = "What comes as near to the line is cut too",
+                                 .help = "What comes as near to the line is cut too; left out: as a pointer does",
                                  .unit = unit::length,
                                  .low = 0,
                                  .high = 1e6});

@@ -75,12 +75,26 @@ struct ViewSection {
     }
 };
 
+/// What a pointer does to the scene, in whatever window it is.
+struct PointerSection {
+    double cuts_within = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.cuts_within, Field{.name = "cuts_within",
+                                      .help = "How near to what it cuts along distances are cut too",
+                                      .unit = unit::length,
+                                      .low = 0,
+                                      .high = 1e6});
+    }
+};
+
 struct Scene {
     int version = 1;
     std::string about, source;
     int dimension = 2;
     UnitsSection units;
     ViewSection view;
+    PointerSection pointer;
     WorldSection world;
     SolverSection solver;
     std::vector<FigureSection> figures;
@@ -98,6 +112,7 @@ struct Scene {
         visit(self.dimension, Field{.name = "dimension", .help = "2 or 3", .low = 2, .high = 3});
         visit(self.units, Field{.name = "units", .help = "What the numbers of the file are in"});
         visit(self.view, Field{.name = "view", .help = "What is seen of it"});
+        visit(self.pointer, Field{.name = "pointer", .help = "What a pointer does to it"});
         visit(self.world, Field{.name = "world", .help = "What acts on everything"});
         visit(self.solver, Field{.name = "solver", .help = "How it is solved"});
         visit(self.figures, Field{.name = "figures", .help = "What there is"});

@@ -174,12 +174,13 @@ void Session::happen(const EventSection& event) {
         world_);
 }
 
-std::size_t Session::cut(const std::array<Point, 2>& line, double within) {
+std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double> within) {
+    const double reach = within.value_or(scene_.pointer.cuts_within);
     return std::visit(
         [&]<class WorldT>(WorldT& world) {
             Cut done;
             if constexpr (WorldT::dimension == 2) {
-                done = sinew::cut(world, Blade{line[0].as<2, double>(), line[1].as<2, double>(), within});
+                done = sinew::cut(world, Blade{line[0].as<2, double>(), line[1].as<2, double>(), reach});
             } else {
                 const View view(scene_, focus_, scene_.view.size[0], scene_.view.size[1]);
                 const auto from = view.see(line[0].as<3, double>()), to = view.see(line[1].as<3, double>());
@@ -192,7 +193,7 @@ std::size_t Session::cut(const std::array<Point, 2>& line, double within) {
                     pixels.push_back(seen ? cast<double>(seen->pixel) : Vec2<double>{{nowhere, nowhere}});
                 }
                 const double scale = (double(from->scale) + double(to->scale)) / 2;
-                done = sinew::cut(world, Blade{cast<double>(from->pixel), cast<double>(to->pixel), within * scale},
+                done = sinew::cut(world, Blade{cast<double>(from->pixel), cast<double>(to->pixel), reach * scale},
                                   std::span<const Vec2<double>>(pixels));
             }
             for (const auto figure : done.figures)

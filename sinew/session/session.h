@@ -61,8 +61,8 @@ class Session {
     std::optional<Point> pointer() const;
 
     /// Cuts every distance that crosses the line from one place to the other or comes within some length of it, as seen
-    /// in the picture; tells how many. What a pointer draws is a row of such lines.
-    std::size_t cut(const std::array<Point, 2>& line, double within = 0);
+    /// in the picture; tells how many. What a pointer draws is a row of such lines, within what the scene says.
+    std::size_t cut(const std::array<Point, 2>& line, std::optional<double> within = {});
 
     Report report() const;
     /// All that happened so far; at most `most_happenings`, then only counted.

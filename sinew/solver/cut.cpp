@@ -93,7 +93,7 @@ template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade, 
     for (Row row = 0; row < distances.size(); ++row) {
         const auto ends = distances.members[row];
         const auto &a = places[ends[0]], &b = places[ends[1]];
-        if (is_finite(a) && is_finite(b) && crosses(blade, a, b))
+        if (ties(distances, row) && is_finite(a) && is_finite(b) && crosses(blade, a, b))
             crossed.push_back({kind_number<Distance, D>, distances.slots.id_of(row)});
     }
     return cut(world, std::span<const ConstraintId>(crossed));

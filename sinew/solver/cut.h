@@ -21,7 +21,7 @@ struct Cut {
 template <int D, class Real> std::vector<Vec2<double>> flat_places(const World<D, Real>& world);
 
 /// Cuts every distance that crosses the blade where `places` show its ends, one place a particle, by row. What is not
-/// finite is out of sight and stays whole.
+/// finite is out of sight and stays whole; so does a distance that only keeps its ends apart.
 template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade, std::span<const Vec2<double>> places);
 template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade) {
     return cut(world, blade, std::span<const Vec2<double>>(flat_places(world)));

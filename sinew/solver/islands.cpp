@@ -12,6 +12,8 @@ template <int D, class Real> std::vector<std::size_t> islands(const World<D, Rea
         if (index < count.size()) ++count[index];
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row) {
+            if constexpr (std::is_same_v<typename std::decay_t<decltype(table)>::Kind, Distance<D>>)
+                if (!ties(table, row)) continue;
             const auto members = table.members[row];
             for (std::size_t i = 1; i < members.size(); ++i) {
                 const auto index = figure[members[i]];

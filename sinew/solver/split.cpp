@@ -31,8 +31,10 @@ struct Fan {
 template <int D, class Real> class Splitter {
   public:
     Splitter(World<D, Real>& world, std::span<const Ends> gone)
-        : world_(world), particles_(world.particles.size()), parting_of_(particles_, none),
-          links_(std::get<kind_number<Distance, D>>(world.constraints).members.rows) {
+        : world_(world), particles_(world.particles.size()), parting_of_(particles_, none) {
+        const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
+        for (Row row = 0; row < distances.size(); ++row)
+            if (ties(distances, row)) links_.push_back(distances.members.rows[row]);
         for (const auto& [a, b] : gone) {
             const auto from = row_of(world, a), to = row_of(world, b);
             if (from && to) gone_.push_back({*from, *to});

@@ -155,6 +155,11 @@ template <class KindT, class Real> struct Constraints {
     }
 };
 
+/// Whether a distance ties its ends together: what only keeps them apart does not.
+template <int D, class Real> bool ties(const Constraints<Distance<D>, Real>& distances, Row row) {
+    return distances.high[row] < limit::measure<Real>;
+}
+
 namespace detail {
 template <class Real, class List> struct Tables;
 template <class Real, class... Kind> struct Tables<Real, TypeList<Kind...>> {

@@ -116,7 +116,11 @@ class Abuser {
         const auto place = between(from_, to_, share);
         std::visit(
             [&]<class WorldT>(WorldT& world) {
-                move_pin(world, held_, place.template as<WorldT::dimension, typename WorldT::Real>());
+                auto goal = place.template as<WorldT::dimension, typename WorldT::Real>();
+                for (const auto& plane : world.bounds) // no hand reaches through a wall
+                    if (const auto below = plane.offset - dot(plane.normal, goal); below > 0)
+                        goal += plane.normal * below;
+                move_pin(world, held_, goal);
             },
             session_.world());
     }
@@ -130,15 +134,15 @@ std::vector<SceneRun> doubles() {
 
 class Abuse : public testing::TestWithParam<SceneRun> {};
 
-/// How far outside its bounds something may be. An original's sweep comes after its walls: until the next frame a stick
-/// can have pushed a point out by as much as it is long.
+/// How far outside its bounds something may be. An original's sweep comes after its walls: until the next frame two
+/// sticks in a row can have pushed a point out by as much as they are long.
 double farthest_outside(const Session& session, const std::string& mode) {
     double longest = least_size(session, mode);
     if (mode == "classic")
         std::visit(
             [&](const auto& world) {
                 for (const auto length : std::get<0>(world.constraints).high)
-                    longest = std::max(longest, double(length));
+                    longest = std::max(longest, 2 * double(length));
             },
             session.world());
     return longest;

@@ -52,6 +52,19 @@ TEST(Cuts, InSpaceTheyGoWhereTheyAreSeen) {
     EXPECT_EQ(told(session), (std::vector<std::string>{"cut rope", "parted rope"}));
 }
 
+TEST(Cuts, ReachAsFarAsTheScenesPointerUnlessTheySay) {
+    const std::string beside = R"("cut": [[0.05, 0.55], [1, 0.55]])";
+    const auto cuts = [&](const std::string& pointer, const std::string& within) {
+        auto session = session_of(pointer + R"("events": [{"at": 0, )" + beside + within + "}], ", rope);
+        session.step();
+        return told(session).size() > 1;
+    };
+    EXPECT_FALSE(cuts("", ""));
+    EXPECT_TRUE(cuts("", R"(, "within": 0.06)"));
+    EXPECT_TRUE(cuts(R"("pointer": {"cuts_within": 0.06}, )", ""));
+    EXPECT_FALSE(cuts(R"("pointer": {"cuts_within": 0.06}, )", R"(, "within": 0.04)"));
+}
+
 TEST(Cuts, AFigureThatFallsApartKeepsItsNamesAndTellsOfItEachTime) {
     auto session =
         session_of(R"("events": [{"at": 0, "snip": ["rope/link_2"]}, {"at": 0.1, "snip": ["rope/link_7"]}],)", rope);

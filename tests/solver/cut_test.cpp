@@ -64,6 +64,16 @@ TEST(Cut, TakesWhatHangsOnALinkAndTellsWhose) {
     EXPECT_FALSE(constraint_state(world, *cut_off));
 }
 
+TEST(Cut, LeavesWhatOnlyKeepsApart) {
+    Plane world;
+    const auto a = add_particle(world, {}), b = add_particle(world, {.position = {{1, 0}}});
+    add<Distance>(world, {a, b}, {.limits = at_least(0.5)});
+    const Blade across{{{0.5, -1}}, {{0.5, 1}}};
+    EXPECT_EQ(cut(world, across).links, 0U);
+    add<Distance>(world, {a, b}, {.limits = at_most(2.0)});
+    EXPECT_EQ(cut(world, across).links, 1U);
+}
+
 TEST(Cut, TakesTimeInProportionToTheLinks) {
     auto made = make(Cloth{.columns = 400, .rows = 400, .diagonals = "none"});
     const auto before = links(made.world);
