@@ -74,13 +74,26 @@ template <int D, class Real> class Hanging {
     void store(bool first_iteration) {
         const double per_h = 1 / double(h_);
         const double fastest = double(minimum(limit::speed<Real>, Real(2) * limit::coordinate<Real> * Real(per_h)));
+        const auto drift = fixed().empty() ? drift_of(per_h) : Vec<D, double>{};
         for (auto& node : unknowns()) {
-            const auto velocity = (node.place - cast<double>(p_.position[node.row])) * per_h;
+            const auto velocity = (node.place - cast<double>(p_.position[node.row])) * per_h - drift;
             p_.velocity[node.row] = cast<Real>(clamp_components(velocity, fastest));
         }
         for (const auto& link : links())
             note(d_.multiplier[link.constraint], link.tension * link.length, first_iteration);
         for (const auto& bend : bends()) note(a_.multiplier[bend.constraint], bend.tension, first_iteration);
+    }
+
+    /// Links only act within: what rounding adds to the momentum is taken out again.
+    Vec<D, double> drift_of(double per_h) {
+        double mass = 0;
+        Vec<D, double> gained{};
+        for (const auto& node : unknowns()) {
+            const auto position = cast<double>(p_.position[node.row]), velocity = cast<double>(p_.velocity[node.row]);
+            gained += ((node.place - position) * per_h - velocity) * node.mass;
+            mass += node.mass;
+        }
+        return gained * inverse_or_zero(mass);
     }
 
     /// Multipliers are those of a sweep: what all iterations of a substep did.
