@@ -155,8 +155,11 @@ struct BlockRoom {
         bool wanted = false; ///< however many loops it has
     };
     std::vector<About> about; ///< by the island's first particle
+    std::vector<Row> part_of; ///< per particle: the block it is in, by one of its particles
     std::vector<Row> node_of, first_link, link_at, first_bend, bend_at, first_way, way_at, members, first_member,
         cursor;
+    std::vector<Row> parent, peeled;
+    std::vector<std::vector<char>> taken; ///< per kind and constraint: it is in a block
 };
 
 /// All of it follows from the rest of the world: a copy begins without, and looks again.
@@ -164,6 +167,7 @@ template <int D> struct Blocks {
     static constexpr auto none = ~std::uint32_t(0);
 
     std::vector<Block> list;
+    std::vector<Block> hanging; ///< trees on what is swept: solved as one constraint of the sweep
     std::vector<BlockNode<D>> nodes;
     std::vector<BlockLink<D>> links;
     std::vector<BlockBend<D>> bends;
@@ -205,6 +209,7 @@ template <int D> struct Blocks {
     void clear() {
         for (auto* column : {&first_entry, &first_pair, &pairs}) column->clear();
         list.clear();
+        hanging.clear();
         nodes.clear();
         links.clear();
         bends.clear();

@@ -7,6 +7,8 @@ enum class Rule {
     swing, ///< the midpoint rule, links pulling along the mean of their old and new directions (LaBudde and Greenspan
            ///< 1976; Gonzalez 1999): keeps energy to rounding, whatever the step
     implicit, ///< backward Euler, links pulling along their new directions: loses energy, and stands anything
+    shake,    ///< a correction in a sweep, of where particles would fly: links pull along their old directions
+              ///< (SHAKE: Ryckaert, Ciccotti and Berendsen 1977)
     place     ///< no time passes: the nearest place where the links have their lengths
 };
 

@@ -313,10 +313,10 @@ template <int D> class BlockSolve {
             link.stiffness = link.side != 0 ? k : 0;
             if (link.side == 0) continue;
             const bool swings = rule == Rule::swing;
-            const auto along = swings ? (link.start + now) * 0.5 : now;
+            const auto along = swings ? (link.start + now) * 0.5 : rule == Rule::shake ? link.start : now;
             link.along = now;
             auto matrix = outer(along * k, now);
-            if (rule != Rule::place)
+            if (rule != Rule::place && rule != Rule::shake)
                 matrix +=
                     Matrix<D, double>::diagonal(maximum(elastic_ ? link.pull : link.tension, 0.0) * (swings ? 0.5 : 1));
             add(link, matrix, along * link.pull);

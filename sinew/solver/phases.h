@@ -32,6 +32,9 @@ template <int D, class Real> void tear(World<D, Real>& world, Real dt);
 /// block_step.cpp: moves every block over a step; tensions are told as multipliers of a substep of that length.
 template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep);
 
+/// block_hang.cpp: one more constraint of the sweep: trees that hang on what is swept.
+template <int D, class Real> void correct_hanging(World<D, Real>& world, Real h, bool first_iteration);
+
 /// passive.cpp: limits of turns give a figure no energy. Finds the figures of which that can be said; notes their
 /// energy before the constraints act; takes back what those added.
 template <int D, class Real> void find_passive(World<D, Real>& world);

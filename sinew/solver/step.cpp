@@ -198,6 +198,7 @@ template <int D, class Real> void sweep_substeps(World<D, Real>& world, int subs
         for (int i = 0; i < world.settings.iterations; ++i) {
             mover.first_iteration = i == 0;
             for (const auto& run : world.blocks.runs) detail::project_run(world, run, mover);
+            correct_hanging(world, h, mover.first_iteration);
             pull_pins(world, share, share_of_substep, mover);
             keep_in_bounds(world, mover);
         }

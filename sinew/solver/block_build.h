@@ -1,0 +1,223 @@
+#pragma once
+
+#include "sinew/solver/block_graph.h"
+
+#include <algorithm>
+
+/// Makes a block of particles: its nodes in the order of their elimination, what joins them, and the places in its
+/// matrix.
+namespace sinew::detail {
+
+template <int D, class Real> class BlockBuilder {
+    using Graph = BlockGraph<D, Real>;
+
+  public:
+    BlockBuilder(World<D, Real>& world, const Graph& graph)
+        : graph_(graph), distances_(graph.distances()), angles_(graph.angles()), pulleys_(graph.pulleys()),
+          blocks_(world.blocks), elimination_(world.blocks.elimination), room_(world.blocks.room) {}
+
+    /// Makes a block of those particles, which `part` names, and lists it. False where it would not stay sparse.
+    /// Of what hangs on the rest of the world, only what is rigid.
+    bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool hangs) {
+        part_ = part, hangs_ = hangs;
+        elimination_.begin_graph();
+        for (const Row row : members) {
+            elimination_.begin_row(row);
+            for (const Row link : graph_.links_of(row))
+                if (takes(distances_, link)) add_neighbours(row, distances_.members[link]);
+            for (const Row bend : graph_.bends_of(row))
+                if (takes(angles_, bend)) add_neighbours(row, angles_.members[bend]);
+            for (const Row way : graph_.ways_of(row))
+                if (takes(pulleys_, way)) add_neighbours(row, pulleys_.members[way]);
+            elimination_.end_row(row);
+        }
+        if (!elimination_.run(members)) return false;
+
+        Block block{.first_node = std::uint32_t(blocks_.nodes.size()), .unknowns = std::uint32_t(members.size())};
+        for (const Row row : elimination_.order()) add_node(row);
+        add_entries(block);
+        block.first_link = std::uint32_t(blocks_.links.size());
+        for (const Row row : elimination_.order()) add_links(row);
+        block.links = std::uint32_t(blocks_.links.size()) - block.first_link;
+        block.first_bend = std::uint32_t(blocks_.bends.size());
+        for (const Row row : elimination_.order()) add_bends(row);
+        block.bends = std::uint32_t(blocks_.bends.size()) - block.first_bend;
+        block.first_way = std::uint32_t(blocks_.ways.size());
+        for (const Row row : elimination_.order()) add_ways(row);
+        block.ways = std::uint32_t(blocks_.ways.size()) - block.first_way;
+        block.motored = block.motored || is_motored(block);
+        block.nodes = std::uint32_t(blocks_.nodes.size()) - block.first_node;
+        for (std::size_t i = block.unknowns; i < block.nodes; ++i) {
+            blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
+            blocks_.first_pair.push_back(std::uint32_t(blocks_.pairs.size()));
+        }
+        list.push_back(block);
+        return true;
+    }
+
+  private:
+    const Graph& graph_;
+    const Constraints<Distance<D>, Real>& distances_;
+    const Constraints<Angle<D>, Real>& angles_;
+    const Constraints<Pulley<D>, Real>& pulleys_;
+    Blocks<D>& blocks_;
+    Elimination& elimination_;
+    BlockRoom& room_;
+    Row part_ = no_row;
+    bool hangs_ = false;
+
+    bool mobile(Row particle) const { return graph_.mobile(particle); }
+    template <class Table> static bool is_driven(const Table& table, Row row) { return Graph::is_driven(table, row); }
+
+    /// Whether a constraint is one of this block.
+    template <class Table> bool takes(const Table& table, Row row) const {
+        using Kind = typename Table::Kind;
+        for (const Row member : table.members[row])
+            if (mobile(member) && room_.part_of[member] != part_) return false;
+        if (!hangs_) return true;
+        if constexpr (std::is_same_v<Kind, Distance<D>>) return graph_.is_stick(row);
+        if constexpr (std::is_same_v<Kind, Angle<D>>)
+            return table.compliance[row] == Real(0) && Graph::natural(table, row) && !is_driven(table, row) &&
+                   !Graph::opens(table, row);
+        return false;
+    }
+
+    void add_neighbours(Row row, std::span<const Row> members) {
+        for (const Row other : members)
+            if (other != row && mobile(other)) elimination_.add_neighbour(other);
+    }
+
+    void add_node(Row row) {
+        room_.node_of[row] = Row(blocks_.nodes.size());
+        blocks_.nodes.push_back({.row = row});
+    }
+
+    template <class Table> void mark(const Table&, Row row) {
+        room_.taken[std::size_t(Kinds<D>::template index_of<typename Table::Kind>)][row] = 1;
+    }
+
+    std::uint32_t entry_of(std::uint32_t column, std::uint32_t node) const {
+        auto entry = blocks_.first_entry[column];
+        while (blocks_.entries[entry].node != node) ++entry;
+        return entry;
+    }
+
+    void add_entries(const Block& block) {
+        for (std::uint32_t i = 0; i < block.unknowns; ++i) {
+            blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
+            const auto begin = std::ptrdiff_t(blocks_.entries.size());
+            for (const Row neighbour : elimination_.neighbours(elimination_.order()[i]))
+                blocks_.entries.push_back({.node = block.first_node + elimination_.position(neighbour)});
+            std::sort(blocks_.entries.begin() + begin, blocks_.entries.end(),
+                      [](const auto& a, const auto& b) { return a.node < b.node; });
+        }
+        blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
+        for (std::uint32_t i = block.first_node; i < block.first_node + block.unknowns; ++i) {
+            blocks_.first_pair.push_back(std::uint32_t(blocks_.pairs.size()));
+            for (auto e = blocks_.first_entry[i]; e < blocks_.first_entry[i + 1]; ++e)
+                for (auto g = e + 1; g < blocks_.first_entry[i + 1]; ++g)
+                    blocks_.pairs.push_back(entry_of(blocks_.entries[e].node, blocks_.entries[g].node));
+        }
+        blocks_.first_entry.pop_back();
+    }
+
+    /// Those of a particle that no earlier one of the block has added.
+    void add_links(Row row) {
+        for (const Row link : graph_.links_of(row)) {
+            const Row other = graph_.other_end(link, row);
+            const bool inner = mobile(other);
+            if (!takes(distances_, link) || is_driven(distances_, link)) continue;
+            if (inner && elimination_.position(other) < elimination_.position(row)) continue;
+            const auto a = room_.node_of[row], b = node_for(other);
+            BlockLink<D> added;
+            static_cast<BlockLimit&>(added) = limit_of(distances_, link);
+            added.low = maximum(added.low, 0.0);
+            added.a = a, added.b = b;
+            added.entry = inner ? entry_of(a, b) : Blocks<D>::none;
+            constexpr double far = 1e12; // as good as no limit
+            added.length = added.high < far ? added.high : maximum(added.low, 1e-6);
+            added.per_length2 = 1 / square(added.length);
+            blocks_.links.push_back(added);
+            mark(distances_, link);
+        }
+    }
+
+    /// A particle that cannot move is a node each time it is needed.
+    std::uint32_t node_for(Row particle) {
+        if (mobile(particle)) return room_.node_of[particle];
+        blocks_.nodes.push_back({.row = particle});
+        return std::uint32_t(blocks_.nodes.size() - 1);
+    }
+
+    template <class Table> static BlockLimit limit_of(const Table& table, Row row) {
+        return {.constraint = row,
+                .low = double(table.low[row]),
+                .high = double(table.high[row]),
+                .compliance = double(table.compliance[row])};
+    }
+
+    bool is_first(Row row, std::span<const Row> members) const {
+        return std::none_of(members.begin(), members.end(), [&](Row other) {
+            return mobile(other) && elimination_.position(other) < elimination_.position(row);
+        });
+    }
+
+    void add_ways(Row row) {
+        for (const Row link : graph_.links_of(row))
+            if (takes(distances_, link) && is_driven(distances_, link) && is_first(row, distances_.members[link]))
+                add_way(distances_, link, false);
+        for (const Row way : graph_.ways_of(row))
+            if (takes(pulleys_, way) && is_first(row, pulleys_.members[way])) add_way(pulleys_, way, true);
+    }
+
+    template <class Table> void add_way(const Table& table, Row row, bool is_pulley) {
+        const auto members = table.members[row];
+        BlockWay added;
+        static_cast<BlockLimit&>(added) = limit_of(table, row);
+        added.low = maximum(added.low, 0.0);
+        added.is_pulley = is_pulley;
+        added.driven = is_driven(table, row);
+        added.first = std::uint32_t(blocks_.way_nodes.size());
+        added.nodes = std::uint32_t(members.size());
+        added.first_entry = std::uint32_t(blocks_.way_entries.size());
+        for (const Row member : members) blocks_.way_nodes.push_back({.node = node_for(member)});
+        for (std::size_t i = 0; i < members.size(); ++i)
+            for (std::size_t j = i + 1; j < members.size(); ++j) {
+                const auto [early, late] =
+                    std::minmax(blocks_.way_nodes[added.first + i].node, blocks_.way_nodes[added.first + j].node);
+                blocks_.way_entries.push_back(mobile(members[i]) && mobile(members[j]) ? entry_of(early, late)
+                                                                                       : Blocks<D>::none);
+            }
+        blocks_.ways.push_back(added);
+        mark(table, row);
+    }
+
+    bool is_motored(const Block& block) const {
+        const auto any = [](const auto& list, std::uint32_t first, std::uint32_t count) {
+            return std::any_of(list.begin() + first, list.begin() + first + count,
+                               [](const BlockDrive& drive) { return drive.driven; });
+        };
+        return any(blocks_.ways, block.first_way, block.ways) || any(blocks_.bends, block.first_bend, block.bends);
+    }
+
+    /// Those of which a particle is the first to be eliminated.
+    void add_bends(Row row) {
+        for (const Row bend : graph_.bends_of(row)) {
+            const auto members = angles_.members[bend];
+            if (!takes(angles_, bend) || !is_first(row, members)) continue;
+            BlockBend<D> added;
+            static_cast<BlockLimit&>(added) = limit_of(angles_, bend);
+            added.driven = is_driven(angles_, bend);
+            for (std::size_t i = 0; i < 3; ++i) added.nodes[i] = node_for(members[i]);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto j = (i + 1) % 3;
+                const auto [early, late] = std::minmax(added.nodes[i], added.nodes[j]);
+                added.entries[i] = mobile(members[i]) && mobile(members[j]) ? entry_of(early, late) : Blocks<D>::none;
+            }
+            blocks_.bends.push_back(added);
+            mark(angles_, bend);
+        }
+    }
+};
+
+} // namespace sinew::detail

@@ -1,0 +1,116 @@
+#include "sinew/solver/block_solve.h"
+#include "sinew/solver/phases.h"
+
+/// Trees that hang on what is swept are one constraint of the sweep, solved exactly: where their particles would fly is
+/// corrected so that every link has its length, for the least change of momentum. Of what they hang on they move one
+/// particle, and the sweep hands on the rest.
+namespace sinew {
+namespace {
+
+using detail::Rule;
+
+template <int D, class Real> class Hanging {
+  public:
+    Hanging(World<D, Real>& world, const Block& block, Real h)
+        : p_(world.particles), d_(std::get<kind_number<Distance, D>>(world.constraints)),
+          a_(std::get<kind_number<Angle, D>>(world.constraints)), blocks_(world.blocks), block_(block), h_(h) {}
+
+    void correct(bool first_iteration) {
+        load(first_iteration);
+        detail::BlockSolve<D> solve(blocks_, block_, double(h_));
+        constexpr int few = 8, many = 40;
+        if (!solve.run(Rule::shake, few, [] {})) {
+            // the old directions do not serve where links turn fast
+            for (auto& node : unknowns()) node.start += node.velocity * double(h_), node.velocity = {};
+            forget_tensions();
+            for (int i = 0; i < 3 && !solve.run(Rule::place, many, [] {}); ++i) {
+                solve.sweep(); // comes nearer from anywhere
+                for (auto& node : unknowns()) node.start = node.place;
+                forget_tensions();
+            }
+        }
+        store(first_iteration);
+    }
+
+  private:
+    Particles<D, Real>& p_;
+    Constraints<Distance<D>, Real>& d_;
+    Constraints<Angle<D>, Real>& a_;
+    Blocks<D>& blocks_;
+    const Block& block_;
+    Real h_;
+
+    std::span<BlockNode<D>> unknowns() { return std::span(blocks_.nodes).subspan(block_.first_node, block_.unknowns); }
+    std::span<BlockNode<D>> fixed() {
+        return std::span(blocks_.nodes).subspan(block_.first_node, block_.nodes).subspan(block_.unknowns);
+    }
+    std::span<BlockLink<D>> links() { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
+    std::span<BlockBend<D>> bends() { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
+
+    void load(bool first_iteration) {
+        for (auto& node : unknowns()) {
+            node.start = cast<double>(p_.position[node.row]);
+            node.velocity = cast<double>(p_.velocity[node.row]);
+            node.push = {};
+            node.mass = inverse_or_zero(double(p_.mobility[node.row]));
+        }
+        for (auto& node : fixed()) {
+            node.velocity = node.move = {};
+            node.start = cast<double>(p_.position[node.row]);
+            node.place = node.start + cast<double>(p_.velocity[node.row]) * double(h_); // a pin may carry it
+        }
+        forget_tensions();
+        if (!first_iteration) return; // what the last substep needed is near to what this one will
+        const double per = inverse_or_zero(square(double(h_)));
+        for (auto& link : links()) link.tension = -double(d_.multiplier[link.constraint]) * per / link.length;
+        for (auto& bend : bends()) bend.tension = -double(a_.multiplier[bend.constraint]) * per;
+    }
+
+    void forget_tensions() {
+        for (auto& link : links()) link.tension = 0;
+        for (auto& bend : bends()) bend.tension = 0;
+    }
+
+    void store(bool first_iteration) {
+        const double per_h = 1 / double(h_);
+        const double fastest = double(minimum(limit::speed<Real>, Real(2) * limit::coordinate<Real> * Real(per_h)));
+        const auto drift = fixed().empty() ? drift_of(per_h) : Vec<D, double>{};
+        for (auto& node : unknowns()) {
+            const auto velocity = (node.place - cast<double>(p_.position[node.row])) * per_h - drift;
+            p_.velocity[node.row] = cast<Real>(clamp_components(velocity, fastest));
+        }
+        for (const auto& link : links())
+            note(d_.multiplier[link.constraint], link.tension * link.length, first_iteration);
+        for (const auto& bend : bends()) note(a_.multiplier[bend.constraint], bend.tension, first_iteration);
+    }
+
+    /// Links only act within: what rounding adds to the momentum is taken out again.
+    Vec<D, double> drift_of(double per_h) {
+        double mass = 0;
+        Vec<D, double> gained{};
+        for (const auto& node : unknowns()) {
+            const auto position = cast<double>(p_.position[node.row]), velocity = cast<double>(p_.velocity[node.row]);
+            gained += ((node.place - position) * per_h - velocity) * node.mass;
+            mass += node.mass;
+        }
+        return gained * inverse_or_zero(mass);
+    }
+
+    /// Multipliers are those of a sweep: what all iterations of a substep did.
+    void note(Real& multiplier, double force, bool first_iteration) {
+        constexpr double most = double(limit::multiplier<Real>);
+        const double before = first_iteration ? 0 : double(multiplier);
+        multiplier = Real(clamp(before - force * square(double(h_)), -most, most));
+    }
+};
+
+} // namespace
+
+template <int D, class Real> void correct_hanging(World<D, Real>& world, Real h, bool first_iteration) {
+    for (const auto& block : world.blocks.hanging) Hanging<D, Real>(world, block, h).correct(first_iteration);
+}
+
+#define SINEW_HANG(D, Real) template void correct_hanging(World<D, Real>&, Real, bool);
+SINEW_INSTANTIATE(SINEW_HANG)
+
+} // namespace sinew
