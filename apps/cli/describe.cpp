@@ -49,7 +49,7 @@ void collect(std::vector<Topic>& topics, const Layout& record, const std::string
 
 /// Layouts that topics point into.
 struct Layouts {
-    Layout scene = layout_of<Scene>();
+    Layout scene = scene_layout();
     Layout limits = layout_of<Limits>();
 };
 

@@ -130,7 +130,7 @@ ScenePage page_of(const std::string& name) {
     for (const std::string_view key : {"world", "solver", "figures", "pins"})
         if (const auto* section = json::find(*document.root.as<json::Object>(), key))
             told.push_back({std::string(key), section->value});
-    Collector(scene.measures(), page.parameters).record(told, layout_of<Scene>(), "");
+    Collector(scene.measures(), page.parameters).record(told, scene_layout(), "");
     return page;
 }
 

@@ -162,7 +162,7 @@ class Form {
 } // namespace
 
 void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
-    static const Layout scene_layout = layout_of<Scene>();
+    static const Layout layout = scene_layout();
     const auto document = play::document_of(play.session().scene());
     const auto& root = *document.as<json::Object>();
     Form form(play.session().scene(), look, [&](const std::string& path, const json::Value& value, bool goes_on) {
@@ -174,7 +174,7 @@ void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
         ImGui::PopFont();
     };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, 4));
-    for (const auto& part : scene_layout.parts) {
+    for (const auto& part : layout.parts) {
         const auto name = std::string(part.field.name);
         const auto* own = json::find(root, name);
         if (name == "solver" || name == "world") {

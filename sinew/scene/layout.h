@@ -86,6 +86,9 @@ template <class T> Layout layout_of(const T& value, const Field& field) {
     return shape;
 }
 
+/// All that a scene file may say.
+Layout scene_layout();
+
 /// A JSON Schema (draft 07) of the record: `document` adds what only a whole scene file may say ("$schema", "modes").
 /// Ranges of quantities that depend on a scene's units are left out.
 json::Value schema_of(const Layout& record, std::string_view title, bool document);

@@ -1,6 +1,7 @@
 #include "sinew/scene/scene.h"
 
 #include "sinew/scene/check.h"
+#include "sinew/scene/layout.h"
 #include "sinew/scene/read_images.h"
 #include "sinew/scene/reader.h"
 
@@ -71,6 +72,10 @@ std::optional<Opened> open_scene(Document& document, const ImageReader& reader) 
     if (reader) opened.images = read_images(opened, reader, document);
     if (!document.diagnostics.ok()) return std::nullopt;
     return opened;
+}
+
+Layout scene_layout() {
+    return layout_of<Scene>();
 }
 
 } // namespace sinew

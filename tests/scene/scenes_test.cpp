@@ -46,7 +46,7 @@ TEST(Scenes, EveryOneIsGoodInEveryMode) {
 }
 
 TEST(Scenes, EveryOneFollowsTheSchema) {
-    const SchemaCheck schema(schema_of(layout_of<Scene>(), "A scene of Sinew", true));
+    const SchemaCheck schema(schema_of(scene_layout(), "A scene of Sinew", true));
     for (const auto& file : scene_files()) {
         Diagnostics diagnostics;
         const auto document = json::parse(diagnostics.add_source(file.filename().string(), text_of(file)), diagnostics);
