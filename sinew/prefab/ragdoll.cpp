@@ -1,96 +1,36 @@
 #include "sinew/prefab/ragdoll.h"
 
-#include "sinew/prefab/body.h"
+#include "sinew/prefab/ragdoll_rigs.h"
 
 namespace sinew {
 namespace {
 
-// Places: the Roblox ragdoll, pixels. Shares, which count in physical mode only: the segments of the body after de Leva
-// 1996, each divided between the joints at its ends; the upper trunk's also to the neck, for a light joint between
-// heavy ones is what a blow crushes first.
-// clang-format off
-constexpr Joint joints[] = {
-    // name              x    y    share  radius
-    {"left_shoulder",  -10,   0,   9.2,      7},
-    {"right_shoulder",  10,   0,   9.2,      7},
-    {"left_hip",       -10,  40, 17.95,      7},
-    {"right_hip",       10,  40, 17.95,      7},
-    {"center",           0,   0,     0,      0, Rig::classic},
-    {"head_left",      -10, -30,     0,      0, Rig::classic},
-    {"head_right",      10, -30,     0,      0, Rig::classic},
-    {"left_elbow",     -45,   5,  2.45,      4},
-    {"right_elbow",     45,   5,  2.45,      4},
-    {"left_hand",      -70,  20,   1.1,      4},
-    {"right_hand",      70,  20,   1.1,      4},
-    {"left_knee",      -25,  80,  9.95,      5},
-    {"right_knee",      25,  80,  9.95,      5},
-    {"left_foot",      -20, 130,  2.85,      5},
-    {"right_foot",      20, 130,  2.85,      5},
-    {"neck",             0,   0,     7,      7, Rig::physical},
-    {"head",             0, -16,     6,     14, Rig::physical},
-};
-// clang-format on
-static_assert(shares_are_whole(joints, Rig::physical));
-
-constexpr double line = 7, tallness = 160;
-// Widths in physical mode.
+constexpr double tallness = 160;
+// Widths of flesh.
 constexpr double torso = 14, hip = 14, ankle = 8, shoulder = 10, elbow = 9, sleeve = 12, wrist = 6;
 constexpr double head_size = 29, hand_size = 9, foot_size = 12;
 
-// clang-format off
-constexpr Bone bones[] = {
-    // name                from              to                part     classic width  width
-    {"shoulders",        "left_shoulder",  "right_shoulder", "torso", line,                  0},
-    {"pelvis",           "left_hip",       "right_hip",      "torso", line,                  0},
-    {"left_side",        "left_shoulder",  "left_hip",       "torso", line,                  0},
-    {"right_side",       "right_shoulder", "right_hip",      "torso", line,                  0},
-    {"crown",            "head_left",      "head_right",     "head",  line,                  0, Rig::classic},
-    {"left_neck",        "left_shoulder",  "head_left",      "head",  line,                  0, Rig::classic},
-    {"right_neck",       "right_shoulder", "head_right",     "head",  line,                  0, Rig::classic},
-    {"left_upper_arm",   "left_shoulder",  "left_elbow",     "arm",   line,                  0},
-    {"left_forearm",     "left_elbow",     "left_hand",      "arm",   line,                0},
-    {"right_upper_arm",  "right_shoulder", "right_elbow",    "arm",   line,                  0},
-    {"right_forearm",    "right_elbow",    "right_hand",     "arm",   line,                0},
-    {"left_thigh",       "left_hip",       "left_knee",      "leg",   line,              0},
-    {"left_shin",        "left_knee",      "left_foot",      "leg",   line,             0},
-    {"right_thigh",      "right_hip",      "right_knee",     "leg",   line,              0},
-    {"right_shin",       "right_knee",     "right_foot",     "leg",   line,             0},
-    {"falling_beam",     "left_shoulder",  "right_hip",      "beam",             0,       0, Rig::classic},
-    {"rising_beam",      "right_shoulder", "left_hip",       "beam",             0,       0, Rig::classic},
-    {"left_head_beam",   "right_shoulder", "head_left",      "beam",             0,       0, Rig::classic},
-    {"right_head_beam",  "left_shoulder",  "head_right",     "beam",             0,       0, Rig::classic},
-    {"left_leg_beam",    "left_hip",       "left_foot",      "beam",             0,       0, Rig::classic},
-    {"right_leg_beam",   "right_hip",      "right_foot",     "beam",             0,       0, Rig::classic},
-    {"left_collar",      "neck",           "left_shoulder",  "torso",            0,       0, Rig::physical},
-    {"right_collar",     "neck",           "right_shoulder", "torso",            0,       0, Rig::physical},
-    {"left_spine",       "neck",           "left_hip",       "torso",            0,       0, Rig::physical},
-    {"right_spine",      "neck",           "right_hip",      "torso",            0,       0, Rig::physical},
-    {"neck",             "neck",           "head",           "head",             0,       0, Rig::physical},
-};
-// clang-format on
+// Turns that the joint limits of the plane and those of space allow. Up is away from the feet.
+constexpr std::array star{PoseTurn{"left_shoulder", -35}, PoseTurn{"right_shoulder", 35}, PoseTurn{"left_hip", -20},
+                          PoseTurn{"right_hip", 20}};
+constexpr std::array hands_up{PoseTurn{"left_shoulder", -90}, PoseTurn{"right_shoulder", 90}};
+constexpr std::array dancing{PoseTurn{"left_shoulder", -80}, PoseTurn{"right_shoulder", -30}, PoseTurn{"left_hip", -45},
+                             PoseTurn{"left_knee", 40}};
 
-// Knees point outwards and elbows up: the right side mirrors the left. Turns of the trunk are limited so that a blow
-// cannot leave it inside out: at rest they are 104 and 90 degrees, and the nod 14.
-// clang-format off
-constexpr Bend bends[] = {
-    // name              from              at                to             least  most
-    {"left_elbow",     "left_shoulder",  "left_elbow",     "left_hand",      0,  150, Rig::physical},
-    {"right_elbow",    "right_shoulder", "right_elbow",    "right_hand",  -150,    0, Rig::physical},
-    {"left_knee",      "left_hip",       "left_knee",      "left_foot",      0,  140, Rig::physical},
-    {"right_knee",     "right_hip",      "right_knee",     "right_foot",  -140,    0, Rig::physical},
-    {"left_hip",       "left_shoulder",  "left_hip",       "left_knee",   -120,   45, Rig::physical},
-    {"right_hip",      "right_shoulder", "right_hip",      "right_knee",   -45,  120, Rig::physical},
-    {"nod",            "left_hip",       "neck",           "head",         -21, 49, Rig::physical},
-    {"trunk",          "left_hip",       "right_hip",      "neck",          60,  150, Rig::physical},
-    {"left_shoulder",  "neck",           "left_shoulder",  "left_hip",      45,  135, Rig::physical},
-    {"right_shoulder", "neck",           "right_shoulder", "right_hip",   -135,  -45, Rig::physical},
-};
-// clang-format on
+std::span<const PoseTurn> turns_of(std::string_view pose) {
+    if (pose == "star") return star;
+    if (pose == "hands_up") return hands_up;
+    if (pose == "dancing") return dancing;
+    return {};
+}
 
-constexpr Body body{joints, bones, bends};
+double girth_of(std::string_view build) {
+    constexpr double slim = 0.8, heavy = 1.35;
+    return build == "slim" ? slim : build == "heavy" ? heavy : 1;
+}
 
 /// Flesh on the bones, back to front: legs, trunk, arms, head.
-template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double scale) {
+template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double scale, double girth) {
     const auto named = [&](std::initializer_list<std::string_view> names) {
         std::vector<ParticleId> particles;
         for (const auto name : names) particles.push_back(figure.named(name));
@@ -98,7 +38,7 @@ template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double sc
     };
     const auto limb = [&](std::string_view part, std::initializer_list<std::string_view> names, double from,
                           double to) {
-        figure.draw_tapered(Mark::stroke, part, named(names), scale * from, scale * to);
+        figure.draw_tapered(Mark::stroke, part, named(names), scale * girth * from, scale * girth * to);
     };
     for (const auto* foot : {"left_foot", "right_foot"})
         figure.draw(Mark::dot, "foot", named({foot}), scale * foot_size);
@@ -106,8 +46,8 @@ template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double sc
     limb("leg", {"right_hip", "right_knee", "right_foot"}, hip, ankle);
     const auto trunk = named({"left_shoulder", "right_shoulder", "right_hip", "left_hip"});
     figure.draw(Mark::fill, "torso", trunk);
-    figure.draw(Mark::loop, "torso", trunk, scale * torso);
-    figure.draw(Mark::stroke, "belt", named({"left_hip", "right_hip"}), scale * hip);
+    figure.draw(Mark::loop, "torso", trunk, scale * girth * torso);
+    figure.draw(Mark::stroke, "belt", named({"left_hip", "right_hip"}), scale * girth * hip);
     limb("arm", {"left_shoulder", "left_elbow", "left_hand"}, shoulder, wrist);
     limb("arm", {"right_shoulder", "right_elbow", "right_hand"}, shoulder, wrist);
     for (const auto* hand : {"left_hand", "right_hand"})
@@ -120,16 +60,19 @@ template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double sc
 } // namespace
 
 Sizes Ragdoll::sizes() const {
-    return body.sizes();
+    const auto flat = ragdoll_in_plane::body.sizes(), deep = ragdoll_in_space::body.sizes();
+    return {.particles = std::max(flat.particles, deep.particles),
+            .constraints = std::max(flat.constraints, deep.constraints)};
 }
 
 template <int D, class Real> void Ragdoll::build(Builder<D, Real>& figure) const {
-    const double scale = height / tallness;
-    build_body(figure, body, scale, mass);
-    if (figure.mode() == Mode::physical) draw_flesh(figure, scale);
+    const double scale = height / tallness, girth = girth_of(stature);
+    const bool classic = figure.mode() == Mode::classic;
+    build_body(figure, D == 2 ? ragdoll_in_plane::body : ragdoll_in_space::body, scale, mass, turns_of(pose));
+    if (D == 3 || !classic) draw_flesh(figure, scale, girth);
 }
 
-template void Ragdoll::build(Builder<2, float>&) const;
-template void Ragdoll::build(Builder<2, double>&) const;
+#define SINEW_RAGDOLL(D, Real) template void Ragdoll::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE(SINEW_RAGDOLL)
 
 } // namespace sinew

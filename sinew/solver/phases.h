@@ -25,7 +25,8 @@ template <int D, class Real> void quarantine_non_finite(World<D, Real>& world);
 /// quarantine.cpp: what is finite but beyond the stated limits is held at them.
 template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 
-/// tear.cpp: removes constraints strained beyond their breaking point for longer than they bear, after a step of dt.
+/// tear.cpp: removes constraints strained beyond their breaking point for longer than they bear, after a step of dt;
+/// with a distance goes what both of its ends belong to.
 template <int D, class Real> void tear(World<D, Real>& world, Real dt);
 
 /// block_step.cpp: moves every block over a step; tensions are told as multipliers of a substep of that length.

@@ -23,8 +23,8 @@ void erase_constraints(World<D, Real>& world, Table& table, int kind, std::span<
     world.blocks.stale = true;
     erase_from_sweep(world.sweep, kind, gone);
     table.members.erase(gone);
-    erase_rows(table, gone);
     table.slots.erase(gone);
+    erase_rows(table, gone); // last: `gone` may be the table's own column of the torn, which ends with this
 }
 
 template <int D, class Real> void erase_pins(World<D, Real>& world, std::span<const char> gone) {

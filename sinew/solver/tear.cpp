@@ -2,6 +2,8 @@
 #include "sinew/solver/project.h"
 #include "sinew/solver/remove.h"
 
+#include <algorithm>
+
 namespace sinew {
 namespace {
 
@@ -21,30 +23,50 @@ template <class Table, class Real> bool wears_out(Table& table, Row row, Real st
     return table.fatigue[row] > table.toughness[row];
 }
 
+/// Whether both ends of a distance that tore in this step are among these particles.
+template <int D, class Real> bool lost_a_link(const World<D, Real>& world, std::span<const Row> members) {
+    return std::any_of(world.events.begin(), world.events.end(), [&](const Event& event) {
+        return event.type == EventType::torn && event.constraint.kind == kind_number<Distance, D> &&
+               std::all_of(event.ends.begin(), event.ends.end(), [&](ParticleId end) {
+                   const auto row = world.particles.slots.find(end);
+                   return row && std::find(members.begin(), members.end(), *row) != members.end();
+               });
+    });
+}
+
+template <class Table, int D, class Real> bool tears(World<D, Real>& world, Table& table, Row row, Real dt) {
+    if (table.breaking_strain[row] >= limit::measure<Real> || world.events.size() >= events_per_step) return false;
+    const Real beyond = absolute(strain_of(world, table, row)) - table.breaking_strain[row];
+    return beyond > Real(0) && wears_out(table, row, beyond * dt);
+}
+
+template <class Table, int D, class Real> void report(World<D, Real>& world, const Table& table, int kind, Row row) {
+    const auto members = table.members[row];
+    const auto& slots = world.particles.slots;
+    world.events.push_back({.type = EventType::torn,
+                            .figure = table.figure[row],
+                            .constraint = {kind, table.slots.id_of(row)},
+                            .ends = {slots.id_of(members.front()), slots.id_of(members.back())}});
+}
+
 } // namespace
 
 template <int D, class Real> void tear(World<D, Real>& world, Real dt) {
-    bool any = false;
+    static_assert(kind_number<Distance, D> == 0, "what hangs on a distance is looked at after it");
+    bool any_link = false, any = false;
     int kind = 0;
     for_each_table(world, [&](auto& table) {
         bool torn = false;
         for (Row row = 0; row < table.size(); ++row) {
-            if (table.breaking_strain[row] >= limit::measure<Real> || world.events.size() >= events_per_step) continue;
-            const Real beyond = absolute(strain_of(world, table, row)) - table.breaking_strain[row];
-            if (!(beyond > Real(0)) || !wears_out(table, row, beyond * dt)) continue;
-            const ConstraintId id{kind, table.slots.id_of(row)};
-            const auto members = table.members[row];
+            const bool hangs = kind > 0 && any_link && lost_a_link(world, table.members[row]);
+            if (!hangs && !tears(world, table, row, dt)) continue;
+            if (!hangs) report(world, table, kind, row);
             table.torn[row] = 1;
             torn = true;
-            world.events.push_back(
-                {.type = EventType::torn,
-                 .figure = table.figure[row],
-                 .constraint = id,
-                 .ends = {world.particles.slots.id_of(members.front()), world.particles.slots.id_of(members.back())}});
         }
         if (torn) detail::erase_constraints(world, table, kind, table.torn);
         any = any || torn;
-        ++kind;
+        if (kind++ == 0) any_link = torn;
     });
     if (any) detail::forget_the_dead(world);
 }

@@ -125,7 +125,7 @@ template <class KindT, class Real> struct Constraints {
     std::vector<Real> fatigue;         ///< what it has borne of it
     std::vector<Real> multiplier;      ///< of the last substep; tension = -multiplier / h^2
     std::vector<FigureIndex> figure;
-    std::vector<char> torn; ///< scratch: to be removed when the step ends
+    std::vector<char> torn; ///< scratch: to be removed when the step ends; the last of the columns (remove.h)
     Slots<ConstraintTag> slots;
 
     std::size_t size() const { return low.size(); }

@@ -156,8 +156,8 @@ TEST(EveryPrefab, IsFoundByItsName) {
 
 TEST(EveryPrefab, IsRefusedInADimensionItDoesNotExistIn) {
     World<3, double> world;
-    EXPECT_EQ(problem_of(Ragdoll{}, 3), "there is no ragdoll in 3 dimensions");
-    EXPECT_EQ(build(world, AnyPrefab(Ragdoll{}), "bob"), std::nullopt);
+    EXPECT_EQ(problem_of(StickFigure{}, 3), "there is no stick_figure in 3 dimensions");
+    EXPECT_EQ(build(world, AnyPrefab(StickFigure{}), "bob"), std::nullopt);
     EXPECT_TRUE(world.figures.empty());
     EXPECT_EQ(build(world, AnyPrefab(Rope{}), "rope"), FigureIndex(0));
 }

@@ -234,5 +234,53 @@ TEST(Ragdoll, InFloatNeverStaysInvertedEither) {
     recovers(throw_crowd<float>(few_or_many(10, 1000), 50, 5, 8));
 }
 
+TEST(Ragdoll, HoldsItsPosesInBothDimensionsWithoutStrain) {
+    for (const auto pose : Ragdoll::poses) {
+        const Ragdoll ragdoll{.pose = std::string(pose)};
+        const auto flat = make<2, double>(ragdoll);
+        const auto deep = make<3, double>(ragdoll);
+        for (const auto& id : flat.figure().constraints)
+            EXPECT_LT(std::abs(constraint_state(flat.world, id)->error), 1e-9) << pose;
+        for (const auto& id : deep.figure().constraints)
+            EXPECT_LT(std::abs(constraint_state(deep.world, id)->error), 1e-9) << pose;
+        EXPECT_EQ(pose == "hands_up", flat.place("right_hand")[1] > 0.5) << pose;
+        const double aside = deep.place("left_foot")[0] + deep.place("right_foot")[0];
+        EXPECT_EQ(pose == "dancing", std::abs(aside) > 0.1) << pose;
+    }
+}
+
+TEST(Ragdoll, IsAsBroadAsItsBuildAndNoHeavier) {
+    const auto slim = make(Ragdoll{.stature = "slim"}), heavy = make(Ragdoll{.stature = "heavy"});
+    EXPECT_EQ(whole_mass(slim.world), whole_mass(heavy.world));
+    EXPECT_EQ(slim.place("left_foot"), heavy.place("left_foot"));
+    const auto& thin = slim.figure().pieces;
+    const auto& thick = heavy.figure().pieces;
+    double more = 0;
+    for (std::size_t i = 0; i < thin.size(); ++i) more = std::max(more, thick[i].width - thin[i].width);
+    EXPECT_GT(more, 0.05);
+}
+
+/// In space: thrown against the floor and the walls of a room, it comes to rest whole, and its knees have not turned.
+TEST(Ragdoll, InSpaceStaysWholeAndItsKneesBendBackwardsOnly) {
+    for (int seed = 0; seed < few_or_many(5, 100); ++seed) {
+        auto made = make<3, double>(Ragdoll{}, Mode::physical, {.at = {{0, 2, 0}}, .turn = 1.3 * seed, .up = 1});
+        made.world.forces.push_back(Gravity<3, double>{{{0, -9.81, 0}}});
+        for (const auto& [normal, offset] : std::initializer_list<std::pair<Vec<3, double>, double>>{
+                 {{{0, 1, 0}}, 0}, {{{1, 0, 0}}, -3}, {{{-1, 0, 0}}, -3}, {{{0, 0, 1}}, -3}, {{{0, 0, -1}}, -3}})
+            made.world.bounds.push_back({normal, offset, 0.3, 0.5});
+        const Vec<3, double> velocity{{10 * cosine(1.7 * seed), 3, 10 * sine(1.7 * seed)}};
+        for (const auto id : made.figure().particles) set_velocity(made.world, id, velocity);
+        for (int frame = 0; frame < 300; ++frame) step(made.world, 1.0 / 60);
+        for (const auto& id : made.figure().constraints)
+            if (id.kind == kind_number<Distance, 3>) {
+                EXPECT_LT(std::abs(constraint_state(made.world, id)->strain), 0.01) << "seed " << seed;
+            }
+        for (const auto* knee : {"left_knee", "right_knee"}) {
+            const double whole = 0.18 * 0.42 * 0.86 / 6; // of the pelvis, the thigh and the leg
+            EXPECT_GT(made.constraint(knee).measure, -0.02 * whole) << knee << ", seed " << seed;
+        }
+    }
+}
+
 } // namespace
 } // namespace sinew

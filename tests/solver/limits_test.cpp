@@ -197,6 +197,55 @@ TYPED_TEST(Limited, ATornLinkIsReportedOnceAndGone) {
     EXPECT_EQ(energy(pair.world).stored, 0);
 }
 
+TYPED_TEST(Limited, IdsStayWithTheirLinksWhereOthersTear) {
+    using World = typename TypeParam::World;
+    using Vector = typename TypeParam::Vector;
+    using Real = typename TypeParam::Real;
+    World world;
+    std::vector<ConstraintId> ids;
+    for (int i = 0; i < 7; ++i) {
+        const bool weak = i == 1 || i == 4;
+        const auto a = add_particle(world, {.position = at<Vector>(0, 3 * i)}),
+                   b = add_particle(world, {.position = at<Vector>(1 + i, 3 * i)});
+        ids.push_back(*add<Distance>(
+            world, {a, b},
+            {.limits = exactly(Real(weak ? 0.5 : 1 + i)), .breaking_strain = weak ? Real(0.1) : Real(1e9)}));
+        pin(world, a);
+        pin(world, b);
+    }
+    step(world, Real(1e-3));
+    EXPECT_EQ(world.events.size(), 2U);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto state = constraint_state(world, ids[i]);
+        ASSERT_EQ(state.has_value(), i != 1 && i != 4) << i;
+        EXPECT_NEAR(state ? state->measure : double(1 + i), double(1 + i), 1e-5);
+    }
+}
+
+// A row of five whose second link tears: the turns at either end of it go with it, and nothing joins the halves.
+TYPED_TEST(Limited, WithATornLinkGoWhatBothItsEndsBelongTo) {
+    using World = typename TypeParam::World;
+    using Vector = typename TypeParam::Vector;
+    using Real = typename TypeParam::Real;
+    World world;
+    std::vector<ParticleId> p;
+    for (int i = 0; i < 5; ++i) p.push_back(add_particle(world, {.position = at<Vector>(i, i == 2 ? 0.1 : 0)}));
+    for (std::size_t i = 0; i + 1 < p.size(); ++i)
+        add<Distance>(world, {p[i], p[i + 1]}, {.breaking_strain = i == 1 ? Real(0.1) : Real(1e9)});
+    const auto before = add<Angle>(world, {p[0], p[1], p[2]}), across = add<Angle>(world, {p[1], p[2], p[3]}),
+               beyond = add<Angle>(world, {p[2], p[3], p[4]});
+    set_position(world, p[0], at<Vector>(-1, 0));
+    set_position(world, p[1], at<Vector>(0, 0)); // a whole length too far, at once
+    pin(world, p[1]);
+    pin(world, p[2]);
+    step(world, Real(1e-3));
+    ASSERT_EQ(world.events.size(), 1U);
+    EXPECT_EQ(world.events[0].ends, (std::array{p[1], p[2]}));
+    EXPECT_FALSE(constraint_state(world, *before));
+    EXPECT_FALSE(constraint_state(world, *across));
+    EXPECT_TRUE(constraint_state(world, *beyond));
+}
+
 // Held at twice its length it is strained by 1, 0.6 beyond its breaking strain: 0.5 s are more than 0.3, 0.48 s not.
 TYPED_TEST(Limited, AToughLinkTearsAfterStrainTimesTime) {
     Pair<TypeParam> pair;
