@@ -5,6 +5,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/json_line.h"
 #include "apps/cli/report_text.h"
+#include "apps/cli/rope_cases.h"
 #include "apps/cli/stepping.h"
 #include "canvas/interrupt.h"
 #include "canvas/progress.h"
@@ -17,33 +18,27 @@
 namespace sinew::cli {
 namespace {
 
-/// A rope of 10 m with a weight on its end, each link of 1 kg, for some seconds at 60 Hz and the default settings.
-struct RopeCase {
-    int links = 0;
-    double weight = 0; ///< in links
-    std::string start; ///< hang or level
-    std::string precision;
-};
-
 struct RopeResult {
     double milliseconds = 0; ///< median of a step
     double stretch = 0;      ///< the largest of any link after any step, as a fraction
+    double outside = 0;      ///< the most an angle was outside its limits after any step, degrees
     double gain = 0;         ///< the most energy above that at the start, as a fraction of all weight times the length
 };
 
-constexpr double rope_length = 10, gravity = 9.81;
+/// How far the worst angle is outside its limits, degrees.
+template <class Real> double worst_angle(const World<2, Real>& world) {
+    double worst = 0;
+    const auto& angles = std::get<kind_number<Angle, 2>>(world.constraints);
+    for (Row row = 0; row < angles.size(); ++row)
+        worst =
+            std::max(worst, std::abs(constraint_state(world, {kind_number<Angle, 2>, angles.slots.id_of(row)})->error));
+    return worst * 180 / pi<double>;
+}
 
 template <class Real> RopeResult run_rope(const RopeCase& rope, double seconds, canvas::Progress& progress) {
-    World<2, Real> world;
-    world.forces.push_back(Gravity<2, Real>{{{0, Real(-gravity)}}});
-    build(world,
-          Rope{.length = rope_length,
-               .segments = rope.links,
-               .angle = rope.start == "level" ? pi<double> / 2 : 0,
-               .mass = double(rope.links),
-               .weight = rope.weight},
-          "rope");
-    const double begun = energy(world).total(), scale = (rope.links + rope.weight) * gravity * rope_length;
+    double scale = 0;
+    auto world = world_of<Real>(rope, scale);
+    const double begun = energy(world).total();
     RopeResult result;
     std::vector<double> times;
     const auto steps = std::size_t(std::round(seconds * 60));
@@ -52,6 +47,7 @@ template <class Real> RopeResult run_rope(const RopeCase& rope, double seconds, 
         const auto before = std::chrono::steady_clock::now();
         step(world, Real(1.0 / 60));
         times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+        result.outside = std::max(result.outside, worst_angle(world));
         result.stretch = std::max(result.stretch, stretch(world).max);
         result.gain = std::max(result.gain, (energy(world).total() - begun) / scale);
         progress.update(i + 1);
@@ -64,7 +60,7 @@ template <class Real> RopeResult run_rope(const RopeCase& rope, double seconds, 
 }
 
 json::Object in_json(const RopeCase& rope, const RopeResult& result) {
-    return {{"case", "rope"},
+    return {{"case", rope.name},
             {"links", rope.links},
             {"weight", rope.weight},
             {"start", rope.start},
@@ -72,16 +68,19 @@ json::Object in_json(const RopeCase& rope, const RopeResult& result) {
             {"precision", rope.precision},
             {"ms_per_step", result.milliseconds},
             {"stretch_max", result.stretch},
+            {"outside_limits", result.outside},
             {"energy_gain", result.gain}};
 }
 
 std::vector<std::string> in_row(const RopeCase& rope, const RopeResult& result) {
-    return {fmt::format("{}", rope.links),
+    return {rope.name,
+            fmt::format("{}", rope.links),
             fmt::format("{:g}", rope.weight),
             rope.start,
             rope.precision,
             fmt::format("{:.4f}", result.milliseconds),
             fmt::format("{:.2g} %", 100 * result.stretch),
+            fmt::format("{:.2g}", result.outside),
             fmt::format("{:.2g} %", 100 * result.gain)};
 }
 
@@ -89,14 +88,16 @@ class BenchCommand final : public Command {
     Manual manual() const override {
         return {
             .name = "bench",
-            .usage = "rope [--links N] [--weight W] [--start hang|level] [--precision P] [--json]",
+            .usage = "rope [--case C] [--links N] [--weight W] [--start hang|level] [--precision P] [--json]",
             .about = "measures how well and how fast the engine is",
             .details =
                 "rope: 10 m of rope, each link 1 kg, a weight on the end, 5 s at 60 steps a second and the\n"
                 "default settings. Told are the median time of a step on one core, the stretch of the worst link\n"
                 "after any step, and the most energy it ever gained, as a part of its weight times its length.\n"
                 "With --json one line a case: case, links, weight, start, threads, precision, ms_per_step,\n"
-                "stretch_max, energy_gain (fractions).\n",
+                "stretch_max, energy_gain (fractions), outside_limits (the worst angle, in degrees).\n"
+                "Cases: rope; " +
+                in_words() + ".\n",
             .examples = "sinew bench rope\n"
                         "sinew bench rope --links 100 --weight 100000 --start level --json\n",
         };
@@ -104,6 +105,7 @@ class BenchCommand final : public Command {
 
     void declare(CLI::App& parser) override {
         declare_words(parser, words);
+        declare_text(parser, "--case", only, "C", "one case; else all");
         declare_number(parser, "--links", links, {1, 1e6}, "N", "how many links; else 10, 100 and 1000");
         declare_number(parser, "--weight", weight, {0, 1e9}, "W",
                        "mass on the end, in links; else 1, 100, 1000 and 100000");
@@ -116,15 +118,19 @@ class BenchCommand final : public Command {
     int run() override {
         if (words.plain.size() != 1 || words.plain[0] != "rope" || !words.overrides.empty())
             misused("bench: what is measured?", "sinew bench rope");
+        if (!only.empty() && only != "rope" &&
+            std::ranges::find(rope_cases, only, &RopeExample::name) == rope_cases.end())
+            misused(fmt::format("bench: there is no case {}", only), "sinew bench --help");
         check_word("--start", start, {"hang", "level"});
         check_word("--precision", precision, {"float", "double"});
         canvas::catch_interrupts();
         std::vector<std::vector<std::string>> rows{
-            {"links", "weight", "start", "precision", "ms a step", "stretch", "energy gain"}};
+            {"case", "links", "weight", "start", "precision", "ms a step", "stretch", "degrees", "energy gain"}};
         for (const auto& rope : cases()) {
             const double whole = seconds.value_or(5);
-            canvas::Progress progress(fmt::format("{} links, weight {:g}, {}", rope.links, rope.weight, rope.start),
-                                      std::size_t(std::round(whole * 60)));
+            canvas::Progress progress(
+                fmt::format("{}, {} links, weight {:g}, {}", rope.name, rope.links, rope.weight, rope.start),
+                std::size_t(std::round(whole * 60)));
             const auto result = rope.precision == "float" ? run_rope<float>(rope, whole, progress)
                                                           : run_rope<double>(rope, whole, progress);
             if (as_json)
@@ -141,8 +147,16 @@ class BenchCommand final : public Command {
             misused(fmt::format("bench: {} is {} or {}, found {}", option, allowed[0], allowed[1], word));
     }
 
+    static std::string in_words() {
+        std::string text;
+        for (const auto& example : rope_cases)
+            text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", example.name, example.about);
+        return text;
+    }
+
     std::vector<RopeCase> cases() const {
         std::vector<RopeCase> all;
+        const std::string real = precision.empty() ? "double" : precision;
         const auto some = [](const std::optional<double>& one, std::initializer_list<double> usual) {
             return one ? std::vector{*one} : std::vector(usual);
         };
@@ -150,13 +164,18 @@ class BenchCommand final : public Command {
             for (const double w : some(weight, {1, 100, 1000, 100000}))
                 for (const std::string s : {"hang", "level"})
                     if (start.empty() || start == s)
-                        all.push_back({int(n), w, s, precision.empty() ? "double" : precision});
+                        if (only.empty() || only == "rope") all.push_back({"rope", int(n), w, s, real});
+        const bool chosen = links || weight || !start.empty();
+        for (const auto& example : rope_cases)
+            if (only == example.name || (only.empty() && !chosen))
+                all.push_back({std::string(example.name), int(links.value_or(example.links)),
+                               weight.value_or(example.weight), std::string(example.start), real});
         return all;
     }
 
     Words words;
     std::optional<double> links, weight, seconds;
-    std::string start, precision;
+    std::string only, start, precision;
     bool as_json = false;
 };
 

@@ -4,6 +4,7 @@
 #include "sinew/constraint/area.h"
 #include "sinew/constraint/dihedral.h"
 #include "sinew/constraint/distance.h"
+#include "sinew/constraint/pulley.h"
 #include "sinew/constraint/rail.h"
 #include "sinew/constraint/volume.h"
 
@@ -39,8 +40,9 @@ template <int D, class... Chosen, class Kind, class... Rest> struct InDimension<
 
 /// The list of constraint kinds. A new kind is one new file and one word here.
 template <int D>
-using Kinds = typename detail::InDimension<D, TypeList<>, //
-                                           Distance<D>, Angle<D>, Area<D>, Volume<D>, Dihedral<D>, Rail<D>>::type;
+using Kinds =
+    typename detail::InDimension<D, TypeList<>, //
+                                 Distance<D>, Angle<D>, Area<D>, Volume<D>, Dihedral<D>, Pulley<D>, Rail<D>>::type;
 
 /// Where a kind stands in the list of its dimension: kind_number<Distance, 2>.
 template <template <int> class Kind, int D> inline constexpr int kind_number = Kinds<D>::template index_of<Kind<D>>;

@@ -164,11 +164,15 @@ class ValueCheck {
             document_.error(place + "/low", fmt::format("low ({}) is above high ({})", *section.low, *section.high));
         const auto size = section.between.size();
         const auto wanted = arity(section.kind);
-        if (section.kind == "area" ? size < 3 : size != wanted)
-            document_.error(between,
-                            fmt::format("{} {} needs {}{} particles, found {}",
-                                        section.kind == "angle" || section.kind == "area" ? "an" : "a", section.kind,
-                                        section.kind == "area" ? "at least " : "", wanted, size));
+        const bool any = section.kind == "area" || section.kind == "pulley";
+        if (any ? size < wanted : size != wanted)
+            document_.error(between, fmt::format("{} {} needs {}{} particles, found {}",
+                                                 section.kind == "angle" || section.kind == "area" ? "an" : "a",
+                                                 section.kind, any ? "at least " : "", wanted, size));
+        if (section.lead > 0 && section.compliance == 0)
+            document_.error(place + "/lead",
+                            "only a constraint with a compliance has a lead: a rigid one has nothing to damp");
+        if (section.drive) keys(section.drive->keys, place + "/drive/keys");
         if (std::ranges::count_if(section.between, [](const auto& name) { return name.ends_with('*'); }) > 1)
             document_.error(between, "one of the names can end in a star, not more");
         std::set<std::string_view> seen;
@@ -194,7 +198,7 @@ class ValueCheck {
                                 "a name such as tomato or teal, ink or paper, #rgb, #rrggbb, #rrggbbaa or none");
     }
 
-    void keys(const std::vector<Keyframe>& keys, const std::string& place) {
+    template <class Key> void keys(const std::vector<Key>& keys, const std::string& place) {
         for (std::size_t i = 1; i < keys.size(); ++i)
             if (keys[i].at <= keys[i - 1].at)
                 document_.error(

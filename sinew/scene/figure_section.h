@@ -14,8 +14,40 @@
 /// What there is in a scene: its figures, and what joins and holds them.
 namespace sinew {
 
-inline constexpr std::array<std::string_view, 6> kind_names = {"distance", "angle",    "area",
-                                                               "volume",   "dihedral", "rail"};
+inline constexpr std::array<std::string_view, 7> kind_names = {"distance", "angle",  "area", "volume",
+                                                               "dihedral", "pulley", "rail"};
+
+/// What moves the limits of a constraint: "drive". Of a distance it is a winch, of an angle a motor.
+struct DriveKey {
+    double at = 0;
+    std::optional<double> to, strength;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.at,
+              Field{.name = "at", .help = "When", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
+        visit(self.to,
+              Field{.name = "to", .help = "From then on it goes to this rest, or high limit, and stops there"});
+        visit(self.strength, Field{.name = "strength",
+                                   .help = "Share of its max_force that it has then, and more or less of it on the way "
+                                           "to the next key that tells",
+                                   .low = 0,
+                                   .high = 1000});
+    }
+};
+
+struct DriveSection {
+    double speed = 0;
+    std::vector<DriveKey> keys;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.speed, Field{.name = "speed",
+                                .help = "Of its limits, a length (or degrees) a time unit; without keys it goes on for "
+                                        "ever, in if it is negative",
+                                .low = -1e9,
+                                .high = 1e9});
+        visit(self.keys, Field{.name = "keys", .help = "Where it goes when, in the order of time"});
+    }
+};
 
 struct ConstraintSection {
     std::string kind = "distance";
@@ -24,6 +56,9 @@ struct ConstraintSection {
     std::optional<double> rest, low, high;
     double compliance = 0;
     std::optional<double> relaxation, split;
+    double max_force = 0;
+    double lead = 0;
+    std::optional<DriveSection> drive;
     double breaking_strain = 0;
     double toughness = 0;
     bool hidden = false;
@@ -49,6 +84,18 @@ struct ConstraintSection {
                                 .help = "Share of the correction the first particle takes: 0.5 is fair",
                                 .low = 0,
                                 .high = 1});
+        visit(self.max_force, Field{.name = "max_force",
+                                    .help = "Most it pulls or pushes with; beyond, a length slips and an angle gives "
+                                            "way. Of an angle a torque; 0 means no limit",
+                                    .low = 0,
+                                    .high = 1e15});
+        visit(self.lead, Field{.name = "lead",
+                               .help = "Of one with a compliance: it aims where its measure will be so much later, "
+                                       "which damps it",
+                               .unit = unit::time,
+                               .low = 0,
+                               .high = 1e6});
+        visit(self.drive, Field{.name = "drive", .help = "A winch or motor that moves its limits"});
         visit(self.breaking_strain,
               Field{.name = "breaking_strain", .help = "Torn beyond it; 0 never tears", .low = 0, .high = 1e6});
         visit(self.toughness, toughness_field);
@@ -139,6 +186,7 @@ struct FigureSection {
     Point velocity{};
     std::vector<std::pair<std::string, Point>> kicks;
     std::optional<double> relaxation, split;
+    std::string direct;
     std::vector<std::pair<std::string, Look>> looks;
     detail::WithByHand<Prefabs>::type made; ///< a prefab with its parameters, or by hand
 
@@ -155,6 +203,9 @@ struct FigureSection {
               Field{.name = "kicks", .help = "More velocity for single particles, by name", .unit = unit::speed});
         visit(self.relaxation, Field{.name = "relaxation", .help = "Of all its constraints", .low = 0, .high = 1});
         visit(self.split, Field{.name = "split", .help = "Of all its constraints", .low = 0, .high = 1});
+        visit(self.direct, Field{.name = "direct",
+                                 .help = "As solver.direct, for what this figure is part of; left out: as there",
+                                 .choices = direct_names});
         visit(self.looks, Field{.name = "looks", .help = "How its parts look, by part; \"all\" for the whole"});
         visit(self.made, Field{.name = "prefab", .help = "What it is; left out: by_hand"});
     }

@@ -111,6 +111,7 @@ template <int D, class Real> class Maker {
         const auto name = name_of(section);
         FigureIndex figure = no_figure;
         detail::visit_held(section.made, [&](const auto& made) { figure = build_figure(made, name, section); });
+        world_.figures[figure].direct = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
         for (const auto id : world_.figures[figure].particles) speed_up(id, section.velocity);
         for (const auto& [particle, kick] : section.kicks)
             if (const auto id = find_particle(world_, std::string(name) + "/" + particle)) speed_up(*id, kick);
@@ -118,6 +119,10 @@ template <int D, class Real> class Maker {
             figure, section.relaxation, [](auto& table) -> auto& { return table.relaxation; });
         override_column(
             figure, section.split, [](auto& table) -> auto& { return table.split; });
+    }
+
+    static Direct direct(std::string_view name) {
+        return Direct(std::find(direct_names.begin(), direct_names.end(), name) - direct_names.begin());
     }
 
     void speed_up(ParticleId id, const Point& velocity) {

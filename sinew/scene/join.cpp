@@ -34,6 +34,8 @@ void join_members(World<D, Real>& world, const ConstraintSection& section, Figur
                                     .compliance = Real(section.compliance),
                                     .relaxation = Real(section.relaxation.value_or(1)),
                                     .split = Real(section.split.value_or(0.5)),
+                                    .max_force = section.max_force > 0 ? Real(section.max_force) : limit::measure<Real>,
+                                    .lead = Real(section.lead),
                                     .breaking_strain = Real(tears_beyond(section.breaking_strain)),
                                     .toughness = Real(section.toughness),
                                     .figure = figure};
@@ -42,7 +44,7 @@ void join_members(World<D, Real>& world, const ConstraintSection& section, Figur
     auto& built = world.figures[figure];
     built.constraints.push_back(*id);
     if (!section.name.empty()) built.constraint_names.emplace_back(section.name, *id);
-    const bool line = section.kind == "distance";
+    const bool line = section.kind == "distance" || section.kind == "pulley";
     if (line || section.kind == "area")
         built.pieces.push_back({.mark = line ? Mark::stroke : Mark::fill,
                                 .part = section.name.empty() ? (line ? "line" : "area") : section.name,

@@ -2,6 +2,7 @@
 
 #include "sinew/math/point.h"
 #include "sinew/math/record.h"
+#include "sinew/solver/figure.h"
 
 #include <array>
 #include <cstdint>
@@ -232,6 +233,7 @@ struct SolverSection {
     double rate = 60;
     int passes = 1;
     RulesSection rules;
+    std::string direct = "auto";
     std::int64_t seed = 0;
 
     static constexpr std::array<std::string_view, 2> modes = {"physical", "classic"};
@@ -252,6 +254,11 @@ struct SolverSection {
                                      .help = "Sweeps over the constraints in each substep (physical mode)",
                                      .low = 1,
                                      .high = 1000});
+        visit(self.direct, Field{.name = "direct",
+                                 .help = "Whether what hangs together by distances, angles and pulleys is solved at "
+                                         "once: auto where it has few loops; on as long as that stays sparse; off "
+                                         "sweeps over it",
+                                 .choices = direct_names});
         visit(self.rate, Field{.name = "rate", .help = "Steps a second", .low = 1, .high = 10000});
         visit(self.passes, Field{.name = "passes",
                                  .help = "Sweeps over the constraints each frame (classic mode)",

@@ -62,6 +62,7 @@ void Session::step() {
     happen_now();
     still_gusts();
     drive();
+    winder_.run(scene_, world_);
     carry_held();
     if (hand_) hand_->carry(world_);
     std::visit([&]<class WorldT>(WorldT& world) { sinew::step(world, typename WorldT::Real(dt)); }, world_);
@@ -174,6 +175,7 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
 
 /// The scene's pins are the last that were made, in its order; one whose name ends in a star stands for many.
 void Session::find_driven() {
+    winder_.find(scene_, world_);
     driven_.clear();
     std::visit(
         [&]<class WorldT>(WorldT& world) {

@@ -5,6 +5,7 @@
 #include "sinew/session/hand.h"
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
+#include "sinew/session/winder.h"
 
 #include <array>
 #include <cstddef>
@@ -149,6 +150,7 @@ class Session {
     std::array<Point, 2> focus_; ///< two corners around what the scene shows at its start
     std::vector<Due> due_;       ///< a heap
     std::vector<Driven> driven_;
+    Winder winder_;
     std::optional<Point> pointer_;
     std::optional<Hand> hand_;
     bool taken_over_ = false; ///< by a pointer: the scene's own hand keeps away until a restart

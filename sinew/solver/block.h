@@ -41,6 +41,42 @@ struct BlockLimit {
     bool one_sided() const { return low < high; }
 };
 
+/// Of a limit that is driven, or gives way.
+struct BlockDrive {
+    double most = 1e300;                  ///< it pulls or pushes with
+    double lead = 0, rate = 0;            ///< of a damper; of the limits
+    double low_begun = 0, high_begun = 0; ///< the limits when the step began
+    bool driven = false;
+    bool slips = false; ///< in this iteration
+    int doubts = 0;     ///< how often it changed its mind about that in this substep
+
+    bool gives() const { return most < 1e25; }
+    /// A force as it is tried in an iteration, by one that pulls so far: from one end of what it can do it does not go
+    /// straight to the other.
+    double held(double force, double tension, bool pulls_only) {
+        const bool turns = (pulls_only && force < 0) || (force * tension < 0 && absolute(tension) >= most);
+        const bool should = !turns && absolute(force) > most;
+        constexpr int most_doubts = 4; // then it stays as it is
+        if (should != slips && doubts++ < most_doubts) slips = should;
+        if (!slips) return force;
+        return absolute(force) > most && !turns ? clamp(force, -most, most) : clamp(tension, -most, most);
+    }
+};
+
+/// A way over several nodes: a pulley; or a distance that is driven or gives way.
+struct BlockWay : BlockLimit, BlockDrive {
+    bool is_pulley = false;
+    std::uint32_t first = 0, nodes = 0; ///< of way_nodes
+    std::uint32_t first_entry = 0;      ///< of way_entries: of each pair of its nodes
+    double length = 0;                  ///< at the places of this iteration
+};
+template <int D> struct BlockWayNode {
+    std::uint32_t node = 0;
+    Vec<D, double> start{};    ///< the leg to the next one, when the substep began
+    Vec<D, double> gradient{}; ///< of the length
+    Vec<D, double> along{};    ///< where it is pulled
+};
+
 /// A distance between two nodes.
 template <int D> struct BlockLink : BlockLimit {
     std::uint32_t a = 0, b = 0; ///< nodes
@@ -51,7 +87,8 @@ template <int D> struct BlockLink : BlockLimit {
 };
 
 /// An angle at the middle one of three nodes.
-template <int D> struct BlockBend : BlockLimit {
+template <int D> struct BlockBend : BlockLimit, BlockDrive {
+    double begun = 0; ///< the angle when the substep began
     std::array<std::uint32_t, 3> nodes{};
     std::array<std::uint32_t, 3> entries{}; ///< of the pairs 0 1, 1 2, 2 0
     std::array<Vec<D, double>, 3> gradient{};
@@ -68,6 +105,8 @@ struct Block {
     std::uint32_t first_node = 0, unknowns = 0, nodes = 0;
     std::uint32_t first_link = 0, links = 0;
     std::uint32_t first_bend = 0, bends = 0;
+    std::uint32_t first_way = 0, ways = 0;
+    bool motored = false; ///< its limits may do work
 };
 
 /// Rows [first, last) of a table.
@@ -113,9 +152,11 @@ struct BlockRoom {
     struct About {
         std::uint32_t particles = 0, links = 0, inner_links = 0;
         bool suits = true;
+        bool wanted = false; ///< however many loops it has
     };
     std::vector<About> about; ///< by the island's first particle
-    std::vector<Row> node_of, first_link, link_at, first_bend, bend_at, members, first_member, cursor;
+    std::vector<Row> node_of, first_link, link_at, first_bend, bend_at, first_way, way_at, members, first_member,
+        cursor;
 };
 
 /// All of it follows from the rest of the world: a copy begins without, and looks again.
@@ -126,6 +167,9 @@ template <int D> struct Blocks {
     std::vector<BlockNode<D>> nodes;
     std::vector<BlockLink<D>> links;
     std::vector<BlockBend<D>> bends;
+    std::vector<BlockWay> ways;
+    std::vector<BlockWayNode<D>> way_nodes;
+    std::vector<std::uint32_t> way_entries;
     std::vector<std::uint32_t> first_entry; ///< of each node, and one more
     std::vector<BlockEntry<D>> entries;
     std::vector<std::uint32_t> first_pair; ///< of each node: for its entries e < g, where their product goes
@@ -164,6 +208,9 @@ template <int D> struct Blocks {
         nodes.clear();
         links.clear();
         bends.clear();
+        ways.clear();
+        way_nodes.clear();
+        way_entries.clear();
         entries.clear();
         loose.clear();
         runs.clear();

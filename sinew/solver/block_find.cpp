@@ -10,7 +10,8 @@ template <int D, class Real> class Finder {
   public:
     explicit Finder(World<D, Real>& world)
         : world_(world), particles_(world.particles), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
-          angles_(std::get<kind_number<Angle, D>>(world.constraints)), blocks_(world.blocks),
+          angles_(std::get<kind_number<Angle, D>>(world.constraints)),
+          pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), blocks_(world.blocks),
           islands_(world.blocks.islands), elimination_(world.blocks.elimination), room_(world.blocks.room) {}
 
     void run() {
@@ -24,6 +25,7 @@ template <int D, class Real> class Finder {
         take_stock();
         list(distances_, room_.first_link, room_.link_at);
         list(angles_, room_.first_bend, room_.bend_at);
+        list(pulleys_, room_.first_way, room_.way_at);
         for (Row row = 0; row < particles_.size(); ++row)
             if (mobile(row) && islands_.of(row) == row && worthwhile(room_.about[row])) build(row);
         blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
@@ -38,6 +40,7 @@ template <int D, class Real> class Finder {
     Particles<D, Real>& particles_;
     Constraints<Distance<D>, Real>& distances_;
     Constraints<Angle<D>, Real>& angles_;
+    Constraints<Pulley<D>, Real>& pulleys_;
     Blocks<D>& blocks_;
     Islands& islands_;
     Elimination& elimination_;
@@ -63,6 +66,7 @@ template <int D, class Real> class Finder {
     /// A single link is as well solved in the sweep, whose one step is then exact. With many loops the factors fill in.
     static bool worthwhile(const About& about) {
         const auto loops = about.inner_links + 1 > about.particles ? about.inner_links + 1 - about.particles : 0;
+        if (about.wanted) return about.suits && about.links >= 1;
         return about.suits && about.links >= 2 && loops <= about.particles / 2 + 32;
     }
 
@@ -75,10 +79,21 @@ template <int D, class Real> class Finder {
 
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
 
+    Direct direct_of(Row particle) const {
+        const auto figure = particles_.figure[particle];
+        return figure < world_.figures.size() ? world_.figures[figure].direct : Direct::automatic;
+    }
+
     void take_stock() {
         room_.about.assign(particles_.size(), {});
         for (Row row = 0; row < particles_.size(); ++row)
-            if (mobile(row)) ++room_.about[islands_.of(row)].particles;
+            if (mobile(row)) {
+                auto& about = room_.about[islands_.of(row)];
+                ++about.particles;
+                const auto direct = direct_of(row);
+                about.suits = about.suits && direct != Direct::off;
+                about.wanted = about.wanted || direct == Direct::on;
+            }
         for_each_table(world_, [&](const auto& table) {
             using Kind = typename std::decay_t<decltype(table)>::Kind;
             for (Row row = 0; row < table.size(); ++row) {
@@ -92,6 +107,10 @@ template <int D, class Real> class Finder {
                     ++about.links;
                     about.inner_links += moving == 2;
                     about.suits = about.suits && natural(table, row) && has_length(row);
+                } else if constexpr (std::is_same_v<Kind, Pulley<D>>) {
+                    about.links += 2;
+                    about.inner_links += moving - 1;
+                    about.suits = about.suits && natural(table, row);
                 } else {
                     // unsigned, an angle that has to be more than none has no direction to open in
                     const bool opens = D == 3 && table.low[row] > Real(0);
@@ -125,6 +144,7 @@ template <int D, class Real> class Finder {
     }
 
     std::span<const Row> links_of(Row particle) const { return those_of(particle, room_.first_link, room_.link_at); }
+    std::span<const Row> ways_of(Row particle) const { return those_of(particle, room_.first_way, room_.way_at); }
     std::span<const Row> bends_of(Row particle) const { return those_of(particle, room_.first_bend, room_.bend_at); }
     static std::span<const Row> those_of(Row particle, const std::vector<Row>& first, const std::vector<Row>& at) {
         return std::span(at).subspan(first[particle], first[particle + 1] - first[particle]);
@@ -143,6 +163,9 @@ template <int D, class Real> class Finder {
             for (const Row bend : bends_of(row))
                 for (const Row other : angles_.members[bend])
                     if (other != row && mobile(other)) elimination_.add_neighbour(other);
+            for (const Row way : ways_of(row))
+                for (const Row other : pulleys_.members[way])
+                    if (other != row && mobile(other)) elimination_.add_neighbour(other);
             elimination_.end_row(row);
         }
         if (!elimination_.run(members)) return;
@@ -156,6 +179,10 @@ template <int D, class Real> class Finder {
         block.first_bend = std::uint32_t(blocks_.bends.size());
         for (const Row row : elimination_.order()) add_bends(row);
         block.bends = std::uint32_t(blocks_.bends.size()) - block.first_bend;
+        block.first_way = std::uint32_t(blocks_.ways.size());
+        for (const Row row : elimination_.order()) add_ways(row);
+        block.ways = std::uint32_t(blocks_.ways.size()) - block.first_way;
+        block.motored = block.motored || is_motored(block);
         block.nodes = std::uint32_t(blocks_.nodes.size()) - block.first_node;
         for (std::size_t i = block.unknowns; i < block.nodes; ++i) {
             blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
@@ -201,6 +228,7 @@ template <int D, class Real> class Finder {
             const Row other = other_end(link, row);
             const bool inner = mobile(other);
             if (inner && elimination_.position(other) < elimination_.position(row)) continue;
+            if (is_driven(distances_, link)) continue;
             const auto a = room_.node_of[row], b = node_for(other);
             BlockLink<D> added;
             static_cast<BlockLimit&>(added) = limit_of(distances_, link);
@@ -228,16 +256,61 @@ template <int D, class Real> class Finder {
                 .compliance = double(table.compliance[row])};
     }
 
+    template <class Table> static bool is_driven(const Table& table, Row row) {
+        return table.driven[row] || table.gives(row);
+    }
+
+    bool is_first(Row row, std::span<const Row> members) const {
+        return std::none_of(members.begin(), members.end(), [&](Row other) {
+            return mobile(other) && elimination_.position(other) < elimination_.position(row);
+        });
+    }
+
+    void add_ways(Row row) {
+        for (const Row link : links_of(row))
+            if (is_driven(distances_, link) && is_first(row, std::as_const(distances_).members[link]))
+                add_way(distances_, link, false);
+        for (const Row way : ways_of(row))
+            if (is_first(row, std::as_const(pulleys_).members[way])) add_way(pulleys_, way, true);
+    }
+
+    template <class Table> void add_way(const Table& table, Row row, bool is_pulley) {
+        const auto members = table.members[row];
+        BlockWay added;
+        static_cast<BlockLimit&>(added) = limit_of(table, row);
+        added.low = maximum(added.low, 0.0);
+        added.is_pulley = is_pulley;
+        added.driven = is_driven(table, row);
+        added.first = std::uint32_t(blocks_.way_nodes.size());
+        added.nodes = std::uint32_t(members.size());
+        added.first_entry = std::uint32_t(blocks_.way_entries.size());
+        for (const Row member : members) blocks_.way_nodes.push_back({.node = node_for(member)});
+        for (std::size_t i = 0; i < members.size(); ++i)
+            for (std::size_t j = i + 1; j < members.size(); ++j) {
+                const auto [early, late] =
+                    std::minmax(blocks_.way_nodes[added.first + i].node, blocks_.way_nodes[added.first + j].node);
+                blocks_.way_entries.push_back(mobile(members[i]) && mobile(members[j]) ? entry_of(early, late)
+                                                                                       : Blocks<D>::none);
+            }
+        blocks_.ways.push_back(added);
+    }
+
+    bool is_motored(const Block& block) const {
+        const auto any = [](const auto& list, std::uint32_t first, std::uint32_t count) {
+            return std::any_of(list.begin() + first, list.begin() + first + count,
+                               [](const BlockDrive& drive) { return drive.driven; });
+        };
+        return any(blocks_.ways, block.first_way, block.ways) || any(blocks_.bends, block.first_bend, block.bends);
+    }
+
     /// Those of which a particle is the first to be eliminated.
     void add_bends(Row row) {
         for (const Row bend : bends_of(row)) {
             const auto members = std::as_const(angles_).members[bend];
-            if (std::any_of(members.begin(), members.end(), [&](Row other) {
-                    return mobile(other) && elimination_.position(other) < elimination_.position(row);
-                }))
-                continue;
+            if (!is_first(row, members)) continue;
             BlockBend<D> added;
             static_cast<BlockLimit&>(added) = limit_of(angles_, bend);
+            added.driven = is_driven(angles_, bend);
             for (std::size_t i = 0; i < 3; ++i) added.nodes[i] = node_for(members[i]);
             for (std::size_t i = 0; i < 3; ++i) {
                 const auto j = (i + 1) % 3;

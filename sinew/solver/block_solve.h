@@ -2,6 +2,7 @@
 
 #include "sinew/constraint/angle.h"
 #include "sinew/solver/block_matrix.h"
+#include "sinew/solver/block_way.h"
 #include "sinew/solver/project.h"
 
 /// One substep of one block: Newton's method on
@@ -12,20 +13,12 @@
 /// Each iteration gains about four digits, whatever the masses.
 namespace sinew::detail {
 
-/// How a substep gets from where it began to where it ends.
-enum class Rule {
-    swing, ///< the midpoint rule, links pulling along the mean of their old and new directions (LaBudde and Greenspan
-           ///< 1976; Gonzalez 1999): keeps energy to rounding, whatever the step
-    implicit, ///< backward Euler, links pulling along their new directions: loses energy, and stands anything
-    place     ///< no time passes: the nearest place where the links have their lengths
-};
-
 template <int D> class BlockSolve {
   public:
     using Vector = Vec<D, double>;
 
     BlockSolve(Blocks<D>& blocks, const Block& block, double substep)
-        : blocks_(blocks), block_(block), h_(substep), per_h_(1 / substep) {
+        : blocks_(blocks), block_(block), ways_(blocks, block, substep), h_(substep), per_h_(1 / substep) {
         for (const auto& node : unknowns()) total_mass_ += node.mass;
         stiffness_ = relative_stiffness * total_mass_ * per_h_ * per_h_;
     }
@@ -36,6 +29,7 @@ template <int D> class BlockSolve {
     }
     std::span<BlockLink<D>> links() const { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
     std::span<BlockBend<D>> bends() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
+    const BlockWays<D>& ways() const { return ways_; }
     double stiffness() const { return stiffness_; }
     /// The length of all links.
     double reach() const { return reach_; }
@@ -54,11 +48,12 @@ template <int D> class BlockSolve {
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
             if (i % patience == 0) { // a solution that exists comes nearer
-                if (i > 0 && worst > 0.5 * before && worst > acceptable) return false;
+                if (i > 0 && !let_go_ && worst > 0.5 * before && worst > acceptable) return false;
                 before = worst;
+                let_go_ = false; // a rope that falls slack does so link by link
             }
             // what cannot decide whether it touches: its lengths are right, and it hardly moves
-            const double slight_move = slight * reach_ / double(block_.links);
+            const double slight_move = slight * reach_ / double(block_.links + block_.ways);
             if (rule == Rule::implicit && i >= undecided_after && worst <= acceptable && moved_ <= slight_move)
                 return true;
             if (i == most_iterations)
@@ -80,6 +75,8 @@ template <int D> class BlockSolve {
         }
         return worst;
     }
+    double worst_start_strain() const { return maximum(worst_strain(start_of), ways_.worst_strain(true)); }
+    double worst_place_strain() const { return maximum(worst_strain(place_of), ways_.worst_strain(false)); }
     static const Vector& start_of(const BlockNode<D>& node) { return node.start; }
     static const Vector& place_of(const BlockNode<D>& node) { return node.place; }
 
@@ -90,6 +87,7 @@ template <int D> class BlockSolve {
         constexpr int rounds = 3;
         for (auto& link : links()) link.pull = 0;
         for (auto& bend : bends()) bend.pull = 0, measure(bend);
+        ways_.begin_settling();
         for (auto& node : nodes()) node.aim = node.velocity;
         for (int i = 0; i < rounds; ++i) {
             for (auto& node : unknowns()) {
@@ -110,14 +108,16 @@ template <int D> class BlockSolve {
                 add(link, outer(link.along * k, link.along), link.along * pull);
             }
             for (auto& bend : bends()) {
-                double rate = 0;
+                double rate = -bend.rate;
                 for (std::size_t k = 0; k < 3; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
                 const double k = relative * total_mass_ * arm2(bend);
                 const double pull = bend.pull + k * rate;
-                const bool resists = bend.side != 0 && !soft(bend) && (!bend.one_sided() || pull * bend.side > 0);
+                const bool resists =
+                    bend.side != 0 && !soft(bend) && !bend.slips && (!bend.one_sided() || pull * bend.side > 0);
                 bend.stiffness = resists ? k : 0;
                 if (resists) add(bend, bend.pull = pull);
             }
+            ways_.settle(relative * total_mass_);
             hold(relative * total_mass_);
             solve_block(blocks_, block_);
             for (auto& node : unknowns()) node.velocity += node.move;
@@ -126,6 +126,7 @@ template <int D> class BlockSolve {
                     link.pull += link.stiffness * dot(link.along, move_of(node(link.b)) - move_of(node(link.a)));
             for (auto& bend : bends())
                 if (bend.stiffness > 0) bend.pull += bend.stiffness * turn_of(bend);
+            ways_.end_round();
         }
     }
 
@@ -148,14 +149,14 @@ template <int D> class BlockSolve {
 
     /// Whether velocities would lengthen links, as after a blow: by more than a swing does in a substep.
     bool jolted() const {
-        constexpr double usual = 0.02;
+        const double usual = block_.motored ? 1e-4 : 0.02; // what is driven starts and stops, and must not ring on
         for (const auto& link : links()) {
             if (soft(link) || (link.one_sided() && link.tension == 0)) continue;
             const auto span = node(link.b).place - node(link.a).place;
             const double rate = dot(span, node(link.b).velocity - node(link.a).velocity);
             if (absolute(rate) * h_ > usual * square(link.length)) return true;
         }
-        return false;
+        return ways_.jolted(usual);
     }
 
     /// Half the sum of m v^2.
@@ -205,11 +206,13 @@ template <int D> class BlockSolve {
 
     Blocks<D>& blocks_;
     const Block& block_;
+    BlockWays<D> ways_;
     double h_, per_h_;
     double total_mass_ = 0, stiffness_ = 0, reach_ = 0;
     double moved_ = 0, tightened_ = 0, strongest_ = 0; ///< by an iteration: the most of any node and link
     bool elastic_ = false;
-    double slight_ = 0; ///< a tension that is none
+    bool let_go_ = false; ///< a limit, since patience was last asked
+    double slight_ = 0;   ///< a tension that is none
 
     double weight(std::uint32_t i) const {
         return i < block_.first_node + block_.unknowns ? inverse_or_zero(node(i).mass) : 0;
@@ -242,7 +245,8 @@ template <int D> class BlockSolve {
         }
         for (auto& bend : bends()) {
             bend.flips = 0;
-            const double angle = angle_of(bend, start_of);
+            const double angle = bend.begun = angle_of(bend, start_of);
+            bend.slips = false, bend.doubts = 0;
             const bool exact = !bend.one_sided();
             bend.side = exact || bend.tension > 0 || angle > bend.high ? 1
                         : bend.tension < 0 || angle < bend.low         ? -1
@@ -250,7 +254,8 @@ template <int D> class BlockSolve {
         }
         double weight = 0;
         for (const auto& node : unknowns()) weight += node.mass * norm(node.push);
-        slight_ = 1e-6 * weight * inverse_or_zero(reach_) * double(block_.links);
+        reach_ += ways_.set_out(as_good_as_taut);
+        slight_ = 1e-6 * weight * inverse_or_zero(reach_) * double(block_.links + block_.ways);
     }
 
     /// Which limit holds when the substep begins. What is as good as taut counts as taut: else a falling rope would
@@ -317,6 +322,7 @@ template <int D> class BlockSolve {
             add(link, matrix, along * link.pull);
         }
         for (auto& bend : bends()) worst = maximum(worst, small_angle * bend_back(rule, bend, hardest));
+        worst = maximum(worst, ways_.assemble(rule, hardest, elastic_, good_enough));
         return worst;
     }
 
@@ -363,11 +369,14 @@ template <int D> class BlockSolve {
     double bend_back(Rule rule, BlockBend<D>& bend, double hardest) {
         const double angle = measure(bend);
         bend.stiffness = 0;
+        if (rule == Rule::place && bend.driven) return 0; // no time passes: it gives
         if (soft(bend)) {
             const double error = angle - clamp(angle, bend.low, bend.high);
             if (error == 0 || rule == Rule::place) return 0;
-            bend.stiffness = minimum(1 / bend.compliance, hardest * arm2(bend));
-            bend.tension = bend.stiffness * error;
+            const double k = minimum(1 / bend.compliance, hardest * arm2(bend));
+            bend.tension =
+                bend.held(k * (error + bend.lead * ((angle - bend.begun) / h_ - bend.rate)), bend.tension, false);
+            bend.stiffness = bend.slips ? 0 : k * (1 + bend.lead / h_);
             add(bend, bend.tension);
             return 0;
         }
@@ -376,9 +385,10 @@ template <int D> class BlockSolve {
         if (bend.side == 0) return 0;
         const double error = bend.side > 0 ? above : below;
         bend.stiffness = hardest * arm2(bend);
-        bend.pull = bend.tension + bend.stiffness * error;
+        bend.pull = bend.held(bend.tension + bend.stiffness * error, bend.tension, false);
+        if (bend.slips) bend.stiffness = 0;
         add(bend, bend.pull);
-        return absolute(error);
+        return bend.slips ? 0 : absolute(error);
     }
 
     void add(const BlockBend<D>& bend, double torque) {
@@ -433,6 +443,7 @@ template <int D> class BlockSolve {
             tightened_ = maximum(tightened_, absolute(link.pull - link.tension) * link.length);
             strongest_ = maximum(strongest_, absolute(link.pull) * link.length);
         }
+        most = maximum(most, ways_.largest_change2());
         return most > square(most_change) ? most_change / square_root(most) : 1;
     }
 
@@ -448,12 +459,20 @@ template <int D> class BlockSolve {
         for (auto& link : links())
             if (!soft(link)) renew(link, link.pull, share);
         for (auto& bend : bends())
-            if (!soft(bend)) renew(bend, bend.pull + bend.stiffness * turn_of(bend), share);
+            if (!soft(bend)) {
+                renew(bend, bend.pull + bend.stiffness * turn_of(bend), share);
+                bend.tension = clamp(bend.tension, -bend.most, bend.most);
+            }
+        for (auto& way : ways_.all())
+            if (!ways_.soft(way)) {
+                renew(way, way.pull + way.stiffness * ways_.change(way), share);
+                way.tension = clamp(way.tension, -way.most, way.most);
+            }
     }
 
     /// The multiplier that goes with the places just found. One that holds the wrong way lets go, unless it cannot
     /// decide.
-    void renew(BlockLimit& limit, double next, double share) const {
+    void renew(BlockLimit& limit, double next, double share) {
         if (elastic_) {
             limit.tension = 0;
             limit.side = limit.one_sided() && next * limit.side < 0 ? 0 : limit.side;
@@ -461,7 +480,8 @@ template <int D> class BlockSolve {
         }
         limit.tension = limit.side != 0 ? limit.tension + share * (next - limit.tension) : 0;
         const bool undecided = limit.flips > most_flips;
-        if (limit.one_sided() && !undecided && next * limit.side < -slight_) limit.side = 0, limit.tension = 0;
+        if (limit.one_sided() && !undecided && next * limit.side < -slight_)
+            limit.side = 0, limit.tension = 0, let_go_ = true;
     }
 
     static double largest_component(const Vector& v) {

@@ -17,10 +17,13 @@ template <int D, class Real> class BlockStep {
   public:
     BlockStep(World<D, Real>& world, const Block& block, double frame, double last_substep)
         : world_(world), p_(world.particles), d_(std::get<kind_number<Distance, D>>(world.constraints)),
-          a_(std::get<kind_number<Angle, D>>(world.constraints)), blocks_(world.blocks), block_(block), frame_(frame) {
+          a_(std::get<kind_number<Angle, D>>(world.constraints)),
+          pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), blocks_(world.blocks), block_(block),
+          frame_(frame) {
         const double per = inverse_or_zero(square(last_substep));
         for (auto& bend : bends()) bend.before = -double(a_.multiplier[bend.constraint]) * per;
         for (auto& link : links()) link.before = -double(d_.multiplier[link.constraint]) * per / link.length;
+        if (block_.ways > 0 || block_.motored) find_drives(per);
     }
 
     void run(int substeps) {
@@ -33,6 +36,14 @@ template <int D, class Real> class BlockStep {
             d_.multiplier[link.constraint] = Real(clamp(-link.before * link.length * square(substep), -most, most));
         for (const auto& bend : bends())
             a_.multiplier[bend.constraint] = Real(clamp(-bend.before * square(substep), -most, most));
+        for (const auto& way : ways()) {
+            multiplier_of(way) = Real(clamp(-way.before * square(substep), -most, most));
+            if (!way.gives()) continue;
+            if (way.is_pulley)
+                tell_limits(way, pulleys_, way.constraint);
+            else
+                tell_limits(way, d_, way.constraint);
+        }
     }
 
   private:
@@ -43,6 +54,7 @@ template <int D, class Real> class BlockStep {
     Particles<D, Real>& p_;
     Constraints<Distance<D>, Real>& d_;
     Constraints<Angle<D>, Real>& a_;
+    Constraints<Pulley<D>, Real>& pulleys_;
     Blocks<D>& blocks_;
     const Block& block_;
     static constexpr int many = 40, stretched_iterations = 10; ///< iterations, where there is no other way
@@ -55,6 +67,7 @@ template <int D, class Real> class BlockStep {
     std::span<BlockNode<D>> nodes() { return std::span(blocks_.nodes).subspan(block_.first_node, block_.nodes); }
     std::span<BlockNode<D>> unknowns() { return std::span(blocks_.nodes).subspan(block_.first_node, block_.unknowns); }
     std::span<BlockBend<D>> bends() { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
+    std::span<BlockWay> ways() { return std::span(blocks_.ways).subspan(block_.first_way, block_.ways); }
     std::span<BlockLink<D>> links() { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
 
     void advance(double from, double to, int depth) {
@@ -97,7 +110,7 @@ template <int D, class Real> class BlockStep {
         }
         settle(solve);
         keep_momentum();
-        if (!driven_) slow_down(solve, kinetic + work(solve));
+        if (!driven_ && !block_.motored) slow_down(solve, kinetic + work(solve));
         store();
     }
 
@@ -106,11 +119,11 @@ template <int D, class Real> class BlockStep {
         load();
         forget_tensions();
         Solve solve(blocks_, block_, h_);
-        const double before = solve.worst_strain(Solve::start_of);
+        const double before = solve.worst_start_strain();
         solve.be_elastic();
         solve.run(Rule::implicit, stretched_iterations, [&] { hold(solve); });
         constexpr double most = 10;
-        if (!(solve.worst_strain(Solve::place_of) <= maximum(most, before)))
+        if (!(solve.worst_place_strain() <= maximum(most, before)))
             for (auto& node : unknowns()) node.place = node.start;
         for (auto& node : unknowns()) node.velocity = (node.place - node.start) * (1 / h_);
         forget_tensions();
@@ -121,6 +134,7 @@ template <int D, class Real> class BlockStep {
 
     void load() {
         near_ = driven_ = false;
+        if (block_.motored) move_limits();
         Decay<double> decay;
         for (auto& node : unknowns()) {
             const Row row = node.row;
@@ -151,13 +165,65 @@ template <int D, class Real> class BlockStep {
         if (is_free()) begun_ = Motion::of(unknowns(), Solve::start_of);
     }
 
+    // --- winches and motors
+
+    Real& multiplier_of(const BlockWay& way) {
+        return way.is_pulley ? pulleys_.multiplier[way.constraint] : d_.multiplier[way.constraint];
+    }
+
+    template <class Table> static void find_drive(BlockDrive& drive, const Table& table, Row row) {
+        drive.most = double(table.max_force[row]);
+        drive.lead = double(table.lead[row]);
+        drive.rate = double(table.rate[row]);
+        drive.low_begun = double(table.low[row]);
+        drive.high_begun = double(table.high[row]);
+    }
+    void find_drives(double per) {
+        for (auto& bend : bends()) find_drive(bend, a_, bend.constraint);
+        for (auto& way : ways()) {
+            if (way.is_pulley)
+                find_drive(way, pulleys_, way.constraint);
+            else
+                find_drive(way, d_, way.constraint);
+            way.before = -double(multiplier_of(way)) * per;
+        }
+    }
+
+    /// Its limits are where it was pulled to.
+    void slip(BlockWay& way) {
+        const double length = detail::BlockWays<D>(blocks_, block_, h_).length_of(way, false);
+        const double error = length - clamp(length, way.low, way.high), spring = way.most * way.compliance;
+        const double by = error - clamp(error, -spring, spring);
+        for (double* end : {&way.low_begun, &way.high_begun})
+            if (absolute(*end) < limit::measure<double>) *end += by;
+    }
+    template <class Table> static void tell_limits(const BlockDrive& drive, Table& table, Row row) {
+        table.low[row] = Real(drive.low_begun);
+        table.high[row] = Real(drive.high_begun);
+    }
+
+    /// To where they are when the substep ends.
+    void move_limits() {
+        const double by = to_ * frame_;
+        for (auto& bend : bends()) {
+            bend.low = bend.low_begun + bend.rate * by;
+            bend.high = bend.high_begun + bend.rate * by;
+        }
+        for (auto& way : ways()) {
+            way.low = maximum(way.low_begun + way.rate * by, 0.0);
+            way.high = maximum(way.high_begun + way.rate * by, 0.0);
+        }
+    }
+
     void start_tensions() {
         for (auto& link : links()) link.tension = link.before;
         for (auto& bend : bends()) bend.tension = bend.before;
+        for (auto& way : ways()) way.tension = way.before;
     }
     void forget_tensions() {
         for (auto& link : links()) link.tension = 0;
         for (auto& bend : bends()) bend.tension = 0;
+        for (auto& way : ways()) way.tension = 0;
     }
     /// What let go in the end pulls no more.
     static double kept(const BlockLimit& limit) {
@@ -176,6 +242,10 @@ template <int D, class Real> class BlockStep {
         }
         for (auto& link : links()) link.before = kept(link);
         for (auto& bend : bends()) bend.before = kept(bend);
+        for (auto& way : ways()) {
+            if (way.slips) slip(way);
+            way.before = kept(way);
+        }
     }
 
     static Vector goal(const Pin<D, Real>& pin, double share) {
@@ -186,14 +256,14 @@ template <int D, class Real> class BlockStep {
     /// its pins are too far apart.
     bool pull_together(Solve& solve) {
         constexpr double crude = 1e-3;
-        const double before = solve.worst_strain(Solve::start_of);
+        const double before = solve.worst_start_strain();
         if (before <= crude) return true;
         const auto fixed = nodes().subspan(block_.unknowns);
         for (auto& node : fixed) std::swap(node.start, node.place);
         forget_tensions();
         const bool met = solve.run(Rule::place, many, [] {});
         if (!met) solve.sweep();
-        const double after = solve.worst_strain(Solve::place_of);
+        const double after = solve.worst_place_strain();
         if (after < before)
             for (auto& node : unknowns()) node.start = node.place;
         for (auto& node : fixed) std::swap(node.start, node.place);
@@ -275,6 +345,8 @@ template <int D, class Real> class BlockStep {
     bool any_tightened() {
         for (const auto& link : links())
             if (link.low < link.high && link.before == 0 && link.tension != 0) return true;
+        for (const auto& way : ways())
+            if (way.one_sided() && way.before == 0 && way.tension != 0) return true;
         return false;
     }
 
@@ -285,7 +357,7 @@ template <int D, class Real> class BlockStep {
             for (auto& node : unknowns())
                 for (const auto& plane : world_.bounds) rebound(node, plane, k);
         });
-        if (!near_ && !driven_) slow_down(solve, kinetic); // less but for rounding
+        if (!near_ && !driven_ && !block_.motored) slow_down(solve, kinetic); // less but for rounding
     }
 
     /// Where a whip cracks, what it does along its links is no motion but the rule's own error: it goes back into what
@@ -321,12 +393,13 @@ template <int D, class Real> class BlockStep {
         for (const auto& bend : bends())
             sum -= solve.stored(bend, solve.angle_of(bend, Solve::place_of)) -
                    solve.stored(bend, solve.angle_of(bend, Solve::start_of));
+        for (const auto& way : ways()) sum -= solve.ways().stored(way, false) - solve.ways().stored(way, true);
         return sum;
     }
 
     /// A swing never gains energy by itself.
     bool gains(const Solve& solve) {
-        if (driven_) return false;
+        if (driven_ || block_.motored) return false;
         constexpr double rounding = 1e-6, tiny = 2e-7;
         double before = 0, after = 0, weight = 0;
         for (const auto& node : unknowns()) {

@@ -18,6 +18,9 @@ template <int D, class RealT> struct ClassicMover {
     const Vec<D, Real>& point(Row row) const { return particles.position[row]; }
     Real weight(Row row) const { return particles.inverse_mass[row]; }
     Real alpha(Real) const { return Real(0); } // the originals know relaxation, not compliance
+    Real most(Real) const { return limit::multiplier<Real>; }
+    Real share(Real) const { return Real(0); }
+    template <class Stencil> Real ahead(const Stencil&, std::span<const Row>, Real, Real) const { return Real(0); }
     void push(Row row, const Vec<D, Real>& displacement) {
         if (particles.mobility[row] == Real(0)) return;
         particles.position[row] = clamp_components(particles.position[row] + displacement, limit::coordinate<Real>);
@@ -46,6 +49,7 @@ template <int D, class Real> class ClassicStep {
     void run() {
         if (h_ < limit::shortest_step<Real> && !rules_.unscaled_inertia) return; // time stands still
         carry_pins();
+        move_limits(world_, h_);
         switch (rules_.order) {
         case PassOrder::sweeps_last:
             for (int i = 0; i < (rules_.points_only_passes ? rules_.passes : 1); ++i) move_all();

@@ -37,6 +37,10 @@ void append_row(Table& table, const ConstraintSpec<Real>& spec, Interval<Real> l
     table.compliance.push_back(clamp(spec.compliance, Real(0), most));
     table.relaxation.push_back(clamp(spec.relaxation, Real(0), Real(1)));
     table.split.push_back(clamp(spec.split, Real(0), Real(1)));
+    table.max_force.push_back(clamp(spec.max_force, Real(0), most));
+    table.lead.push_back(clamp(spec.lead, Real(0), limit::step<Real>));
+    table.rate.push_back(Real(0));
+    table.driven.push_back(0);
     table.breaking_strain.push_back(clamp(spec.breaking_strain, Real(0), most));
     table.toughness.push_back(clamp(spec.toughness, Real(0), most));
     table.fatigue.push_back(Real(0));
@@ -165,6 +169,31 @@ template <int D, class Real> void remove_constraints(World<D, Real>& world, std:
         detail::erase_constraints(world, table, kind++, gone);
     });
     detail::forget_the_dead(world);
+}
+
+template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintId& id, Real rate) {
+    bool found = false;
+    visit_table(world, id.kind, [&](auto& table) {
+        const auto row = table.slots.find(id.id);
+        if (!row) return;
+        found = true;
+        world.blocks.stale = world.blocks.stale || !table.driven[*row];
+        table.driven[*row] = 1;
+        table.rate[*row] = clamp(rate, -limit::speed<Real>, limit::speed<Real>);
+    });
+    return found;
+}
+
+template <int D, class Real> bool set_max_force(World<D, Real>& world, const ConstraintId& id, Real max_force) {
+    bool found = false;
+    visit_table(world, id.kind, [&](auto& table) {
+        const auto row = table.slots.find(id.id);
+        if (!row) return;
+        found = true;
+        world.blocks.stale = world.blocks.stale || !table.gives(*row);
+        table.max_force[*row] = clamp(max_force, Real(0), limit::measure<Real>);
+    });
+    return found;
 }
 
 template <int D, class Real> std::optional<Vec<D, Real>> position_of(const World<D, Real>& world, ParticleId id) {
@@ -375,6 +404,8 @@ std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::st
     template std::optional<ConstraintId> add_constraint(World<D, Real>&, int, std::span<const ParticleId>,             \
                                                         const ConstraintSpec<Real>&);                                  \
     template void remove_constraints(World<D, Real>&, std::span<const ConstraintId>);                                  \
+    template bool drive(World<D, Real>&, const ConstraintId&, Real);                                                   \
+    template bool set_max_force(World<D, Real>&, const ConstraintId&, Real);                                           \
     template std::optional<Vec<D, Real>> position_of(const World<D, Real>&, ParticleId);                               \
     template std::optional<Vec<D, Real>> velocity_of(const World<D, Real>&, ParticleId);                               \
     template bool set_position(World<D, Real>&, ParticleId, const Vec<D, Real>&);                                      \

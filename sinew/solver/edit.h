@@ -42,6 +42,8 @@ template <class Real> struct ConstraintSpec {
     Real compliance = 0;                    ///< 1/stiffness (m/N for distances, rad/(N m) for angles); 0 is rigid
     Real relaxation = 1;                    ///< share of the error removed at once, (0, 1]
     Real split = Real(0.5);                 ///< share of the correction the first member takes
+    Real max_force = std::numeric_limits<Real>::infinity(); ///< most it pulls or pushes with, newtons (N m for angles)
+    Real lead = 0; ///< a compliant one aims where the measure will be so much later, in seconds: a damper
     Real breaking_strain = std::numeric_limits<Real>::infinity();
     Real toughness = 0; ///< strain beyond the breaking strain, times time, that it bears before it tears
     FigureIndex figure = no_figure;
@@ -80,6 +82,12 @@ std::optional<ConstraintId> add(World<D, Real>& world, std::initializer_list<Par
 }
 
 template <int D, class Real> void remove_constraints(World<D, Real>& world, std::span<const ConstraintId> ids);
+
+/// From now on its limits move at this rate (m/s, rad/s): a winch, a motor. Where the load is more than its max_force
+/// it slips: limits of lengths never run ahead of what they measure.
+template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintId& id, Real rate);
+/// Another max_force: a motor that tires. 0 lets go.
+template <int D, class Real> bool set_max_force(World<D, Real>& world, const ConstraintId& id, Real max_force);
 
 /// What a constraint measures and how hard it works.
 struct ConstraintState {

@@ -47,7 +47,7 @@ class Elimination {
     void reserve(std::size_t rows, std::size_t neighbours) {
         pool_.reserve(most_pool(neighbours) + most_neighbours);
         order_.reserve(rows);
-        merged_.reserve(2 * most_neighbours);
+        merged_.reserve(most_of_hub + most_neighbours);
     }
 
     /// The graph, one row after the other: begin, its neighbours, end.
@@ -70,6 +70,7 @@ class Elimination {
             if (!wait(row)) return false;
         while (order_.size() < rows.size()) {
             const Row next = least_degree();
+            if (next == no_row) return false;
             stop_waiting(next);
             position_[next] = Row(order_.size());
             order_.push_back(next);
@@ -90,7 +91,9 @@ class Elimination {
     std::span<const Row> neighbours(Row row) const { return std::span(pool_).subspan(begin_[row], size_[row]); }
 
   private:
-    static constexpr std::size_t most_neighbours = 15;
+    static constexpr std::size_t most_neighbours = 15; ///< of a row when it goes
+    /// Before that: a hub that many hang on goes when they have gone, and costs no more than they do.
+    static constexpr std::size_t most_of_hub = 500;
     static std::size_t most_pool(std::size_t neighbours) { return 8 * neighbours + 1024; }
 
     std::vector<std::size_t> begin_;
@@ -105,7 +108,7 @@ class Elimination {
     std::vector<Row> before_, after_;
 
     bool wait(Row row) {
-        if (size_[row] > most_neighbours) return false;
+        if (size_[row] > most_neighbours) return size_[row] <= most_of_hub;
         auto& queue = waiting_[size_[row]];
         before_[row] = queue.last, after_[row] = no_row;
         (queue.last == no_row ? queue.first : after_[queue.last]) = row;
@@ -113,6 +116,7 @@ class Elimination {
         return true;
     }
     void stop_waiting(Row row) {
+        if (size_[row] > most_neighbours) return;
         auto& queue = waiting_[size_[row]];
         (before_[row] == no_row ? queue.first : after_[before_[row]]) = after_[row];
         (after_[row] == no_row ? queue.last : before_[after_[row]]) = before_[row];

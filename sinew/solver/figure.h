@@ -58,6 +58,14 @@ std::optional<std::size_t> number_called(std::string_view name, std::span<const 
 /// The other way round; empty where the number has no name.
 std::string name_of(std::size_t number, std::span<const Numbered> numbered);
 
+/// Whether what hangs together is solved at once (block.h) instead of in the sweep.
+enum class Direct : unsigned char {
+    automatic, ///< where it has few loops, and more than one link
+    on,        ///< however many loops it has, as long as its factors stay sparse
+    off
+};
+inline constexpr std::array<std::string_view, 3> direct_names = {"auto", "on", "off"}; ///< in their order
+
 /// What a prefab built: names for its particles and constraints, and what to draw. Positions are elsewhere, in columns.
 struct Figure {
     std::string name{};
@@ -69,6 +77,7 @@ struct Figure {
     std::vector<Numbered> particle_numbers{}; ///< further names
     std::vector<Numbered> constraint_numbers{};
     std::vector<Piece> pieces{};
+    Direct direct = Direct::automatic;
     bool quarantined = false;
 };
 

@@ -38,6 +38,10 @@ template <int D, class Real> void find_passive(World<D, Real>& world);
 template <int D, class Real> void note_energy(World<D, Real>& world);
 template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h);
 
+/// drive.cpp: limits that are driven move on; lengths that were pulled harder than they hold have slipped.
+template <int D, class Real> void move_limits(World<D, Real>& world, Real h);
+template <int D, class Real> void slip(World<D, Real>& world, Real h);
+
 /// classic.cpp: a step by the originals' rules.
 template <int D, class Real> void classic_step(World<D, Real>& world, Real dt);
 

@@ -135,10 +135,15 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
 
     const Real alpha = mover.alpha(table.compliance[row]);
     const Real lambda = mover.first_iteration ? Real(0) : table.multiplier[row];
-    constexpr Real most = limit::multiplier<Real>;
-    const Real solved =
-        clamp(limited_multiplier(lambda, measure - low, measure - high, alpha, inverse_or_zero(resistance + alpha)),
-              -most, most);
+    const Real most = mover.most(table.max_force[row]);
+    Real ahead = 0; // by a damper: how far the measure will have come
+    if (table.lead[row] > Real(0) && alpha > Real(0)) {
+        ahead = mover.ahead(stencil, members, table.lead[row], table.rate[row]);
+        resistance *= Real(1) + mover.share(table.lead[row]);
+    }
+    const Real solved = clamp(limited_multiplier(lambda, measure - low + ahead, measure - high + ahead, alpha,
+                                                 inverse_or_zero(resistance + alpha)),
+                              -most, most);
     const Real next = lambda + table.relaxation[row] * (solved - lambda);
     table.multiplier[row] = next;
     stencil.each([&](std::size_t i) {

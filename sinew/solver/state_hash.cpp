@@ -76,6 +76,9 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
                    table.multiplier);
         for (Row row = 0; row < table.size(); ++row)
             if (table.toughness[row] > 0) digest.add(row, table.toughness[row], table.fatigue[row]);
+        for (Row row = 0; row < table.size(); ++row)
+            if (table.gives(row) || table.lead[row] != Real(0) || table.driven[row])
+                digest.add(row, table.max_force[row], table.lead[row], table.rate[row], table.driven[row]);
     });
     for (const auto& run : world.sweep) digest.add(run.kind, run.count);
     for (const auto& pin : world.pins)

@@ -24,6 +24,15 @@ template <int D, class RealT> struct SubstepMover {
     Vec<D, Real> point(Row row) const { return particles.position[row] + particles.velocity[row] * h; }
     Real weight(Row row) const { return particles.mobility[row]; }
     Real alpha(Real compliance) const { return minimum(compliance * per_h * per_h, limit::measure<Real>); }
+    Real most(Real max_force) const { return minimum(max_force * h * h, limit::multiplier<Real>); }
+    Real share(Real lead) const { return minimum(lead * per_h, limit::coordinate<Real>); }
+    /// The measure's own rate, less the rate of its limits, times the lead.
+    template <class Stencil>
+    Real ahead(const Stencil& stencil, std::span<const Row> members, Real lead, Real rate) const {
+        Real own = -rate;
+        stencil.each([&](std::size_t i) { own += dot(stencil.gradient[i], particles.velocity[members[i]]); });
+        return own * lead;
+    }
     void push(Row row, const Vec<D, Real>& displacement) { accelerate(row, displacement * per_h); }
     void accelerate(Row row, const Vec<D, Real>& change) {
         particles.velocity[row] = clamp_components(particles.velocity[row] + change, fastest);
@@ -182,6 +191,7 @@ template <int D, class Real> void sweep_substeps(World<D, Real>& world, int subs
     for (int s = 1; s <= substeps; ++s) {
         const Real share = Real(s) / Real(substeps);
         SubstepMover<D, Real> mover{world.particles, h};
+        move_limits(world, h);
         predict(world, mover);
         move_pins(world, share, mover);
         note_energy(world);
@@ -194,6 +204,7 @@ template <int D, class Real> void sweep_substeps(World<D, Real>& world, int subs
         advance(world, h);
         take_back_gains(world, h);
         rebound(world);
+        slip(world, h);
     }
 }
 

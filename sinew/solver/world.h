@@ -120,6 +120,10 @@ template <class KindT, class Real> struct Constraints {
     std::vector<Real> compliance;      ///< 1/stiffness; 0 is rigid
     std::vector<Real> relaxation;      ///< share of the error removed at once, (0, 1]
     std::vector<Real> split;           ///< share of the correction that the first member takes, 0..1; 1/2 is fair
+    std::vector<Real> max_force;       ///< most it pulls or pushes with; limit::measure and more has no end
+    std::vector<Real> lead;            ///< a compliant one aims where the measure will be so much later: a damper
+    std::vector<Real> rate;            ///< at which the limits move: a winch, a motor
+    std::vector<char> driven;          ///< its limits were made to move once
     std::vector<Real> breaking_strain; ///< torn beyond it; limit::measure and more never tears
     std::vector<Real> toughness;       ///< strain beyond that, times time, which it bears before it tears; 0: none
     std::vector<Real> fatigue;         ///< what it has borne of it
@@ -129,6 +133,8 @@ template <class KindT, class Real> struct Constraints {
     Slots<ConstraintTag> slots;
 
     std::size_t size() const { return low.size(); }
+    /// It gives way: it does not pull harder than that.
+    bool gives(Row row) const { return max_force[row] < limit::measure<Real>; }
 
     template <class Self, class Visit> static void columns(Self& self, Visit&& visit) {
         visit(self.low);
@@ -136,6 +142,10 @@ template <class KindT, class Real> struct Constraints {
         visit(self.compliance);
         visit(self.relaxation);
         visit(self.split);
+        visit(self.max_force);
+        visit(self.lead);
+        visit(self.rate);
+        visit(self.driven);
         visit(self.breaking_strain);
         visit(self.toughness);
         visit(self.fatigue);

@@ -256,8 +256,8 @@ TEST(Kinds, NamesAreUniqueAndArityFits) {
         EXPECT_TRUE(Kind::arity == any_arity || Kind::arity >= 2) << Kind::name;
         EXPECT_TRUE(Kind::dimensions.include(D)) << Kind::name;
     });
-    EXPECT_EQ((Kinds<2>::size), 4);
-    EXPECT_EQ((Kinds<3>::size), 4);
+    EXPECT_EQ((Kinds<2>::size), 5);
+    EXPECT_EQ((Kinds<3>::size), 5);
 }
 
 } // namespace

@@ -161,6 +161,25 @@ TEST(Block, ADoublePendulumGoesTheWayTheEquationsSay) {
     EXPECT_NEAR(eight / sixteen, 4, 0.5);
 }
 
+// Forty loaded ropes on one ball: it goes last, when all that hangs on it has gone.
+TEST(Block, AHubThatManyHangOnIsSolvedAtOnce) {
+    World<2, double> world;
+    fall(world, gravity);
+    const auto nail = add_particle(world, {.position = at<Vec2<double>>(0, 1)});
+    const auto hub = add_particle(world, {.mass = 0.01});
+    pin(world, nail);
+    add<Distance>(world, {nail, hub}, {.limits = exactly(1.0)});
+    for (int i = 0; i < 40; ++i) {
+        const double angle = pi<double> * (i + 0.5) / 40;
+        const auto weight = add_particle(
+            world, {.position = at<Vec2<double>>(2 * std::cos(angle), -2 * std::sin(angle)), .mass = 1000});
+        add<Distance>(world, {hub, weight}, {.limits = at_most(2.0)});
+    }
+    const auto most = extremes(world, sanitized ? 0.3 : 3, 40000 * gravity * 3);
+    EXPECT_LT(most.stretch, 1e-4);
+    EXPECT_LT(most.gain, 1e-4);
+}
+
 // A figure that swings, falls apart into two and goes on.
 TEST(Block, LettingGoAddsNoEnergy) {
     for (int at = 5; at < 120; at += 13) {

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "sinew/sinew.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+/// What `sinew bench rope` hangs up: 10 m of rope, each link 1 kg, with weights counted in links.
+namespace sinew::cli {
+
+struct RopeCase {
+    std::string name = "rope"; ///< or one of rope_cases
+    int links = 0;
+    double weight = 0; ///< in links; of the ragdoll in its own weight
+    std::string start; ///< hang or level
+    std::string precision;
+};
+
+/// Beside the rope: name, links, weight, start.
+struct RopeExample {
+    std::string_view name;
+    int links;
+    double weight;
+    std::string_view start, about;
+};
+inline constexpr std::array<RopeExample, 6> rope_cases = {{
+    {"pinned", 100, 1000, "level", "both ends held, the weight in the middle"},
+    {"tree", 100, 1000, "level", "a Y of three arms, a weight on two of them"},
+    {"necklace", 100, 1000, "level", "a closed ring, held at one link, the weight opposite"},
+    {"bridge", 50, 1000, "level", "planks between two banks, the load in the middle"},
+    {"ragdoll", 0, 1000, "hang", "on one hand, a weight in the other"},
+    {"ropes", 50, 100000, "level", "a thousand ropes, weights from 1 to this"},
+}};
+
+/// The world of a case. `scale` becomes all its weight times the length: what energies are told in.
+template <class Real> World<2, Real> world_of(const RopeCase& rope, double& scale);
+
+} // namespace sinew::cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "sinew/constraint/evaluated.h"
+
+#include <span>
+
+namespace sinew {
+
+/// Length of the way from the first particle over those between to the last: of a rope that runs freely over all but
+/// its ends.            C = sum |x_(i+1) - x_i|
+///
+/// Over one point it is a pulley; to a block and back, a tackle that pulls twice as hard; and so on.
+template <int D> struct Pulley {
+    static constexpr auto name = "pulley";
+    static constexpr int arity = any_arity;
+    static constexpr int least_arity = 3;
+    static constexpr Dimensions dimensions{2, 3};
+    static constexpr int length_power = 1;
+    static constexpr double period = 0;
+
+    template <class T> static T evaluate(std::span<const Vec<D, T>> x, std::span<Vec<D, T>> gradient) {
+        T length = T(0);
+        gradient[0] = Vec<D, T>{};
+        for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+            const auto leg = x[i + 1] - x[i];
+            const T part = norm(leg);
+            const auto n = leg * inverse_or_zero(part);
+            length = length + part;
+            gradient[i] = gradient[i] - n;
+            gradient[i + 1] = n;
+        }
+        return length;
+    }
+};
+
+} // namespace sinew

@@ -1,0 +1,122 @@
+#include "sinew/session/winder.h"
+
+#include "sinew/scene/check.h"
+#include "sinew/scene/types.h"
+#include "sinew/solver/edit.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace sinew {
+namespace {
+
+constexpr auto no_figure_of_scene = ~std::size_t(0);
+
+/// The last key that has come and tells, and the next that does.
+template <class Tells>
+std::array<const DriveKey*, 2> around(const std::vector<DriveKey>& keys, double time, Tells&& tells) {
+    std::array<const DriveKey*, 2> found{};
+    for (const auto& key : keys) {
+        if (!tells(key)) continue;
+        found[key.at <= time ? 0 : 1] = &key;
+        if (key.at > time) break;
+    }
+    return found;
+}
+
+/// How fast its limit at `now` moves in the next `dt`.
+double speed_at(const DriveSection& drive, double time, double dt, double now, double in_program) {
+    const double speed = drive.speed * in_program;
+    if (drive.keys.empty()) return speed;
+    const auto* key = around(drive.keys, time + dt * 1e-6, [](const DriveKey& k) { return k.to.has_value(); })[0];
+    if (!key) return 0;
+    const double fastest = absolute(speed);
+    return clamp((*key->to * in_program - now) / dt, -fastest, fastest);
+}
+
+std::optional<double> strength_at(const DriveSection& drive, double time) {
+    const auto [last, next] = around(drive.keys, time, [](const DriveKey& k) { return k.strength.has_value(); });
+    if (!last) return std::nullopt;
+    if (!next) return *last->strength;
+    return *last->strength + (*next->strength - *last->strength) * (time - last->at) / (next->at - last->at);
+}
+
+} // namespace
+
+const ConstraintSection& Winder::section_of(const Scene& scene, const Driven& driven) {
+    if (driven.figure == no_figure_of_scene) return scene.constraints[driven.section];
+    return std::get<ByHand>(scene.figures[driven.figure].made).constraints[driven.section];
+}
+
+/// How many constraints a section made: one, or as many as there are particles of its star.
+template <class WorldT>
+std::size_t made_by(const WorldT& world, const ConstraintSection& section, const std::string& prefix) {
+    std::vector<ParticleId> single, each;
+    bool many = false;
+    for (const auto& name : section.between) {
+        auto found = find_particles(world, full_name(name, prefix));
+        if (found.empty()) return 0;
+        if (name.ends_with('*'))
+            many = true, each = std::move(found);
+        else
+            single.push_back(found.front());
+    }
+    if (!many) return 1;
+    return std::size_t(std::count_if(each.begin(), each.end(),
+                                     [&](ParticleId id) { return std::ranges::find(single, id) == single.end(); }));
+}
+
+void Winder::find(const Scene& scene, const AnyWorld& any) {
+    driven_.clear();
+    std::visit(
+        [&]<class WorldT>(const WorldT& world) {
+            for (std::size_t f = 0; f < scene.figures.size(); ++f) {
+                const auto* by_hand = std::get_if<ByHand>(&scene.figures[f].made);
+                const auto prefix = std::string(name_of(scene.figures[f])) + "/";
+                std::size_t next = 0;
+                for (std::size_t i = 0; by_hand && i < by_hand->constraints.size(); ++i)
+                    for (auto left = made_by(world, by_hand->constraints[i], prefix); left-- > 0; ++next)
+                        if (by_hand->constraints[i].drive)
+                            driven_.push_back({world.figures[f].constraints[next], f, i});
+            }
+            // The scene's own constraints are the last of their kinds, in its order.
+            std::array<Row, std::size_t(Kinds<WorldT::dimension>::size)> after{};
+            for (std::size_t i = scene.constraints.size(); i-- > 0;) {
+                int kind = 0;
+                for_each_table(world, [&](const auto& table) {
+                    using Kind = typename std::decay_t<decltype(table)>::Kind;
+                    if (scene.constraints[i].kind == Kind::name)
+                        for (auto left = made_by(world, scene.constraints[i], ""); left-- > 0;) {
+                            const Row row = Row(table.size()) - ++after[std::size_t(kind)];
+                            if (scene.constraints[i].drive)
+                                driven_.push_back({{kind, table.slots.id_of(row)}, no_figure_of_scene, i});
+                        }
+                    ++kind;
+                });
+            }
+        },
+        any);
+}
+
+void Winder::run(const Scene& scene, AnyWorld& any) const {
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            using Real = typename WorldT::Real;
+            const double dt = step_length(scene);
+            for (const auto& driven : driven_) {
+                const auto& section = section_of(scene, driven);
+                const double in_program = section.kind == "angle" || section.kind == "dihedral" ? pi<double> / 180 : 1;
+                visit_table(world, driven.constraint.kind, [&](const auto& table) {
+                    const auto row = table.slots.find(driven.constraint.id);
+                    if (!row) return;
+                    drive(world, driven.constraint,
+                          Real(speed_at(*section.drive, world.time, dt, double(table.high[*row]), in_program)));
+                });
+                if (const auto strength = strength_at(*section.drive, world.time); strength && section.max_force > 0)
+                    set_max_force(world, driven.constraint, Real(section.max_force * *strength));
+            }
+        },
+        any);
+}
+
+} // namespace sinew

@@ -1,0 +1,64 @@
+#include "sinew/solver/phases.h"
+#include "sinew/solver/project.h"
+
+#include <algorithm>
+
+/// Winches and motors: limits that move, and lengths that slip.
+namespace sinew {
+namespace {
+
+template <class Real> constexpr bool is_limit(Real limit) {
+    return absolute(limit) < limit::measure<Real>;
+}
+
+/// By how much a length was pulled beyond what its most force explains.
+template <class Table, int D, class Real> Real slipped(World<D, Real>& world, const Table& table, Row row) {
+    const auto members = table.members[row];
+    detail::Stencil<typename Table::Kind, D, Real> stencil(world, members.size());
+    stencil.each([&](std::size_t i) { stencil.points[i] = world.particles.position[members[i]]; });
+    const Real measure = stencil.evaluate(stencil.points, stencil.gradient);
+    const Real error = measure - clamp(measure, table.low[row], table.high[row]);
+    const Real spring = table.max_force[row] * table.compliance[row];
+    return error - clamp(error, -spring, spring);
+}
+
+template <int D, class Real> bool is_in_block(const World<D, Real>& world, std::span<const Row> members) {
+    return std::any_of(members.begin(), members.end(), [&](Row member) { return world.blocks.contains(member); });
+}
+
+} // namespace
+
+template <int D, class Real> void move_limits(World<D, Real>& world, Real h) {
+    for_each_table(world, [&](auto& table) {
+        constexpr bool is_length = std::decay_t<decltype(table)>::Kind::length_power == 1;
+        for (Row row = 0; row < table.size(); ++row) {
+            if (table.rate[row] == Real(0)) continue;
+            for (Real* end : {&table.low[row], &table.high[row]}) {
+                if (!is_limit(*end)) continue;
+                const Real next = *end + table.rate[row] * h;
+                *end = is_length ? maximum(next, Real(0)) : next;
+            }
+        }
+    });
+}
+
+template <int D, class Real> void slip(World<D, Real>& world, Real h) {
+    constexpr Real nearly = Real(0.999);
+    for_each_table(world, [&](auto& table) {
+        if constexpr (std::decay_t<decltype(table)>::Kind::length_power == 1)
+            for (Row row = 0; row < table.size(); ++row) {
+                if (!table.gives(row) || is_in_block(world, std::as_const(table).members[row])) continue;
+                if (absolute(table.multiplier[row]) < nearly * table.max_force[row] * h * h) continue;
+                const Real by = slipped(world, table, row);
+                for (Real* end : {&table.low[row], &table.high[row]})
+                    if (is_limit(*end)) *end = maximum(*end + by, Real(0));
+            }
+    });
+}
+
+#define SINEW_DRIVE(D, Real)                                                                                           \
+    template void move_limits(World<D, Real>&, Real);                                                                  \
+    template void slip(World<D, Real>&, Real);
+SINEW_INSTANTIATE(SINEW_DRIVE)
+
+} // namespace sinew
