@@ -162,7 +162,8 @@ class Form {
 } // namespace
 
 void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
-    static const Layout layout = scene_layout();
+    static const Layout world = layout_of<WorldSection>(), solver = layout_of<SolverSection>(),
+                        figure = layout_of<FigureSection>();
     const auto document = play::document_of(play.session().scene());
     const auto& root = *document.as<json::Object>();
     Form form(play.session().scene(), look, [&](const std::string& path, const json::Value& value, bool goes_on) {
@@ -174,19 +175,19 @@ void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
         ImGui::PopFont();
     };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, 4));
-    for (const auto& part : layout.parts) {
-        const auto name = std::string(part.field.name);
+    const auto section = [&](const Layout& layout, const std::string& name) {
         const auto* own = json::find(root, name);
-        if (name == "solver" || name == "world") {
-            title(name);
-            form.record(part, own ? &own->value : nullptr, name);
-        }
-        const auto* figures = name == "figures" && own ? own->value.as<json::Array>() : nullptr;
-        if (!figures) continue;
+        title(name);
+        form.record(layout, own ? &own->value : nullptr, name);
+    };
+    section(world, "world");
+    section(solver, "solver");
+    const auto* own = json::find(root, "figures");
+    if (const auto* figures = own ? own->value.as<json::Array>() : nullptr) {
         constexpr std::size_t most = 12; // figures: a crowd is for the file
         for (std::size_t i = 0; i < std::min(figures->size(), most); ++i) {
             title(std::string(sinew::name_of(play.session().scene().figures[i])));
-            form.record(part.parts.front(), &(*figures)[i], "figures." + std::to_string(i));
+            form.record(figure, &(*figures)[i], "figures." + std::to_string(i));
         }
     }
     ImGui::PopStyleVar();
