@@ -90,14 +90,7 @@ class BenchCommand final : public Command {
             .name = "bench",
             .usage = "rope [--case C] [--links N] [--weight W] [--start hang|level] [--precision P] [--json]",
             .about = "measures how well and how fast the engine is",
-            .details =
-                "rope: 10 m of rope, each link 1 kg, a weight on the end, 5 s at 60 steps a second and the\n"
-                "default settings. Told are the median time of a step on one core, the stretch of the worst link\n"
-                "after any step, and the most energy it ever gained, as a part of its weight times its length.\n"
-                "With --json one line a case: case, links, weight, start, threads, precision, ms_per_step,\n"
-                "stretch_max, energy_gain (fractions), outside_limits (the worst angle, in degrees).\n"
-                "Cases: rope; " +
-                in_words() + ".\n",
+            .details = details(),
             .examples = "sinew bench rope\n"
                         "sinew bench rope --links 100 --weight 100000 --start level --json\n",
         };
@@ -147,10 +140,18 @@ class BenchCommand final : public Command {
             misused(fmt::format("bench: {} is {} or {}, found {}", option, allowed[0], allowed[1], word));
     }
 
-    static std::string in_words() {
-        std::string text;
-        for (const auto& example : rope_cases)
-            text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", example.name, example.about);
+    static std::string_view details() {
+        static const std::string text = [] {
+            std::string cases = "rope";
+            for (const auto& example : rope_cases) cases += fmt::format("; {} ({})", example.name, example.about);
+            return "rope: 10 m of rope, each link 1 kg, a weight on the end, 5 s at 60 steps a second and the\n"
+                   "default settings. Told are the median time of a step on one core, the stretch of the worst link\n"
+                   "after any step, and the most energy it ever gained, as a part of its weight times its length.\n"
+                   "With --json one line a case: case, links, weight, start, threads, precision, ms_per_step,\n"
+                   "stretch_max, energy_gain (fractions), outside_limits (the worst angle, in degrees).\n"
+                   "Cases: " +
+                   cases + ".\n";
+        }();
         return text;
     }
 

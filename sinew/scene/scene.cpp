@@ -74,8 +74,11 @@ std::optional<Opened> open_scene(Document& document, const ImageReader& reader) 
     return opened;
 }
 
-Layout scene_layout() {
-    return layout_of<Scene>();
-}
+Scene::Scene() = default;
+Scene::Scene(const Scene&) = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(const Scene&) = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
 
 } // namespace sinew

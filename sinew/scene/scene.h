@@ -89,6 +89,14 @@ struct PointerSection {
 };
 
 struct Scene {
+    // Defined once, in scene.cpp: it is a lot to make and to copy.
+    Scene();
+    Scene(const Scene&);
+    Scene(Scene&&) noexcept;
+    Scene& operator=(const Scene&);
+    Scene& operator=(Scene&&) noexcept;
+    ~Scene();
+
     int version = 1;
     std::string about, source;
     int dimension = 2;

@@ -259,6 +259,14 @@ template <int D, class RealT> struct World {
     using Real = RealT;
     using Vector = Vec<D, Real>;
 
+    // Defined once, in world.cpp: it is a lot to make and to copy.
+    World();
+    World(const World&);
+    World(World&&) noexcept;
+    World& operator=(const World&);
+    World& operator=(World&&) noexcept;
+    ~World();
+
     Settings<Real> settings;
     int threads = 0; ///< how many may work on a step; 0: as many as the machine has cores. Never changes a result
     Particles<D, Real> particles;
