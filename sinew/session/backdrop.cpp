@@ -6,7 +6,7 @@
 namespace sinew {
 namespace {
 
-/// Everything outside of a rectangle, as four bars.
+/// Everything outside of a rectangle, as four bars. They overlap at its corners, for edges that meet leave a seam.
 void around(std::span<const Vec2<float>> rectangle, const Color& color, Picture& picture) {
     const auto w = float(picture.width), h = float(picture.height);
     float left = w, right = 0, top = h, bottom = 0;
@@ -20,8 +20,8 @@ void around(std::span<const Vec2<float>> rectangle, const Color& color, Picture&
     };
     bar(0, 0, w, top);
     bar(0, bottom, w, h);
-    bar(0, maximum(top, 0.0F), left, minimum(bottom, h));
-    bar(right, maximum(top, 0.0F), w, minimum(bottom, h));
+    bar(0, 0, left, h);
+    bar(right, 0, w, h);
 }
 } // namespace
 
