@@ -38,7 +38,7 @@ void draw_floors(const Scene& scene, const View& view, const Theme& theme, Pictu
         const auto below_eye = onto(camera.eye);
         const double reach = maximum(0.93 * distance(below_eye, middle), 1.2 * distance(below_eye, camera.eye));
         const auto across = direction(cross(normal, view.towards_eye())), along = cross(across, normal);
-        constexpr int rings = 24, corners = 64; // more are closer than one shade
+        constexpr int rings = 64, corners = 64; // fewer show as bands: red, green and blue step at different ones
         for (int ring = 0; ring < rings; ++ring) {
             const double t = double(ring + 1) / rings, radius = reach * (1 - double(ring) / rings);
             outline.clear();
