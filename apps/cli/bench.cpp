@@ -16,7 +16,7 @@ class BenchCommand final : public Command {
         return {
             .name = "bench",
             .usage = "[CASE...] [--threads N] [--precision P] [--steps N] [--json]\n"
-                     "sinew bench rope [--case C] [--links N] [--weight W] [--start hang|level] [--json]",
+                     "sinew bench rope [--case C] [--links N] [--weight W] [--start hang|level] [--threads N] [--json]",
             .about = "measures how well and how fast the engine is",
             .details = details,
             .examples = "sinew bench\n"
@@ -27,7 +27,8 @@ class BenchCommand final : public Command {
 
     void declare(CLI::App& parser) override {
         declare_words(parser, words);
-        declare_number(parser, "--threads", options.threads, {1, 1024}, "N", "at most so many; else 1, 2 and 4");
+        declare_number(parser, "--threads", options.threads, {1, 1024}, "N",
+                       "how many work on a step; else 1, 2 and 4, of rope 1");
         declare_text(parser, "--precision", options.precision, "P", "float or double; else float, of ropes double");
         declare_number(parser, "--steps", options.steps, {2, 1e6}, "N",
                        "how many steps a case; else a few seconds' worth");

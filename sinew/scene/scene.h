@@ -79,6 +79,7 @@ struct ViewSection {
 /// What a pointer does to the scene, in whatever window it is.
 struct PointerSection {
     double cuts_within = 0;
+    double pulls_within = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.cuts_within, Field{.name = "cuts_within",
@@ -86,6 +87,11 @@ struct PointerSection {
                                       .unit = unit::length,
                                       .low = 0,
                                       .high = 1e6});
+        visit(self.pulls_within, Field{.name = "pulls_within",
+                                       .help = "How near to what it grabs the rest of its figure is pulled along",
+                                       .unit = unit::length,
+                                       .low = 0,
+                                       .high = 1e6});
     }
 };
 
