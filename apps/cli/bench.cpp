@@ -53,7 +53,7 @@ class BenchCommand final : public Command {
         check_word("--precision", options.precision, {"float", "double"});
         canvas::catch_interrupts();
         const auto& plain = words.plain;
-        const std::string_view first = plain.empty() ? "" : plain[0];
+        const std::string first = plain.empty() ? "" : plain[0];
         if (first == "rope" && plain.size() == 1)
             bench_ropes(options);
         else if (first == "weights" && plain.size() == 1)
