@@ -4,6 +4,7 @@
 #include "sinew/scene/event_section.h"
 #include "sinew/scene/figure_section.h"
 #include "sinew/scene/image.h"
+#include "sinew/scene/model.h"
 #include "sinew/scene/units.h"
 #include "sinew/scene/world_section.h"
 #include "sinew/solver/world.h"
@@ -84,6 +85,7 @@ struct ViewSection {
 /// What a pointer does to the scene, in whatever window it is.
 struct PointerSection {
     double cuts_within = 0;
+    double pulls_within = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.cuts_within, Field{.name = "cuts_within",
@@ -91,6 +93,11 @@ struct PointerSection {
                                       .unit = unit::length,
                                       .low = 0,
                                       .high = 1e6});
+        visit(self.pulls_within, Field{.name = "pulls_within",
+                                       .help = "How near to what it grabs the rest of its figure is pulled along",
+                                       .unit = unit::length,
+                                       .low = 0,
+                                       .high = 1e6});
     }
 };
 
@@ -158,8 +165,8 @@ struct Opened {
 /// Reads the scene of a document and builds its world. Nothing where anything is wrong with it, also beyond single
 /// values (names that are used twice or stand for nothing, more than the limits allow, images that cannot be read):
 /// then the document's diagnostics say what. Without a reader of images none is looked at, and shapes are drawn
-/// instead.
-std::optional<Opened> open_scene(Document& document, const ImageReader& reader = {});
+/// instead; without one of models every mesh is the square it is without a file.
+std::optional<Opened> open_scene(Document& document, const ImageReader& images = {}, const ModelReader& models = {});
 
 /// How long a step of the scene is, in its own time unit.
 double step_length(const Scene& scene);

@@ -100,7 +100,8 @@ template <class WorldT> class Overlayer {
         return seen ? std::optional(seen->pixel) : std::nullopt;
     }
 
-    /// Every distance as a line, in the colour of its value; the palest has none.
+    /// Every distance as a line, in the colour of its value; the palest has none. What only keeps apart is one while it
+    /// does.
     template <class Value>
     void color_lines(Value&& value_of, double least, std::string_view what, std::string_view unit) {
         struct Line {
@@ -115,6 +116,7 @@ template <class WorldT> class Overlayer {
             const auto a = view_.see(in_space(world_.particles.position[table.members[row][0]]));
             const auto b = view_.see(in_space(world_.particles.position[table.members[row][1]]));
             if (!state || !a || !b) continue;
+            if (!ties(table, row) && state->strain == 0 && state->tension == 0) continue;
             lines.push_back({{a->pixel, b->pixel}, value_of(*state)});
             largest = maximum(largest, absolute(lines.back().value));
         }
