@@ -40,6 +40,9 @@ struct CameraSection {
     Vec3<double> eye{{0, 1.5, 5}};
     Vec3<double> target{};
     double field_of_view = pi<double> / 4;
+    std::string projection = "perspective";
+
+    static constexpr std::array<std::string_view, 2> projections = {"perspective", "orthographic"};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.eye, Field{.name = "eye", .help = "Where it is", .unit = unit::length});
@@ -49,6 +52,9 @@ struct CameraSection {
                                         .unit = unit::angle,
                                         .low = pi<double> / 180,
                                         .high = 170 * pi<double> / 180});
+        visit(self.projection, Field{.name = "projection",
+                                     .help = "Orthographic: what is far is as large as what is at the target",
+                                     .choices = projections});
     }
 };
 
