@@ -9,6 +9,7 @@
 #include "sinew/prefab/formation.h"
 #include "sinew/prefab/humanoid.h"
 #include "sinew/prefab/limb.h"
+#include "sinew/prefab/mesh.h"
 #include "sinew/prefab/polygon.h"
 #include "sinew/prefab/puppet.h"
 #include "sinew/prefab/ragdoll.h"
@@ -34,7 +35,7 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Crank, Cloth, Curtain, Spiderweb, Tree,
+using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh, Curtain, Spiderweb, Tree,
                          Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
 
 namespace detail {

@@ -8,8 +8,7 @@
 namespace sinew {
 namespace {
 
-/// Sizes in a picture 480 pixels high; they grow with it.
-constexpr double nominal_height = 480;
+/// Sizes in a picture of the nominal height; they grow with it.
 constexpr float line = 3, casing = 1.8F /* times a line */, letters = 11, pin_size = 11;
 
 constexpr Color stretched{0.85F, 0.15F, 0.12F, 1}, squeezed{0.12F, 0.35F, 0.85F, 1};
@@ -25,7 +24,7 @@ template <class WorldT> class Overlayer {
   public:
     Overlayer(const Scene& scene, const WorldT& world, const View& view, Picture& picture)
         : scene_(scene), world_(world), view_(view), picture_(picture), theme_(theme_called(scene.view.theme)),
-          unit_(float(picture.height / nominal_height)), text_(theme_.pen) {}
+          unit_(float(picture.height / Picture::nominal_height)), text_(theme_.pen) {}
 
     void strain() {
         color_lines([](const ConstraintState& state) { return state.strain * 100; }, 0.1, "strain", "%");

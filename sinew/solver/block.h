@@ -98,9 +98,12 @@ template <int D> struct BlockLink : BlockLimit {
 /// An angle at the middle one of three nodes.
 template <int D> struct BlockBend : BlockLimit, BlockDrive {
     double begun = 0; ///< the angle when the substep began
+    double give = 0;  ///< how far beyond its limit it is held
+    bool strikes = false;
     std::array<std::uint32_t, 3> nodes{};
     std::array<std::uint32_t, 3> entries{}; ///< of the pairs 0 1, 1 2, 2 0
     std::array<Vec<D, double>, 3> gradient{};
+    std::array<Vec<D, double>, 3> along{}; ///< where it is pulled
 };
 
 /// What couples a node to a later one.

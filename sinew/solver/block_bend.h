@@ -14,15 +14,25 @@ template <int D> class BlockBends {
 
     std::span<BlockBend<D>> all() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
 
-    void set_out() {
+    /// Which limit holds when the substep begins. Where ends `bounce` (block_bounce.h) only those that one rests on.
+    void set_out(bool bounce) {
+        bounce_ = bounce;
         for (auto& bend : all()) {
-            bend.flips = 0;
+            bend.flips = bend.doubts = 0;
+            bend.slips = false;
+            bend.give = 0;
             const double angle = bend.begun = angle_of(bend, true);
-            bend.slips = false, bend.doubts = 0;
-            const bool exact = !bend.one_sided();
-            bend.side = exact || bend.tension > 0 || angle > bend.high ? 1
-                        : bend.tension < 0 || angle < bend.low         ? -1
-                                                                       : 0;
+            if (bounces(bend)) {
+                constexpr double hardly = 1e-6;
+                bend.side = bend.tension > 0 && angle > bend.high - hardly  ? 1
+                            : bend.tension < 0 && angle < bend.low + hardly ? -1
+                                                                            : 0;
+                if (bend.side != 0) bend.give = maximum(beyond(bend, angle), 0.0);
+            } else {
+                bend.side = !bend.one_sided() || bend.tension > 0 || angle > bend.high ? 1
+                            : bend.tension < 0 || angle < bend.low                     ? -1
+                                                                                       : 0;
+            }
         }
     }
 
@@ -38,10 +48,21 @@ template <int D> class BlockBends {
         for (const auto& bend : all()) {
             if (soft(bend)) continue;
             const double angle = angle_of(bend, false);
-            worst = maximum(worst, bend.outside(angle - bend.high, angle - bend.low));
+            if (bend.side != 0)
+                worst = maximum(worst, absolute(beyond(bend, angle) - bend.give));
+            else if (!bounces(bend))
+                worst = maximum(worst, maximum(angle - bend.high, bend.low - angle));
         }
         return worst;
     }
+
+    /// How far an angle is beyond the limit that holds it.
+    static double beyond(const BlockBend<D>& bend, double angle) {
+        return bend.side > 0 ? angle - bend.high : bend.low - angle;
+    }
+
+    /// An end it can come to, and leaves as fast as it came.
+    bool bounces(const BlockBend<D>& bend) const { return bounce_ && bend.one_sided() && !soft(bend) && !bend.driven; }
 
     /// How much the last move turned it, to first order.
     double change(const BlockBend<D>& bend) const {
@@ -65,23 +86,55 @@ template <int D> class BlockBends {
         return 0.5 * square(angle - clamp(angle, bend.low, bend.high)) / bend.compliance;
     }
 
+    /// How far the worst rigid one is outside its limits when the substep begins.
+    double worst_outside() const {
+        double worst = 0;
+        for (const auto& bend : all()) {
+            if (soft(bend) || !bend.one_sided()) continue;
+            const double angle = angle_of(bend, true);
+            worst = maximum(worst, maximum(angle - bend.high, bend.low - angle));
+        }
+        return worst;
+    }
+
     bool any_struck() const {
         for (const auto& bend : all())
-            if (bend.side != 0 && bend.one_sided() && !soft(bend)) return true;
+            if (bend.side != 0 && bend.one_sided() && !soft(bend) && !bounces(bend)) return true;
         return false;
+    }
+
+    /// How far the worst one that bounces has gone beyond its end, and beyond where it began.
+    double worst_overshoot() const {
+        double worst = 0;
+        for (const auto& bend : all()) {
+            if (bend.side != 0 || !bounces(bend)) continue;
+            const double angle = angle_of(bend, false);
+            worst =
+                maximum(worst, maximum(angle - maximum(bend.high, bend.begun), minimum(bend.low, bend.begun) - angle));
+        }
+        return worst;
     }
 
     static bool soft(const BlockBend<D>& bend) { return bend.compliance > 0; }
 
     // --- velocities
 
+    /// How fast an angle grows, less how fast its limits do.
+    double rate_of(const BlockBend<D>& bend) const {
+        double rate = -bend.rate;
+        for (std::size_t k = 0; k < 3; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
+        return rate;
+    }
+    double rate_at_end(BlockBend<D>& bend) const {
+        measure(bend);
+        return rate_of(bend);
+    }
     void begin_settling() {
-        for (auto& bend : all()) bend.pull = 0, measure(bend);
+        for (auto& bend : all()) bend.pull = 0, measure(bend), bend.along = bend.gradient;
     }
     void settle(double stiffness) {
         for (auto& bend : all()) {
-            double rate = -bend.rate;
-            for (std::size_t k = 0; k < 3; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
+            const double rate = rate_of(bend);
             const double k = stiffness * arm2(bend);
             const double pull = bend.pull + k * rate;
             const bool resists =
@@ -99,6 +152,7 @@ template <int D> class BlockBends {
     Blocks<D>& blocks_;
     const Block& block_;
     double h_;
+    bool bounce_ = false;
 
     BlockNode<D>& node(std::uint32_t i) const { return blocks_.nodes[i]; }
 
@@ -108,6 +162,37 @@ template <int D> class BlockBends {
         const auto evaluated = Angle<D>::evaluate(points);
         for (std::size_t k = 0; k < 3; ++k) bend.gradient[k] = gentle<Angle<D>>(evaluated.gradient[k]);
         return unwrap<Angle<D>>(evaluated.value, bend.low, bend.high);
+    }
+
+    /// Where it is pulled. In a swing along the discrete gradient: what that does over the substep is the torque times
+    /// the turn. The angle is that of (u . v, u x v), both bilinear, whose own discrete gradients are those at the
+    /// means of u and v; between two points of a circle of radius r, turned by t about the middle angle m, it is
+    ///
+    ///     (-sin m, cos m)  (t/2) / (r sin(t/2))
+    ///
+    /// In space u x v has no sign, and u . v alone will do.
+    void point(BlockBend<D>& bend, Rule rule, double angle) const {
+        bend.along = bend.gradient;
+        if (rule != Rule::swing || soft(bend)) return;
+        const auto &a = node(bend.nodes[0]), &b = node(bend.nodes[1]), &c = node(bend.nodes[2]);
+        const auto u0 = b.start - a.start, v0 = c.start - b.start, u1 = b.place - a.place, v1 = c.place - b.place;
+        const auto u = (u0 + u1) * 0.5, v = (v0 + v1) * 0.5;
+        const double r2 = square_root(dot(u0, u0) * dot(v0, v0)) * square_root(dot(u1, u1) * dot(v1, v1));
+        const double half = 0.5 * (angle - bend.begun), middle = bend.begun + half;
+        constexpr double small = 1e-4, large = 1;
+        if (!(r2 > 0) || absolute(half) > large) return;
+        const double scale = (absolute(half) < small ? 1 : half / sine(half)) / square_root(r2);
+        if constexpr (D == 2) {
+            const double along = -sine(middle) * scale, across = cosine(middle) * scale;
+            const auto du = v * along - perpendicular(v) * across, dv = u * along + perpendicular(u) * across;
+            bend.along = {-du, du - dv, dv};
+        } else {
+            constexpr double straight = 1e-3;
+            const double s = sine(middle);
+            if (!(s > straight)) return;
+            const auto du = v * (-scale / s), dv = u * (-scale / s);
+            bend.along = {-du, du - dv, dv};
+        }
     }
 
     /// The square of an angle's lever: an angle as stiff as a link of that length.
@@ -120,6 +205,7 @@ template <int D> class BlockBends {
     /// Returns how far the angle is outside its limits.
     double assemble(BlockBend<D>& bend, Rule rule, double hardest, double margin) {
         const double angle = measure(bend);
+        point(bend, rule, angle);
         bend.stiffness = 0;
         if (rule == Rule::place && bend.driven) return 0; // no time passes: it gives
         if (soft(bend)) {
@@ -132,10 +218,9 @@ template <int D> class BlockBends {
             add(bend, bend.tension);
             return 0;
         }
-        const double above = angle - bend.high, below = angle - bend.low;
-        if (bend.side == 0) bend.come_to_a_limit(above, below, margin);
+        if (bend.side == 0 && !bounces(bend)) bend.come_to_a_limit(angle - bend.high, angle - bend.low, margin);
         if (bend.side == 0) return 0;
-        const double error = bend.side > 0 ? above : below;
+        const double error = bend.side * (beyond(bend, angle) - bend.give);
         bend.stiffness = hardest * arm2(bend);
         bend.pull = bend.held(bend.tension + bend.stiffness * error, bend.tension, false);
         if (bend.slips) bend.stiffness = 0;
@@ -146,16 +231,14 @@ template <int D> class BlockBends {
     void add(const BlockBend<D>& bend, double torque) {
         for (std::size_t i = 0; i < 3; ++i) {
             auto& at = node(bend.nodes[i]);
-            const auto& gradient = bend.gradient[i];
-            at.residual -= gradient * torque;
-            at.diagonal += outer(gradient * bend.stiffness, gradient);
+            at.residual -= bend.along[i] * torque;
+            at.diagonal += outer(bend.along[i] * bend.stiffness, bend.gradient[i]);
             if (bend.entries[i] == Blocks<D>::none) continue;
             const auto j = (i + 1) % 3;
-            const auto& other = bend.gradient[j];
             const bool in_order = bend.nodes[i] < bend.nodes[j];
-            const auto &early = in_order ? gradient : other, &late = in_order ? other : gradient;
-            blocks_.entries[bend.entries[i]].lower += outer(late * bend.stiffness, early);
-            blocks_.entries[bend.entries[i]].upper += outer(early * bend.stiffness, late);
+            const auto early = in_order ? i : j, late = in_order ? j : i;
+            blocks_.entries[bend.entries[i]].lower += outer(bend.along[late] * bend.stiffness, bend.gradient[early]);
+            blocks_.entries[bend.entries[i]].upper += outer(bend.along[early] * bend.stiffness, bend.gradient[late]);
         }
     }
 };

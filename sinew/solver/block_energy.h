@@ -29,8 +29,8 @@ template <int D> class BlockEnergy {
         return sum;
     }
 
-    /// Whether a swing to its places has more than it began with.
-    bool gains() const {
+    /// How much more a swing to its places has than it began with and was given, as a part of what rounding may do.
+    double gain() const {
         constexpr double rounding = 1e-6, tiny = 2e-7;
         double before = 0, after = 0, weight = 0;
         for (const auto& node : solve_.unknowns()) {
@@ -39,7 +39,8 @@ template <int D> class BlockEnergy {
             before += 0.5 * node.mass * dot(node.velocity, node.velocity);
             after += 0.5 * node.mass * dot(velocity, velocity);
         }
-        return after > before + work() + rounding * (before + after) + tiny * weight * solve_.reach();
+        return (after - before - work()) *
+               inverse_or_zero(rounding * (before + after) + tiny * weight * solve_.reach());
     }
 
     /// What moves about the motion of the whole is slowed down, until no more than that is left.

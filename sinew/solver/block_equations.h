@@ -71,16 +71,16 @@ template <int D> class BlockEquations {
     static const Vector& start_of(const BlockNode<D>& node) { return node.start; }
     static const Vector& place_of(const BlockNode<D>& node) { return node.place; }
 
-    /// Whether velocities would lengthen links, as after a blow: by more than a swing does in a substep.
-    bool jolted() const {
+    /// Whether velocities would lengthen links, as after a blow: by more than a swing does in a substep that long.
+    bool jolted(double h) const {
         const double usual = block_.motored ? 1e-4 : 0.02; // what is driven starts and stops, and must not ring on
         for (const auto& link : links()) {
             if (soft(link) || (link.one_sided() && link.tension == 0)) continue;
             const auto span = node(link.b).place - node(link.a).place;
             const double rate = dot(span, node(link.b).velocity - node(link.a).velocity);
-            if (absolute(rate) * h_ > usual * square(link.length)) return true;
+            if (absolute(rate) * h > usual * square(link.length)) return true;
         }
-        return ways_.jolted(usual);
+        return ways_.jolted(usual, h);
     }
 
     /// Half the sum of m v^2.

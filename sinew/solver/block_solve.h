@@ -24,6 +24,21 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// From now on lengths that cannot be kept are shared out, as by very stiff springs.
     void be_elastic() { elastic_ = true; }
 
+    /// From now on joints swing past their ends, and bounce from them afterwards (block_bounce.h).
+    void let_bounce() { bounce_ = true; }
+
+    /// Which limits hold when the substep begins.
+    void choose_sides(Rule rule) {
+        reach_ = 0;
+        for (auto& link : links()) {
+            link.start = node(link.b).start - node(link.a).start;
+            reach_ += link.length;
+            choose_side(link);
+        }
+        bends_.set_out(bounce_ && rule == Rule::swing);
+        reach_ += ways_.set_out(as_good_as_taut);
+    }
+
     /// Finds every `place`. `hold(assemble)` adds what else acts on the nodes to their equations. False where it did
     /// not converge.
     template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
@@ -48,6 +63,14 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             Base::solve();
             take_step(i >= undecided_after ? 0.5 : 1);
         }
+    }
+
+    /// One iteration more.
+    template <class Hold> void refine(Rule rule, Hold&& hold) {
+        assemble(rule);
+        hold();
+        Base::solve();
+        take_step(1);
     }
 
     /// Where Newton does not find the lengths: sweeps over the links come nearer to them.
@@ -84,7 +107,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     using Base::add, Base::clear_entries, Base::bends_, Base::ways_, Base::block_, Base::h_, Base::per_h_;
     double reach_ = 0;
     double moved_ = 0, tightened_ = 0, strongest_ = 0; ///< by an iteration: the most of any node and link
-    bool elastic_ = false;
+    bool elastic_ = false, bounce_ = false;
     bool let_go_ = false; ///< a limit, since patience was last asked
     double slight_ = 0;   ///< a tension that is none
 
@@ -101,16 +124,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             node.place = node.start + flight;
             node.aim = node.place + node.push * (share * h_ * h_);
         }
-        reach_ = 0;
-        for (auto& link : links()) {
-            link.start = node(link.b).start - node(link.a).start;
-            reach_ += link.length;
-            choose_side(link);
-        }
-        bends_.set_out();
+        choose_sides(rule);
         double weight = 0;
         for (const auto& node : unknowns()) weight += node.mass * norm(node.push);
-        reach_ += ways_.set_out(as_good_as_taut);
         slight_ = 1e-6 * weight * inverse_or_zero(reach_) * double(block_.links + block_.ways);
     }
 

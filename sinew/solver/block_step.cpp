@@ -1,3 +1,4 @@
+#include "sinew/solver/block_bounce.h"
 #include "sinew/solver/block_contact.h"
 #include "sinew/solver/block_energy.h"
 #include "sinew/solver/block_settle.h"
@@ -13,9 +14,10 @@ using detail::Rule;
 template <int D, class Real> class BlockStep {
   public:
     BlockStep(World<D, Real>& world, const Block& block, double frame, double last_substep)
-        : state_(world, block, frame, last_substep), contact_(state_) {}
+        : state_(world, block, frame, last_substep), contact_(state_), frame_(frame) {}
 
     void run(int substeps) {
+        longest_ = frame_ / substeps;
         for (int s = 0; s < substeps; ++s) advance(double(s) / substeps, double(s + 1) / substeps, 0);
     }
     void report_tensions(double substep) { state_.report_tensions(substep); }
@@ -24,9 +26,11 @@ template <int D, class Real> class BlockStep {
     using Solve = detail::BlockSolve<D>;
     using Energy = detail::BlockEnergy<D>;
 
+    static constexpr int deepest = 3;                          ///< a substep is cut into pieces, and again, so often
     static constexpr int many = 40, stretched_iterations = 10; ///< iterations, where there is no other way
     detail::BlockState<D, Real> state_;
     detail::BlockContact<D, Real> contact_;
+    double frame_, longest_ = 0; ///< substep there may be
 
     void load(double from, double to) {
         state_.load(from, to);
@@ -35,34 +39,59 @@ template <int D, class Real> class BlockStep {
     bool run(Solve& solve, Rule rule, int iterations) {
         return solve.run(rule, iterations, [&] { contact_.hold(solve.stiffness()); });
     }
+    void refine(Solve& solve) {
+        solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness()); });
+    }
     /// Nothing from outside acts on it but force fields.
     bool is_free() const { return state_.fixed().empty() && !state_.driven() && !contact_.near(); }
 
     void advance(double from, double to, int depth) {
-        constexpr int deepest = 3, pieces = 4;
-        constexpr int few = 8; // iterations: where more are needed, shorter substeps are cheaper
+        constexpr int pieces = 4;
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
         const Energy energy(solve, is_free());
         if (!pull_together(solve)) return be_stretched(from, to);
-        if (solve.jolted()) settle(solve, energy);
-        const bool found = run(solve, Rule::swing, few), blow = struck(solve);
-        if (found && !blow && !(state_.works_alone() && energy.gains())) {
-            const double per_h = 1 / state_.substep();
-            for (auto& node : state_.unknowns())
-                node.velocity = (node.place - node.start) * (2 * per_h) - node.velocity;
-            if (any_tightened())
-                settle(solve, energy);
-            else if (solve.jolted())
-                straighten(solve, energy);
-            energy.keep_momentum();
-            return state_.store();
+        if (solve.jolted(longest_)) {
+            solve.choose_sides(Rule::implicit);
+            settle(solve, energy);
         }
+        const auto went = swing(solve, energy, depth == deepest);
+        if (went == Went::well) return state_.store();
         if (state_.driven() && !solve.run(Rule::place, many, [] {})) return be_stretched(from, to);
-        if (depth == deepest || (depth > 0 && blow)) return give_way(from, to);
+        if (depth == deepest || (depth > 0 && went == Went::against_something)) return give_way(from, to);
         const double piece = (to - from) / pieces;
         for (int i = 0; i < pieces; ++i)
             advance(from + piece * i, i + 1 == pieces ? to : from + piece * (i + 1), depth + 1);
+    }
+
+    enum class Went { well, against_something, too_far };
+
+    /// Tries to swing. What goes too far for one substep is done in shorter ones, as long as there are any.
+    Went swing(Solve& solve, const Energy& energy, bool shortest) {
+        constexpr int few = 8;             // iterations: where more are needed, shorter substeps are cheaper
+        constexpr double overshoot = 2e-3; // radians beyond the end of a joint
+        if (loses_nothing(solve)) solve.let_bounce();
+        const bool found = run(solve, Rule::swing, few);
+        if (struck(solve)) return Went::against_something;
+        if (!found) return Went::too_far;
+        constexpr double exact = 0.02, slight = 1e3; // parts of what rounding may do
+        double gain = state_.works_alone() ? energy.gain() : 0;
+        if (absolute(gain) > exact) {
+            refine(solve);
+            gain = energy.gain();
+        }
+        if (gain > (shortest ? slight : 1)) return Went::too_far;
+        if (!shortest && solve.bends().worst_overshoot() > overshoot) return Went::too_far;
+        const double per_h = 1 / state_.substep(), due = solve.kinetic() + energy.work();
+        for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * (2 * per_h) - node.velocity;
+        if (gain > 1) energy.slow_down(due);
+        if (!bounce(solve, energy) && !shortest) return Went::too_far;
+        if (any_tightened())
+            settle(solve, energy);
+        else if (solve.jolted(longest_) && !straighten(solve, energy) && !shortest)
+            return Went::too_far;
+        energy.keep_momentum();
+        return Went::well;
     }
 
     /// The substep once more, implicit. Where even that finds nothing, everything stays where it is for this moment and
@@ -124,6 +153,22 @@ template <int D, class Real> class BlockStep {
         return met || after <= crude;
     }
 
+    /// Undamped, with nothing outside to take or give: then a joint bounces from its end.
+    bool loses_nothing(const Solve& solve) const {
+        constexpr double far_outside = 2e-2; // radians: it was put there, and is brought back
+        return state_.world.settings.damping == Real(0) && state_.works_alone() && !contact_.near() &&
+               solve.bends().worst_outside() < far_outside;
+    }
+    /// False where what came to rest on its end had much energy; else that goes back into the rest of the motion.
+    bool bounce(Solve& solve, const Energy& energy) const {
+        constexpr double much = 1 + 1e-5;
+        const double kinetic = solve.kinetic();
+        if (!detail::BlockBounce<D>(solve).run()) return true;
+        const bool little = kinetic <= much * solve.kinetic();
+        energy.bring_to(kinetic);
+        return little;
+    }
+
     /// Something has come to a plane, or a joint to its end: what follows is a blow, not a swing.
     bool struck(const Solve& solve) const { return solve.bends().any_struck() || contact_.struck(); }
 
@@ -142,11 +187,14 @@ template <int D, class Real> class BlockStep {
     }
 
     /// Where a whip cracks, what it does along its links is no motion but the rule's own error: it goes back into what
-    /// is one.
-    void straighten(Solve& solve, const Energy& energy) {
+    /// is one. False where that is much.
+    bool straighten(Solve& solve, const Energy& energy) {
+        constexpr double much = 1.02;
         const double kinetic = solve.kinetic();
         settle(solve, energy);
+        const bool little = kinetic <= much * solve.kinetic();
         if (!state_.driven()) energy.bring_to(kinetic);
+        return little;
     }
 };
 

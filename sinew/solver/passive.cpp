@@ -17,7 +17,7 @@ template <class Table> bool limits_turn(const Table& table, Row row) {
     return Table::Kind::length_power == 0 && table.low[row] < table.high[row];
 }
 
-template <int D, class Real> double mass_of(const Particles<D, Real>& p, Row row) {
+template <int D, class Real> double inertia_of(const Particles<D, Real>& p, Row row) {
     return inverse_or_zero(double(p.mobility[row]));
 }
 
@@ -65,7 +65,7 @@ template <int D, class Real> void note_energy(World<D, Real>& world) {
     for (auto& budget : figures) budget.before = 0;
     for (Row row = 0; row < p.size(); ++row)
         if (p.figure[row] < figures.size())
-            figures[p.figure[row]].before += 0.5 * mass_of(p, row) * double(dot(p.velocity[row], p.velocity[row]));
+            figures[p.figure[row]].before += 0.5 * inertia_of(p, row) * double(dot(p.velocity[row], p.velocity[row]));
     for (auto& pin : world.pins)
         if (const auto row = p.slots.find(pin.particle)) pin.carried = p.velocity[*row];
 }
@@ -83,7 +83,7 @@ template <int D, class Real> void add_up(World<D, Real>& world, Real h) {
     for (Row row = 0; row < p.size(); ++row) {
         if (p.figure[row] >= figures.size()) continue;
         auto& budget = figures[p.figure[row]];
-        const double m = mass_of(p, row);
+        const double m = inertia_of(p, row);
         const auto v = cast<double>(p.velocity[row]);
         budget.held = budget.held || m == 0;
         budget.mass += m;

@@ -164,7 +164,7 @@ void abuse(const std::string& name, const std::string& mode, const std::string& 
     auto session = open(name, mode, precision);
     ASSERT_TRUE(session);
     Abuser abuser(*session, 7);
-    const double size = farthest_outside(*session), abused = test::sanitized ? 0.5 : few_or_many(2, 60);
+    const double size = farthest_outside(*session), abused = test::sanitized ? 0.3 : few_or_many(2, 60);
     double outside = 0;
     while (session->seconds() < abused) {
         abuser.step();
