@@ -25,7 +25,7 @@ struct Family {
 };
 
 /// The list of families. A new one is one new file in bench/families/ and one word here.
-#define SINEW_FAMILIES(X) X(cloth) X(mesh) X(ragdolls) X(ropes) X(scale)
+#define SINEW_FAMILIES(X) X(cloth) X(mesh) X(ragdolls) X(ropes) X(swing) X(heavy) X(scale)
 
 namespace family {
 #define SINEW_DECLARE(name) Family name();

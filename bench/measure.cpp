@@ -29,7 +29,7 @@ template <class Real> class EngineRun final : public Simulation {
   public:
     explicit EngineRun(World<3, Real> world) : world_(std::move(world)) {}
     void step() override { sinew::step(world_, Real(frame)); }
-    Place place(std::size_t particle) const override { return cast<float>(world_.particles.position[particle]); }
+    Found place(std::size_t particle) const override { return cast<double>(world_.particles.position[particle]); }
 
   private:
     World<3, Real> world_;
@@ -67,19 +67,21 @@ Measured measure_as(const Case& chosen, const Work& work, int threads, int steps
 } // namespace
 
 Timing time(Simulation& simulation, const Work& work, int steps, const Watch& watch) {
-    constexpr int looks = 20; // at the strain, in all
+    constexpr double sticks_looked_at = 1e8; // in all; the strain is not looked at more often than that takes
+    const int pause = 1 + int(double(steps) * double(work.sticks.size()) / sticks_looked_at);
     Timing timing;
     std::vector<double> times;
-    std::vector<Place> places(work.places.size());
+    std::vector<Found> places(work.places.size());
     for (int i = 0; i < steps; ++i) {
         const auto begun = Clock::now();
         simulation.step();
         times.push_back(milliseconds_since(begun));
-        if (i % std::max(steps / looks, 1) == 0 || i + 1 == steps) {
+        if (i % pause == 0 || i + 1 == steps) {
             for (std::size_t k = 0; k < places.size(); ++k) places[k] = simulation.place(k);
             const auto strain = strain_of(work, places);
-            timing.strain = {strain.max > timing.strain.max || std::isnan(strain.max) ? strain.max : timing.strain.max,
-                             strain.mean};
+            const double before = timing.strain.max;
+            timing.strain = strain;
+            if (before > strain.max || std::isnan(before)) timing.strain.max = before;
         }
         if (watch) watch(double(i + 1) / steps);
     }

@@ -50,9 +50,9 @@ void Textbook::satisfy() {
     for (const auto& strut : struts_) correct(strut.a, strut.b, strut.least, true);
 }
 
-Place Textbook::place(std::size_t particle) const {
+Found Textbook::place(std::size_t particle) const {
     const auto& point = points_[particle];
-    return {{point.x, point.y, point.z}};
+    return {{double(point.x), double(point.y), double(point.z)}};
 }
 
 } // namespace sinew::bench

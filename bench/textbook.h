@@ -16,7 +16,7 @@ class Textbook final : public Simulation {
     Textbook(const Work& work, const Effort& effort, Order order = Order::listed);
 
     void step() override;
-    Place place(std::size_t particle) const override;
+    Found place(std::size_t particle) const override;
 
   private:
     struct Point {

@@ -31,18 +31,20 @@ template <class Real> Work work_of(const World<3, Real>& world) {
     return work;
 }
 
-Strain strain_of(const Work& work, std::span<const Place> places) {
+Strain strain_of(const Work& work, std::span<const Found> places) {
     Strain strain;
     for (const auto& stick : work.sticks) {
-        const double length = distance(cast<double>(places[stick.a]), cast<double>(places[stick.b]));
+        const double length = distance(places[stick.a], places[stick.b]);
         const double off = absolute(length / double(stick.rest) - 1);
-        strain.max = is_finite(off) ? std::max(strain.max, off) : off; // once lost, lost
+        if (!is_finite(off)) {
+            constexpr double lost = std::numeric_limits<double>::quiet_NaN();
+            return {lost, lost, lost};
+        }
+        strain.max = std::max(strain.max, off);
         strain.mean += off;
-        if (!is_finite(off)) break;
     }
-    if (!is_finite(strain.max) || !is_finite(strain.mean))
-        return {std::numeric_limits<double>::quiet_NaN(), strain.mean * 0};
     if (!work.sticks.empty()) strain.mean /= double(work.sticks.size());
+    strain.last = strain.max;
     return strain;
 }
 

@@ -10,7 +10,8 @@
 /// a world, so that whoever is compared with the engine gets the same particles and the same constraints.
 namespace sinew::bench {
 
-using Place = Vec<3, float>;
+using Place = Vec<3, float>;  ///< given, to everyone alike
+using Found = Vec<3, double>; ///< where a solver has brought it, as exact as it has it
 
 struct Stick {
     std::uint32_t a = 0, b = 0;
@@ -39,8 +40,10 @@ template <class Real> Work work_of(const World<3, Real>& world);
 
 /// How far sticks are from their lengths, as a fraction of them. Not a number if any place is none.
 struct Strain {
-    double max = 0, mean = 0;
+    double max = 0;  ///< of a run: after any step
+    double last = 0; ///< the worst after the last
+    double mean = 0; ///< after the last
 };
-Strain strain_of(const Work& work, std::span<const Place> places);
+Strain strain_of(const Work& work, std::span<const Found> places);
 
 } // namespace sinew::bench

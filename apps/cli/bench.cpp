@@ -12,10 +12,13 @@ namespace {
 
 class BenchCommand final : public Command {
     Manual manual() const override {
-        static const std::string details = case_details() + "\n" + rope_details();
+        static const std::string details =
+            case_details() + "\n" + quality_details() + "\n" + weights_details() + "\n" + rope_details();
         return {
             .name = "bench",
-            .usage = "[CASE...] [--threads N] [--precision P] [--steps N] [--json]\n"
+            .usage = "[CASE...] [--threads N] [--precision P] [--steps N] [--json | --markdown]\n"
+                     "sinew bench quality [CASE] [--plot FILE] [--json]\n"
+                     "sinew bench weights [--plot FILE] [--json]\n"
                      "sinew bench rope [--case C] [--links N] [--weight W] [--start hang|level] [--threads N] [--json]",
             .about = "measures how well and how fast the engine is",
             .details = details,
@@ -39,7 +42,9 @@ class BenchCommand final : public Command {
         declare_text(parser, "--start", options.start, "S", "of rope: hang or level; else both");
         declare_number(parser, "-s,--seconds", options.seconds, {0.1, 1e6}, "S",
                        "of rope: how long, simulated; else 5");
+        declare_text(parser, "--plot", options.plot, "FILE", "of quality and weights: an SVG file to draw into");
         declare_flag(parser, "--json", options.as_json, "one line of JSON a case");
+        declare_flag(parser, "--markdown", options.as_markdown, "tables as Markdown has them");
     }
 
     int run() override {
@@ -47,17 +52,22 @@ class BenchCommand final : public Command {
         check_word("--start", options.start, {"hang", "level"});
         check_word("--precision", options.precision, {"float", "double"});
         canvas::catch_interrupts();
-        if (words.plain.size() == 1 && words.plain[0] == "rope")
+        const auto& plain = words.plain;
+        const std::string first = plain.empty() ? "" : plain[0];
+        if (first == "rope" && plain.size() == 1)
             bench_ropes(options);
+        else if (first == "weights" && plain.size() == 1)
+            bench_weights(options);
+        else if (first == "quality" && plain.size() <= 2)
+            bench_quality(options, plain.size() == 2 ? cases({plain[1]}).front() : *bench::find_case("swing-64"));
         else
-            bench_cases(options, cases());
+            bench_cases(options, plain.empty() ? bench::all_cases() : cases(plain));
         return done;
     }
 
-    std::vector<bench::Case> cases() const {
-        if (words.plain.empty()) return bench::all_cases();
+    static std::vector<bench::Case> cases(const std::vector<std::string>& names) {
         std::vector<bench::Case> chosen;
-        for (const auto& word : words.plain) {
+        for (const auto& word : names) {
             auto found = bench::find_case(word);
             if (!found) misused(fmt::format("bench: there is no case {}", word), "sinew bench --help");
             chosen.push_back(std::move(*found));

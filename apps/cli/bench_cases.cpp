@@ -1,11 +1,10 @@
 #include "sinew/solver/workers.h"
 
-#include "apps/cli/bench_options.h"
+#include "apps/cli/bench_text.h"
 #include "apps/cli/console.h"
 #include "apps/cli/json_line.h"
 #include "apps/cli/stepping.h"
-#include "bench/measure.h"
-#include "bench/textbook.h"
+#include "bench/contender.h"
 #include "canvas/progress.h"
 
 #include <algorithm>
@@ -24,34 +23,8 @@ using bench::Work;
 
 /// Who else did it.
 struct Rival {
-    std::string_view name;
+    std::string name;
     Timing timing;
-};
-
-/// The rivals' results on a case; the first is the textbook in list order, by which speed is told.
-class Rivals {
-  public:
-    Rivals(const Case& chosen, const Work& work, int steps) : chosen_(chosen), work_(work) {
-        using Order = bench::Textbook::Order;
-        const int few = std::min(steps, 5); // at random it takes long
-        run("textbook", bench::Textbook(work, {}, Order::listed), steps);
-        run("textbook, shuffled", bench::Textbook(work, {}, Order::shuffled),
-            work.sticks.size() > most_shuffled ? few : steps);
-        for (const auto& peer : bench::peers())
-            if (peer.takes(work)) run(peer.name, *peer.make(work, Effort{}), steps);
-    }
-
-    const std::vector<Rival>& all() const { return all_; }
-    const Timing& textbook() const { return all_.front().timing; }
-
-  private:
-    static constexpr std::size_t most_shuffled = 1'000'000;
-    const Case& chosen_;
-    const Work& work_;
-    std::vector<Rival> all_;
-
-    void run(std::string_view name, bench::Simulation&& simulation, int steps) { run(name, simulation, steps); }
-    void run(std::string_view name, bench::Simulation& simulation, int steps);
 };
 
 /// Watches a measurement on the terminal.
@@ -70,9 +43,17 @@ class Watching {
     canvas::Progress progress_;
 };
 
-void Rivals::run(std::string_view name, bench::Simulation& simulation, int steps) {
-    Watching watching(chosen_, name);
-    all_.push_back({name, time(simulation, work_, steps, watching.watch())});
+/// What the rivals do with a case; the first is the textbook in list order, by which speed is told.
+std::vector<Rival> measure_rivals(const Case& chosen, const Work& work, int steps) {
+    constexpr std::size_t many = 1'000'000; // constraints: in no order they take long
+    std::vector<Rival> all;
+    for (const auto& rival : bench::rivals(work)) {
+        Watching watching(chosen, rival.name);
+        const bool few = !all.empty() && work.constraints() > many;
+        all.push_back(
+            {rival.name, time(*rival.make(Effort{}), work, few ? std::min(steps, 5) : steps, watching.watch())});
+    }
+    return all;
 }
 
 double projections_per_second(const Work& work, double milliseconds) {
@@ -92,9 +73,9 @@ struct Line {
     const Work& work;
     const bench::Engine& engine;
     const Measured& measured;
-    const Rivals& rivals;
+    const std::vector<Rival>& rivals;
 
-    double ratio() const { return rivals.textbook().milliseconds / measured.milliseconds; }
+    double ratio() const { return rivals.front().timing.milliseconds / measured.milliseconds; }
 
     json::Object in_json() const {
         json::Object line{{"case", chosen.name},
@@ -108,13 +89,14 @@ struct Line {
         if (!chosen.direct) line.push_back({"projections_per_s", projections_per_second(work, measured.milliseconds)});
         for (json::Member& more : json::Object{{"ratio", ratio()},
                                                {"stretch_max", measured.strain.max},
+                                               {"stretch_last", measured.strain.last},
                                                {"stretch_mean", measured.strain.mean},
                                                {"build_ms", measured.build_ms},
                                                {"prepare_ms", measured.prepare_ms}})
             line.push_back(std::move(more));
         if (measured.bytes_per_constraint > 0) line.push_back({"bytes_per_constraint", measured.bytes_per_constraint});
         json::Object others;
-        for (const auto& [name, timing] : rivals.all())
+        for (const auto& [name, timing] : rivals)
             others.push_back({key_of(name), json::Object{{"ms_per_step", timing.milliseconds},
                                                          {"stretch_max", timing.strain.max},
                                                          {"stretch_mean", timing.strain.mean}}});
@@ -123,10 +105,6 @@ struct Line {
     }
 };
 
-std::string fraction(double value) {
-    return std::isfinite(value) ? fmt::format("{:.2g} %", 100 * value) : "lost";
-}
-
 std::vector<std::string> row(const std::string& name, const std::string& who, const Work& work, const Timing& timing,
                              double unit, bool projects = true) {
     return {name,
@@ -134,8 +112,8 @@ std::vector<std::string> row(const std::string& name, const std::string& who, co
             fmt::format("{:.3f}", timing.milliseconds),
             projects ? fmt::format("{:.3f}", projections_per_second(work, timing.milliseconds) / 1e9) : "",
             fmt::format("{:.2f}", unit / timing.milliseconds),
-            fraction(timing.strain.max),
-            fraction(timing.strain.mean)};
+            stretch_text(timing.strain.max),
+            stretch_text(timing.strain.mean)};
 }
 
 std::vector<int> thread_counts(const BenchOptions& options) {
@@ -154,8 +132,8 @@ void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& ca
     for (const auto& chosen : cases) {
         const auto work = work_of(chosen);
         const int steps = options.steps ? int(*options.steps) : bench::usual_steps(work);
-        const Rivals rivals(chosen, work, steps);
-        const double unit = rivals.textbook().milliseconds;
+        const auto rivals = measure_rivals(chosen, work, steps);
+        const double unit = rivals.front().timing.milliseconds;
         auto name = fmt::format("{} ({})", chosen.name, work.constraints());
         for (const int threads : thread_counts(options)) {
             const bench::Engine engine{threads, options.precision != "double"};
@@ -169,10 +147,10 @@ void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& ca
             }
             rows.push_back(row(std::exchange(name, ""), who, work, measured, unit, !chosen.direct));
         }
-        for (const auto& [who, timing] : rivals.all()) rows.push_back(row("", std::string(who), work, timing, unit));
+        for (const auto& [who, timing] : rivals) rows.push_back(row("", who, work, timing, unit));
     }
     if (!options.as_json)
-        print(fmt::format("On this machine the engine's lanes are: {}\n{}", bench::simd(), table(rows)));
+        print(fmt::format("On this machine the engine's lanes are: {}\n{}", bench::simd(), bench_table(rows, options)));
 }
 
 std::string case_details() {

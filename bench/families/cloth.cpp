@@ -11,10 +11,16 @@ namespace {
 
 constexpr double cell = 0.03; // metres
 
-/// A square cloth that hangs upright from two corners, each particle of 1 kg. A thousandth of a cell out of its plane,
-/// so that it can leave it.
-template <class Real> void hang(World<3, Real>& world, int side) {
-    build(world, Cloth{.columns = side, .rows = side, .spacing = cell, .pins = "corners", .mass = double(side) * side},
+/// A square cloth held at two corners, each particle of 1 kg. A thousandth of a cell out of its plane, so that it can
+/// leave it.
+template <class Real> void hold(World<3, Real>& world, int side, const char* plane, int across) {
+    build(world,
+          Cloth{.columns = side,
+                .rows = side,
+                .spacing = cell,
+                .plane = plane,
+                .pins = "corners",
+                .mass = double(side) * side},
           "cloth");
     auto& particles = world.particles;
     for (Row row = 0; row < particles.size(); ++row) {
@@ -22,9 +28,16 @@ template <class Real> void hang(World<3, Real>& world, int side) {
         set_mass(world, id, Real(1));
         if (particles.mobility[row] == 0) continue;
         auto place = particles.position[row];
-        place[2] = Real(1e-3 * cell * random::symmetric(1, 0, row));
+        place[across] = Real(1e-3 * cell * random::symmetric(1, 0, row));
         set_position(world, id, place);
     }
+}
+
+template <class Real> void hang(World<3, Real>& world, int side) {
+    hold(world, side, "vertical", 2);
+}
+template <class Real> void let_go(World<3, Real>& world, int side) {
+    hold(world, side, "horizontal", 1);
 }
 
 /// About so many constraints: 4 a particle.
@@ -43,9 +56,18 @@ Family family::cloth() {
             .build_double = hang<double>};
 }
 
+Family family::swing() {
+    return {.name = "swing",
+            .about = "the same let go level: it swings down and snaps taut",
+            .sizes = {"64", "256"},
+            .most = 4096,
+            .build_float = let_go<float>,
+            .build_double = let_go<double>};
+}
+
 Family family::scale() {
     return {.name = "scale",
-            .about = "the same of about SIZE constraints: what one costs when there are many",
+            .about = "the cloth of about SIZE constraints: what one costs when there are many",
             .sizes = {"1e3", "1e4", "1e5", "1e6", "4e6"},
             .most = 6e7,
             .build_float = hang_for<float>,

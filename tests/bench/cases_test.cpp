@@ -12,6 +12,12 @@
 namespace sinew::bench {
 namespace {
 
+double strain_at_first(const Work& work) {
+    std::vector<Found> places;
+    for (const auto& place : work.places) places.push_back(cast<double>(place));
+    return strain_of(work, places).max;
+}
+
 TEST(Cases, AreFoundByFamilyAndSize) {
     for (const auto& chosen : all_cases()) EXPECT_EQ(find_case(chosen.name)->name, chosen.name);
     EXPECT_EQ(find_case("scale-4e6")->size, 4'000'000);
@@ -27,7 +33,7 @@ TEST(Cases, TheClothHangsFromTwoCornersWithAKilogramAParticle) {
     EXPECT_EQ(std::ranges::count(work.inverse_masses, 0), 2);
     EXPECT_EQ(std::ranges::count(work.inverse_masses, 1), 256 * 256 - 2);
     EXPECT_EQ(work.inverse_masses[255], 0);
-    EXPECT_LT(strain_of(work, work.places).max, 1e-5);
+    EXPECT_LT(strain_at_first(work), 1e-5);
 }
 
 /// Its sides, in grid cells, whatever points they join.
@@ -61,7 +67,7 @@ TEST(Cases, RagdollsAreFifteenPointsTwentyOneSticksAndLimits) {
     EXPECT_EQ(work.places.size(), 3U * 15);
     EXPECT_EQ(work.sticks.size(), 3U * 21);
     EXPECT_EQ(work.struts.size(), 3U * 4);
-    EXPECT_LT(strain_of(work, work.places).max, 1e-5);
+    EXPECT_LT(strain_at_first(work), 1e-5);
     for (const auto& strut : work.struts) EXPECT_GT(distance(work.places[strut.a], work.places[strut.b]), strut.least);
 }
 

@@ -50,7 +50,7 @@ TEST(Textbook, SweepsOneAfterTheOtherAndAllOfTheIterations) {
     twice.step();
     EXPECT_NEAR(twice.place(1)[0], 1.25, 1e-6);
     EXPECT_NEAR(twice.place(2)[0], 2.25, 1e-6);
-    EXPECT_EQ(once.place(0), (Place{}));
+    EXPECT_EQ(once.place(0), (Found{}));
 }
 
 TEST(Textbook, KeepsStrutsFromFoldingAndLetsThemStretch) {
@@ -72,18 +72,19 @@ TEST(Textbook, InEitherOrderComesToTheSameRest) {
     Textbook listed(work, {.substeps = 2, .iterations = 200});
     Textbook shuffled(work, {.substeps = 2, .iterations = 200}, Textbook::Order::shuffled);
     listed.step(), shuffled.step();
-    for (std::size_t i = 0; i < work.places.size(); ++i) EXPECT_LT(distance(listed.place(i), shuffled.place(i)), 1e-3F);
+    for (std::size_t i = 0; i < work.places.size(); ++i) EXPECT_LT(distance(listed.place(i), shuffled.place(i)), 1e-3);
 }
 
 TEST(Strain, IsTheWorstAndTheMeanOfAllSticks) {
     const Work work{
         .places = {}, .velocities = {}, .inverse_masses = {}, .sticks = {{0, 1, 1}, {1, 2, 2}}, .struts = {}};
-    const std::vector<Place> places{{{0, 0, 0}}, {{1.5F, 0, 0}}, {{1.5F, 1.5F, 0}}};
+    const std::vector<Found> places{{{0, 0, 0}}, {{1.5, 0, 0}}, {{1.5, 1.5, 0}}};
     EXPECT_NEAR(strain_of(work, places).max, 0.5, 1e-6);
+    EXPECT_EQ(strain_of(work, places).last, strain_of(work, places).max);
     EXPECT_NEAR(strain_of(work, places).mean, 0.375, 1e-6);
-    const float lost = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_TRUE(std::isnan(strain_of(work, std::vector<Place>{{{lost, 0, 0}}, places[1], places[2]}).max));
-    EXPECT_TRUE(std::isnan(strain_of(work, std::vector<Place>{places[0], places[1], {{0, lost, 0}}}).mean));
+    const double lost = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(strain_of(work, std::vector<Found>{{{lost, 0, 0}}, places[1], places[2]}).max));
+    EXPECT_TRUE(std::isnan(strain_of(work, std::vector<Found>{places[0], places[1], {{0, lost, 0}}}).mean));
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 #include "tests/cli/command.h"
 
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -53,6 +55,35 @@ TEST(Bench, StillMeasuresRopes) {
     ASSERT_EQ(all.size(), 1U);
     EXPECT_EQ(all[0]["links"], 3);
     EXPECT_LT(all[0]["stretch_max"].get<double>(), 1e-6);
+}
+
+TEST(Bench, TellsWhatTimeBuysAndDrawsIt) {
+    const auto path = testing::TempDir() + "quality.svg";
+    const auto all = lines(sinew({"bench", "quality", "swing-4", "--steps", "2", "--json", "--plot", path}));
+    ASSERT_GE(all.size(), 3U * 8);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(all[i]["case"], "swing-4");
+        EXPECT_GT(all[i]["ms_per_step"].get<double>(), 0);
+        for (const auto* number : {"substeps", "iterations", "stretch_max", "stretch_last", "stretch_mean"})
+            EXPECT_TRUE(all[i][number].is_number()) << number;
+    }
+    EXPECT_EQ(all[0]["by"], "sinew");
+    EXPECT_EQ(all[8]["by"], "textbook");
+    std::ifstream file(path);
+    const std::string svg{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_TRUE(begins(svg, "<svg ") && has(svg, "</svg>")) << svg;
+    EXPECT_TRUE(has(svg, "textbook, shuffled") && has(svg, "<polyline") && !has(svg, "nan"));
+}
+
+TEST(Bench, HangsHeavyThingsOnARope) {
+    const auto outcome = sinew({"bench", "weights", "--steps", "2", "--markdown"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(begins(outcome.out, "| weight, in ropes | by |")) << outcome.out;
+    EXPECT_TRUE(has(outcome.out, "|---|---|"));
+    EXPECT_TRUE(has(outcome.out, "| 1000 | sinew | default |"));
+    const auto nowhere = sinew({"bench", "weights", "--steps", "2", "--plot", "/nowhere/x.svg"});
+    EXPECT_EQ(nowhere.code, 1);
+    EXPECT_TRUE(has(nowhere.err, "/nowhere/x.svg: error:")) << nowhere.err;
 }
 
 TEST(Bench, KnowsWhatItCanMeasure) {

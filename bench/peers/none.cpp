@@ -1,5 +1,6 @@
 #include "bench/simulation.h"
 
+/// Where no peers are built.
 namespace sinew::bench {
 
 std::span<const Solver> peers() {
