@@ -11,10 +11,10 @@ template <int D, class Real> class BlockContact {
 
     explicit BlockContact(BlockState<D, Real>& state) : state_(state), world_(state.world) {}
 
-    /// When a substep begins: whether it may come to a plane.
+    /// When a substep begins: whether it may come to a plane. What has touched one is near it for the rest of the step.
     void look() {
-        near_ = false;
-        if (world_.bounds.empty()) return;
+        near_ = touched_;
+        if (world_.bounds.empty() || near_) return;
         const double h = state_.substep();
         for (const auto& node : state_.unknowns()) {
             const double reach = h * (norm(node.velocity) + h * norm(node.push)) * 2;
@@ -23,12 +23,11 @@ template <int D, class Real> class BlockContact {
     }
     bool near() const { return near_; }
 
-    /// Whether something has come to a plane.
-    bool struck() const {
-        if (!near_) return false;
-        for (const auto& node : state_.unknowns())
-            for (const auto& plane : world_.bounds)
-                if (depth(node, plane) > 0) return true;
+    /// Whether something has come to a plane: also what was far from it, and was drawn there by the rest.
+    bool struck() {
+        for (const auto& plane : world_.bounds)
+            for (const auto& node : state_.unknowns())
+                if (depth(node, plane) > 0) return touched_ = true;
         return false;
     }
 
@@ -53,7 +52,7 @@ template <int D, class Real> class BlockContact {
   private:
     BlockState<D, Real>& state_;
     World<D, Real>& world_;
-    bool near_ = false;
+    bool near_ = false, touched_ = false;
 
     double depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
         return double(plane.offset) + double(world_.particles.radius[node.row]) -

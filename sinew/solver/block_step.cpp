@@ -182,7 +182,7 @@ template <int D, class Real> class BlockStep {
     }
 
     /// Something has come to a plane, or a joint to its end: what follows is a blow, not a swing.
-    bool struck(const Solve& solve) const { return solve.bends().any_struck() || contact_.struck(); }
+    bool struck(const Solve& solve) { return contact_.struck() || solve.bends().any_struck(); }
 
     bool any_tightened() const {
         for (const auto& link : state_.links())
