@@ -42,7 +42,14 @@ template <int D, class Real> class BlockContact {
                 for (const auto& plane : world_.bounds) press(node, plane, hardest);
     }
 
-    /// The same for velocities: what struck a plane leaves it with its restitution; what rests on it stays.
+    /// What is beyond a plane after all is put on it.
+    void lift() {
+        for (const auto& plane : world_.bounds)
+            for (auto& node : state_.unknowns())
+                node.place += cast<double>(plane.normal) * maximum(depth(node, plane), 0.0);
+    }
+
+    /// As `hold`, for velocities: what struck a plane leaves it with its restitution; what rests on it stays.
     void rebound(double k) {
         if (!near_) return;
         for (auto& node : state_.unknowns())

@@ -137,6 +137,7 @@ template <int D, class Real> class BlockStep {
         constexpr double most = 10;
         if (!(solve.worst_place_strain() <= maximum(most, before)))
             for (auto& node : state_.unknowns()) node.place = node.start;
+        contact_.lift(); // it has not converged
         take_mean_velocities();
         state_.forget_tensions();
         state_.store();
