@@ -111,7 +111,11 @@ struct Scene {
     ~Scene();
 
     int version = 1;
-    std::string about, source;
+    std::string about, source, category = "other";
+
+    static constexpr std::array<std::string_view, 7> categories = {"basics",     "ropes",    "cloth", "bodies",
+                                                                   "characters", "machines", "other"};
+
     int dimension = 2;
     UnitsSection units;
     ViewSection view;
@@ -130,6 +134,7 @@ struct Scene {
               Field{.name = "sinew", .help = "Version of the format", .low = 1, .high = 1, .required = true});
         visit(self.about, Field{.name = "about", .help = "What it shows, in a sentence or two"});
         visit(self.source, Field{.name = "source", .help = "Where the idea is from"});
+        visit(self.category, Field{.name = "category", .help = "Which scenes it is shown with", .choices = categories});
         visit(self.dimension, Field{.name = "dimension", .help = "2 or 3", .low = 2, .high = 3});
         visit(self.units, Field{.name = "units", .help = "What the numbers of the file are in"});
         visit(self.view, Field{.name = "view", .help = "What is seen of it"});

@@ -25,6 +25,7 @@ struct Report {
     std::size_t particles = 0, constraints = 0;
     std::uint64_t hash = 0;
     double kinetic = 0, potential = 0, stored = 0;
+    double energy_lost = 0;                   ///< since the start, to blows (measure.h)
     double stretch_max = 0, stretch_mean = 0; ///< of distances, as fractions of their rest length
     double max_speed = 0;
 };

@@ -188,10 +188,11 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 /// What is in no block: substeps of projections.
 template <int D, class Real> void sweep_substeps(World<D, Real>& world, int substeps, Real h) {
     const Real share_of_substep = Real(1) / Real(substeps);
+    const bool driven = any_driven(world);
     for (int s = 1; s <= substeps; ++s) {
         const Real share = Real(s) / Real(substeps);
         SubstepMover<D, Real> mover{world.particles, h};
-        move_limits(world, h);
+        if (driven) move_limits(world, h);
         predict(world, mover);
         move_pins(world, share, mover);
         note_energy(world);
@@ -205,7 +206,7 @@ template <int D, class Real> void sweep_substeps(World<D, Real>& world, int subs
         advance(world, h);
         take_back_gains(world, h);
         rebound(world);
-        slip(world, h);
+        if (driven) slip(world, h);
     }
 }
 

@@ -33,7 +33,7 @@ Fetched fetch(const std::string& word, std::span<const Override> overrides) {
     return fetched;
 }
 
-const Shelf shelf{{"chains", "ragdoll", "rope"}, fetch};
+const Shelf shelf{{"chains", "ragdoll", "rope"}, {}, fetch};
 
 Session session_of(const std::string& name) {
     return Session(std::move(*fetch(name, {}).opened));
@@ -345,7 +345,7 @@ TEST(Play, TheDisplaysRateChangesNothingButThePictures) {
 }
 
 TEST(Play, ASceneInSpaceIsTurnedAndItsClothIsTaken) {
-    Play play({{}, fetch}, "cloth3d");
+    Play play({{}, {}, fetch}, "cloth3d");
     play.resize(1000, 700);
     for (int i = 0; i < (test::sanitized ? 5 : 30); ++i) play.advance(1.0 / 60);
     const auto eye = play.view().towards_eye();
