@@ -86,6 +86,7 @@ struct ViewSection {
 struct PointerSection {
     double cuts_within = 0;
     double pulls_within = 0;
+    double wheel_quickens = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.cuts_within, Field{.name = "cuts_within",
@@ -98,6 +99,11 @@ struct PointerSection {
                                        .unit = unit::length,
                                        .low = 0,
                                        .high = 1e6});
+        visit(self.wheel_quickens, Field{.name = "wheel_quickens",
+                                         .help = "What a notch of its wheel adds to solver.rules.time_scale, up to 5; "
+                                                 "0: the wheel zooms (classic mode)",
+                                         .low = 0,
+                                         .high = 5});
     }
 };
 
