@@ -5,6 +5,9 @@
 /// The parts of a step that both modes share, each in a file of its own.
 namespace sinew {
 
+/// Nothing is pushed harder: the largest force on the lightest particle.
+template <class Real> constexpr Real largest_acceleration = limit::force<Real>* limit::mass<Real>;
+
 /// force.cpp: what acts on a particle, where it is or at another place: a velocity v changes by acceleration -
 /// drag_rate v.
 template <int D, class Real> struct Push {
@@ -28,6 +31,13 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 /// tear.cpp: removes constraints strained beyond their breaking point for longer than they bear, after a step of dt;
 /// with a distance goes what both of its ends belong to.
 template <int D, class Real> void tear(World<D, Real>& world, Real dt);
+
+/// swept.cpp: the particles of the sweep into their columns, for substeps of length h, and back.
+template <int D, class Real> void take_up(World<D, Real>& world, Real h);
+template <int D, class Real> void put_back(World<D, Real>& world);
+
+/// plan.cpp: works out how the sweep goes about what is in no block.
+template <int D, class Real> void make_plan(World<D, Real>& world);
 
 /// block_step.cpp: moves every block over a step; tensions are told as multipliers of a substep of that length.
 template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep);
