@@ -101,6 +101,53 @@ template <class V, class Real> [[gnu::always_inline]] inline void put_lane(V& pa
         pack[i] = number;
 }
 
+/// Numbers from anywhere in a column, and back; as many as there are lanes.
+template <class V, class Real> [[gnu::always_inline]] inline V gather(const Real* column, const unsigned* at) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
+        return _mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xffff, _mm512_loadu_si512(at), column, 4);
+    else if constexpr (sizeof(V) == 64)
+        return _mm512_mask_i32gather_pd(_mm512_setzero_pd(), 0xff,
+                                        _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)), column, 8);
+    else
+#endif
+        if constexpr (sizeof(V) == 16 && sizeof(Real) == 4) {
+        return V{column[at[0]], column[at[1]], column[at[2]], column[at[3]]};
+    } else if constexpr (sizeof(V) == 16) {
+        return V{column[at[0]], column[at[1]]};
+    } else if constexpr (sizeof(V) == 32 && sizeof(Real) == 4) {
+        return V{column[at[0]], column[at[1]], column[at[2]], column[at[3]],
+                 column[at[4]], column[at[5]], column[at[6]], column[at[7]]};
+    } else if constexpr (sizeof(V) == 32) {
+        return V{column[at[0]], column[at[1]], column[at[2]], column[at[3]]};
+    } else {
+        return column[at[0]];
+    }
+}
+template <class V, class Real>
+[[gnu::always_inline]] inline void scatter(Real* column, const unsigned* at, const V& pack) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
+        return _mm512_i32scatter_ps(column, _mm512_loadu_si512(at), pack, 4);
+    else if constexpr (sizeof(V) == 64)
+        return _mm512_i32scatter_pd(column, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)), pack, 8);
+#endif
+    Real numbers[sizeof(V) / sizeof(Real)];
+    store(numbers, pack);
+    for (unsigned i = 0; i < sizeof(V) / sizeof(Real); ++i) column[at[i]] = numbers[i];
+}
+
+/// Whether a comparison holds in some lane.
+[[gnu::always_inline]] inline bool any(bool holds) {
+    return holds;
+}
+template <class Mask> [[gnu::always_inline]] inline bool any(const Mask& holds) {
+    unsigned long long words[sizeof(Mask) / 8], all = 0;
+    __builtin_memcpy(words, &holds, sizeof holds);
+    for (const auto word : words) all |= word;
+    return all != 0;
+}
+
 /// Stores the first `count` lanes and touches nothing behind them.
 template <class V, class Real> [[gnu::always_inline]] inline void store_first(Real* to, const V& pack, int count) {
 #if defined(__AVX512F__)

@@ -52,6 +52,14 @@ template <int D, class Real> struct Advance {
     Real furthest; ///< a particle may be
 };
 
+template <int D, class Real> struct Tethering {
+    const Real* place[D];
+    Real* move[D];
+    const Real* mobility;
+    const Real* reach; ///< by slot
+    Real anchor[D];    ///< where it will be
+};
+
 template <int D, class Real> struct Kernels {
     /// Solves some runs one after the other.
     void (*project)(const LinkColumns<D, Real>&, LinkPass<Real>&, const LinkRun* first, const LinkRun* last);
@@ -59,6 +67,8 @@ template <int D, class Real> struct Kernels {
     void (*drift)(const Drift<D, Real>&, std::uint32_t first, std::uint32_t last);
     /// place <- place + move, with what rounding takes kept in the residual (Kahan 1965).
     void (*advance)(const Advance<D, Real>&, std::uint32_t first, std::uint32_t last);
+    /// Pulls what is out of reach of the anchor back.
+    void (*tether)(const Tethering<D, Real>&, std::uint32_t first, std::uint32_t last);
     /// The least of normal . (place + move).
     Real (*lowest)(const Advance<D, Real>&, const Real* normal, std::uint32_t first, std::uint32_t last);
 };

@@ -30,15 +30,23 @@ struct SideBySide {
 struct Scattered {
     const std::uint32_t* slots;
     template <class V, class Real> [[gnu::always_inline]] V get(const Real* column, int count) const {
-        V pack{};
-        for (int i = 0; i < count; ++i) put_lane(pack, i, column[slots[i]]);
-        return pack;
+        if (count == int(sizeof(V) / sizeof(Real))) return gather<V>(column, slots);
+        Real numbers[sizeof(V) / sizeof(Real)] = {};
+        for (int i = 0; i < count; ++i) numbers[i] = column[slots[i]];
+        return load<V>(numbers);
     }
     template <bool all, class V, class Real>
     [[gnu::always_inline]] void put(Real* column, const V& pack, int count) const {
-        for (int i = 0; i < count; ++i) column[slots[i]] = lane_of(pack, i);
+        if constexpr (all) return scatter(column, slots, pack);
+        Real numbers[sizeof(V) / sizeof(Real)];
+        store(numbers, pack);
+        for (int i = 0; i < count; ++i) column[slots[i]] = numbers[i];
     }
 };
+
+template <bool all, class V, class Real> [[gnu::always_inline]] inline void put(Real* to, const V& pack, int count) {
+    SideBySide{0}.put<all>(to, pack, count);
+}
 
 template <class V> struct Limits { V low, high, alpha; };
 
@@ -124,10 +132,12 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
 
     template <class V>
     [[gnu::always_inline]] void note(std::uint32_t i, int count, const V& lambda, const V& length) const {
-        for (int k = 0; k < count; ++k) {
-            columns.multiplier[row(i + unsigned(k))] = lane_of(lambda, k);
-            pass.shortest = least(pass.shortest, lane_of(length, k));
-        }
+        if (any(length < spread<V>(Real(1e-18)))) pass.shortest = 0;
+        if (!std::is_same_v<Ends, Scattered> && run.row_step == 1)
+            return put<false>(columns.multiplier + run.row + i, lambda, count);
+        Real numbers[sizeof(V) / sizeof(Real)];
+        store(numbers, lambda);
+        for (int k = 0; k < count; ++k) columns.multiplier[row(i + unsigned(k))] = numbers[k];
     }
 
     [[gnu::always_inline]] std::pair<Ends, Ends> ends(std::uint32_t i) const {
@@ -143,10 +153,10 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             return run.row + i * run.row_step;
     }
     template <class V> [[gnu::always_inline]] V multipliers(std::uint32_t i, int count) const {
-        V lambda{};
-        if (!pass.first)
-            for (int k = 0; k < count; ++k) put_lane(lambda, k, columns.multiplier[row(i + unsigned(k))]);
-        return lambda;
+        if (pass.first) return V{};
+        Real numbers[sizeof(V) / sizeof(Real)] = {};
+        for (int k = 0; k < count; ++k) numbers[k] = columns.multiplier[row(i + unsigned(k))];
+        return load<V>(numbers);
     }
 
     template <class V, class Get> [[gnu::always_inline]] Limits<V> limits(std::uint32_t at, Get&& get) const {
@@ -179,15 +189,20 @@ void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, con
     const LinkColumns<D, Real> own = columns;
     for (; first != last; ++first) {
         const auto& run = *first;
-        constexpr Rules any{}, unkept{.kept = false}, simple{false, false, false, false};
+        constexpr Rules all{}, unkept{.kept = false}, swinging{false, false, false, true};
+        constexpr Rules simple{false, false, false, false};
         if (run.scattered && pass.kept)
-            Projection<D, Real, any, Scattered>{own, pass, run}.all();
-        else if (run.scattered)
+            Projection<D, Real, all, Scattered>{own, pass, run}.all();
+        else if (run.scattered && (run.soft || !run.exact || run.swings))
             Projection<D, Real, unkept, Scattered>{own, pass, run}.all();
+        else if (run.scattered)
+            Projection<D, Real, simple, Scattered>{own, pass, run}.all();
         else if (pass.kept)
-            Projection<D, Real, any, SideBySide>{own, pass, run}.all();
-        else if (run.soft || !run.exact || run.swings)
+            Projection<D, Real, all, SideBySide>{own, pass, run}.all();
+        else if (run.soft || !run.exact)
             Projection<D, Real, unkept, SideBySide>{own, pass, run}.all();
+        else if (run.swings)
+            Projection<D, Real, swinging, SideBySide>{own, pass, run}.all();
         else
             Projection<D, Real, simple, SideBySide>{own, pass, run}.all();
     }
@@ -204,10 +219,6 @@ template <class Real, class F> [[gnu::always_inline]] inline void over(std::uint
     for (; first + width <= last; first += width) f.template operator()<V, true>(first, width);
     if (first < last) f.template operator()<V, false>(first, int(last - first));
 }
-template <bool all, class V, class Real> [[gnu::always_inline]] inline void put(Real* to, const V& pack, int count) {
-    SideBySide{0}.put<all>(to, pack, count);
-}
-
 template <int D, class Real> void drift_all(const Drift<D, Real>& all, std::uint32_t first, std::uint32_t last) {
     for (int k = 0; k < D; ++k) {
         Real* const column = all.move[k];
@@ -235,6 +246,24 @@ template <int D, class Real> void advance_all(const Advance<D, Real>& all, std::
     }
 }
 
+template <int D, class Real> void tether_all(const Tethering<D, Real>& all, std::uint32_t first, std::uint32_t last) {
+    over<Real>(
+        first, last, [&]<class V, bool whole>(std::uint32_t at, int count) __attribute__((always_inline)) {
+            V e[D], move[D], e2{}, zero{};
+            for (int k = 0; k < D; ++k) {
+                move[k] = load<V>(all.move[k] + at);
+                e[k] = (load<V>(all.place[k] + at) - all.anchor[k]) + move[k];
+                e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
+            }
+            const V reach = load<V>(all.reach + at);
+            if (!any(e2 > reach * reach)) return;
+            const V length = root(e2);
+            const V movable = load<V>(all.mobility + at) > zero ? least(reach - length, zero) : zero;
+            const V back = movable / most(length, spread<V>(Real(1e-18)));
+            for (int k = 0; k < D; ++k) put<whole>(all.move[k] + at, move[k] + e[k] * back, count);
+        });
+}
+
 template <int D, class Real>
 Real lowest_of(const Advance<D, Real>& all, const Real* normal, std::uint32_t first, std::uint32_t last) {
     Real found = Real(3e38);
@@ -250,7 +279,7 @@ Real lowest_of(const Advance<D, Real>& all, const Real* normal, std::uint32_t fi
 
 template <int D, class Real>
 inline constexpr Kernels<D, Real> kernels_here{project_runs<D, Real>, drift_all<D, Real>, advance_all<D, Real>,
-                                               lowest_of<D, Real>};
+                                               tether_all<D, Real>, lowest_of<D, Real>};
 
 } // namespace
 } // namespace sinew

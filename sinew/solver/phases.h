@@ -22,10 +22,8 @@ template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, 
 /// force.cpp: hands out the forces that strike one particle a step, into particles.force.
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
 
-/// quarantine.cpp: figures and loose particles that are not finite stand still from now on, where they last were.
-template <int D, class Real> void quarantine_non_finite(World<D, Real>& world);
-
-/// quarantine.cpp: what is finite but beyond the stated limits is held at them.
+/// quarantine.cpp: figures and loose particles that are not finite stand still from now on, where they last were; what
+/// is finite but beyond the stated limits is held at them.
 template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 
 /// tear.cpp: removes constraints strained beyond their breaking point for longer than they bear, after a step of dt;

@@ -20,6 +20,7 @@ template <int D, class Real> class Planner {
 
     void run() {
         plan_.clear();
+        look_around();
         swept_.row_of.clear();
         swept_.slot_of.assign(particles(), none);
         take_plain();
@@ -36,6 +37,9 @@ template <int D, class Real> class Planner {
             part += alike;
         }
         plan_.first_run.push_back(std::uint32_t(plan_.runs.size()));
+        plan_.reach.resize(plan_.reach.size() + (plan_.reach.empty() ? 0 : 16));
+        constexpr std::size_t lanes = 16; // a pack reads on behind the last
+        for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->resize(column->size() + lanes);
         list_pins();
         swept_.make_room();
     }
@@ -61,6 +65,24 @@ template <int D, class Real> class Planner {
         return distances_.split[link] == Real(0.5) && distances_.relaxation[link] == Real(1) &&
                !distances_.gives(link) && distances_.lead[link] == Real(0) && !distances_.driven[link] &&
                distances_.low[link] <= far && distances_.high[link] >= Real(0);
+    }
+
+    /// What tears must not make a step allocate: room for all that could be, where that is no waste.
+    void look_around() {
+        plan_.driven = plan_.may_tear = false;
+        std::size_t constraints = 0;
+        for_each_table(world_, [&](const auto& table) {
+            constraints += table.size();
+            for (Row row = 0; row < table.size(); ++row) {
+                plan_.driven = plan_.driven || table.driven[row];
+                plan_.may_tear = plan_.may_tear || table.breaking_strain[row] < limit::measure<Real>;
+            }
+        });
+        constexpr std::size_t small = 100'000;
+        if (!plan_.may_tear || constraints > small) return;
+        plan_.reserve(particles(), distances_.size(), constraints);
+        room_.reserve(particles(), distances_.size());
+        swept_.reserve(particles());
     }
 
     void take_plain() {
@@ -329,7 +351,70 @@ template <int D, class Real> class Planner {
             lay_out_list(part);
         else
             lay_out_colours(part);
+        add_tethers(part);
         end_sheet();
+    }
+
+    // --- tethers ----------------------------------------------------------------------------------------------------
+
+    bool is_anchor(const Pin<D, Real>& pin, std::size_t part) const {
+        const auto row = world_.particles.slots.find(pin.particle);
+        if (!row || !pin.hard() || slot(*row) == none || room_.part_of[*row] != part) return false;
+        const auto figure = world_.particles.figure[*row];
+        return figure < world_.figures.size() && world_.figures[figure].tethers;
+    }
+
+    /// To a few of its pins: of many those that lie furthest apart. What may tear has none, nor what gives.
+    void add_tethers(std::size_t part) {
+        auto& sheet = plan_.sheets.back();
+        if (plan_.may_tear || links(part).empty()) return;
+        auto& pins = room_.anchors;
+        pins.clear();
+        for (std::uint32_t i = 0; i < world_.pins.size(); ++i)
+            if (is_anchor(world_.pins[i], part)) pins.push_back(i);
+        if (pins.empty()) return;
+        list_neighbours(part);
+        constexpr std::size_t most = 4;
+        const auto size = members(part).size();
+        for (std::size_t i = 0; i < std::min(most, pins.size()); ++i) {
+            const auto pin = pins.size() <= most ? pins[i] : pins[i * (pins.size() - 1) / (most - 1)];
+            const auto first = plan_.reach.size();
+            plan_.tethers.push_back({.pin = pin, .first = std::uint32_t(first)});
+            plan_.reach.resize(first + size);
+            reach_from(part, *world_.particles.slots.find(world_.pins[pin].particle), first);
+            ++sheet.tethers;
+        }
+    }
+
+    /// The shortest ways along rigid links (Dijkstra 1959), a trace longer, so that nothing that hangs straight is
+    /// pulled.
+    void reach_from(std::size_t part, Row anchor, std::size_t first) {
+        constexpr Real far = limit::coordinate<Real> * Real(100), slack = Real(1.0001);
+        const auto all = members(part);
+        const Row begin = plan_.bands[plan_.sheets.back().first_band].first;
+        const auto length_to = [&](Row r) -> Real& { return plan_.reach[first + (slot(all[r]) - begin)]; };
+        for (Row r = 0; r < all.size(); ++r) length_to(r) = far;
+        auto& heap = room_.heap;
+        heap.clear();
+        heap.push_back({0, room_.rank[anchor]});
+        length_to(room_.rank[anchor]) = 0;
+        const auto later = [](const auto& a, const auto& b) { return a > b; };
+        while (!heap.empty()) {
+            std::pop_heap(heap.begin(), heap.end(), later);
+            const auto [length, r] = heap.back();
+            heap.pop_back();
+            if (Real(length) > length_to(r)) continue;
+            for (auto i = room_.first_near[r]; i < room_.first_near[r + 1]; ++i) {
+                const Row link = room_.near_link[i], other = room_.near[i];
+                if (distances_.compliance[link] > Real(0) || distances_.high[link] >= limit::coordinate<Real>) continue;
+                const Real further = Real(length) + distances_.high[link];
+                if (!(further < length_to(other))) continue;
+                length_to(other) = further;
+                heap.push_back({double(further), other});
+                std::push_heap(heap.begin(), heap.end(), later);
+            }
+        }
+        for (Row r = 0; r < all.size(); ++r) length_to(r) = minimum(length_to(r) * slack, far);
     }
 
     void lay_out_list(std::size_t part) {
@@ -506,20 +591,29 @@ template <int D, class Real> class Planner {
         plan_.families.back().reach = reach;
     }
 
-    void walk(std::size_t part) {
+    void list_neighbours(std::size_t part) {
         const auto all = members(part);
         auto& first = room_.first_near;
-        auto& near = room_.near;
         first.assign(all.size() + 1, 0);
         for (const Row link : links(part)) ++first[rank(link, 0) + 1], ++first[rank(link, 1) + 1];
         for (std::size_t i = 0; i < all.size(); ++i) first[i + 1] += first[i];
-        near.resize(first[all.size()]);
+        room_.near.resize(first[all.size()]);
+        room_.near_link.resize(first[all.size()]);
         auto& next = room_.at;
         next.assign(first.begin(), first.end());
-        for (const Row link : links(part)) {
-            near[next[rank(link, 0)]++] = rank(link, 1);
-            near[next[rank(link, 1)]++] = rank(link, 0);
-        }
+        for (const Row link : links(part))
+            for (std::size_t i = 0; i < 2; ++i) {
+                auto& at = next[rank(link, i)];
+                room_.near[at] = rank(link, 1 - i);
+                room_.near_link[at++] = link;
+            }
+    }
+
+    void walk(std::size_t part) {
+        const auto all = members(part);
+        const auto& first = room_.first_near;
+        const auto& near = room_.near;
+        list_neighbours(part);
         std::size_t visited = swept_.row_of.size();
         give_slot(all[0]);
         for (; visited < swept_.row_of.size(); ++visited) {

@@ -1,21 +1,27 @@
 #include "sinew/solver/step.h"
 
 #include "sinew/solver/substep.h"
+#include "sinew/solver/workers.h"
 
 namespace sinew {
 namespace {
 
 template <int D, class Real> void begin(World<D, Real>& world) {
     world.events.clear();
-    quarantine_non_finite(world);
     hold_in_limits(world);
     apply_random_pushes(world);
+}
+
+/// Most particles have none: what is not written to need not be fetched.
+template <int D, class Real> void forget_forces(std::vector<Vec<D, Real>>& forces) {
+    for (auto& force : forces)
+        if (force != Vec<D, Real>{}) force = {};
 }
 
 template <int D, class Real> void end(World<D, Real>& world, Real dt) {
     tear(world, dt);
     for (auto& pin : world.pins) pin.from = pin.target;
-    std::fill(world.particles.force.begin(), world.particles.force.end(), Vec<D, Real>{});
+    forget_forces(world.particles.force);
     world.time += double(dt);
     ++world.steps;
 }
@@ -27,14 +33,16 @@ template <int D, class Real> class Sweep {
         : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps), h_(h) {}
 
     void run() {
-        if (world_.swept.size() == 0) return;
+        if (world_.swept.size() == 0 && !plan_.driven) return;
         take_up(world_, h_);
-        if (all_is_plain())
-            for (const auto& sheet : plan_.sheets) run_through(sheet);
-        else
+        if (!all_is_plain())
             for (int s = 1; s <= substeps_; ++s) run_substep(s);
+        else if (plan_.sheets.size() >= std::size_t(2 * threads()))
+            Workers::run(threads(), int(plan_.sheets.size()),
+                         [&](int i) { run_through(plan_.sheets[std::size_t(i)]); });
+        else
+            for (const auto& sheet : plan_.sheets) share_out(sheet);
         put_back(world_);
-        world_.last_substep = h_;
     }
 
   private:
@@ -46,7 +54,9 @@ template <int D, class Real> class Sweep {
 
     using Substep = detail::Substep<D, Real>;
 
-    bool all_is_plain() const { return plan_.others.empty() && world_.blocks.hanging.empty() && !world_.budgets.any; }
+    bool all_is_plain() const {
+        return plan_.others.empty() && !plan_.driven && world_.blocks.hanging.empty() && !world_.budgets.any;
+    }
 
     /// A substep of everything.
     void run_substep(int number) {
@@ -63,6 +73,8 @@ template <int D, class Real> class Sweep {
                         substep.project(kernels_, plan_.families[sheet.first_family + f], band);
             for (const auto& run : plan_.others) detail::project_run(world_, run, mover);
             correct_hanging(world_, h_, mover.first_iteration);
+            for (const auto& sheet : plan_.sheets)
+                for (const auto& band : bands_of(sheet)) substep.tether(kernels_, sheet, band);
             for (const auto& band : plan_.bands) substep.pull_pins(band);
             for (const auto& band : plan_.bands) substep.keep_in_bounds(kernels_, band);
         }
@@ -72,47 +84,78 @@ template <int D, class Real> class Sweep {
         slip(world_, h_);
     }
 
-    /// All substeps of a sheet, band after band: each part of a substep follows the one before it as closely as what it
-    /// touches allows, so that a band is worked on while it is near. The result is the same to the last bit.
-    void run_through(const Sheet& sheet) {
-        const int parts = parts_of(sheet);
-        const std::uint32_t last = delay_of(sheet, substeps_ * parts - 1) + sheet.bands;
-        for (std::uint32_t time = 0; time < last; ++time)
-            for (int part = 0; part < substeps_ * parts; ++part) {
-                const auto delay = delay_of(sheet, part);
-                if (delay > time) break;
-                if (time - delay < sheet.bands) run_part(sheet, part / parts, part % parts, time - delay);
+    /// More help only where there is enough to do (docs/performance.md).
+    int threads() const {
+        constexpr std::uint32_t worth_it = 8192; // particles
+        if (world_.swept.size() < worth_it) return 1;
+        return std::min(most_threads, world_.threads > 0 ? world_.threads : hardware_threads());
+    }
+    static constexpr int most_threads = 64;
+
+    /// A sheet's substeps, one thread after the other: each does some parts of them and follows the one before it.
+    void share_out(const Sheet& sheet) {
+        const int parts = substeps_ * parts_of(sheet);
+        const int count = sheet.bands < 8U * unsigned(threads()) ? 1 : std::min(threads(), parts);
+        std::array<Progress, most_threads> progress;
+        Workers::run(count, count, [&](int i) {
+            const auto* ahead = i > 0 ? &progress[std::size_t(i) - 1] : nullptr;
+            run_through(sheet, parts * i / count, parts * (i + 1) / count, ahead, &progress[std::size_t(i)]);
+        });
+    }
+    void run_through(const Sheet& sheet) { run_through(sheet, 0, substeps_ * parts_of(sheet), nullptr, nullptr); }
+
+    /// Some of the parts of all substeps of a sheet, band after band: each follows the one before it as closely as what
+    /// it touches allows, so that a band is worked on while it is near. The result is the same to the last bit.
+    void run_through(const Sheet& sheet, int first, int end, const Progress* ahead, Progress* own) {
+        const int iterations = world_.settings.iterations;
+        const auto last = sheet.bands + std::uint32_t(substeps_ * iterations) * sheet.lag;
+        constexpr std::uint32_t at_once = 8; // times, of one substep after the other: what it touches is near
+        for (std::uint32_t time = 0; time < last; time += at_once) {
+            if (ahead) ahead->await(std::min(time + at_once, last));
+            for (int number = first / parts_of(sheet); number < substeps_; ++number) {
+                Substep substep(world_, number + 1, substeps_, h_);
+                for (auto t = time; t < std::min(time + at_once, last); ++t)
+                    run_at(sheet, substep, number, t, first, end);
             }
+            if (own) own->reach(std::min(time + at_once, last));
+        }
     }
 
     /// Predict; the families and what holds, as often as there are iterations; advance.
     int parts_of(const Sheet& sheet) const { return 2 + world_.settings.iterations * (int(sheet.families) + 1); }
 
-    std::uint32_t delay_of(const Sheet& sheet, int part) const {
-        const int parts = parts_of(sheet), substep = part / parts, k = part % parts - 1;
-        const auto lag = sheet.lag * std::uint32_t(world_.settings.iterations);
-        const auto begun = std::uint32_t(substep) * lag;
-        if (k < 0) return begun;
-        if (k == parts - 2) return begun + lag;
-        const int families = int(sheet.families) + 1;
-        const auto f = std::uint32_t(k % families);
-        return begun + std::uint32_t(k / families) * sheet.lag +
-               (f < sheet.families ? plan_.families[sheet.first_family + f].delay : sheet.lag);
+    /// What of a substep there is to do at that time, from part `first` to `end` of all.
+    void run_at(const Sheet& sheet, Substep& substep, int number, std::uint32_t time, int first, int end) {
+        const int iterations = world_.settings.iterations;
+        int part = number * parts_of(sheet);
+        const auto begun = std::uint32_t(number * iterations) * sheet.lag;
+        if (time < begun || time - begun >= sheet.bands + std::uint32_t(iterations) * sheet.lag) return;
+        const auto at = [&](std::uint32_t delay, auto&& work) {
+            if (part >= first && part < end && time >= delay && time - delay < sheet.bands) work(time - delay);
+            ++part;
+        };
+        const auto band = [&](std::uint32_t i) -> const Band& { return plan_.bands[sheet.first_band + i]; };
+        at(begun, [&](std::uint32_t i) { substep.predict(band(i)); });
+        auto delay = begun;
+        for (int n = 0; n < iterations; ++n, delay += sheet.lag) {
+            substep.mover().first_iteration = n == 0;
+            for (auto f = sheet.first_family; f < sheet.first_family + sheet.families; ++f)
+                at(delay + plan_.families[f].delay,
+                   [&](std::uint32_t i) { substep.project(kernels_, plan_.families[f], i); });
+            at(delay + sheet.lag, [&](std::uint32_t i) {
+                substep.tether(kernels_, sheet, band(i));
+                substep.pull_pins(band(i));
+                substep.keep_in_bounds(kernels_, band(i));
+            });
+        }
+        at(delay, [&](std::uint32_t i) {
+            substep.advance(kernels_, band(i));
+            substep.rebound(band(i));
+        });
     }
 
-    void run_part(const Sheet& sheet, int number, int part, std::uint32_t at) {
-        Substep substep(world_, number + 1, substeps_, h_);
-        const auto& band = plan_.bands[sheet.first_band + at];
-        if (part == 0) return substep.predict(band);
-        if (part == parts_of(sheet) - 1) {
-            substep.advance(kernels_, band);
-            return substep.rebound(band);
-        }
-        const auto families = sheet.families + 1, family = std::uint32_t(part - 1) % families;
-        substep.mover().first_iteration = std::uint32_t(part - 1) < families;
-        if (family < sheet.families) return substep.project(kernels_, plan_.families[sheet.first_family + family], at);
-        substep.pull_pins(band);
-        substep.keep_in_bounds(kernels_, band);
+    std::span<const Band> bands_of(const Sheet& sheet) const {
+        return std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
     }
 };
 

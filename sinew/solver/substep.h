@@ -123,6 +123,25 @@ template <int D, class Real> class Substep {
         }
     }
 
+    /// Nothing gets further from a hard pin than the links reach.
+    void tether(const Kernels<D, Real>& kernels, const Sheet& sheet, const Band& band) {
+        const auto& plan = swept_.plan;
+        for (auto i = sheet.first_tether; i < sheet.first_tether + sheet.tethers; ++i) {
+            const auto& pin = world_.pins[plan.tethers[i].pin];
+            Tethering<D, Real> all{};
+            const auto goal = pin.from + (pin.target - pin.from) * share_;
+            for (int k = 0; k < D; ++k) {
+                all.place[k] = swept_.place[std::size_t(k)];
+                all.move[k] = swept_.move[std::size_t(k)];
+                all.anchor[k] = goal[k];
+            }
+            all.mobility = swept_.mobility;
+            const auto first = plan.bands[sheet.first_band].first;
+            all.reach = plan.reach.data() + plan.tethers[i].first - first;
+            kernels.tether(all, band.first, band.last);
+        }
+    }
+
     /// A plane stops what would pass it and rubs: the speed along it falls by friction times the speed it took away.
     /// What strikes faster than resting things sink in a few substeps will rebound.
     void keep_in_bounds(const Kernels<D, Real>& kernels, const Band& band) {

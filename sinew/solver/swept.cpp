@@ -28,6 +28,7 @@ template <int D, class Real> void take_up(World<D, Real>& world, Real h) {
         any_force = any_force || p.force[row] != Vec<D, Real>{};
     }
     swept.largest_radius = largest;
+    swept.any_force = any_force;
     swept.everyone_alike = swept.everyone_alike && !any_force;
 }
 

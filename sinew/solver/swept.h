@@ -21,6 +21,7 @@ template <int D, class Real> struct Swept {
     Real* mobility = nullptr;
     Real* inverse_mass = nullptr; ///< 0 while nothing moves it
     Real per_h = 0;
+    bool any_force = false;      ///< acts on a single particle in this step
     bool everyone_alike = false; ///< in this step only gravity acts, which is
     Vec<D, Real> gravity{};
     Real largest_radius = 0;
@@ -35,6 +36,12 @@ template <int D, class Real> struct Swept {
     ~Swept() = default;
 
     std::uint32_t size() const { return std::uint32_t(row_of.size()); }
+
+    void reserve(std::size_t particles) {
+        row_of.reserve(particles);
+        slot_of.reserve(particles);
+        columns_.reserve((particles + 2048) * (3 * D + 2));
+    }
 
     /// Room for all slots.
     void make_room() {
