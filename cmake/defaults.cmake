@@ -4,10 +4,6 @@ if(PROJECT_IS_TOP_LEVEL)
     if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
         set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug, RelWithDebInfo or MinSizeRel" FORCE)
     endif()
-    find_program(CCACHE ccache)
-    if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-        set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
-    endif()
     set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 endif()
 
@@ -22,7 +18,13 @@ endif()
 # -Wconversion finds lost precision; its sign half drowns that in index arithmetic. The last two are false alarms about the
 # standard library itself: g++ 12 at string concatenation (its bug 105651), clang 19 inside libstdc++'s std::stable_sort.
 function(sinew_warnings target)
+    # Where several files are compiled as one, what is one file's own is in the others' sight.
+    set(unity_warnings -Wno-shadow)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        list(APPEND unity_warnings -Wno-subobject-linkage -Wno-maybe-uninitialized)
+    endif()
     target_compile_options(${target} PRIVATE
         -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow $<$<BOOL:${SINEW_WERROR}>:-Werror>
-        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>)
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
+        "$<$<BOOL:${CMAKE_UNITY_BUILD}>:${unity_warnings}>")
 endfunction()

@@ -1,138 +1,78 @@
-#include "sinew/sinew.h"
-
 #include "apps/cli/arguments.h"
+#include "apps/cli/bench_options.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
-#include "apps/cli/json_line.h"
-#include "apps/cli/report_text.h"
-#include "apps/cli/rope_cases.h"
-#include "apps/cli/stepping.h"
 #include "canvas/interrupt.h"
-#include "canvas/progress.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <array>
 #include <fmt/format.h>
 
 namespace sinew::cli {
 namespace {
 
-struct RopeResult {
-    double milliseconds = 0; ///< median of a step
-    double stretch = 0;      ///< the largest of any link after any step, as a fraction
-    double outside = 0;      ///< the most an angle was outside its limits after any step, degrees
-    double gain = 0;         ///< the most energy above that at the start, as a fraction of all weight times the length
-};
-
-/// How far the worst angle is outside its limits, degrees.
-template <class Real> double worst_angle(const World<2, Real>& world) {
-    double worst = 0;
-    const auto& angles = std::get<kind_number<Angle, 2>>(world.constraints);
-    for (Row row = 0; row < angles.size(); ++row)
-        worst =
-            std::max(worst, std::abs(constraint_state(world, {kind_number<Angle, 2>, angles.slots.id_of(row)})->error));
-    return worst * 180 / pi<double>;
-}
-
-template <class Real> RopeResult run_rope(const RopeCase& rope, double seconds, canvas::Progress& progress) {
-    double scale = 0;
-    auto world = world_of<Real>(rope, scale);
-    const double begun = energy(world).total();
-    RopeResult result;
-    std::vector<double> times;
-    const auto steps = std::size_t(std::round(seconds * 60));
-    prepare(world);
-    for (std::size_t i = 0; i < steps; ++i) {
-        const auto before = std::chrono::steady_clock::now();
-        step(world, Real(1.0 / 60));
-        times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
-        result.outside = std::max(result.outside, worst_angle(world));
-        result.stretch = std::max(result.stretch, stretch(world).max);
-        result.gain = std::max(result.gain, (energy(world).total() - begun) / scale);
-        progress.update(i + 1);
-        give_up_if_interrupted();
-    }
-    const auto middle = times.begin() + std::ptrdiff_t(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    result.milliseconds = times.empty() ? 0 : *middle;
-    return result;
-}
-
-json::Object in_json(const RopeCase& rope, const RopeResult& result) {
-    return {{"case", rope.name},
-            {"links", rope.links},
-            {"weight", rope.weight},
-            {"start", rope.start},
-            {"threads", 1},
-            {"precision", rope.precision},
-            {"ms_per_step", result.milliseconds},
-            {"stretch_max", result.stretch},
-            {"outside_limits", result.outside},
-            {"energy_gain", result.gain}};
-}
-
-std::vector<std::string> in_row(const RopeCase& rope, const RopeResult& result) {
-    return {rope.name,
-            fmt::format("{}", rope.links),
-            fmt::format("{:g}", rope.weight),
-            rope.start,
-            rope.precision,
-            fmt::format("{:.4f}", result.milliseconds),
-            fmt::format("{:.2g} %", 100 * result.stretch),
-            fmt::format("{:.2g}", result.outside),
-            fmt::format("{:.2g} %", 100 * result.gain)};
-}
-
 class BenchCommand final : public Command {
     Manual manual() const override {
+        static const std::string details =
+            case_details() + "\n" + quality_details() + "\n" + weights_details() + "\n" + rope_details();
         return {
             .name = "bench",
-            .usage = "rope [--case C] [--links N] [--weight W] [--start hang|level] [--precision P] [--json]",
+            .usage = "[CASE...] [--threads N] [--precision P] [--steps N] [--json | --markdown]\n"
+                     "sinew bench quality [CASE] [--plot FILE] [--json]\n"
+                     "sinew bench weights [--plot FILE] [--json]\n"
+                     "sinew bench rope [--case C] [--links N] [--weight W] [--start hang|level] [--threads N] [--json]",
             .about = "measures how well and how fast the engine is",
-            .details = details(),
-            .examples = "sinew bench rope\n"
+            .details = details,
+            .examples = "sinew bench\n"
+                        "sinew bench cloth-256 ragdolls-1000 --threads 2 --json\n"
                         "sinew bench rope --links 100 --weight 100000 --start level --json\n",
         };
     }
 
     void declare(CLI::App& parser) override {
         declare_words(parser, words);
-        declare_text(parser, "--case", only, "C", "one case; else all");
-        declare_number(parser, "--links", links, {1, 1e6}, "N", "how many links; else 10, 100 and 1000");
-        declare_number(parser, "--weight", weight, {0, 1e9}, "W",
-                       "mass on the end, in links; else 1, 100, 1000 and 100000");
-        declare_text(parser, "--start", start, "S", "hang or level; else both");
-        declare_text(parser, "--precision", precision, "P", "float or double (the default)");
-        declare_number(parser, "-s,--seconds", seconds, {0.1, 1e6}, "S", "how long, simulated; else 5");
-        declare_flag(parser, "--json", as_json, "one line of JSON a case");
+        declare_number(parser, "--threads", options.threads, {1, 1024}, "N",
+                       "how many work on a step; else 1, 2 and 4, of rope 1");
+        declare_text(parser, "--precision", options.precision, "P", "float or double; else float, of ropes double");
+        declare_number(parser, "--steps", options.steps, {2, 1e6}, "N",
+                       "how many steps a case; else a few seconds' worth");
+        declare_text(parser, "--case", options.only, "C", "of rope: one case; else all");
+        declare_number(parser, "--links", options.links, {1, 1e6}, "N", "of rope: how many; else 10, 100 and 1000");
+        declare_number(parser, "--weight", options.weight, {0, 1e9}, "W",
+                       "of rope: mass on the end, in links; else 1, 100, 1000 and 100000");
+        declare_text(parser, "--start", options.start, "S", "of rope: hang or level; else both");
+        declare_number(parser, "-s,--seconds", options.seconds, {0.1, 1e6}, "S",
+                       "of rope: how long, simulated; else 5");
+        declare_text(parser, "--plot", options.plot, "FILE", "of quality and weights: an SVG file to draw into");
+        declare_flag(parser, "--json", options.as_json, "one line of JSON a case");
+        declare_flag(parser, "--markdown", options.as_markdown, "tables as Markdown has them");
     }
 
     int run() override {
-        if (words.plain.size() != 1 || words.plain[0] != "rope" || !words.overrides.empty())
-            misused("bench: what is measured?", "sinew bench rope");
-        if (!only.empty() && only != "rope" &&
-            std::ranges::find(rope_cases, only, &RopeExample::name) == rope_cases.end())
-            misused(fmt::format("bench: there is no case {}", only), "sinew bench --help");
-        check_word("--start", start, {"hang", "level"});
-        check_word("--precision", precision, {"float", "double"});
+        if (!words.overrides.empty()) misused("bench: what is measured?", "sinew bench cloth-256");
+        check_word("--start", options.start, {"hang", "level"});
+        check_word("--precision", options.precision, {"float", "double"});
         canvas::catch_interrupts();
-        std::vector<std::vector<std::string>> rows{
-            {"case", "links", "weight", "start", "precision", "ms a step", "stretch", "degrees", "energy gain"}};
-        for (const auto& rope : cases()) {
-            const double whole = seconds.value_or(5);
-            canvas::Progress progress(
-                fmt::format("{}, {} links, weight {:g}, {}", rope.name, rope.links, rope.weight, rope.start),
-                std::size_t(std::round(whole * 60)));
-            const auto result = rope.precision == "float" ? run_rope<float>(rope, whole, progress)
-                                                          : run_rope<double>(rope, whole, progress);
-            if (as_json)
-                print(to_line(in_json(rope, result)));
-            else
-                rows.push_back(in_row(rope, result));
-        }
-        if (!as_json) print(table(rows));
+        const auto& plain = words.plain;
+        const std::string first = plain.empty() ? "" : plain[0];
+        if (first == "rope" && plain.size() == 1)
+            bench_ropes(options);
+        else if (first == "weights" && plain.size() == 1)
+            bench_weights(options);
+        else if (first == "quality" && plain.size() <= 2)
+            bench_quality(options, plain.size() == 2 ? cases({plain[1]}).front() : *bench::find_case("swing-64"));
+        else
+            bench_cases(options, plain.empty() ? bench::all_cases() : cases(plain));
         return done;
+    }
+
+    static std::vector<bench::Case> cases(const std::vector<std::string>& names) {
+        std::vector<bench::Case> chosen;
+        for (const auto& word : names) {
+            auto found = bench::find_case(word);
+            if (!found) misused(fmt::format("bench: there is no case {}", word), "sinew bench --help");
+            chosen.push_back(std::move(*found));
+        }
+        return chosen;
     }
 
     static void check_word(std::string_view option, const std::string& word, std::array<std::string_view, 2> allowed) {
@@ -140,44 +80,8 @@ class BenchCommand final : public Command {
             misused(fmt::format("bench: {} is {} or {}, found {}", option, allowed[0], allowed[1], word));
     }
 
-    static std::string_view details() {
-        static const std::string text = [] {
-            std::string cases = "rope";
-            for (const auto& example : rope_cases) cases += fmt::format("; {} ({})", example.name, example.about);
-            return "rope: 10 m of rope, each link 1 kg, a weight on the end, 5 s at 60 steps a second and the\n"
-                   "default settings. Told are the median time of a step on one core, the stretch of the worst link\n"
-                   "after any step, and the most energy it ever gained, as a part of its weight times its length.\n"
-                   "With --json one line a case: case, links, weight, start, threads, precision, ms_per_step,\n"
-                   "stretch_max, energy_gain (fractions), outside_limits (the worst angle, in degrees).\n"
-                   "Cases: " +
-                   cases + ".\n";
-        }();
-        return text;
-    }
-
-    std::vector<RopeCase> cases() const {
-        std::vector<RopeCase> all;
-        const std::string real = precision.empty() ? "double" : precision;
-        const auto some = [](const std::optional<double>& one, std::initializer_list<double> usual) {
-            return one ? std::vector{*one} : std::vector(usual);
-        };
-        for (const double n : some(links, {10, 100, 1000}))
-            for (const double w : some(weight, {1, 100, 1000, 100000}))
-                for (const std::string s : {"hang", "level"})
-                    if (start.empty() || start == s)
-                        if (only.empty() || only == "rope") all.push_back({"rope", int(n), w, s, real});
-        const bool chosen = links || weight || !start.empty();
-        for (const auto& example : rope_cases)
-            if (only == example.name || (only.empty() && !chosen))
-                all.push_back({std::string(example.name), int(links.value_or(example.links)),
-                               weight.value_or(example.weight), std::string(example.start), real});
-        return all;
-    }
-
     Words words;
-    std::optional<double> links, weight, seconds;
-    std::string only, start, precision;
-    bool as_json = false;
+    BenchOptions options;
 };
 
 } // namespace

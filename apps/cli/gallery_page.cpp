@@ -164,7 +164,7 @@ std::string gallery_html(const std::vector<Exhibit>& exhibits) {
     std::string html(head);
     html += fmt::format(R"(<header>
 <h1>The catalogue</h1>
-<p>{} scenes that people once typed in from tutorials, each a file for Sinew. Physical mode is independent of frame
+<p>{} made of points and constraints, mostly after tutorials that people once typed in. Physical mode is independent of frame
 rate and iteration count; classic mode moves as the original did, its quirks included.</p>
 <div class="bar">
 <fieldset aria-label="Mode"><label><input type="radio" name="mode" id="physical" checked><span>Physical</span></label>
@@ -175,7 +175,7 @@ rate and iteration count; classic mode moves as the original did, its quirks inc
 </header>
 <main>
 )",
-                        exhibits.size());
+                        exhibits.size() == 1 ? "A scene" : fmt::format("{} scenes", exhibits.size()));
     for (const auto& exhibit : exhibits) html += card(exhibit);
     html += tail;
     return html;

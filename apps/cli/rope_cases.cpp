@@ -57,7 +57,6 @@ template <class Real> void build_necklace(World<2, Real>& world, const RopeCase&
 
 template <class Real> World<2, Real> world_of(const RopeCase& rope, double& scale) {
     World<2, Real> world;
-    world.threads = 1;
     world.forces.push_back(Gravity<2, Real>{{{0, Real(-gravity)}}});
     if (rope.name == "pinned" || rope.name == "bridge") {
         auto made = rope_of(rope);
@@ -76,8 +75,8 @@ template <class Real> World<2, Real> world_of(const RopeCase& rope, double& scal
         pin(world, *find_particle(world, "bob/left_hand"));
         weigh_down(world, "bob/right_hand", rope.weight * Ragdoll{}.mass);
     } else if (rope.name == "ropes") {
-        constexpr int ropes = 1000, mixed = 6;
-        for (int i = 0; i < ropes; ++i) {
+        constexpr int mixed = 6;
+        for (int i = 0; i < many_ropes; ++i) {
             auto one = rope;
             one.weight = std::pow(rope.weight, double(i % mixed) / (mixed - 1));
             build(world, rope_of(one), "rope_" + std::to_string(i), {.at = {{Real(i), 0}}});

@@ -15,7 +15,10 @@ struct RopeCase {
     double weight = 0; ///< in links; of the ragdoll in its own weight
     std::string start; ///< hang or level
     std::string precision;
+    int threads = 1;
 };
+
+inline constexpr int many_ropes = 1000; ///< of the case `ropes`
 
 /// Beside the rope: name, links, weight, start.
 struct RopeExample {

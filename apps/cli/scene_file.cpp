@@ -47,18 +47,42 @@ fs::path path_of(const std::string& word) {
     refuse_name(word);
 }
 
+struct ReadText {
+    std::string text, problem, help;
+};
+
 /// What comes out of the file, and one byte more than is allowed at most: enough to see that it is too long.
-std::string read_at_most(std::FILE* file, const std::string& name, std::size_t most) {
+ReadText read_bytes(std::FILE* file, std::size_t most) {
     std::string text;
     while (text.size() <= most) {
         char block[16384];
         const auto wanted = std::min(sizeof block, most + 1 - text.size());
         const auto read = std::fread(block, 1, wanted, file);
         text.append(block, read);
-        if (std::ferror(file)) refuse(name, std::strerror(errno));
-        if (read < wanted) return text;
+        if (std::ferror(file)) return {"", std::strerror(errno), ""};
+        if (read < wanted) return {std::move(text), "", ""};
     }
-    refuse(name, fmt::format("more than {} bytes", most), "limits.bytes=N allows more");
+    return {"", fmt::format("more than {} bytes", most), "limits.bytes=N allows more"};
+}
+
+std::string read_at_most(std::FILE* file, const std::string& name, std::size_t most) {
+    auto [text, problem, help] = read_bytes(file, most);
+    if (!problem.empty()) refuse(name, problem, help);
+    return std::move(text);
+}
+
+/// The OBJ file at `path`, which messages call `name`.
+ReadModel read_model_at(const fs::path& path, const std::string& name, const Limits& limits) {
+    const auto refused = [&](std::string_view problem, std::string help = {}) {
+        return ReadModel{nullptr, fmt::format("{}: {}", printable(name), problem), std::move(help)};
+    };
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown)) return refused("a folder, not an OBJ file");
+    const File file(std::fopen(path.c_str(), "rb"));
+    if (!file) return refused(std::strerror(errno));
+    const auto [text, problem, help] = read_bytes(file.get(), std::size_t(limits.bytes));
+    if (!problem.empty()) return refused(problem, help);
+    return read_model(text, name, limits);
 }
 
 [[noreturn]] void refuse_path(const fs::path& path, int reason) {
@@ -96,7 +120,10 @@ Opened open_file(const std::string& word, std::span<const Override> overrides) {
     const auto read_image = [&](const std::string& name, const Limits& limits) {
         return canvas::read_png(folder / name, name, limits);
     };
-    if (auto opened = open_scene(document, read_image)) return std::move(*opened);
+    const auto read_obj_file = [&](const std::string& name, const Limits& limits) {
+        return read_model_at(folder / name, name, limits);
+    };
+    if (auto opened = open_scene(document, read_image, read_obj_file)) return std::move(*opened);
     const PrintStyle style{.color = has_color(stderr), .most = std::size_t(document.limits.errors)};
     throw GiveUp{bad_input, to_text(document.diagnostics, style)};
 }

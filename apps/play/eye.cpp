@@ -105,6 +105,12 @@ void Eye::orbit(const Session& session, Vec2<double> by) {
     camera.eye = camera.target + away;
 }
 
+void Eye::switch_projection(const Session& session) {
+    if (session.scene().dimension == 2) return;
+    auto& projection = hold(session).camera.projection;
+    projection = projection == "perspective" ? "orthographic" : "perspective";
+}
+
 void Eye::home(const Session& session) {
     moved_.reset();
     if (session.scene().dimension == 3) return;

@@ -18,6 +18,8 @@ class Eye {
     void zoom(const Session& session, Vec2<double> about, double factor);
     /// Around what a 3D scene is looked at; in 2D the same as panning. Pixels.
     void orbit(const Session& session, Vec2<double> by);
+    /// Between perspective and orthographic; nothing in 2D.
+    void switch_projection(const Session& session);
     /// As the scene says; what is out of sight then is framed.
     void home(const Session& session);
 

@@ -15,6 +15,8 @@ constexpr std::array actions = {
     KeyAction{"[", "scene before", [](Play& play) { play.open_neighbour(-1); }},
     KeyAction{"]", "next scene", [](Play& play) { play.open_neighbour(1); }},
     KeyAction{"home", "see everything", [](Play& play) { play.eye().home(play.session()); }},
+    KeyAction{"u", "perspective or orthographic (3D)",
+              [](Play& play) { play.eye().switch_projection(play.session()); }},
     KeyAction{"g", "gravity on or off", [](Play& play) { play.toggle_gravity(); }},
     KeyAction{"w", "wind on or off", [](Play& play) { play.toggle_wind(); }},
     KeyAction{"c", "classic or physical", [](Play& play) { play.switch_mode(); }},

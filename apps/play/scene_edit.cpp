@@ -11,8 +11,15 @@ namespace {
 
 constexpr std::string_view source = "the scene";
 
-Edited read_again(Document document) {
-    if (auto opened = open_scene(document)) return {std::move(opened->scene), ""};
+/// A changed scene, with the models that the scene has.
+Edited read_again(Document document, const Scene& scene) {
+    const auto model = [&](const std::string& name, const Limits&) -> ReadModel {
+        for (const auto& figure : scene.figures)
+            if (const auto* mesh = std::get_if<Mesh>(&figure.made); mesh && mesh->model && mesh->file == name)
+                return {mesh->model, "", ""};
+        return {nullptr, "no mesh of the scene is of " + in_quotes(name), "open the scene again to read another file"};
+    };
+    if (auto opened = open_scene(document, {}, model)) return {std::move(opened->scene), ""};
     return {std::nullopt, to_text(document.diagnostics, {.color = false, .most = 5})};
 }
 
@@ -54,11 +61,11 @@ std::string text_of(const Session& session) {
 Edited edited(const Scene& scene, const std::function<void(json::Object& root)>& change) {
     auto root = document_of(scene);
     change(*root.as<json::Object>());
-    return read_again(load(json::to_text(root), std::string(source)));
+    return read_again(load(json::to_text(root), std::string(source)), scene);
 }
 
 Edited edited(const Scene& scene, std::span<const Override> overrides) {
-    return read_again(load(json::to_text(document_of(scene)), std::string(source), overrides));
+    return read_again(load(json::to_text(document_of(scene)), std::string(source), overrides), scene);
 }
 
 std::string free_name(const Scene& scene, const std::string& stem) {

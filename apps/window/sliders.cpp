@@ -7,6 +7,7 @@
 #include "apps/play/scene_edit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -159,11 +160,22 @@ class Form {
     }
 };
 
+/// What a scene says under a name.
+const Layout& layout_named(std::string_view name) {
+    static const Layout scene = scene_layout();
+    const auto found = std::find_if(scene.parts.begin(), scene.parts.end(),
+                                    [&](const Layout& part) { return part.field.name == name; });
+    assert(found != scene.parts.end());
+    return *found;
+}
+
+const Layout& layout_of_figures() {
+    return layout_named("figures").parts[0];
+}
+
 } // namespace
 
 void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
-    static const Layout world = layout_of<WorldSection>(), solver = layout_of<SolverSection>(),
-                        figure = layout_of<FigureSection>();
     const auto document = play::document_of(play.session().scene());
     const auto& root = *document.as<json::Object>();
     Form form(play.session().scene(), look, [&](const std::string& path, const json::Value& value, bool goes_on) {
@@ -180,24 +192,24 @@ void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
         title(name);
         form.record(layout, own ? &own->value : nullptr, name);
     };
-    section(world, "world");
-    section(solver, "solver");
+    section(layout_named("world"), "world");
+    section(layout_named("solver"), "solver");
     const auto* own = json::find(root, "figures");
     if (const auto* figures = own ? own->value.as<json::Array>() : nullptr) {
         constexpr std::size_t most = 12; // figures: a crowd is for the file
         for (std::size_t i = 0; i < std::min(figures->size(), most); ++i) {
             title(std::string(sinew::name_of(play.session().scene().figures[i])));
-            form.record(figure, &(*figures)[i], "figures." + std::to_string(i));
+            form.record(layout_of_figures(), &(*figures)[i], "figures." + std::to_string(i));
         }
     }
     ImGui::PopStyleVar();
 }
 
 void prefab_form(play::Play& play, const Look& look) {
-    static const Layout figure_layout = layout_of<FigureSection>();
-    const auto made = std::find_if(figure_layout.parts.begin(), figure_layout.parts.end(),
-                                   [](const Layout& part) { return part.type == Layout::Type::choice; });
-    if (made == figure_layout.parts.end()) return;
+    const auto& parts = layout_of_figures().parts;
+    const auto made =
+        std::find_if(parts.begin(), parts.end(), [](const Layout& part) { return part.type == Layout::Type::choice; });
+    if (made == parts.end()) return;
     ImGui::SetNextItemWidth(-1);
     if (ImGui::BeginCombo("##prefab", play.prefab.c_str())) {
         for (const auto& one : made->parts) {

@@ -5,9 +5,11 @@
 #include "sinew/prefab/chain.h"
 #include "sinew/prefab/cloth.h"
 #include "sinew/prefab/crank.h"
+#include "sinew/prefab/curtain.h"
 #include "sinew/prefab/formation.h"
 #include "sinew/prefab/humanoid.h"
 #include "sinew/prefab/limb.h"
+#include "sinew/prefab/mesh.h"
 #include "sinew/prefab/polygon.h"
 #include "sinew/prefab/puppet.h"
 #include "sinew/prefab/ragdoll.h"
@@ -33,8 +35,8 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word here.
-using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Crank, Cloth, Spiderweb, Tree, Formation,
-                         StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
+using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh, Curtain, Spiderweb, Tree,
+                         Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
 
 namespace detail {
 template <class List> struct VariantOf;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double tallness = 160;
 // Widths of flesh.
-constexpr double torso = 14, hip = 14, ankle = 8, shoulder = 10, elbow = 9, sleeve = 12, wrist = 6;
+constexpr double torso = 14, hip = 14, ankle = 8, elbow = 9, sleeve = 12, bare_elbow = 8, wrist = 6;
 constexpr double head_size = 29, hand_size = 9, foot_size = 12;
 
 // Turns that the joint limits of the plane and those of space allow. Up is away from the feet.
@@ -48,8 +48,8 @@ template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double sc
     figure.draw(Mark::fill, "torso", trunk);
     figure.draw(Mark::loop, "torso", trunk, scale * girth * torso);
     figure.draw(Mark::stroke, "belt", named({"left_hip", "right_hip"}), scale * girth * hip);
-    limb("arm", {"left_shoulder", "left_elbow", "left_hand"}, shoulder, wrist);
-    limb("arm", {"right_shoulder", "right_elbow", "right_hand"}, shoulder, wrist);
+    limb("arm", {"left_elbow", "left_hand"}, bare_elbow, wrist);
+    limb("arm", {"right_elbow", "right_hand"}, bare_elbow, wrist);
     for (const auto* hand : {"left_hand", "right_hand"})
         figure.draw(Mark::dot, "hand", named({hand}), scale * hand_size);
     limb("sleeve", {"left_shoulder", "left_elbow"}, sleeve, elbow);

@@ -7,7 +7,7 @@ namespace sinew {
 namespace {
 
 /// One line of a table.
-struct Row {
+struct Described {
     std::string name, type, unit, usual, range;
     std::string_view help;
 };
@@ -16,7 +16,7 @@ struct Row {
 struct Section {
     std::string title;
     std::string_view about;
-    std::vector<Row> rows;
+    std::vector<Described> rows;
 };
 
 std::string type_text(const Layout& shape) {
@@ -80,7 +80,7 @@ std::string range_of(const Layout& shape, const Units& units) {
     return {};
 }
 
-Row row_of(const Layout& shape, std::string name, const Units& units) {
+Described row_of(const Layout& shape, std::string name, const Units& units) {
     return {std::move(name),          type_text(shape),       units.text(shape.field.unit),
             usual_text(shape, units), range_of(shape, units), shape.field.help};
 }
@@ -107,7 +107,7 @@ void add_choice(std::vector<Section>& sections, std::size_t section, const Layou
     std::vector<std::string_view> names;
     for (const auto& alternative : choice.parts) names.push_back(alternative.name);
     if (!tag.empty()) {
-        Row row = row_of(choice, prefix + tag, units);
+        Described row = row_of(choice, prefix + tag, units);
         row.range = list_of(names);
         sections[section].rows.push_back(std::move(row));
     }
@@ -138,14 +138,14 @@ std::vector<Section> sections_of(const Layout& record, const Units& units) {
     return sections;
 }
 
-std::array<std::string, 5> cells(const Row& row) {
+std::array<std::string, 5> cells(const Described& row) {
     const auto type = concat(row.type, row.unit.empty() ? "" : ", ", row.unit);
     return {row.name, type, row.usual, row.range, std::string(row.help)};
 }
 
 constexpr std::array<std::string_view, 5> headings = {"name", "type", "default", "range", "meaning"};
 
-std::array<std::size_t, 5> widths_of(const std::vector<Row>& rows) {
+std::array<std::size_t, 5> widths_of(const std::vector<Described>& rows) {
     constexpr std::size_t widest = 32;
     std::array<std::size_t, 5> widths{};
     for (std::size_t i = 0; i < widths.size(); ++i) {

@@ -24,8 +24,10 @@ struct Limits {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         constexpr double most = 4e9; // places in a text are 32 bits wide
-        visit(self.bytes,
-              Field{.name = "bytes", .help = "Size of the scene file, and of each image", .low = 1, .high = most});
+        visit(self.bytes, Field{.name = "bytes",
+                                .help = "Size of the scene file, and of each image and model",
+                                .low = 1,
+                                .high = most});
         // An object can hold objects as deep as the stack of the program that walks them allows.
         visit(self.depth,
               Field{.name = "depth", .help = "Objects and arrays inside each other", .low = 1, .high = 1000});

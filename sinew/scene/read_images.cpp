@@ -1,6 +1,7 @@
 #include "sinew/scene/read_images.h"
 
 #include "sinew/scene/check.h"
+#include "sinew/scene/file_name.h"
 #include "sinew/scene/text.h"
 
 #include <algorithm>
@@ -9,17 +10,6 @@
 
 namespace sinew {
 namespace {
-
-/// A scene must not look elsewhere on the machine it is opened on.
-bool leaves_its_folder(std::string_view name) {
-    if (name.empty() || name.front() == '/' || name.find_first_of("\\:") != std::string_view::npos) return true;
-    while (!name.empty()) {
-        const auto step = name.substr(0, name.find('/'));
-        if (step == "..") return true;
-        name.remove_prefix(std::min(step.size() + 1, name.size()));
-    }
-    return false;
-}
 
 class ReadingImages {
   public:
@@ -50,10 +40,7 @@ class ReadingImages {
         if (has_no_room(figure, key))
             document_.error(place + "/image", fmt::format("nothing of {} takes an image", in_quotes(key)),
                             "an image goes on dots, sticks, links, limbs, ropes and polygons of four corners");
-        if (leaves_its_folder(image.file))
-            return document_.error(place + "/image/file",
-                                   fmt::format("{} is not a file in the folder of the scene", in_quotes(image.file)),
-                                   "a path from the scene's folder on, such as sprites/link.png; without .. in it");
+        if (!in_its_folder(image.file, place + "/image/file", "sprites/link.png", document_)) return;
         if (const auto known = broken_.find(image.file); known != broken_.end())
             return document_.error(place + "/image/file", known->second);
         const auto same_name = [&](const auto& known) { return known.first == image.file; };

@@ -71,6 +71,9 @@ bool read_number(const json::Value& value, double& target, const Field& field, c
     const auto* number = value.as<json::Number>();
     if (!number || number->value < range.low || number->value > range.high)
         return refuse(value, field, path, in, expected_number("a number", range, field, in));
+    constexpr double largest = 1e30; // a world of floats holds no larger ones, whatever the units
+    if (absolute(number->value) > largest)
+        return refuse(value, field, path, in, expected_number("a number", {-largest, largest}, field, in));
     target = number->value * in_program(field.unit);
     return true;
 }

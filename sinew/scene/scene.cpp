@@ -3,6 +3,7 @@
 #include "sinew/scene/check.h"
 #include "sinew/scene/layout.h"
 #include "sinew/scene/read_images.h"
+#include "sinew/scene/read_models.h"
 #include "sinew/scene/reader.h"
 
 namespace sinew {
@@ -53,7 +54,7 @@ double step_length(const Scene& scene) {
     return scene.measures().per_second / scene.solver.rate;
 }
 
-std::optional<Opened> open_scene(Document& document, const ImageReader& reader) {
+std::optional<Opened> open_scene(Document& document, const ImageReader& images, const ModelReader& models) {
     const bool unreadable = document.root.as<json::Object>()->empty() && !document.diagnostics.ok();
     if (unreadable) return std::nullopt;
     Diagnostics heard_again = document.diagnostics; // what the header says wrong, the whole reading says too
@@ -65,11 +66,12 @@ std::optional<Opened> open_scene(Document& document, const ImageReader& reader) 
                  .units = measures(header.units),
                  .memory = document.limits.memory});
     if (!document.diagnostics.ok()) return std::nullopt;
+    if (models) read_models(opened.scene, models, document);
     check_values(opened.scene, document);
     if (!document.diagnostics.ok()) return std::nullopt;
     opened.world = instantiate(opened.scene);
     check_references(opened.scene, opened.world, document);
-    if (reader) opened.images = read_images(opened, reader, document);
+    if (images) opened.images = read_images(opened, images, document);
     if (!document.diagnostics.ok()) return std::nullopt;
     return opened;
 }

@@ -4,6 +4,7 @@
 #include "sinew/scene/event_section.h"
 #include "sinew/scene/figure_section.h"
 #include "sinew/scene/image.h"
+#include "sinew/scene/model.h"
 #include "sinew/scene/units.h"
 #include "sinew/scene/world_section.h"
 #include "sinew/solver/world.h"
@@ -39,6 +40,9 @@ struct CameraSection {
     Vec3<double> eye{{0, 1.5, 5}};
     Vec3<double> target{};
     double field_of_view = pi<double> / 4;
+    std::string projection = "perspective";
+
+    static constexpr std::array<std::string_view, 2> projections = {"perspective", "orthographic"};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.eye, Field{.name = "eye", .help = "Where it is", .unit = unit::length});
@@ -48,6 +52,9 @@ struct CameraSection {
                                         .unit = unit::angle,
                                         .low = pi<double> / 180,
                                         .high = 170 * pi<double> / 180});
+        visit(self.projection, Field{.name = "projection",
+                                     .help = "Orthographic: what is far is as large as what is at the target",
+                                     .choices = projections});
     }
 };
 
@@ -78,6 +85,7 @@ struct ViewSection {
 /// What a pointer does to the scene, in whatever window it is.
 struct PointerSection {
     double cuts_within = 0;
+    double pulls_within = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.cuts_within, Field{.name = "cuts_within",
@@ -85,6 +93,11 @@ struct PointerSection {
                                       .unit = unit::length,
                                       .low = 0,
                                       .high = 1e6});
+        visit(self.pulls_within, Field{.name = "pulls_within",
+                                       .help = "How near to what it grabs the rest of its figure is pulled along",
+                                       .unit = unit::length,
+                                       .low = 0,
+                                       .high = 1e6});
     }
 };
 
@@ -152,8 +165,8 @@ struct Opened {
 /// Reads the scene of a document and builds its world. Nothing where anything is wrong with it, also beyond single
 /// values (names that are used twice or stand for nothing, more than the limits allow, images that cannot be read):
 /// then the document's diagnostics say what. Without a reader of images none is looked at, and shapes are drawn
-/// instead.
-std::optional<Opened> open_scene(Document& document, const ImageReader& reader = {});
+/// instead; without one of models every mesh is the square it is without a file.
+std::optional<Opened> open_scene(Document& document, const ImageReader& images = {}, const ModelReader& models = {});
 
 /// How long a step of the scene is, in its own time unit.
 double step_length(const Scene& scene);

@@ -78,13 +78,13 @@ std::vector<std::string_view> unique(std::vector<std::string_view> names) {
     return once;
 }
 
-struct Members {
+struct Properties {
     Object properties;
     Array required;
 };
 
-Members members_of(const Layout& record) {
-    Members members;
+Properties members_of(const Layout& record) {
+    Properties members;
     for (const auto& field : record.parts) {
         if (is_choice(field)) continue;
         members.properties.push_back({std::string(field.field.name), schema(field)});

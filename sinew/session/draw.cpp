@@ -14,8 +14,7 @@
 namespace sinew {
 namespace {
 
-/// Sizes in a picture 480 pixels high; they grow with it.
-constexpr double nominal_height = 480;
+/// Sizes in a picture of the nominal height; they grow with it.
 constexpr float wall_thickness = 3, rim = 2.5F;
 constexpr float thinnest = 4; // thinner lines have no outline and throw no shadow
 constexpr Vec2<float> shadow_offset{{7, 9}};
@@ -33,7 +32,7 @@ template <class WorldT> class Drawer {
     Drawer(const Scene& scene, const WorldT& world, const View& view, const Onlooker& onlooker, Picture& picture)
         : scene_(scene), world_(world), view_(view), onlooker_(onlooker), picture_(picture),
           theme_(theme_called(scene.view.theme)), light_(view, theme_.ink),
-          unit_(float(picture.height / nominal_height)), brush_(picture, unit_), order_(world) {}
+          unit_(float(picture.height / Picture::nominal_height)), brush_(picture, unit_), order_(world) {}
 
     void draw() {
         picture_.clear();

@@ -38,7 +38,7 @@ Point along(std::span<const Keyframe> keys, const Point& rest, double time, bool
     return as_point(place(to - 1) + (place(to) - place(to - 1)) * share);
 }
 
-struct Place {
+struct PlaceOf {
     const Point& rest;
     double time;
     int up;
@@ -62,7 +62,7 @@ struct Place {
 } // namespace
 
 Point driven_to(const Driver& driver, const Point& rest, double time, int up) {
-    return std::visit(Place{rest, time, up}, driver);
+    return std::visit(PlaceOf{rest, time, up}, driver);
 }
 
 Point Seeker::follow(const Point& goal, double frame, const PointerDriver& driver) {

@@ -30,10 +30,30 @@ template <class WorldT> ParticleId add_handle(WorldT& world, std::span<const Par
     return handle;
 }
 
+/// Particles of the same figure that are within reach of a place, but for the members.
+template <class WorldT>
+std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> members, const Point& place,
+                             double reach) {
+    using Real = typename WorldT::Real;
+    std::vector<ParticleId> found;
+    if (!(reach > 0)) return found;
+    const auto& p = world.particles;
+    const auto figure = p.figure[*row_of(world, members.front())];
+    const auto middle = place.template as<WorldT::dimension, Real>();
+    for (Row row = 0; row < p.size(); ++row) {
+        if (p.figure[row] != figure || p.mobility[row] == Real(0)) continue;
+        const auto id = p.slots.id_of(row);
+        if (distance(p.position[row], middle) <= Real(reach) &&
+            std::find(members.begin(), members.end(), id) == members.end())
+            found.push_back(id);
+    }
+    return found;
+}
+
 } // namespace
 
 std::optional<Hand> Hand::take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
-                               double acceleration) {
+                               double acceleration, double reach) {
     return std::visit(
         [&]<class WorldT>(WorldT& any) -> std::optional<Hand> {
             using Real = typename WorldT::Real;
@@ -46,12 +66,19 @@ std::optional<Hand> Hand::take(AnyWorld& world, std::span<const ParticleId> memb
             if (!movable) return std::nullopt;
             Hand hand{.members = {members.begin(), members.end()}, .target = place};
             const double mass = lifted_mass(any, *row_of(any, members.front()));
+            const auto others = near(any, members, place, reach);
+            const PinSpec<WorldT::dimension, Real> grip{.max_force =
+                                                            Real(mass * acceleration / double(1 + others.size()))};
             auto held = members.front();
             if (members.size() > 1) hand.handle = held = add_handle(any, members, place);
-            const auto pinned =
-                sinew::pin(any, held, PinSpec<WorldT::dimension, Real>{.max_force = Real(mass * acceleration)});
+            const auto pinned = sinew::pin(any, held, grip);
             if (!pinned) return std::nullopt;
             hand.pin = *pinned;
+            for (const auto id : others) {
+                Point offset;
+                for (int i = 0; i < WorldT::dimension; ++i) offset[i] = double((*position_of(any, id))[i]) - place[i];
+                hand.along.push_back({*sinew::pin(any, id, grip), offset});
+            }
             return hand;
         },
         world);
@@ -61,12 +88,16 @@ void Hand::carry(AnyWorld& world) const {
     std::visit(
         [&]<class WorldT>(WorldT& any) {
             using Real = typename WorldT::Real;
-            auto goal = target.as<WorldT::dimension, Real>();
-            for (const auto& plane : any.bounds) {
-                const Real below = plane.offset - dot(plane.normal, goal);
-                if (below > Real(0)) goal += plane.normal * below;
-            }
-            move_pin(any, pin, goal);
+            const auto carry = [&](PinId held, const Point& offset) {
+                auto goal = target.as<WorldT::dimension, Real>() + offset.as<WorldT::dimension, Real>();
+                for (const auto& plane : any.bounds) {
+                    const Real below = plane.offset - dot(plane.normal, goal);
+                    if (below > Real(0)) goal += plane.normal * below;
+                }
+                move_pin(any, held, goal);
+            };
+            carry(pin, {});
+            for (const auto& [held, offset] : along) carry(held, offset);
         },
         world);
 }
@@ -75,6 +106,7 @@ void Hand::let_go(AnyWorld& world) const {
     std::visit(
         [&](auto& any) {
             unpin(any, pin);
+            for (const auto& other : along) unpin(any, other.pin);
             if (handle) remove_particles(any, std::span(&*handle, 1));
         },
         world);

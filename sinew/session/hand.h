@@ -10,7 +10,7 @@
 namespace sinew {
 
 /// A pointer that holds something: one particle by a pin, or a place between several by a handle, a light particle that
-/// keeps its distances to them and is pinned instead.
+/// keeps its distances to them and is pinned instead. A wide hand pulls along what is near of the same figure.
 struct Hand {
     /// The hand can give all that it lifts this acceleration, and no more: 100 times that of gravity. Larger follows
     /// closer, but tears and jams what is caught. Metres a second squared.
@@ -21,9 +21,15 @@ struct Hand {
     PinId pin{};
     std::optional<ParticleId> handle{}; ///< of several members
 
-    /// Nothing where a member is gone or none can move. `acceleration` is in the world's units.
+    struct Along {
+        PinId pin;
+        Point offset; ///< from the target
+    };
+    std::vector<Along> along{};
+
+    /// Nothing where a member is gone or none can move. `acceleration` and `reach` are in the world's units.
     static std::optional<Hand> take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
-                                    double acceleration);
+                                    double acceleration, double reach = 0);
 
     /// Tells the pin where to be. A place beyond a wall is as good as the one before it.
     void carry(AnyWorld& world) const;

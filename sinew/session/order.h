@@ -15,8 +15,8 @@ struct Drawn {
     std::uint32_t group = 0;
 };
 
-/// The visible pieces of a figure, back to front: in 3D by depth; in 2D as they were built, where pieces of one part
-/// that hang together are one group.
+/// The visible pieces of a figure, back to front: in 3D by depth, where pieces of one part through the same particles
+/// are one group; in 2D as they were built, where pieces of one part that hang together are one.
 template <class WorldT> class DrawOrder {
   public:
     /// The world is kept by reference.
@@ -30,15 +30,25 @@ template <class WorldT> class DrawOrder {
             if (!is_hidden(piece))
                 pieces_.push_back(
                     {&piece, WorldT::dimension == 3 ? depth_of(piece) : 0, std::uint32_t(pieces_.size())});
-        if (WorldT::dimension == 3)
+        if (WorldT::dimension == 3) {
             std::stable_sort(pieces_.begin(), pieces_.end(),
                              [](const Drawn& a, const Drawn& b) { return a.depth > b.depth; });
-        else
+            group_alike();
+        } else {
             group();
+        }
         return pieces_;
     }
 
   private:
+    void group_alike() {
+        for (std::size_t i = 1; i < pieces_.size(); ++i) {
+            const Piece &piece = *pieces_[i].piece, &before = *pieces_[i - 1].piece;
+            if (piece.part == before.part && piece.particles == before.particles)
+                pieces_[i].group = pieces_[i - 1].group;
+        }
+    }
+
     void group() {
         constexpr auto none = std::uint32_t(-1);
         group_of_row_.assign(world_.particles.size(), none);

@@ -8,8 +8,7 @@
 namespace sinew {
 namespace {
 
-/// Sizes in a picture 480 pixels high; they grow with it.
-constexpr double nominal_height = 480;
+/// Sizes in a picture of the nominal height; they grow with it.
 constexpr float line = 3, casing = 1.8F /* times a line */, letters = 11, pin_size = 11;
 
 constexpr Color stretched{0.85F, 0.15F, 0.12F, 1}, squeezed{0.12F, 0.35F, 0.85F, 1};
@@ -25,7 +24,7 @@ template <class WorldT> class Overlayer {
   public:
     Overlayer(const Scene& scene, const WorldT& world, const View& view, Picture& picture)
         : scene_(scene), world_(world), view_(view), picture_(picture), theme_(theme_called(scene.view.theme)),
-          unit_(float(picture.height / nominal_height)), text_(theme_.pen) {}
+          unit_(float(picture.height / Picture::nominal_height)), text_(theme_.pen) {}
 
     void strain() {
         color_lines([](const ConstraintState& state) { return state.strain * 100; }, 0.1, "strain", "%");
@@ -101,7 +100,8 @@ template <class WorldT> class Overlayer {
         return seen ? std::optional(seen->pixel) : std::nullopt;
     }
 
-    /// Every distance as a line, in the colour of its value; the palest has none.
+    /// Every distance as a line, in the colour of its value; the palest has none. What only keeps apart is one while it
+    /// does.
     template <class Value>
     void color_lines(Value&& value_of, double least, std::string_view what, std::string_view unit) {
         struct Line {
@@ -116,6 +116,7 @@ template <class WorldT> class Overlayer {
             const auto a = view_.see(in_space(world_.particles.position[table.members[row][0]]));
             const auto b = view_.see(in_space(world_.particles.position[table.members[row][1]]));
             if (!state || !a || !b) continue;
+            if (!ties(table, row) && state->strain == 0 && state->tension == 0) continue;
             lines.push_back({{a->pixel, b->pixel}, value_of(*state)});
             largest = maximum(largest, absolute(lines.back().value));
         }

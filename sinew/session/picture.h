@@ -26,6 +26,8 @@ enum class Shape : std::uint8_t {
 /// corner). Items are painted in order. All points lie in one column, so that a picture can be refilled without
 /// allocating.
 struct Picture {
+    static constexpr double nominal_height = 480; ///< pixels: sizes of letters, shadows and the like are told for it
+
     struct Item {
         Shape shape = Shape::polyline;
         std::uint32_t first = 0; ///< index of its first point

@@ -19,7 +19,8 @@ bool Session::grab(std::span<const ParticleId> members, const Point& place) {
     held_.clear();
     taken_over_ = true;
     const auto units = scene_.measures();
-    hand_ = Hand::take(world_, members, place, Hand::strength * units.per_metre / square(units.per_second));
+    hand_ = Hand::take(world_, members, place, Hand::strength * units.per_metre / square(units.per_second),
+                       scene_.pointer.pulls_within);
     return hand_.has_value();
 }
 

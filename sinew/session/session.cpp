@@ -7,7 +7,7 @@
 #include "sinew/solver/edit.h"
 #include "sinew/solver/islands.h"
 #include "sinew/solver/measure.h"
-#include "sinew/solver/sever.h"
+#include "sinew/solver/split.h"
 #include "sinew/solver/step.h"
 
 #include <algorithm>
@@ -304,7 +304,10 @@ void Session::note_events() {
                 if (event.type == EventType::torn && is_link<std::decay_t<decltype(world)>>(event))
                     gone.push_back(event.ends);
             }
-            sever(world, std::span<const Ends>(gone));
+            if (!gone.empty()) {
+                sever(world, std::span<const Ends>(gone));
+                split(world, std::span<const Ends>(gone));
+            }
             if (any_torn) note_parted();
         },
         world_);

@@ -7,7 +7,8 @@
 namespace sinew {
 
 View::View(const Scene& scene, const ViewSection& view, const std::array<Point, 2>& focus, int width, int height)
-    : flat_(scene.dimension == 2), up_(scene.units.up == "-y" ? -1 : 1), middle_pixel_{{width * 0.5, height * 0.5}} {
+    : flat_(scene.dimension == 2), orthographic_(!flat_ && view.camera.projection == "orthographic"),
+      up_(scene.units.up == "-y" ? -1 : 1), middle_pixel_{{width * 0.5, height * 0.5}} {
     if (flat_) {
         above_ = Vec3<double>{{0, up_, 0}};
         const double nominal_width = view.size[0], nominal_height = view.size[1];
@@ -25,6 +26,7 @@ View::View(const Scene& scene, const ViewSection& view, const std::array<Point, 
     } else {
         const auto& camera = view.camera;
         eye_ = camera.eye;
+        target_depth_ = std::max(distance(camera.eye, camera.target), 1e-6);
         back_ = direction(camera.eye - camera.target);
         if (back_ == Vec3<double>{}) back_ = Vec3<double>::axis(2);
         const auto sky = Vec3<double>::axis(absolute(back_[1]) < 0.999 ? 1 : 2) * up_;
@@ -44,11 +46,15 @@ std::optional<View::Seen> View::see(const Vec3<double>& place) const {
     const auto from_eye = place - eye_;
     const double depth = -dot(from_eye, back_);
     constexpr double nearest = 1e-3;
-    if (depth < nearest) return std::nullopt;
-    const double scale = scale_ / depth;
+    if (depth < nearest && !orthographic_) return std::nullopt;
+    const double scale = scale_at(depth);
     const double x = middle_pixel_[0] + dot(from_eye, right_) * scale;
     const double y = middle_pixel_[1] - dot(from_eye, above_) * scale;
     return Seen{{{float(x), float(y)}}, float(scale), float(depth)};
+}
+
+double View::scale_at(double depth) const {
+    return scale_ / (orthographic_ ? target_depth_ : depth);
 }
 
 Vec2<double> View::place_of(Vec2<double> pixel) const {
@@ -63,7 +69,7 @@ Point View::place_of(Vec2<double> pixel, double depth) const {
         place[0] = flat[0], place[1] = flat[1];
         return place;
     }
-    const auto offset = (pixel - middle_pixel_) * (depth / scale_);
+    const auto offset = (pixel - middle_pixel_) * (1 / scale_at(depth));
     const auto wide = eye_ - back_ * depth + right_ * offset[0] - above_ * offset[1];
     for (int i = 0; i < 3; ++i) place[i] = wide[i];
     return place;

@@ -40,8 +40,11 @@ class View {
     const Vec3<double>& above() const { return above_; }
 
   private:
-    bool flat_;
-    double scale_ = 1; ///< 2D: pixels a unit; 3D: pixels a unit at unit depth
+    double scale_at(double depth) const;
+
+    bool flat_, orthographic_;
+    double scale_ = 1;        ///< 2D: pixels a unit; 3D: pixels a unit at unit depth
+    double target_depth_ = 1; ///< 3D: from the eye to what it looks at
     double up_ = 1;
     Vec2<double> middle_pixel_;
     Vec2<double> center_{}; // 2D

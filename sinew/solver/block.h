@@ -39,6 +39,15 @@ struct BlockLimit {
     int flips = 0; ///< how often it came to a limit in this substep
 
     bool one_sided() const { return low < high; }
+    void come_to_a_limit(double above, double below, double margin) {
+        if (!(above > margin || below < -margin)) return;
+        side = above > margin ? 1 : -1;
+        ++flips;
+    }
+    /// How far a measure so much above its high limit and its low one breaks what it is held to.
+    double outside(double above, double below) const {
+        return side > 0 ? absolute(above) : side < 0 ? absolute(below) : maximum(above, -below);
+    }
 };
 
 /// Of a limit that is driven, or gives way.
@@ -89,9 +98,12 @@ template <int D> struct BlockLink : BlockLimit {
 /// An angle at the middle one of three nodes.
 template <int D> struct BlockBend : BlockLimit, BlockDrive {
     double begun = 0; ///< the angle when the substep began
+    double give = 0;  ///< how far beyond its limit it is held
+    bool strikes = false;
     std::array<std::uint32_t, 3> nodes{};
     std::array<std::uint32_t, 3> entries{}; ///< of the pairs 0 1, 1 2, 2 0
     std::array<Vec<D, double>, 3> gradient{};
+    std::array<Vec<D, double>, 3> along{}; ///< where it is pulled
 };
 
 /// What couples a node to a later one.
@@ -186,8 +198,6 @@ template <int D> struct Blocks {
 
     // Room for a step.
     std::vector<std::uint32_t> pin_of, next_pin; ///< per particle its first pin, per pin the next of the same particle
-    std::vector<double> pressure;                ///< per node and plane: the force of the contact
-    std::vector<Vec<D, double>> grip;            ///< and of its friction
 
     Islands islands;
     Elimination elimination;

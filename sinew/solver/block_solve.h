@@ -1,9 +1,6 @@
 #pragma once
 
-#include "sinew/constraint/angle.h"
-#include "sinew/solver/block_matrix.h"
-#include "sinew/solver/block_way.h"
-#include "sinew/solver/project.h"
+#include "sinew/solver/block_equations.h"
 
 /// One substep of one block: Newton's method on
 ///
@@ -13,29 +10,34 @@
 /// Each iteration gains about four digits, whatever the masses.
 namespace sinew::detail {
 
-template <int D> class BlockSolve {
+template <int D> class BlockSolve : public BlockEquations<D> {
+    using Base = BlockEquations<D>;
+
   public:
-    using Vector = Vec<D, double>;
+    using Base::Base, Base::links, Base::unknowns, Base::soft;
+    using typename Base::Vector;
+    BlockNode<D>& node(std::uint32_t i) const { return Base::node(i); }
 
-    BlockSolve(Blocks<D>& blocks, const Block& block, double substep)
-        : blocks_(blocks), block_(block), ways_(blocks, block, substep), h_(substep), per_h_(1 / substep) {
-        for (const auto& node : unknowns()) total_mass_ += node.mass;
-        stiffness_ = relative_stiffness * total_mass_ * per_h_ * per_h_;
-    }
-
-    std::span<BlockNode<D>> nodes() const { return std::span(blocks_.nodes).subspan(block_.first_node, block_.nodes); }
-    std::span<BlockNode<D>> unknowns() const {
-        return std::span(blocks_.nodes).subspan(block_.first_node, block_.unknowns);
-    }
-    std::span<BlockLink<D>> links() const { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
-    std::span<BlockBend<D>> bends() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
-    const BlockWays<D>& ways() const { return ways_; }
-    double stiffness() const { return stiffness_; }
     /// The length of all links.
     double reach() const { return reach_; }
 
     /// From now on lengths that cannot be kept are shared out, as by very stiff springs.
     void be_elastic() { elastic_ = true; }
+
+    /// From now on joints swing past their ends, and bounce from them afterwards (block_bounce.h).
+    void let_bounce() { bounce_ = true; }
+
+    /// Which limits hold when the substep begins.
+    void choose_sides(Rule rule) {
+        reach_ = 0;
+        for (auto& link : links()) {
+            link.start = node(link.b).start - node(link.a).start;
+            reach_ += link.length;
+            choose_side(link);
+        }
+        bends_.set_out(bounce_ && rule == Rule::swing);
+        reach_ += ways_.set_out(as_good_as_taut);
+    }
 
     /// Finds every `place`. `hold(assemble)` adds what else acts on the nodes to their equations. False where it did
     /// not converge.
@@ -58,76 +60,17 @@ template <int D> class BlockSolve {
                 return true;
             if (i == most_iterations)
                 return worst <= acceptable && moved_ <= acceptable * reach_; // links that cannot decide to be taut
-            solve_block(blocks_, block_);
+            Base::solve();
             take_step(i >= undecided_after ? 0.5 : 1);
         }
     }
 
-    /// How far the worst rigid link is outside its limits, as Green's strain, at the places or at the start.
-    template <class At> double worst_strain(At&& at) const {
-        double worst = 0;
-        for (const auto& link : links()) {
-            if (soft(link)) continue;
-            const auto span = at(node(link.b)) - at(node(link.a));
-            const double length2 = dot(span, span);
-            const double error = maximum(length2 - square(link.high), square(link.low) - length2);
-            worst = maximum(worst, 0.5 * error * link.per_length2);
-        }
-        return worst;
-    }
-    double worst_start_strain() const { return maximum(worst_strain(start_of), ways_.worst_strain(true)); }
-    double worst_place_strain() const { return maximum(worst_strain(place_of), ways_.worst_strain(false)); }
-    static const Vector& start_of(const BlockNode<D>& node) { return node.start; }
-    static const Vector& place_of(const BlockNode<D>& node) { return node.place; }
-
-    /// What the constraints did to the velocities is not along the links: those that pull keep the lengths they have
-    /// (n . v = 0), for the least change of momentum. `hold(assemble)` as above, for velocities.
-    template <class Hold> void settle(Hold&& hold) {
-        constexpr double relative = 1e3;
-        constexpr int rounds = 3;
-        for (auto& link : links()) link.pull = 0;
-        for (auto& bend : bends()) bend.pull = 0, measure(bend);
-        ways_.begin_settling();
-        for (auto& node : nodes()) node.aim = node.velocity;
-        for (int i = 0; i < rounds; ++i) {
-            for (auto& node : unknowns()) {
-                node.diagonal = Matrix<D, double>::diagonal(node.mass);
-                node.residual = (node.aim - node.velocity) * node.mass;
-            }
-            clear_entries();
-            for (auto& link : links()) {
-                link.along = node(link.b).place - node(link.a).place;
-                const double k = relative * total_mass_ * link.per_length2;
-                const double rate = dot(link.along, node(link.b).velocity - node(link.a).velocity);
-                const double pull = link.pull + k * rate;
-                const bool resists =
-                    !link.one_sided() || (link.tension > 0 && pull > 0) || (link.tension < 0 && pull < 0);
-                link.stiffness = resists && !soft(link) ? k : 0;
-                if (link.stiffness == 0) continue;
-                link.pull = pull;
-                add(link, outer(link.along * k, link.along), link.along * pull);
-            }
-            for (auto& bend : bends()) {
-                double rate = -bend.rate;
-                for (std::size_t k = 0; k < 3; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
-                const double k = relative * total_mass_ * arm2(bend);
-                const double pull = bend.pull + k * rate;
-                const bool resists =
-                    bend.side != 0 && !soft(bend) && !bend.slips && (!bend.one_sided() || pull * bend.side > 0);
-                bend.stiffness = resists ? k : 0;
-                if (resists) add(bend, bend.pull = pull);
-            }
-            ways_.settle(relative * total_mass_);
-            hold(relative * total_mass_);
-            solve_block(blocks_, block_);
-            for (auto& node : unknowns()) node.velocity += node.move;
-            for (auto& link : links())
-                if (link.stiffness > 0)
-                    link.pull += link.stiffness * dot(link.along, move_of(node(link.b)) - move_of(node(link.a)));
-            for (auto& bend : bends())
-                if (bend.stiffness > 0) bend.pull += bend.stiffness * turn_of(bend);
-            ways_.end_round();
-        }
+    /// One iteration more.
+    template <class Hold> void refine(Rule rule, Hold&& hold) {
+        assemble(rule);
+        hold();
+        Base::solve();
+        take_step(1);
     }
 
     /// Where Newton does not find the lengths: sweeps over the links come nearer to them.
@@ -147,50 +90,7 @@ template <int D> class BlockSolve {
             }
     }
 
-    /// Whether velocities would lengthen links, as after a blow: by more than a swing does in a substep.
-    bool jolted() const {
-        const double usual = block_.motored ? 1e-4 : 0.02; // what is driven starts and stops, and must not ring on
-        for (const auto& link : links()) {
-            if (soft(link) || (link.one_sided() && link.tension == 0)) continue;
-            const auto span = node(link.b).place - node(link.a).place;
-            const double rate = dot(span, node(link.b).velocity - node(link.a).velocity);
-            if (absolute(rate) * h_ > usual * square(link.length)) return true;
-        }
-        return ways_.jolted(usual);
-    }
-
-    /// Half the sum of m v^2.
-    double kinetic() const {
-        double sum = 0;
-        for (const auto& node : unknowns()) sum += 0.5 * node.mass * dot(node.velocity, node.velocity);
-        return sum;
-    }
-
-    double stored(const BlockLink<D>& link, const Vector& span) const {
-        if (!soft(link)) return 0;
-        const double length = norm(span);
-        return 0.5 * square(length - clamp(length, link.low, link.high)) / link.compliance;
-    }
-
-    double stored(const BlockBend<D>& bend, double angle) const {
-        return soft(bend) ? 0.5 * square(angle - clamp(angle, bend.low, bend.high)) / bend.compliance : 0;
-    }
-    /// Its angle, at the places or at the start.
-    template <class At> double angle_of(const BlockBend<D>& bend, At&& at) const {
-        const Points<3, D, double> points{at(node(bend.nodes[0])), at(node(bend.nodes[1])), at(node(bend.nodes[2]))};
-        return unwrap<Angle<D>>(Angle<D>::evaluate(points).value, bend.low, bend.high);
-    }
-    bool any_bend_struck() const {
-        for (const auto& bend : bends())
-            if (bend.side != 0 && bend.one_sided() && !soft(bend)) return true;
-        return false;
-    }
-
-    BlockNode<D>& node(std::uint32_t i) const { return blocks_.nodes[i]; }
-    const Vector& move_of(const BlockNode<D>& node) const { return node.move; } // zero of what is fixed
-
   private:
-    static constexpr double relative_stiffness = 1e4; ///< of a rigid link, over all mass / h^2
     static constexpr double good_enough = 1e-7;
     static constexpr double hardly = 1e-5;        ///< a move after which the next would be too small to matter
     static constexpr double hardly_pulled = 1e-3; ///< the same of a tension
@@ -204,28 +104,15 @@ template <int D> class BlockSolve {
     static constexpr double small_angle = 1e-2; ///< an angle's error counts as this part of a length's
     static constexpr int most_flips = 2;
 
-    Blocks<D>& blocks_;
-    const Block& block_;
-    BlockWays<D> ways_;
-    double h_, per_h_;
-    double total_mass_ = 0, stiffness_ = 0, reach_ = 0;
+    using Base::add, Base::clear_entries, Base::bends_, Base::ways_, Base::block_, Base::h_, Base::per_h_;
+    double reach_ = 0;
     double moved_ = 0, tightened_ = 0, strongest_ = 0; ///< by an iteration: the most of any node and link
-    bool elastic_ = false;
+    bool elastic_ = false, bounce_ = false;
     bool let_go_ = false; ///< a limit, since patience was last asked
     double slight_ = 0;   ///< a tension that is none
 
     double weight(std::uint32_t i) const {
         return i < block_.first_node + block_.unknowns ? inverse_or_zero(node(i).mass) : 0;
-    }
-
-    /// A spring; one so stiff that the penalty is softer is as good as rigid.
-    bool soft(const BlockLink<D>& link) const { return link.compliance * stiffness_ > 1; }
-    bool soft(const BlockBend<D>& bend) const { return bend.compliance > 0; }
-
-    void clear_entries() {
-        const auto begin = blocks_.first_entry[block_.first_node];
-        const auto end = blocks_.first_entry[block_.first_node + block_.unknowns];
-        for (auto e = begin; e < end; ++e) blocks_.entries[e].lower = blocks_.entries[e].upper = {};
     }
 
     /// Where it would go by itself, and a first guess.
@@ -237,24 +124,9 @@ template <int D> class BlockSolve {
             node.place = node.start + flight;
             node.aim = node.place + node.push * (share * h_ * h_);
         }
-        reach_ = 0;
-        for (auto& link : links()) {
-            link.start = node(link.b).start - node(link.a).start;
-            reach_ += link.length;
-            choose_side(link);
-        }
-        for (auto& bend : bends()) {
-            bend.flips = 0;
-            const double angle = bend.begun = angle_of(bend, start_of);
-            bend.slips = false, bend.doubts = 0;
-            const bool exact = !bend.one_sided();
-            bend.side = exact || bend.tension > 0 || angle > bend.high ? 1
-                        : bend.tension < 0 || angle < bend.low         ? -1
-                                                                       : 0;
-        }
+        choose_sides(rule);
         double weight = 0;
         for (const auto& node : unknowns()) weight += node.mass * norm(node.push);
-        reach_ += ways_.set_out(as_good_as_taut);
         slight_ = 1e-6 * weight * inverse_or_zero(reach_) * double(block_.links + block_.ways);
     }
 
@@ -270,24 +142,6 @@ template <int D> class BlockSolve {
             link.side = link.tension < 0 || length < link.low + margin ? -1 : 0;
     }
 
-    static void come_to_a_limit(BlockLimit& limit, double above, double below, double margin) {
-        if (!(above > margin || below < -margin)) return;
-        limit.side = above > margin ? 1 : -1;
-        ++limit.flips;
-    }
-
-    [[gnu::always_inline]] void add(const BlockLink<D>& link, const Matrix<D, double>& stiffness, const Vector& force) {
-        auto &a = node(link.a), &b = node(link.b);
-        a.diagonal += stiffness;
-        b.diagonal += stiffness;
-        if (link.entry != Blocks<D>::none) {
-            blocks_.entries[link.entry].lower -= stiffness;
-            blocks_.entries[link.entry].upper -= stiffness;
-        }
-        a.residual += force;
-        b.residual -= force;
-    }
-
     /// The equations at the present places. Returns the worst violation of a rigid link, relative to its length.
     double assemble(Rule rule) {
         for (auto& node : unknowns()) {
@@ -295,7 +149,7 @@ template <int D> class BlockSolve {
             node.residual = (node.aim - node.place) * node.inertia;
         }
         clear_entries();
-        const double hardest = stiffness();
+        const double hardest = Base::stiffness();
         double worst = 0;
         for (auto& link : links()) {
             const auto now = node(link.b).place - node(link.a).place;
@@ -306,7 +160,7 @@ template <int D> class BlockSolve {
             const double k = hardest * link.per_length2;
             const double length2 = dot(now, now);
             const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
-            if (link.side == 0) come_to_a_limit(link, above, below, good_enough * square(link.length));
+            if (link.side == 0) link.come_to_a_limit(above, below, good_enough * square(link.length));
             const double error = link.side > 0 ? above : link.side < 0 ? below : 0;
             worst = maximum(worst, absolute(error) * link.per_length2);
             link.pull = link.side != 0 ? link.tension + k * error : 0;
@@ -321,13 +175,9 @@ template <int D> class BlockSolve {
                     Matrix<D, double>::diagonal(maximum(elastic_ ? link.pull : link.tension, 0.0) * (swings ? 0.5 : 1));
             add(link, matrix, along * link.pull);
         }
-        for (auto& bend : bends()) worst = maximum(worst, small_angle * bend_back(rule, bend, hardest));
+        worst = maximum(worst, small_angle * bends_.assemble(rule, hardest, good_enough / small_angle));
         worst = maximum(worst, ways_.assemble(rule, hardest, elastic_, good_enough));
         return worst;
-    }
-
-    static double outside(const BlockLimit& limit, double above, double below) {
-        return limit.side > 0 ? absolute(above) : limit.side < 0 ? absolute(below) : maximum(above, -below);
     }
 
     /// What `assemble` would return, without the equations.
@@ -338,83 +188,10 @@ template <int D> class BlockSolve {
             const auto now = node(link.b).place - node(link.a).place;
             const double length2 = dot(now, now);
             const double above = length2 - square(link.high), below = length2 - square(link.low);
-            worst = maximum(worst, 0.5 * outside(link, above, below) * link.per_length2);
+            worst = maximum(worst, 0.5 * link.outside(above, below) * link.per_length2);
         }
-        for (const auto& bend : bends()) {
-            if (soft(bend)) continue;
-            const double angle = angle_of(bend, place_of);
-            worst = maximum(worst, small_angle * outside(bend, angle - bend.high, angle - bend.low));
-        }
-        return worst;
+        return maximum(worst, small_angle * bends_.worst_error());
     }
-
-    // --- angles -----------------------------------------------------------------------------------------------------
-
-    double measure(BlockBend<D>& bend) const {
-        const Points<3, D, double> points{node(bend.nodes[0]).place, node(bend.nodes[1]).place,
-                                          node(bend.nodes[2]).place};
-        const auto evaluated = Angle<D>::evaluate(points);
-        for (std::size_t k = 0; k < 3; ++k) bend.gradient[k] = gentle<Angle<D>>(evaluated.gradient[k]);
-        return unwrap<Angle<D>>(evaluated.value, bend.low, bend.high);
-    }
-
-    /// The square of an angle's lever: an angle as stiff as a link of that length.
-    static double arm2(const BlockBend<D>& bend) {
-        double steepest = 0;
-        for (const auto& gradient : bend.gradient) steepest = maximum(steepest, dot(gradient, gradient));
-        return inverse_or_zero(steepest);
-    }
-
-    /// Returns how far the angle is outside its limits.
-    double bend_back(Rule rule, BlockBend<D>& bend, double hardest) {
-        const double angle = measure(bend);
-        bend.stiffness = 0;
-        if (rule == Rule::place && bend.driven) return 0; // no time passes: it gives
-        if (soft(bend)) {
-            const double error = angle - clamp(angle, bend.low, bend.high);
-            if (error == 0 || rule == Rule::place) return 0;
-            const double k = minimum(1 / bend.compliance, hardest * arm2(bend));
-            bend.tension =
-                bend.held(k * (error + bend.lead * ((angle - bend.begun) / h_ - bend.rate)), bend.tension, false);
-            bend.stiffness = bend.slips ? 0 : k * (1 + bend.lead / h_);
-            add(bend, bend.tension);
-            return 0;
-        }
-        const double above = angle - bend.high, below = angle - bend.low;
-        if (bend.side == 0) come_to_a_limit(bend, above, below, good_enough / small_angle);
-        if (bend.side == 0) return 0;
-        const double error = bend.side > 0 ? above : below;
-        bend.stiffness = hardest * arm2(bend);
-        bend.pull = bend.held(bend.tension + bend.stiffness * error, bend.tension, false);
-        if (bend.slips) bend.stiffness = 0;
-        add(bend, bend.pull);
-        return bend.slips ? 0 : absolute(error);
-    }
-
-    void add(const BlockBend<D>& bend, double torque) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            auto& at = node(bend.nodes[i]);
-            const auto& gradient = bend.gradient[i];
-            at.residual -= gradient * torque;
-            at.diagonal += outer(gradient * bend.stiffness, gradient);
-            if (bend.entries[i] == Blocks<D>::none) continue;
-            const auto j = (i + 1) % 3;
-            const auto& other = bend.gradient[j];
-            const bool in_order = bend.nodes[i] < bend.nodes[j];
-            const auto &early = in_order ? gradient : other, &late = in_order ? other : gradient;
-            blocks_.entries[bend.entries[i]].lower += outer(late * bend.stiffness, early);
-            blocks_.entries[bend.entries[i]].upper += outer(early * bend.stiffness, late);
-        }
-    }
-
-    /// How much the last move turned it, to first order.
-    double turn_of(const BlockBend<D>& bend) const {
-        double turn = 0;
-        for (std::size_t k = 0; k < 3; ++k) turn += dot(bend.gradient[k], move_of(node(bend.nodes[k])));
-        return turn;
-    }
-
-    // --- links ------------------------------------------------------------------------------------------------------
 
     /// A soft link: its force is what it is, and needs no multiplier.
     void spring(Rule rule, BlockLink<D>& link, const Vector& now) {
@@ -437,7 +214,7 @@ template <int D> class BlockSolve {
         double most = 0;
         tightened_ = strongest_ = 0;
         for (auto& link : links()) {
-            const auto change = move_of(node(link.b)) - move_of(node(link.a));
+            const auto change = node(link.b).move - node(link.a).move;
             most = maximum(most, dot(change, change) * link.per_length2);
             link.pull += link.stiffness * dot(link.along, change);
             tightened_ = maximum(tightened_, absolute(link.pull - link.tension) * link.length);
@@ -458,9 +235,9 @@ template <int D> class BlockSolve {
         }
         for (auto& link : links())
             if (!soft(link)) renew(link, link.pull, share);
-        for (auto& bend : bends())
-            if (!soft(bend)) {
-                renew(bend, bend.pull + bend.stiffness * turn_of(bend), share);
+        for (auto& bend : bends_.all())
+            if (!bends_.soft(bend)) {
+                renew(bend, bend.pull + bend.stiffness * bends_.change(bend), share);
                 bend.tension = clamp(bend.tension, -bend.most, bend.most);
             }
         for (auto& way : ways_.all())

@@ -100,12 +100,12 @@ template <int D> class BlockWays {
     // --- velocities
 
     /// Whether velocities would lengthen a way otherwise than its limit does.
-    bool jolted(double usual) const {
+    bool jolted(double usual, double h) const {
         for (const auto& way : all()) {
             if (soft(way) || way.slips || (way.one_sided() && way.tension == 0)) continue;
             point(way);
             constexpr double driven = 1e-5;
-            if (absolute(lengthening(way)) * h_ > (way.driven ? driven : usual) * way.high) return true;
+            if (absolute(lengthening(way)) * h > (way.driven ? driven : usual) * way.high) return true;
         }
         return false;
     }

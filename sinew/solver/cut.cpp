@@ -27,9 +27,9 @@ bool crosses(const Blade& blade, const Vec2<double>& a, const Vec2<double>& b) {
 
 /// Finds what holds both ends of a link that is cut: each particle knows its cut links, and a constraint counts the
 /// ends it meets.
-class Hanging {
+class Dangling {
   public:
-    Hanging(std::size_t particles, std::span<const std::array<Row, 2>> links)
+    Dangling(std::size_t particles, std::span<const std::array<Row, 2>> links)
         : first_(particles + 1, 0), link_(2 * links.size()), met_(links.size(), nobody) {
         for (const auto& ends : links)
             for (const Row end : ends) ++first_[end + 1];
@@ -66,7 +66,7 @@ std::vector<ConstraintId> with_what_hangs(const World<D, Real>& world, std::span
         if (const auto row = id.kind == link_kind ? distances.slots.find(id.id) : std::nullopt)
             links.push_back(distances.members.rows[*row]);
     if (links.empty()) return all;
-    Hanging hanging(world.particles.size(), links);
+    Dangling hanging(world.particles.size(), links);
     std::size_t number = 0;
     int kind = 0;
     for_each_table(world, [&](const auto& table) {

@@ -17,7 +17,7 @@ template <class Table> bool limits_turn(const Table& table, Row row) {
     return Table::Kind::length_power == 0 && table.low[row] < table.high[row];
 }
 
-template <int D, class Real> double mass_of(const Swept<D, Real>& swept, Row slot) {
+template <int D, class Real> double inertia_of(const Swept<D, Real>& swept, Row slot) {
     return inverse_or_zero(double(swept.mobility[slot]));
 }
 
@@ -67,7 +67,7 @@ template <int D, class Real> void note_energy(World<D, Real>& world) {
     for (Row slot = 0; slot < swept.size(); ++slot) {
         const auto figure = p.figure[swept.row_of[slot]];
         const auto v = swept.velocity_at(slot);
-        if (figure < figures.size()) figures[figure].before += 0.5 * mass_of(swept, slot) * double(dot(v, v));
+        if (figure < figures.size()) figures[figure].before += 0.5 * inertia_of(swept, slot) * double(dot(v, v));
     }
     for (const auto& pinned : swept.plan.pins) world.pins[pinned.pin].carried = swept.velocity_at(pinned.slot);
 }
@@ -87,7 +87,7 @@ template <int D, class Real> void add_up(World<D, Real>& world, Real h) {
         const auto figure = p.figure[swept.row_of[slot]];
         if (figure >= figures.size()) continue;
         auto& budget = figures[figure];
-        const double m = mass_of(swept, slot);
+        const double m = inertia_of(swept, slot);
         const auto v = cast<double>(swept.velocity_at(slot));
         budget.held = budget.held || m == 0;
         budget.mass += m;

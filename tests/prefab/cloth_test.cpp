@@ -121,5 +121,26 @@ TEST(Cloth, KeepsNoNameForEachParticleOfALargeGrid) {
     EXPECT_EQ(made.figure().pieces.size(), 600U); // one line for each row and column
 }
 
+TEST(Curtain, AsItComesIsTheTutorialsAndHangsByItsTopRow) {
+    const auto made = make(Curtain{});
+    EXPECT_EQ(made.particles(), 61U * 41U);
+    EXPECT_EQ(made.constraints(), 60U * 41U + 61U * 40U);
+    EXPECT_EQ(made.world.pins.size(), 61U);
+    EXPECT_EQ(made.constraint("down_0_0").measure, 0.06);
+    EXPECT_EQ(made.figure().pieces.back().part, "knob");
+}
+
+TEST(Curtain, HangsByEverySoManiethHookAndByItsEnds) {
+    const auto held = [](int columns, int hook_every) {
+        std::vector<Row> rows;
+        const auto made = make(Curtain{.columns = columns, .rows = 2, .hook_every = hook_every});
+        for (const auto& pin : made.world.pins) rows.push_back(row_of(made.world, pin.particle).value());
+        return rows;
+    };
+    EXPECT_EQ(held(8, 3), (std::vector<Row>{0, 3, 6, 7}));
+    EXPECT_EQ(held(7, 3), (std::vector<Row>{0, 3, 6}));
+    EXPECT_EQ(held(5, 1000000), (std::vector<Row>{0, 4}));
+}
+
 } // namespace
 } // namespace sinew

@@ -57,7 +57,7 @@ struct AnyValue {
     }
     void operator()(bool& value, const Field&) const { value = *rc::gen::arbitrary<bool>(); }
     void operator()(std::string& value, const Field& field) const {
-        value = field.choices[*rc::gen::inRange(std::size_t(0), field.choices.size())];
+        if (!field.choices.empty()) value = field.choices[*rc::gen::inRange(std::size_t(0), field.choices.size())];
     }
     void operator()(std::vector<double>& values, const Field&) const {
         values.resize(*rc::gen::inRange(std::size_t(0), std::size_t(4)));

@@ -101,6 +101,13 @@ TEST(Reader, APointHasAsManyNumbersAsTheSceneHasDimensions) {
 
 // --- what is refused --------------------------------------------------------------------------------------------
 
+TEST(Reader, NumbersThatNoFloatHoldsAreRefusedWhereNoRangeSaysSo) {
+    EXPECT_EQ(
+        read_as<sample::Figure>(R"({"at": [1, 2e30]})").messages(),
+        (std::vector<std::string>{"1:12: expected a number from -1e30 to 1e30 m, found the number 2e30 at /at/1"}));
+    EXPECT_TRUE(read_as<sample::Figure>(R"({"at": [1, 1e30]})").good);
+}
+
 TEST(Reader, WrongTypesSayWhatWasFoundAndExpected) {
     EXPECT_EQ(read_as<sample::Solver>(R"({"mode": 1, "substeps": "many", "tethers": 0, "seed": null})").messages(),
               (Lines{"1:10: expected \"physical\" or \"classic\", found the number 1 at /mode",

@@ -100,5 +100,25 @@ TEST(Cuts, ATornLinkIsDrawnNoLonger) {
     EXPECT_LT(lines(), before);
 }
 
+/// Nine particles and the links of four cells. Two links are drawn twice as far as they are long and tear at once: of
+/// two cells that leaves the middle particle as all that joins them.
+TEST(Cuts, TornClothHangsInFlaps) {
+    auto session = session_of(R"("world": {"gravity": [0, 0]}, )", R"({"name": "x", "particles": {
+        "nw": {"at": [0, 2], "mass": 1}, "n": {"at": [1, 2], "mass": 1}, "ne": {"at": [2, 2], "mass": 1},
+        "w": {"at": [0, 1], "mass": 1}, "c": {"at": [1, 1], "mass": 1}, "e": {"at": [2, 1], "mass": 1},
+        "sw": {"at": [0, 0], "mass": 1}, "s": {"at": [1, 0], "mass": 1}, "se": {"at": [2, 0], "mass": 1}},
+        "constraints": [
+        {"between": ["nw", "n"]}, {"between": ["w", "c"]}, {"between": ["c", "e"]}, {"between": ["s", "se"]},
+        {"between": ["sw", "s"]}, {"between": ["nw", "w"]}, {"between": ["n", "c"]}, {"between": ["c", "s"]},
+        {"between": ["ne", "e"]}, {"between": ["e", "se"]},
+        {"between": ["n", "ne"], "rest": 0.5, "compliance": 1, "breaking_strain": 0.1},
+        {"between": ["w", "sw"], "rest": 0.5, "compliance": 1, "breaking_strain": 0.1}]})");
+    session.step();
+    EXPECT_EQ(told(session), (std::vector<std::string>{"torn x", "torn x", "parted x"}));
+    EXPECT_EQ(session.report().particles, 10U);
+    EXPECT_EQ(session.happenings().back().islands, 2U);
+    EXPECT_NEAR(session.report().max_speed, 0, 0.1);
+}
+
 } // namespace
 } // namespace sinew

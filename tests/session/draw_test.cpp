@@ -199,5 +199,23 @@ TEST(Outline, ARingReachesBeyondItsEndsByHalfItsWire) {
     EXPECT_NEAR(across, 6, 1e-3);
 }
 
+TEST(View, OrthographicShowsTheFarAsLargeAsTheNear) {
+    Scene scene;
+    scene.dimension = 3;
+    auto& camera = scene.view.camera;
+    camera.eye = {{0, 0, 4}};
+    const Vec3<double> near{{1, 0.5, 2}}, far{{1, 0.5, -2}};
+    const View usual(scene, {}, 640, 480);
+    EXPECT_GT(usual.see(near)->pixel[0], usual.see(far)->pixel[0] + 10);
+    camera.projection = "orthographic";
+    const View flat(scene, {}, 640, 480);
+    EXPECT_EQ(flat.see(near)->pixel, flat.see(far)->pixel);
+    EXPECT_EQ(flat.see(near)->scale, flat.see(far)->scale);
+    EXPECT_LT(distance(flat.see({{1, 0, 0}})->pixel, usual.see({{1, 0, 0}})->pixel), 1e-3F); // what it looks at
+    const auto seen = *flat.see(far);
+    const auto back = flat.place_of(cast<double>(seen.pixel), double(seen.depth)).as<3, double>();
+    EXPECT_LT(distance(back, far), 1e-5);
+}
+
 } // namespace
 } // namespace sinew

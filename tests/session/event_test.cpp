@@ -129,5 +129,28 @@ TEST(Grab, CarriesWhatIsNearAlongAndLetsGoOfAll) {
     EXPECT_EQ(world_of(session).pins.size(), pins);
 }
 
+TEST(Pointer, PullsWhatIsNearAlongAndLetsGoOfAll) {
+    const std::string cloth =
+        R"("figures": [{"prefab": "cloth", "name": "c", "columns": 11, "rows": 11, "spacing": 6}], )";
+    const auto pinned = [&](const std::string& pointer, double reach) {
+        auto session = play(cloth + pointer + R"("seconds": 1)");
+        const auto before = world_of(session).pins.size();
+        const auto middle = place(session, "c/particle_5_5"), beside = place(session, "c/particle_7_5");
+        const auto id = *find_particle(world_of(session), "c/particle_5_5");
+        EXPECT_TRUE(session.grab(std::span(&id, 1), Point{{middle[0], middle[1], 0}}));
+        const auto taken = world_of(session).pins.size() - before;
+        session.drag(Point{{middle[0] + 2, middle[1] + 3, 0}});
+        for (int frame = 0; frame < 3; ++frame) session.step();
+        if (reach > 12) {
+            EXPECT_NEAR(distance(place(session, "c/particle_7_5"), beside + Vec2<double>{{2, 3}}), 0, 0.01);
+        }
+        session.let_go();
+        EXPECT_EQ(world_of(session).pins.size(), before);
+        return taken;
+    };
+    EXPECT_EQ(pinned("", 0), 1U);
+    EXPECT_EQ(pinned(R"("pointer": {"pulls_within": 12.5}, )", 12.5), 13U) << "a disc of two threads about the middle";
+}
+
 } // namespace
 } // namespace sinew

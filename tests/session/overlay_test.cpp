@@ -91,5 +91,15 @@ TEST(Overlay, NamesAreThoseOfFiguresAndTheirParticlesAndDoNotLieOnEachOther) {
     EXPECT_EQ(has_text(together, "one") + has_text(together, "two"), 1);
 }
 
+TEST(Overlay, WhatOnlyKeepsApartIsALineWhileItDoes) {
+    const auto lines = [](const std::string& at) {
+        return count(seen("strain", R"({"name": "x", "particles": {"a": {"at": [0, 0], "pinned": true}, "b": {"at": )" +
+                                        at + R"(, "mass": 1}}, "constraints": [{"between": ["a", "b"], "low": 50}]})"),
+                     Shape::polyline);
+    };
+    EXPECT_EQ(lines("[80, 0]"), 0U);
+    EXPECT_EQ(lines("[20, 0]"), 2U);
+}
+
 } // namespace
 } // namespace sinew

@@ -1,3 +1,4 @@
+#include "bench/cases.h"
 #include "tests/worlds.h"
 
 #include <atomic>
@@ -89,6 +90,17 @@ TYPED_TEST(Allocation, AStepAllocatesNothing) {
             EXPECT_GE(torn, 1U);
             EXPECT_EQ(quarantined, 1U);
         }
+}
+
+TEST(Allocation, AStepOfWhatIsMeasuredAllocatesNothing) {
+    for (const auto* name : {"cloth-12", "mesh-12", "ragdolls-5", "ragdolls-5-direct", "ropes-5", "ropes-5-direct"}) {
+        auto world = bench::world_of<float>(*bench::find_case(name));
+        world.threads = 1;
+        prepare(world);
+        const long before = allocations;
+        for (int i = 0; i < 30; ++i) step(world, 1.0F / 60);
+        EXPECT_EQ(allocations - before, 0) << name;
+    }
 }
 
 } // namespace

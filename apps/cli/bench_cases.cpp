@@ -1,0 +1,170 @@
+#include "sinew/solver/workers.h"
+
+#include "apps/cli/bench_text.h"
+#include "apps/cli/console.h"
+#include "apps/cli/json_line.h"
+#include "apps/cli/stepping.h"
+#include "bench/contender.h"
+#include "canvas/progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+/// `sinew bench CASE...`: the engine, the textbook and the peers on the same work in the same run.
+namespace sinew::cli {
+namespace {
+
+using bench::Case;
+using bench::Effort;
+using bench::Measured;
+using bench::Timing;
+using bench::Work;
+
+/// Who else did it.
+struct Rival {
+    std::string name;
+    Timing timing;
+};
+
+/// Watches a measurement on the terminal.
+class Watching {
+  public:
+    Watching(const Case& chosen, std::string_view who) : progress_(fmt::format("{}, {}", chosen.name, who), parts) {}
+    bench::Watch watch() {
+        return [this](double share) {
+            progress_.update(std::size_t(share * parts));
+            give_up_if_interrupted();
+        };
+    }
+
+  private:
+    static constexpr std::size_t parts = 1000;
+    canvas::Progress progress_;
+};
+
+/// What the rivals do with a case; the first is the textbook in list order, by which speed is told.
+std::vector<Rival> measure_rivals(const Case& chosen, const Work& work, int steps) {
+    constexpr std::size_t many = 1'000'000; // constraints: in no order they take long
+    std::vector<Rival> all;
+    for (const auto& rival : bench::rivals(work)) {
+        Watching watching(chosen, rival.name);
+        const bool few = !all.empty() && work.constraints() > many;
+        all.push_back(
+            {rival.name, time(*rival.make(Effort{}), work, few ? std::min(steps, 5) : steps, watching.watch())});
+    }
+    return all;
+}
+
+double projections_per_second(const Work& work, double milliseconds) {
+    return double(work.constraints()) * Effort{}.substeps * Effort{}.iterations / (milliseconds / 1000);
+}
+
+/// "textbook, shuffled" as a key: textbook_shuffled.
+std::string key_of(std::string_view name) {
+    std::string key;
+    for (const char c : name)
+        if (c != ',') key += c == ' ' ? '_' : c;
+    return key;
+}
+
+struct Line {
+    const Case& chosen;
+    const Work& work;
+    const bench::Engine& engine;
+    const Measured& measured;
+    const std::vector<Rival>& rivals;
+
+    double ratio() const { return rivals.front().timing.milliseconds / measured.milliseconds; }
+
+    json::Object in_json() const {
+        json::Object line{{"case", chosen.name},
+                          {"threads", engine.threads},
+                          {"precision", engine.single ? "float" : "double"},
+                          {"simd", std::string(bench::simd())},
+                          {"particles", work.places.size()},
+                          {"constraints", work.constraints()},
+                          {"ms_per_step", measured.milliseconds}};
+        // At once there is no telling how often a constraint is projected.
+        if (!chosen.direct) line.push_back({"projections_per_s", projections_per_second(work, measured.milliseconds)});
+        for (json::Member& more : json::Object{{"ratio", ratio()},
+                                               {"stretch_max", measured.strain.max},
+                                               {"stretch_last", measured.strain.last},
+                                               {"stretch_mean", measured.strain.mean},
+                                               {"build_ms", measured.build_ms},
+                                               {"prepare_ms", measured.prepare_ms}})
+            line.push_back(std::move(more));
+        if (measured.bytes_per_constraint > 0) line.push_back({"bytes_per_constraint", measured.bytes_per_constraint});
+        json::Object others;
+        for (const auto& [name, timing] : rivals)
+            others.push_back({key_of(name), json::Object{{"ms_per_step", timing.milliseconds},
+                                                         {"stretch_max", timing.strain.max},
+                                                         {"stretch_mean", timing.strain.mean}}});
+        line.push_back({"rivals", std::move(others)});
+        return line;
+    }
+};
+
+std::vector<std::string> row(const std::string& name, const std::string& who, const Work& work, const Timing& timing,
+                             double unit, bool projects = true) {
+    return {name,
+            who,
+            fmt::format("{:.3f}", timing.milliseconds),
+            projects ? fmt::format("{:.3f}", projections_per_second(work, timing.milliseconds) / 1e9) : "",
+            fmt::format("{:.2f}", unit / timing.milliseconds),
+            stretch_text(timing.strain.max),
+            stretch_text(timing.strain.mean)};
+}
+
+std::vector<int> thread_counts(const BenchOptions& options) {
+    if (options.threads) return {int(*options.threads)};
+    std::vector<int> counts;
+    for (const int n : {1, 2, 4})
+        if (n <= hardware_threads()) counts.push_back(n);
+    return counts;
+}
+
+} // namespace
+
+void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& cases) {
+    std::vector<std::vector<std::string>> rows{
+        {"case", "by", "ms a step", "G projections/s", "ratio", "most stretch", "mean stretch"}};
+    for (const auto& chosen : cases) {
+        const auto work = work_of(chosen);
+        const int steps = options.steps ? int(*options.steps) : bench::usual_steps(work);
+        const auto rivals = measure_rivals(chosen, work, steps);
+        const double unit = rivals.front().timing.milliseconds;
+        auto name = fmt::format("{} ({})", chosen.name, work.constraints());
+        for (const int threads : thread_counts(options)) {
+            const bench::Engine engine{threads, options.precision != "double"};
+            const auto who = fmt::format("sinew, {}, {} thread{}", engine.single ? "float" : "double", threads,
+                                         threads == 1 ? "" : "s");
+            Watching watching(chosen, who);
+            const auto measured = measure(chosen, work, engine, steps, watching.watch());
+            if (options.as_json) {
+                print(to_line(Line{chosen, work, engine, measured, rivals}.in_json()));
+                flush_output();
+            }
+            rows.push_back(row(std::exchange(name, ""), who, work, measured, unit, !chosen.direct));
+        }
+        for (const auto& [who, timing] : rivals) rows.push_back(row("", who, work, timing, unit));
+    }
+    if (!options.as_json)
+        print(fmt::format("On this machine the engine's lanes are: {}\n{}", bench::simd(), bench_table(rows, options)));
+}
+
+std::string case_details() {
+    std::string text =
+        "Every case is stepped by the engine, by the textbook's solver and by the peers that are built, each with\n"
+        "the same particles, constraints, 10 substeps of 1 iteration, and 60 steps a second. Told is the median\n"
+        "time of a whole step; ratio is how many times the textbook's speed that is; the stretch is of the worst\n"
+        "constraint after any step looked at, and the mean after the last one, as fractions of their lengths.\n"
+        "With --json one line a case and number of threads: case, threads, precision, simd, particles,\n"
+        "constraints, ms_per_step, projections_per_s, ratio, stretch_max, stretch_mean, build_ms, prepare_ms,\n"
+        "bytes_per_constraint, and what the rivals did. Cases:\n";
+    for (const auto& family : bench::families()) text += fmt::format("  {}-SIZE: {}\n", family.name, family.about);
+    return text +
+           "ragdolls and ropes are swept, as the textbook does; SIZE-direct lets the engine solve them at once.\n";
+}
+
+} // namespace sinew::cli

@@ -1,0 +1,28 @@
+#include "sinew/prefab/rope.h"
+
+#include "bench/cases.h"
+
+namespace sinew::bench {
+namespace {
+
+constexpr int links = 100;
+
+/// 10 m of rope, each link 1 kg, and a weight of so many links on its end.
+template <class Real> void hang(World<3, Real>& world, int weight) {
+    build(world, Rope{.length = 10, .segments = links, .mass = links, .weight = double(weight), .links = "exact"},
+          "rope");
+}
+
+} // namespace
+
+Family family::heavy() {
+    return {.name = "heavy",
+            .about = "a rope of 100 links that hangs, a weight of SIZE links on its end",
+            .sizes = {},
+            .most = 1e9,
+            .has_direct = true,
+            .build_float = hang<float>,
+            .build_double = hang<double>};
+}
+
+} // namespace sinew::bench

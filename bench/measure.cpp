@@ -1,0 +1,121 @@
+#include "bench/measure.h"
+
+#include "sinew/solver/edit.h"
+#include "sinew/solver/step.h"
+
+#include "bench/memory.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace sinew::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+template <class Real> class EngineRun final : public Simulation {
+  public:
+    explicit EngineRun(World<3, Real> world) : world_(std::move(world)) {}
+    void step() override { sinew::step(world_, Real(frame)); }
+    Found place(std::size_t particle) const override { return cast<double>(world_.particles.position[particle]); }
+
+  private:
+    World<3, Real> world_;
+};
+
+/// The bytes that a world's particles take by themselves.
+template <class Real> std::size_t particle_bytes(const World<3, Real>& world) {
+    std::size_t bytes = 0;
+    Particles<3, Real>::columns(world.particles,
+                                [&](const auto& column) { bytes += column.size() * sizeof column[0]; });
+    return bytes;
+}
+
+template <class Real>
+Measured measure_as(const Case& chosen, const Work& work, int threads, int steps, const Watch& watch) {
+    Measured measured;
+    const PeakMemory memory;
+    const auto begun = Clock::now();
+    auto world = world_of<Real>(chosen);
+    world.threads = threads;
+    const auto built = Clock::now();
+    prepare(world);
+    measured.prepare_ms = milliseconds_since(built);
+    measured.build_ms = milliseconds_since(begun);
+    const auto particles = double(particle_bytes(world));
+    EngineRun<Real> run(std::move(world));
+    run.step();
+    constexpr std::size_t enough = 50'000; // constraints: below it pages and what the heap keeps are what is told
+    if (const auto bytes = memory.risen(); bytes > 0 && work.constraints() >= enough)
+        measured.bytes_per_constraint = (double(bytes) - particles) / double(work.constraints());
+    static_cast<Timing&>(measured) = time(run, work, steps, watch);
+    return measured;
+}
+
+} // namespace
+
+Timing time(Simulation& simulation, const Work& work, int steps, const Watch& watch) {
+    constexpr double sticks_looked_at = 1e8; // in all; the strain is not looked at more often than that takes
+    const int pause = 1 + int(double(steps) * double(work.sticks.size()) / sticks_looked_at);
+    Timing timing;
+    std::vector<double> times;
+    std::vector<Found> places(work.places.size());
+    for (int i = 0; i < steps; ++i) {
+        const auto begun = Clock::now();
+        simulation.step();
+        times.push_back(milliseconds_since(begun));
+        if (i % pause == 0 || i + 1 == steps) {
+            for (std::size_t k = 0; k < places.size(); ++k) places[k] = simulation.place(k);
+            const auto strain = strain_of(work, places);
+            const double before = timing.strain.max;
+            timing.strain = strain;
+            if (before > strain.max || std::isnan(before)) timing.strain.max = before;
+        }
+        if (watch) watch(double(i + 1) / steps);
+    }
+    if (times.size() > 1) times.erase(times.begin());
+    timing.milliseconds = median(std::move(times));
+    return timing;
+}
+
+Measured measure(const Case& chosen, const Work& work, const Engine& engine, int steps, const Watch& watch) {
+    return engine.single ? measure_as<float>(chosen, work, engine.threads, steps, watch)
+                         : measure_as<double>(chosen, work, engine.threads, steps, watch);
+}
+
+int usual_steps(const Work& work) {
+    constexpr double constraints_stepped = 3e7; // a few seconds by the book
+    return int(std::clamp(constraints_stepped / double(work.constraints()), 10.0, 300.0));
+}
+
+Work work_of(const Case& chosen) {
+    return work_of(world_of<float>(chosen));
+}
+
+std::unique_ptr<Simulation> simulate(const Case& chosen, const Engine& engine, const Effort& effort) {
+    const auto made = [&]<class Real>(World<3, Real> world) -> std::unique_ptr<Simulation> {
+        world.threads = engine.threads;
+        world.settings.substeps = effort.substeps;
+        world.settings.iterations = effort.iterations;
+        return std::make_unique<EngineRun<Real>>(std::move(world));
+    };
+    return engine.single ? made(world_of<float>(chosen)) : made(world_of<double>(chosen));
+}
+
+std::string_view simd() {
+    return "scalar";
+}
+
+} // namespace sinew::bench

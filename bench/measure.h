@@ -1,0 +1,50 @@
+#pragma once
+
+#include "bench/cases.h"
+#include "bench/simulation.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// How fast and how well a case is solved. Times are of whole steps: fields, integration, constraints, velocities.
+namespace sinew::bench {
+
+struct Timing {
+    double milliseconds = 0; ///< median of a step, the first not among them
+    Strain strain;           ///< max after any step that was looked at, mean after the last
+};
+
+/// Called as often as something is done, with how much of all there is: 0 to 1.
+using Watch = std::function<void(double share)>;
+
+/// Runs a simulation for so many steps.
+Timing time(Simulation& simulation, const Work& work, int steps, const Watch& watch = {});
+
+/// What of the engine was measured.
+struct Engine {
+    int threads = 1;
+    bool single = true; ///< float, else double
+};
+
+struct Measured : Timing {
+    double build_ms = 0;             ///< from an empty world to one that is ready to step
+    double prepare_ms = 0;           ///< of that: orders, colours, runs, blocks
+    double bytes_per_constraint = 0; ///< most memory ever taken, over that of the particles; 0: not known
+};
+
+/// What a case asks of every solver.
+Work work_of(const Case& chosen);
+/// The engine on a case, which is that work.
+Measured measure(const Case& chosen, const Work& work, const Engine& engine, int steps, const Watch& watch = {});
+
+/// How many steps are worth their time: enough for a median, and for small cloth to hang.
+int usual_steps(const Work& work);
+
+/// The engine as one of those that are compared.
+std::unique_ptr<Simulation> simulate(const Case& chosen, const Engine& engine, const Effort& effort);
+
+/// What the engine's lanes are on this processor: scalar, sse2, avx2, avx512, neon.
+std::string_view simd();
+
+} // namespace sinew::bench

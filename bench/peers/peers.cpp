@@ -1,0 +1,12 @@
+#include "bench/peers/peers.h"
+
+namespace sinew::bench {
+
+std::span<const Solver> peers() {
+#define SINEW_CALL(name) peer::name(),
+    static const std::vector<Solver> all{SINEW_PEER_LIST(SINEW_CALL)};
+#undef SINEW_CALL
+    return all;
+}
+
+} // namespace sinew::bench

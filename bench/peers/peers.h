@@ -1,0 +1,17 @@
+#pragma once
+
+#include "bench/simulation.h"
+
+/// Other engines, from Debian's packages, on the same work. Built with -D SINEW_PEERS=ON.
+namespace sinew::bench {
+
+/// The list of peers. A new one is one new file here and one word.
+#define SINEW_PEER_LIST(X) X(bullet) X(box2d) X(box2d_rope) X(chipmunk)
+
+namespace peer {
+#define SINEW_DECLARE(name) Solver name();
+SINEW_PEER_LIST(SINEW_DECLARE)
+#undef SINEW_DECLARE
+} // namespace peer
+
+} // namespace sinew::bench

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "sinew/prefab/cloth.h"
+
+namespace sinew {
+
+/// A cloth on a rod, standing where the middle of the rod is; particles and constraints are called as a Cloth's. Its
+/// threads run across and down only, so that it tears along them. As it comes it is the curtain of the tearable cloth
+/// tutorial.
+struct Curtain {
+    static constexpr std::string_view name = "curtain";
+    static constexpr std::string_view about = "A curtain on a rod, to be pulled aside, torn and cut.";
+    static constexpr Dimensions dimensions{2, 3};
+
+    int columns = 61;
+    int rows = 41;
+    double spacing = 0.06;
+    int hook_every = 1;
+    double mass = 2;
+    double compliance = 2e-4;
+    double breaking_strain = 0.3;
+    double toughness = 0.01;
+    double uneven = 0.8;
+    std::string drawn = "fill";
+    double thickness = 0.01;
+    double rod = 0.1;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        constexpr double least = 1e-6, most = 1e6;
+        visit(self.columns, Field{.name = "columns", .help = "Particles from left to right", .low = 2, .high = 1e9});
+        visit(self.rows, Field{.name = "rows", .help = "Particles from top to bottom", .low = 2, .high = 1e9});
+        visit(self.spacing, Field{.name = "spacing",
+                                  .help = "From one particle to the next",
+                                  .unit = unit::length,
+                                  .low = least,
+                                  .high = most});
+        visit(self.hook_every, Field{.name = "hook_every",
+                                     .help = "Of its top row the ends and every so manieth particle hang on the rod",
+                                     .low = 1,
+                                     .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.compliance, Field{.name = "compliance",
+                                     .help = "How much a thread gives under a force; 0 does not stretch",
+                                     .unit = unit::compliance,
+                                     .low = 0,
+                                     .high = 1e9});
+        visit(self.breaking_strain, Field{.name = "breaking_strain",
+                                          .help = "A thread stretched by this fraction tears; 0 never tears",
+                                          .low = 0,
+                                          .high = most});
+        visit(self.toughness, toughness_field);
+        visit(self.uneven, Field{.name = "uneven",
+                                 .help = "How much more than breaking_strain some threads bear, at random: 1 is up to "
+                                         "twice as much",
+                                 .low = 0,
+                                 .high = 1e3});
+        visit(self.drawn,
+              Field{.name = "drawn", .help = "Its threads, its cells filled, or both", .choices = Cloth::drawings});
+        visit(self.thickness, Field{.name = "thickness",
+                                    .help = "Of a drawn thread; it stays half of it away from walls",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = most});
+        visit(self.rod, Field{.name = "rod",
+                              .help = "Thickness of the rod as drawn; 0 has none",
+                              .unit = unit::length,
+                              .low = 0,
+                              .high = most});
+    }
+
+    Sizes sizes() const;
+    template <int D, class Real> void build(Builder<D, Real>& figure) const;
+};
+
+} // namespace sinew

@@ -1,0 +1,97 @@
+#include "sinew/prefab/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace sinew {
+namespace {
+
+const MeshModel square{.points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, -1, 0}}, {{0, -1, 0}}, {{0.5, -0.5, 0}}},
+                       .corners = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4},
+                       .ends = {3, 6, 9, 12}};
+
+const MeshModel& shape_of(const Mesh& mesh) {
+    return mesh.model ? *mesh.model : square;
+}
+
+/// Two points, the lower number first, and when it was first named.
+struct Edge {
+    std::uint32_t a, b;
+    std::size_t turn;
+};
+
+/// Each once, in the order in which they are first named.
+std::vector<Edge> each_once(std::vector<Edge> edges) {
+    const auto ends = [](const Edge& edge) { return std::pair(edge.a, edge.b); };
+    std::ranges::sort(edges, {}, [&](const Edge& edge) { return std::pair(ends(edge), edge.turn); });
+    const auto repeated = std::ranges::unique(edges, {}, ends);
+    edges.erase(repeated.begin(), repeated.end());
+    std::ranges::sort(edges, {}, &Edge::turn);
+    return edges;
+}
+
+/// The edges of all faces, then their diagonals, each once.
+std::vector<Edge> edges_of(const MeshModel& model, bool diagonals) {
+    std::vector<Edge> edges;
+    edges.reserve(model.corners.size() * (diagonals ? 2 : 1));
+    for (std::size_t apart = 1; apart <= (diagonals ? 2U : 1U); ++apart)
+        for (std::size_t i = 0; i < model.faces(); ++i) {
+            const auto face = model.face(i);
+            if (face.size() < 2 + apart) continue;
+            for (std::size_t k = 0; k < face.size(); ++k) {
+                const auto a = face[k], b = face[(k + apart) % face.size()];
+                edges.push_back({std::min(a, b), std::max(a, b), edges.size()});
+            }
+        }
+    return each_once(std::move(edges));
+}
+
+} // namespace
+
+Sizes Mesh::sizes() const {
+    const auto& shape = shape_of(*this);
+    return {.particles = shape.points.size(), .constraints = shape.corners.size() * (diagonals ? 2 : 1)};
+}
+
+std::optional<std::string> Mesh::problem(int) const {
+    const auto points = shape_of(*this).points.size();
+    for (const double number : pin_list)
+        if (!(number >= 0 && number < double(points)) || number != std::floor(number))
+            return fmt::format("pin_list holds {}: the points of this mesh are counted from 0 to {}", number,
+                               points - 1);
+    return std::nullopt;
+}
+
+template <int D, class Real> void Mesh::build(Builder<D, Real>& figure) const {
+    const auto& shape = shape_of(*this);
+    std::vector<ParticleId> particles;
+    particles.reserve(shape.points.size());
+    figure.number_particles("vertex", shape.points.size());
+    const double share = mass / double(shape.points.size());
+    for (const auto& point : shape.points) {
+        const auto place = Vec<D, double>::map([&](int i) { return size * point[i]; });
+        particles.push_back(figure.particle("", place, share, thickness / 2));
+    }
+    const auto edges = edges_of(shape, diagonals);
+    figure.number_constraints("edge", edges.size());
+    for (const auto& edge : edges)
+        figure.template constrain<Distance>(
+            "", {particles[edge.a], particles[edge.b]},
+            {.compliance = compliance, .breaking_strain = tears_beyond(breaking_strain), .toughness = toughness});
+    for (const double number : pin_list) figure.hold(particles[std::size_t(number)]);
+    for (std::size_t i = 0; i < shape.faces() && !unseen; ++i) {
+        std::vector<ParticleId> corners;
+        for (const auto corner : shape.face(i)) corners.push_back(particles[corner]);
+        const bool patch = corners.size() == 4;
+        if (drawn == "threads")
+            figure.draw(Mark::loop, "thread", std::move(corners), thickness);
+        else
+            figure.draw(patch ? Mark::surface : Mark::fill, "cloth", std::move(corners));
+    }
+}
+
+#define SINEW_MESH(D, Real) template void Mesh::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE(SINEW_MESH)
+
+} // namespace sinew

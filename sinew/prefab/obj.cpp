@@ -1,0 +1,153 @@
+#include "sinew/prefab/obj.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fmt/format.h>
+#include <optional>
+
+namespace sinew {
+namespace {
+
+/// Beyond it nothing can be placed.
+constexpr double furthest = 1e6;
+constexpr std::size_t most_shown = 40; ///< bytes of what was found
+
+constexpr std::array<std::string_view, 12> passed_over = {"vn", "vt", "vp", "o",      "g",      "s",
+                                                          "l",  "p",  "mg", "usemtl", "mtllib", "usemap"};
+
+constexpr bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+/// Takes the first word off a line.
+std::string_view take_word(std::string_view& line) {
+    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+    std::size_t end = 0;
+    while (end < line.size() && !is_blank(line[end])) ++end;
+    const auto word = line.substr(0, end);
+    line.remove_prefix(end);
+    return word;
+}
+
+/// What was found, fit to be shown: printable and not too long.
+std::string shown(std::string_view word) {
+    if (word.empty()) return "nothing";
+    std::string text;
+    for (const char c : word.substr(0, most_shown)) text += c >= ' ' && c <= '~' ? c : '?';
+    return fmt::format("\"{}{}\"", text, word.size() > most_shown ? "..." : "");
+}
+
+template <class Number> std::optional<Number> number_in(std::string_view word) {
+    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+    Number number{};
+    const auto* const end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, number);
+    if (error != std::errc() || stop != end) return std::nullopt;
+    return number;
+}
+
+class ReadingObj {
+  public:
+    ReadingObj(std::string_view text, const ObjLimits& limits) : text_(text), limits_(limits) {}
+
+    std::variant<MeshModel, ObjProblem> read() {
+        while (!text_.empty() && problem_.empty()) {
+            ++line_;
+            const auto end = std::min(text_.find('\n'), text_.size());
+            read_line(text_.substr(0, std::min(text_.substr(0, end).find('#'), end)));
+            text_.remove_prefix(std::min(end + 1, text_.size()));
+        }
+        if (!problem_.empty()) return ObjProblem{line_, problem_};
+        if (model_.faces() == 0) return ObjProblem{0, "there is no face in it: no line begins with f"};
+        return std::move(model_);
+    }
+
+  private:
+    std::string_view text_;
+    const ObjLimits& limits_;
+    std::size_t line_ = 0;
+    std::string problem_;
+    MeshModel model_;
+
+    void read_line(std::string_view rest) {
+        const auto keyword = take_word(rest);
+        if (keyword == "v") return read_point(rest);
+        if (keyword == "f") return read_face(rest);
+        if (keyword.empty() || std::ranges::find(passed_over, keyword) != passed_over.end()) return;
+        problem_ = fmt::format("a line of a mesh begins with v, f or the like, found {}", shown(keyword));
+    }
+
+    /// Three numbers; a weight or a colour may follow.
+    void read_point(std::string_view rest) {
+        if (model_.points.size() >= limits_.points) {
+            problem_ = fmt::format("more than {} points", limits_.points);
+            return;
+        }
+        Vec3<double> point;
+        for (int i = 0; i < 3; ++i) {
+            const auto word = take_word(rest);
+            const auto number = number_in<double>(word);
+            if (!number || !(*number >= -furthest && *number <= furthest)) {
+                problem_ = fmt::format("a coordinate is a number from {:g} to {:g}, found {}", -furthest, furthest,
+                                       shown(word));
+                return;
+            }
+            point[i] = *number;
+        }
+        model_.points.push_back(point);
+    }
+
+    void read_face(std::string_view rest) {
+        const auto begin = model_.corners.size();
+        for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
+            if (model_.corners.size() >= limits_.corners) {
+                problem_ = fmt::format("more than {} corners of faces", limits_.corners);
+                return;
+            }
+            const auto corner = corner_in(word);
+            if (!corner) return;
+            model_.corners.push_back(*corner);
+        }
+        if (model_.corners.size() < begin + 3) {
+            problem_ = fmt::format("a face has three corners or more, found {}", model_.corners.size() - begin);
+            return;
+        }
+        auto sorted = std::vector(model_.corners.begin() + std::ptrdiff_t(begin), model_.corners.end());
+        std::ranges::sort(sorted);
+        if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+            problem_ = fmt::format("a face has each corner once, found point {} twice", *twice + 1);
+        model_.ends.push_back(std::uint32_t(model_.corners.size()));
+    }
+
+    std::optional<std::uint32_t> corner_in(std::string_view word) {
+        const auto number = number_in<std::int64_t>(word.substr(0, word.find('/')));
+        const auto points = std::int64_t(model_.points.size());
+        const std::int64_t index = !number ? -1 : *number < 0 ? points + *number : *number - 1;
+        if (number && index >= 0 && index < points) return std::uint32_t(index);
+        problem_ = number
+                       ? fmt::format("there are {} points above this line, found a face of point {}", points, *number)
+                       : fmt::format("a corner is the number of a point, found {}", shown(word));
+        return std::nullopt;
+    }
+};
+
+} // namespace
+
+std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits) {
+    return ReadingObj(text, limits).read();
+}
+
+std::string to_obj(const MeshModel& model) {
+    std::string text;
+    auto out = std::back_inserter(text);
+    for (const auto& point : model.points) fmt::format_to(out, "v {} {} {}\n", point[0], point[1], point[2]);
+    for (std::size_t i = 0; i < model.faces(); ++i) {
+        text += 'f';
+        for (const auto corner : model.face(i)) fmt::format_to(out, " {}", corner + 1);
+        text += '\n';
+    }
+    return text;
+}
+
+} // namespace sinew

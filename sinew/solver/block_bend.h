@@ -1,0 +1,246 @@
+#pragma once
+
+#include "sinew/constraint/angle.h"
+#include "sinew/solver/block_matrix.h"
+#include "sinew/solver/block_rule.h"
+#include "sinew/solver/project.h"
+
+/// Angles in a block: rigid ones between their limits, springs, motors.
+namespace sinew::detail {
+
+template <int D> class BlockBends {
+  public:
+    BlockBends(Blocks<D>& blocks, const Block& block, double substep) : blocks_(blocks), block_(block), h_(substep) {}
+
+    std::span<BlockBend<D>> all() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
+
+    /// Which limit holds when the substep begins. Where ends `bounce` (block_bounce.h) only those that one rests on.
+    void set_out(bool bounce) {
+        bounce_ = bounce;
+        for (auto& bend : all()) {
+            bend.flips = bend.doubts = 0;
+            bend.slips = false;
+            bend.give = 0;
+            const double angle = bend.begun = angle_of(bend, true);
+            if (bounces(bend)) {
+                constexpr double hardly = 1e-6;
+                bend.side = bend.tension > 0 && angle > bend.high - hardly  ? 1
+                            : bend.tension < 0 && angle < bend.low + hardly ? -1
+                                                                            : 0;
+                if (bend.side != 0) bend.give = maximum(beyond(bend, angle), 0.0);
+            } else {
+                bend.side = !bend.one_sided() || bend.tension > 0 || angle > bend.high ? 1
+                            : bend.tension < 0 || angle < bend.low                     ? -1
+                                                                                       : 0;
+            }
+        }
+    }
+
+    /// Adds all to the equations; returns how far the worst is outside its limits.
+    double assemble(Rule rule, double hardest, double margin) {
+        double worst = 0;
+        for (auto& bend : all()) worst = maximum(worst, assemble(bend, rule, hardest, margin));
+        return worst;
+    }
+
+    double worst_error() const {
+        double worst = 0;
+        for (const auto& bend : all()) {
+            if (soft(bend)) continue;
+            const double angle = angle_of(bend, false);
+            if (bend.side != 0)
+                worst = maximum(worst, absolute(beyond(bend, angle) - bend.give));
+            else if (!bounces(bend))
+                worst = maximum(worst, maximum(angle - bend.high, bend.low - angle));
+        }
+        return worst;
+    }
+
+    /// How far an angle is beyond the limit that holds it.
+    static double beyond(const BlockBend<D>& bend, double angle) {
+        return bend.side > 0 ? angle - bend.high : bend.low - angle;
+    }
+
+    /// An end it can come to, and leaves as fast as it came.
+    bool bounces(const BlockBend<D>& bend) const { return bounce_ && bend.one_sided() && !soft(bend) && !bend.driven; }
+
+    /// How much the last move turned it, to first order.
+    double change(const BlockBend<D>& bend) const {
+        double turn = 0;
+        for (std::size_t k = 0; k < 3; ++k) turn += dot(bend.gradient[k], node(bend.nodes[k]).move);
+        return turn;
+    }
+
+    double angle_of(const BlockBend<D>& bend, bool at_start) const {
+        const auto place = [&](std::size_t k) {
+            const auto& at = node(bend.nodes[k]);
+            return at_start ? at.start : at.place;
+        };
+        const Points<3, D, double> points{place(0), place(1), place(2)};
+        return unwrap<Angle<D>>(Angle<D>::evaluate(points).value, bend.low, bend.high);
+    }
+
+    double stored(const BlockBend<D>& bend, bool at_start) const {
+        if (!soft(bend)) return 0;
+        const double angle = angle_of(bend, at_start);
+        return 0.5 * square(angle - clamp(angle, bend.low, bend.high)) / bend.compliance;
+    }
+
+    /// How far the worst rigid one is outside its limits when the substep begins.
+    double worst_outside() const {
+        double worst = 0;
+        for (const auto& bend : all()) {
+            if (soft(bend) || !bend.one_sided()) continue;
+            const double angle = angle_of(bend, true);
+            worst = maximum(worst, maximum(angle - bend.high, bend.low - angle));
+        }
+        return worst;
+    }
+
+    bool any_struck() const {
+        for (const auto& bend : all())
+            if (bend.side != 0 && bend.one_sided() && !soft(bend) && !bounces(bend)) return true;
+        return false;
+    }
+
+    /// How far the worst one that bounces has gone beyond its end, and beyond where it began.
+    double worst_overshoot() const {
+        double worst = 0;
+        for (const auto& bend : all()) {
+            if (bend.side != 0 || !bounces(bend)) continue;
+            const double angle = angle_of(bend, false);
+            worst =
+                maximum(worst, maximum(angle - maximum(bend.high, bend.begun), minimum(bend.low, bend.begun) - angle));
+        }
+        return worst;
+    }
+
+    static bool soft(const BlockBend<D>& bend) { return bend.compliance > 0; }
+
+    // --- velocities
+
+    /// How fast an angle grows, less how fast its limits do.
+    double rate_of(const BlockBend<D>& bend) const {
+        double rate = -bend.rate;
+        for (std::size_t k = 0; k < 3; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
+        return rate;
+    }
+    double rate_at_end(BlockBend<D>& bend) const {
+        measure(bend);
+        return rate_of(bend);
+    }
+    void begin_settling() {
+        for (auto& bend : all()) bend.pull = 0, measure(bend), bend.along = bend.gradient;
+    }
+    void settle(double stiffness) {
+        for (auto& bend : all()) {
+            const double rate = rate_of(bend);
+            const double k = stiffness * arm2(bend);
+            const double pull = bend.pull + k * rate;
+            const bool resists =
+                bend.side != 0 && !soft(bend) && !bend.slips && (!bend.one_sided() || pull * bend.side > 0);
+            bend.stiffness = resists ? k : 0;
+            if (resists) add(bend, bend.pull = pull);
+        }
+    }
+    void end_round() {
+        for (auto& bend : all())
+            if (bend.stiffness > 0) bend.pull += bend.stiffness * change(bend);
+    }
+
+  private:
+    Blocks<D>& blocks_;
+    const Block& block_;
+    double h_;
+    bool bounce_ = false;
+
+    BlockNode<D>& node(std::uint32_t i) const { return blocks_.nodes[i]; }
+
+    double measure(BlockBend<D>& bend) const {
+        const Points<3, D, double> points{node(bend.nodes[0]).place, node(bend.nodes[1]).place,
+                                          node(bend.nodes[2]).place};
+        const auto evaluated = Angle<D>::evaluate(points);
+        for (std::size_t k = 0; k < 3; ++k) bend.gradient[k] = gentle<Angle<D>>(evaluated.gradient[k]);
+        return unwrap<Angle<D>>(evaluated.value, bend.low, bend.high);
+    }
+
+    /// Where it is pulled. In a swing along the discrete gradient: what that does over the substep is the torque times
+    /// the turn. The angle is that of (u . v, u x v), both bilinear, whose own discrete gradients are those at the
+    /// means of u and v; between two points of a circle of radius r, turned by t about the middle angle m, it is
+    ///
+    ///     (-sin m, cos m)  (t/2) / (r sin(t/2))
+    ///
+    /// In space u x v has no sign, and u . v alone will do.
+    void point(BlockBend<D>& bend, Rule rule, double angle) const {
+        bend.along = bend.gradient;
+        if (rule != Rule::swing || soft(bend)) return;
+        const auto &a = node(bend.nodes[0]), &b = node(bend.nodes[1]), &c = node(bend.nodes[2]);
+        const auto u0 = b.start - a.start, v0 = c.start - b.start, u1 = b.place - a.place, v1 = c.place - b.place;
+        const auto u = (u0 + u1) * 0.5, v = (v0 + v1) * 0.5;
+        const double r2 = square_root(dot(u0, u0) * dot(v0, v0)) * square_root(dot(u1, u1) * dot(v1, v1));
+        const double half = 0.5 * (angle - bend.begun), middle = bend.begun + half;
+        constexpr double small = 1e-4, large = 1;
+        if (!(r2 > 0) || absolute(half) > large) return;
+        const double scale = (absolute(half) < small ? 1 : half / sine(half)) / square_root(r2);
+        if constexpr (D == 2) {
+            const double along = -sine(middle) * scale, across = cosine(middle) * scale;
+            const auto du = v * along - perpendicular(v) * across, dv = u * along + perpendicular(u) * across;
+            bend.along = {-du, du - dv, dv};
+        } else {
+            constexpr double straight = 1e-3;
+            const double s = sine(middle);
+            if (!(s > straight)) return;
+            const auto du = v * (-scale / s), dv = u * (-scale / s);
+            bend.along = {-du, du - dv, dv};
+        }
+    }
+
+    /// The square of an angle's lever: an angle as stiff as a link of that length.
+    static double arm2(const BlockBend<D>& bend) {
+        double steepest = 0;
+        for (const auto& gradient : bend.gradient) steepest = maximum(steepest, dot(gradient, gradient));
+        return inverse_or_zero(steepest);
+    }
+
+    /// Returns how far the angle is outside its limits.
+    double assemble(BlockBend<D>& bend, Rule rule, double hardest, double margin) {
+        const double angle = measure(bend);
+        point(bend, rule, angle);
+        bend.stiffness = 0;
+        if (rule == Rule::place && bend.driven) return 0; // no time passes: it gives
+        if (soft(bend)) {
+            const double error = angle - clamp(angle, bend.low, bend.high);
+            if (error == 0 || rule == Rule::place) return 0;
+            const double k = minimum(1 / bend.compliance, hardest * arm2(bend));
+            bend.tension =
+                bend.held(k * (error + bend.lead * ((angle - bend.begun) / h_ - bend.rate)), bend.tension, false);
+            bend.stiffness = bend.slips ? 0 : k * (1 + bend.lead / h_);
+            add(bend, bend.tension);
+            return 0;
+        }
+        if (bend.side == 0 && !bounces(bend)) bend.come_to_a_limit(angle - bend.high, angle - bend.low, margin);
+        if (bend.side == 0) return 0;
+        const double error = bend.side * (beyond(bend, angle) - bend.give);
+        bend.stiffness = hardest * arm2(bend);
+        bend.pull = bend.held(bend.tension + bend.stiffness * error, bend.tension, false);
+        if (bend.slips) bend.stiffness = 0;
+        add(bend, bend.pull);
+        return bend.slips ? 0 : absolute(error);
+    }
+
+    void add(const BlockBend<D>& bend, double torque) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            auto& at = node(bend.nodes[i]);
+            at.residual -= bend.along[i] * torque;
+            at.diagonal += outer(bend.along[i] * bend.stiffness, bend.gradient[i]);
+            if (bend.entries[i] == Blocks<D>::none) continue;
+            const auto j = (i + 1) % 3;
+            const bool in_order = bend.nodes[i] < bend.nodes[j];
+            const auto early = in_order ? i : j, late = in_order ? j : i;
+            blocks_.entries[bend.entries[i]].lower += outer(bend.along[late] * bend.stiffness, bend.gradient[early]);
+            blocks_.entries[bend.entries[i]].upper += outer(bend.along[early] * bend.stiffness, bend.gradient[late]);
+        }
+    }
+};
+
+} // namespace sinew::detail

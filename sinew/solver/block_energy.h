@@ -1,0 +1,91 @@
+#pragma once
+
+#include "sinew/solver/block_solve.h"
+#include "sinew/solver/rigid_motion.h"
+
+/// What a block's motion has to keep: its energy, and where nothing holds it its momentum and spin.
+namespace sinew::detail {
+
+template <int D> class BlockEnergy {
+  public:
+    using Solve = BlockSolve<D>;
+    using Motion = RigidMotion<D>;
+
+    BlockEnergy(const Solve& solve, bool free) : solve_(solve), free_(free) {
+        if (free_) begun_ = Motion::of(solve_.unknowns(), Solve::start_of);
+    }
+
+    /// What the force fields put in on the way, less what the springs took.
+    double work() const {
+        double sum = 0;
+        for (const auto& node : solve_.unknowns()) sum += node.mass * dot(node.push, node.place - node.start);
+        for (const auto& link : solve_.links())
+            sum -= solve_.stored(link, solve_.node(link.b).place - solve_.node(link.a).place) -
+                   solve_.stored(link, link.start);
+        for (const auto& bend : solve_.bends().all())
+            sum -= solve_.bends().stored(bend, false) - solve_.bends().stored(bend, true);
+        for (const auto& way : solve_.ways().all())
+            sum -= solve_.ways().stored(way, false) - solve_.ways().stored(way, true);
+        return sum;
+    }
+
+    /// How much more a swing to its places has than it began with and was given, as a part of what rounding may do.
+    double gain() const {
+        constexpr double rounding = 1e-6, tiny = 2e-7;
+        double before = 0, after = 0, weight = 0;
+        for (const auto& node : solve_.unknowns()) {
+            weight += node.mass * norm(node.push);
+            const auto velocity = (node.place - node.start) * (2 / solve_.substep()) - node.velocity;
+            before += 0.5 * node.mass * dot(node.velocity, node.velocity);
+            after += 0.5 * node.mass * dot(velocity, velocity);
+        }
+        return (after - before - work()) *
+               inverse_or_zero(rounding * (before + after) + tiny * weight * solve_.reach());
+    }
+
+    /// What moves about the motion of the whole is slowed down, until no more than that is left.
+    void slow_down(double most) const {
+        if (solve_.kinetic() > most) bring_to(most);
+    }
+
+    /// What moves about the motion of the whole gets slower or faster, until the energy is that.
+    void bring_to(double kinetic) const {
+        constexpr double fastest = 1.1; // a correction, not a kick
+        const auto unknowns = solve_.unknowns();
+        const auto motion = free_ ? Motion::of(unknowns, Solve::place_of) : Motion{};
+        const auto rate = motion.rate_of(unknowns, Solve::place_of);
+        const auto whole = [&](const BlockNode<D>& node) {
+            return motion.momentum * inverse_or_zero(motion.mass) + Motion::turning(rate, node.place - motion.center);
+        };
+        double kept = 0;
+        for (const auto& node : unknowns) kept += 0.5 * node.mass * dot(whole(node), whole(node));
+        const double share =
+            minimum(fastest, square_root(maximum(kinetic - kept, 0.0) * inverse_or_zero(solve_.kinetic() - kept)));
+        for (auto& node : unknowns) node.velocity = whole(node) + (node.velocity - whole(node)) * share;
+    }
+
+    /// A free block has the momentum and the spin it had, and what the fields gave it: links only act within.
+    void keep_momentum() const {
+        if (!free_) return;
+        const auto unknowns = solve_.unknowns();
+        Motion due = begun_;
+        for (const auto& node : unknowns) {
+            const auto kick = node.push * (node.mass * solve_.substep());
+            due.momentum += kick;
+            due.spin += Motion::moment((node.start + node.place) * 0.5 - begun_.center, kick);
+        }
+        auto missing = Motion::of(unknowns, Solve::place_of);
+        missing.momentum = due.momentum - missing.momentum;
+        missing.spin = due.spin - missing.spin;
+        const auto rate = missing.rate_of(unknowns, Solve::place_of);
+        const auto drift = missing.momentum * inverse_or_zero(missing.mass);
+        for (auto& node : unknowns) node.velocity += drift + Motion::turning(rate, node.place - missing.center);
+    }
+
+  private:
+    const Solve& solve_;
+    bool free_;
+    Motion begun_{}; ///< of a free block, when the substep began
+};
+
+} // namespace sinew::detail

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "sinew/solver/block_bend.h"
+#include "sinew/solver/block_way.h"
+
+/// The linear equations of a block, as links, angles and ways write themselves into them, and what is measured of it.
+namespace sinew::detail {
+
+template <int D> class BlockEquations {
+  public:
+    using Vector = Vec<D, double>;
+
+    BlockEquations(Blocks<D>& blocks, const Block& block, double substep)
+        : blocks_(blocks), block_(block), bends_(blocks, block, substep), ways_(blocks, block, substep), h_(substep),
+          per_h_(1 / substep) {
+        constexpr double relative = 1e4; // of a rigid link, over all mass / h^2
+        for (const auto& node : unknowns()) total_mass_ += node.mass;
+        stiffness_ = relative * total_mass_ * per_h_ * per_h_;
+    }
+
+    std::span<BlockNode<D>> nodes() const { return std::span(blocks_.nodes).subspan(block_.first_node, block_.nodes); }
+    std::span<BlockNode<D>> unknowns() const {
+        return std::span(blocks_.nodes).subspan(block_.first_node, block_.unknowns);
+    }
+    std::span<BlockLink<D>> links() const { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
+    BlockBends<D>& bends() { return bends_; }
+    const BlockBends<D>& bends() const { return bends_; }
+    BlockWays<D>& ways() { return ways_; }
+    const BlockWays<D>& ways() const { return ways_; }
+    BlockNode<D>& node(std::uint32_t i) const { return blocks_.nodes[i]; }
+    const Block& block() const { return block_; }
+    double substep() const { return h_; }
+    double total_mass() const { return total_mass_; }
+    /// Of a link of length 1 that holds whatever pulls.
+    double stiffness() const { return stiffness_; }
+    /// A spring; one so stiff that the penalty is softer is as good as rigid.
+    bool soft(const BlockLink<D>& link) const { return link.compliance * stiffness_ > 1; }
+
+    void clear_entries() {
+        const auto begin = blocks_.first_entry[block_.first_node];
+        const auto end = blocks_.first_entry[block_.first_node + block_.unknowns];
+        for (auto e = begin; e < end; ++e) blocks_.entries[e].lower = blocks_.entries[e].upper = {};
+    }
+    [[gnu::always_inline]] void add(const BlockLink<D>& link, const Matrix<D, double>& stiffness, const Vector& force) {
+        auto &a = node(link.a), &b = node(link.b);
+        a.diagonal += stiffness;
+        b.diagonal += stiffness;
+        if (link.entry != Blocks<D>::none) {
+            blocks_.entries[link.entry].lower -= stiffness;
+            blocks_.entries[link.entry].upper -= stiffness;
+        }
+        a.residual += force;
+        b.residual -= force;
+    }
+    void solve() { solve_block(blocks_, block_); }
+
+    /// How far the worst rigid link is outside its limits, as Green's strain, at the places or at the start.
+    template <class At> double worst_strain(At&& at) const {
+        double worst = 0;
+        for (const auto& link : links()) {
+            if (soft(link)) continue;
+            const auto span = at(node(link.b)) - at(node(link.a));
+            const double length2 = dot(span, span);
+            const double error = maximum(length2 - square(link.high), square(link.low) - length2);
+            worst = maximum(worst, 0.5 * error * link.per_length2);
+        }
+        return worst;
+    }
+    double worst_start_strain() const { return maximum(worst_strain(start_of), ways_.worst_strain(true)); }
+    double worst_place_strain() const { return maximum(worst_strain(place_of), ways_.worst_strain(false)); }
+    static const Vector& start_of(const BlockNode<D>& node) { return node.start; }
+    static const Vector& place_of(const BlockNode<D>& node) { return node.place; }
+
+    /// Whether velocities would lengthen links, as after a blow: by more than a swing does in a substep that long.
+    bool jolted(double h) const {
+        const double usual = block_.motored ? 1e-4 : 0.02; // what is driven starts and stops, and must not ring on
+        for (const auto& link : links()) {
+            if (soft(link) || (link.one_sided() && link.tension == 0)) continue;
+            const auto span = node(link.b).place - node(link.a).place;
+            const double rate = dot(span, node(link.b).velocity - node(link.a).velocity);
+            if (absolute(rate) * h > usual * square(link.length)) return true;
+        }
+        return ways_.jolted(usual, h);
+    }
+
+    /// Half the sum of m v^2.
+    double kinetic() const {
+        double sum = 0;
+        for (const auto& node : unknowns()) sum += 0.5 * node.mass * dot(node.velocity, node.velocity);
+        return sum;
+    }
+
+    double stored(const BlockLink<D>& link, const Vector& span) const {
+        if (!soft(link)) return 0;
+        const double length = norm(span);
+        return 0.5 * square(length - clamp(length, link.low, link.high)) / link.compliance;
+    }
+
+  protected:
+    Blocks<D>& blocks_;
+    const Block& block_;
+    BlockBends<D> bends_;
+    BlockWays<D> ways_;
+    double h_, per_h_;
+    double total_mass_ = 0, stiffness_ = 0;
+};
+
+} // namespace sinew::detail

@@ -1,0 +1,194 @@
+#pragma once
+
+#include "sinew/solver/block.h"
+#include "sinew/solver/block_way.h"
+#include "sinew/solver/decay.h"
+#include "sinew/solver/phases.h"
+
+/// A block as the world has it: taken over where a substep begins, given back where it ends.
+namespace sinew::detail {
+
+template <int D, class Real> class BlockState {
+  public:
+    using Vector = Vec<D, double>;
+
+    BlockState(World<D, Real>& of, const Block& one, double frame, double last_substep)
+        : world(of), particles(of.particles), blocks(of.blocks), block(one),
+          distances_(std::get<kind_number<Distance, D>>(world.constraints)),
+          angles_(std::get<kind_number<Angle, D>>(world.constraints)),
+          pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), frame_(frame) {
+        const double per = inverse_or_zero(square(last_substep));
+        for (auto& bend : bends()) bend.before = -double(angles_.multiplier[bend.constraint]) * per;
+        for (auto& link : links()) link.before = -double(distances_.multiplier[link.constraint]) * per / link.length;
+        if (block.ways > 0 || block.motored) find_drives(per);
+    }
+
+    World<D, Real>& world;
+    Particles<D, Real>& particles;
+    Blocks<D>& blocks;
+    const Block& block;
+
+    std::span<BlockNode<D>> nodes() const { return std::span(blocks.nodes).subspan(block.first_node, block.nodes); }
+    std::span<BlockNode<D>> unknowns() const { return nodes().first(block.unknowns); }
+    std::span<BlockNode<D>> fixed() const { return nodes().subspan(block.unknowns); }
+    std::span<BlockLink<D>> links() const { return std::span(blocks.links).subspan(block.first_link, block.links); }
+    std::span<BlockBend<D>> bends() const { return std::span(blocks.bends).subspan(block.first_bend, block.bends); }
+    std::span<BlockWay> ways() const { return std::span(blocks.ways).subspan(block.first_way, block.ways); }
+
+    double substep() const { return h_; }
+    /// Something from outside may do work.
+    bool driven() const { return driven_; }
+    /// Energy is its own, but for what fields and planes do.
+    bool works_alone() const { return !driven_ && !block.motored; }
+
+    /// Sets the substep, a share of the frame, and takes over where it begins.
+    void load(double from, double to) {
+        from_ = from, to_ = to, h_ = (to - from) * frame_;
+        driven_ = false;
+        if (block.motored) move_limits();
+        Decay<double> decay;
+        for (auto& node : unknowns()) {
+            const Row row = node.row;
+            node.start = node.place = cast<double>(particles.position[row]) + cast<double>(particles.residual[row]);
+            const auto velocity = cast<double>(particles.velocity[row]);
+            const auto middle = particles.position[row] + particles.velocity[row] * Real(0.5 * h_);
+            const auto push = push_on(world, row, middle);
+            const double rate = clamp(double(world.settings.damping + push.drag_rate), 0.0, limit::measure<double>);
+            if (rate != decay.rate) decay = Decay<double>::of(rate, h_);
+            node.velocity = velocity * decay.keep;
+            node.push = cast<double>(push.acceleration) * decay.yield;
+            node.mass = inverse_or_zero(double(particles.inverse_mass[row]) * decay.yield);
+            driven_ = driven_ || blocks.pin_of[row] != Blocks<D>::none;
+        }
+        for (auto& node : fixed()) {
+            node.move = node.velocity = {};
+            node.start = node.place = cast<double>(particles.position[node.row]);
+            for (auto i = blocks.pin_of[node.row]; i != Blocks<D>::none; i = blocks.next_pin[i]) {
+                const auto& pin = world.pins[i];
+                if (!pin.hard() || particles.quarantined[node.row]) continue;
+                node.start = goal(pin, false), node.place = goal(pin, true);
+                node.velocity = (node.place - node.start) * (1 / h_);
+                driven_ = driven_ || !(pin.from == pin.target);
+            }
+        }
+        start_tensions();
+    }
+
+    void store() {
+        constexpr double fastest = double(limit::speed<Real>), furthest = double(limit::coordinate<Real>);
+        for (auto& node : unknowns()) {
+            const auto place = clamp_components(node.place, furthest);
+            const auto held = cast<Real>(place);
+            particles.residual[node.row] = cast<Real>(place - cast<double>(held));
+            particles.previous[node.row] = particles.position[node.row];
+            particles.position[node.row] = held;
+            particles.velocity[node.row] = cast<Real>(clamp_components(node.velocity, fastest));
+        }
+        for (auto& link : links()) link.before = kept(link);
+        for (auto& bend : bends()) bend.before = kept(bend);
+        for (auto& way : ways()) {
+            if (way.slips) slip(way);
+            way.before = kept(way);
+        }
+    }
+
+    void start_tensions() {
+        for (auto& link : links()) link.tension = link.before;
+        for (auto& bend : bends()) bend.tension = bend.before;
+        for (auto& way : ways()) way.tension = way.before;
+    }
+    void forget_tensions() {
+        for (auto& link : links()) link.tension = 0;
+        for (auto& bend : bends()) bend.tension = 0;
+        for (auto& way : ways()) way.tension = 0;
+    }
+
+    /// As multipliers of a substep of that length.
+    void report_tensions(double substep) {
+        constexpr double most = double(limit::multiplier<Real>);
+        for (const auto& link : links())
+            distances_.multiplier[link.constraint] =
+                Real(clamp(-link.before * link.length * square(substep), -most, most));
+        for (const auto& bend : bends())
+            angles_.multiplier[bend.constraint] = Real(clamp(-bend.before * square(substep), -most, most));
+        for (const auto& way : ways()) {
+            multiplier_of(way) = Real(clamp(-way.before * square(substep), -most, most));
+            if (!way.gives()) continue;
+            if (way.is_pulley)
+                tell_limits(way, pulleys_, way.constraint);
+            else
+                tell_limits(way, distances_, way.constraint);
+        }
+    }
+
+    /// Where a pin wants its particle when the substep begins, or ends.
+    Vector goal(const Pin<D, Real>& pin, bool at_end) const {
+        const auto from = cast<double>(pin.from);
+        return from + (cast<double>(pin.target) - from) * (at_end ? to_ : from_);
+    }
+
+  private:
+    Constraints<Distance<D>, Real>& distances_;
+    Constraints<Angle<D>, Real>& angles_;
+    Constraints<Pulley<D>, Real>& pulleys_;
+    double frame_;
+    double from_ = 0, to_ = 0, h_ = 0; ///< of this substep: shares of the frame, and its length
+    bool driven_ = false;
+
+    /// What let go in the end pulls no more.
+    static double kept(const BlockLimit& limit) {
+        return limit.one_sided() && limit.tension * limit.side <= 0 ? 0 : limit.tension;
+    }
+
+    // --- winches and motors
+
+    Real& multiplier_of(const BlockWay& way) {
+        return way.is_pulley ? pulleys_.multiplier[way.constraint] : distances_.multiplier[way.constraint];
+    }
+
+    template <class Table> static void find_drive(BlockDrive& drive, const Table& table, Row row) {
+        drive.most = double(table.max_force[row]);
+        drive.lead = double(table.lead[row]);
+        drive.rate = double(table.rate[row]);
+        drive.low_begun = double(table.low[row]);
+        drive.high_begun = double(table.high[row]);
+    }
+    void find_drives(double per) {
+        for (auto& bend : bends()) find_drive(bend, angles_, bend.constraint);
+        for (auto& way : ways()) {
+            if (way.is_pulley)
+                find_drive(way, pulleys_, way.constraint);
+            else
+                find_drive(way, distances_, way.constraint);
+            way.before = -double(multiplier_of(way)) * per;
+        }
+    }
+
+    /// Its limits are where it was pulled to.
+    void slip(BlockWay& way) {
+        const double length = BlockWays<D>(blocks, block, h_).length_of(way, false);
+        const double error = length - clamp(length, way.low, way.high), spring = way.most * way.compliance;
+        const double by = error - clamp(error, -spring, spring);
+        for (double* end : {&way.low_begun, &way.high_begun})
+            if (absolute(*end) < limit::measure<double>) *end += by;
+    }
+    template <class Table> static void tell_limits(const BlockDrive& drive, Table& table, Row row) {
+        table.low[row] = Real(drive.low_begun);
+        table.high[row] = Real(drive.high_begun);
+    }
+
+    /// To where they are when the substep ends.
+    void move_limits() {
+        const double by = to_ * frame_;
+        for (auto& bend : bends()) {
+            bend.low = bend.low_begun + bend.rate * by;
+            bend.high = bend.high_begun + bend.rate * by;
+        }
+        for (auto& way : ways()) {
+            way.low = maximum(way.low_begun + way.rate * by, 0.0);
+            way.high = maximum(way.high_begun + way.rate * by, 0.0);
+        }
+    }
+};
+
+} // namespace sinew::detail
