@@ -104,10 +104,10 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         const V per = Real(1) / most(resistance, spread<V>(least_resistance));
         if constexpr (rules.kept) {
             const V lambda = multipliers<V>(i, count);
-            const V slack = limits.alpha * lambda, gain = length * per * d_length;
+            const V slack = limits.alpha * lambda, gain = w_a + w_b > zero ? length * per * d_length : zero;
             const V pushing = lambda + (limits.low - length - slack) * gain;
             const V pulling = lambda + (limits.high - length - slack) * gain;
-            const V next = w_a + w_b > zero ? most(pushing, zero) + least(pulling, zero) : zero;
+            const V next = most(pushing, zero) + least(pulling, zero);
             s = d_length > zero ? (next - lambda) / d_length : zero;
             note(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
             move<V, all>(a, b, move_a, move_b, d, s * w_a, s * w_b, count);
@@ -132,10 +132,13 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
 
     template <class V>
     [[gnu::always_inline]] void note(std::uint32_t i, int count, const V& lambda, const V& length) const {
-        if (any(length < spread<V>(Real(1e-18)))) pass.shortest = 0;
+        Real numbers[sizeof(V) / sizeof(Real)];
+        if (any(length < spread<V>(Real(1e-18)))) {
+            store(numbers, length);
+            for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, numbers[k]);
+        }
         if (!std::is_same_v<Ends, Scattered> && run.row_step == 1)
             return put<false>(columns.multiplier + run.row + i, lambda, count);
-        Real numbers[sizeof(V) / sizeof(Real)];
         store(numbers, lambda);
         for (int k = 0; k < count; ++k) columns.multiplier[row(i + unsigned(k))] = numbers[k];
     }
@@ -260,7 +263,8 @@ template <int D, class Real> void tether_all(const Tethering<D, Real>& all, std:
             const V length = root(e2);
             const V movable = load<V>(all.mobility + at) > zero ? least(reach - length, zero) : zero;
             const V back = movable / most(length, spread<V>(Real(1e-18)));
-            for (int k = 0; k < D; ++k) put<whole>(all.move[k] + at, move[k] + e[k] * back, count);
+            for (int k = 0; k < D; ++k)
+                put<whole>(all.move[k] + at, back < zero ? move[k] + e[k] * back : move[k], count);
         });
 }
 

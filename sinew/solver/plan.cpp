@@ -37,10 +37,12 @@ template <int D, class Real> class Planner {
             part += alike;
         }
         plan_.first_run.push_back(std::uint32_t(plan_.runs.size()));
-        plan_.reach.resize(plan_.reach.size() + (plan_.reach.empty() ? 0 : 16));
         constexpr std::size_t lanes = 16; // a pack reads on behind the last
         for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->resize(column->size() + lanes);
         list_pins();
+        if (!plan_.may_tear)
+            for (auto& sheet : plan_.sheets) add_tethers(sheet);
+        plan_.reach.resize(plan_.reach.size() + (plan_.reach.empty() ? 0 : lanes));
         swept_.make_room();
     }
 
@@ -351,7 +353,6 @@ template <int D, class Real> class Planner {
             lay_out_list(part);
         else
             lay_out_colours(part);
-        add_tethers(part);
         end_sheet();
     }
 
@@ -365,13 +366,20 @@ template <int D, class Real> class Planner {
     }
 
     /// To a few of its pins: of many those that lie furthest apart. What may tear has none, nor what gives.
-    void add_tethers(std::size_t part) {
-        auto& sheet = plan_.sheets.back();
-        if (plan_.may_tear || links(part).empty()) return;
+    void add_tethers(Sheet& sheet) {
+        const Row begin = plan_.bands[sheet.first_band].first;
+        const auto part = room_.part_of[swept_.row_of[begin]];
+        const auto slots = plan_.bands[sheet.first_band + sheet.bands - 1].last - begin;
+        sheet.first_tether = std::uint32_t(plan_.tethers.size());
+        if (plan_.pins.empty() || links(part).empty() || slots != members(part).size()) return;
         auto& pins = room_.anchors;
         pins.clear();
-        for (std::uint32_t i = 0; i < world_.pins.size(); ++i)
-            if (is_anchor(world_.pins[i], part)) pins.push_back(i);
+        for (const auto& pinned : plan_.pins) // where there are several, the last one holds it
+            if (is_anchor(world_.pins[pinned.pin], part)) {
+                if (!pins.empty() && world_.pins[pins.back()].particle == world_.pins[pinned.pin].particle)
+                    pins.pop_back();
+                pins.push_back(pinned.pin);
+            }
         if (pins.empty()) return;
         list_neighbours(part);
         constexpr std::size_t most = 4;
@@ -381,40 +389,79 @@ template <int D, class Real> class Planner {
             const auto first = plan_.reach.size();
             plan_.tethers.push_back({.pin = pin, .first = std::uint32_t(first)});
             plan_.reach.resize(first + size);
-            reach_from(part, *world_.particles.slots.find(world_.pins[pin].particle), first);
+            reach_from(part, *world_.particles.slots.find(world_.pins[pin].particle), begin, first);
             ++sheet.tethers;
         }
     }
 
-    /// The shortest ways along rigid links (Dijkstra 1959), a trace longer, so that nothing that hangs straight is
-    /// pulled.
-    void reach_from(std::size_t part, Row anchor, std::size_t first) {
-        constexpr Real far = limit::coordinate<Real> * Real(100), slack = Real(1.0001);
+    /// The shortest ways (Dijkstra 1959), along rigid links and across the triangles they span: as from one particle
+    /// the others come in the order of their distance, a third corner is reached on the straight line from where the
+    /// way to two of them would have begun if all lay flat (Mitchell, Mount and Papadimitriou 1987, of the edges the
+    /// first step only). A trace longer, so that nothing that hangs straight is pulled.
+    void reach_from(std::size_t part, Row anchor, Row begin, std::size_t first) {
+        constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.0001;
         const auto all = members(part);
-        const Row begin = plan_.bands[plan_.sheets.back().first_band].first;
-        const auto length_to = [&](Row r) -> Real& { return plan_.reach[first + (slot(all[r]) - begin)]; };
-        for (Row r = 0; r < all.size(); ++r) length_to(r) = far;
+        const auto way = [&](Row r) -> Real& { return plan_.reach[first + (slot(all[r]) - begin)]; };
+        for (Row r = 0; r < all.size(); ++r) way(r) = Real(far);
+        auto& done = room_.chained;
+        done.assign(all.size(), 0);
+        auto& link_to = room_.at; // of the particle that is looked at: by rank
+        link_to.assign(all.size(), none);
         auto& heap = room_.heap;
-        heap.clear();
-        heap.push_back({0, room_.rank[anchor]});
-        length_to(room_.rank[anchor]) = 0;
+        heap.assign(1, {0, room_.rank[anchor]});
+        way(room_.rank[anchor]) = 0;
         const auto later = [](const auto& a, const auto& b) { return a > b; };
+        const auto shorten = [&](Row r, double length) {
+            if (!(Real(length) < way(r))) return;
+            way(r) = Real(length);
+            heap.push_back({length, r});
+            std::push_heap(heap.begin(), heap.end(), later);
+        };
         while (!heap.empty()) {
             std::pop_heap(heap.begin(), heap.end(), later);
-            const auto [length, r] = heap.back();
+            const Row r = heap.back().second;
             heap.pop_back();
-            if (Real(length) > length_to(r)) continue;
-            for (auto i = room_.first_near[r]; i < room_.first_near[r + 1]; ++i) {
-                const Row link = room_.near_link[i], other = room_.near[i];
-                if (distances_.compliance[link] > Real(0) || distances_.high[link] >= limit::coordinate<Real>) continue;
-                const Real further = Real(length) + distances_.high[link];
-                if (!(further < length_to(other))) continue;
-                length_to(other) = further;
-                heap.push_back({double(further), other});
-                std::push_heap(heap.begin(), heap.end(), later);
-            }
+            if (done[r]) continue;
+            done[r] = 1;
+            each_rigid(r, [&](Row other, Row link) { link_to[other] = link; });
+            each_rigid(r, [&](Row other, Row link) {
+                if (done[other]) return;
+                shorten(other, double(way(r)) + length_of(link));
+                each_rigid(other, [&](Row third, Row side) {
+                    if (link_to[third] == none || !done[third]) return;
+                    shorten(other, across(double(way(r)), double(way(third)), length_of(link_to[third]),
+                                          length_of(link), length_of(side)));
+                });
+            });
+            each_rigid(r, [&](Row other, Row) { link_to[other] = none; });
         }
-        for (Row r = 0; r < all.size(); ++r) length_to(r) = minimum(length_to(r) * slack, far);
+        for (Row r = 0; r < all.size(); ++r) way(r) = Real(minimum(double(way(r)) * slack, far));
+    }
+
+    double length_of(Row link) const { return double(distances_.high[link]); }
+
+    template <class Visit> void each_rigid(Row r, Visit&& visit) const {
+        for (auto i = room_.first_near[r]; i < room_.first_near[r + 1]; ++i) {
+            const Row link = room_.near_link[i];
+            if (distances_.compliance[link] == Real(0) && distances_.high[link] < limit::coordinate<Real>)
+                visit(room_.near[i], link);
+        }
+    }
+
+    /// How far c is from where a is `to_a` and b `to_b` away, on the other side of ab and in the plane of abc.
+    static double across(double to_a, double to_b, double ab, double ac, double bc) {
+        constexpr double nowhere = 1e300;
+        if (!(ab > 0)) return nowhere;
+        const auto place = [&](double a, double b) { // along ab, and beside it
+            const double along = (a * a - b * b + ab * ab) / (2 * ab);
+            return std::pair(along, square_root(maximum(a * a - along * along, 0.0)));
+        };
+        const auto [from, below] = place(to_a, to_b);
+        const auto [to, above] = place(ac, bc);
+        if (!(below + above > 0)) return nowhere;
+        const double crossing = from + (to - from) * below / (below + above);
+        if (!(crossing >= 0 && crossing <= ab)) return nowhere;
+        return square_root(square(to - from) + square(below + above));
     }
 
     void lay_out_list(std::size_t part) {
