@@ -589,7 +589,7 @@ template <int D, class Real> class Planner {
         auto& sorted = room_.left; // links by their lower slot
         sorted.assign(links(part).begin(), links(part).end());
         const auto key = [&](Row link) {
-            const auto ends = std::minmax(slot(end(link, 0)), slot(end(link, 1)));
+            const auto ends = std::minmax({slot(end(link, 0)), slot(end(link, 1))});
             return std::tuple(ends.first, ends.second, link);
         };
         std::sort(sorted.begin(), sorted.end(), [&](Row a, Row b) { return key(a) < key(b); });
@@ -624,7 +624,7 @@ template <int D, class Real> class Planner {
             auto furthest = plan_.bands[band].first;
             for (; i < room_.left.size(); ++i) {
                 const Row link = room_.left[i];
-                const auto ends = std::minmax(slot(end(link, 0)), slot(end(link, 1)));
+                const auto ends = std::minmax({slot(end(link, 0)), slot(end(link, 1))});
                 if (ends.first >= plan_.bands[band].last) break;
                 if (room_.colour[i] != colour) continue;
                 if (one_by_one)

@@ -139,8 +139,8 @@ TYPED_TEST(Planned, LinksSolvedTogetherShareNoParticleAndNoneIsLeftOut) {
             const Row a = run.scattered ? plan.ends_a[run.a + i] : run.a + i;
             const Row b = run.scattered ? plan.ends_b[run.a + i] : run.b + i;
             ++seen[row];
-            const auto members = std::minmax(table.members.rows[row][0], table.members.rows[row][1]);
-            EXPECT_EQ(std::minmax(world.swept.row_of[a], world.swept.row_of[b]), members);
+            const auto members = std::minmax({table.members.rows[row][0], table.members.rows[row][1]});
+            EXPECT_EQ(std::minmax({world.swept.row_of[a], world.swept.row_of[b]}), members);
             const auto at = run.uniform ? run.parameters : run.parameters + i;
             EXPECT_EQ(plan.high[at], table.high[row]);
             EXPECT_EQ(plan.compliance[at], table.compliance[row]);
