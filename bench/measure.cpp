@@ -60,31 +60,34 @@ Measured measure_as(const Case& chosen, const Work& work, int threads, int steps
     constexpr std::size_t enough = 50'000; // constraints: below it pages and what the heap keeps are what is told
     if (const auto bytes = memory.risen(); bytes > 0 && work.constraints() >= enough)
         measured.bytes_per_constraint = (double(bytes) - particles) / double(work.constraints());
-    static_cast<Timing&>(measured) = time(run, work, steps, watch);
+    static_cast<Timing&>(measured) = time(run, work, {.steps = steps}, watch);
     return measured;
 }
 
 } // namespace
 
-Timing time(Simulation& simulation, const Work& work, int steps, const Watch& watch) {
+Timing time(Simulation& simulation, const Work& work, const Extent& extent, const Watch& watch) {
     constexpr double sticks_looked_at = 1e8; // in all; the strain is not looked at more often than that takes
-    const int pause = 1 + int(double(steps) * double(work.sticks.size()) / sticks_looked_at);
+    const int pause = 1 + int(double(extent.steps) * double(work.sticks.size()) / sticks_looked_at);
     Timing timing;
     std::vector<double> times;
     std::vector<Found> places(work.places.size());
-    for (int i = 0; i < steps; ++i) {
+    const auto look = [&] {
+        for (std::size_t k = 0; k < places.size(); ++k) places[k] = simulation.place(k);
+        const double before = timing.strain.max;
+        timing.strain = strain_of(work, places);
+        if (before > timing.strain.max || std::isnan(before)) timing.strain.max = before;
+    };
+    double spent = 0; // milliseconds
+    while (timing.steps < extent.steps && spent < 1000 * extent.seconds) {
         const auto begun = Clock::now();
         simulation.step();
         times.push_back(milliseconds_since(begun));
-        if (i % pause == 0 || i + 1 == steps) {
-            for (std::size_t k = 0; k < places.size(); ++k) places[k] = simulation.place(k);
-            const auto strain = strain_of(work, places);
-            const double before = timing.strain.max;
-            timing.strain = strain;
-            if (before > strain.max || std::isnan(before)) timing.strain.max = before;
-        }
-        if (watch) watch(double(i + 1) / steps);
+        spent += times.back();
+        if (timing.steps++ % pause == 0) look();
+        if (watch) watch(std::max(double(timing.steps) / extent.steps, spent / (1000 * extent.seconds)));
     }
+    look();
     if (times.size() > 1) times.erase(times.begin());
     timing.milliseconds = median(std::move(times));
     return timing;

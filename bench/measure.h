@@ -12,14 +12,19 @@ namespace sinew::bench {
 
 struct Timing {
     double milliseconds = 0; ///< median of a step, the first not among them
+    int steps = 0;           ///< that were taken
     Strain strain;           ///< max after any step that was looked at, mean after the last
 };
 
 /// Called as often as something is done, with how much of all there is: 0 to 1.
 using Watch = std::function<void(double share)>;
 
-/// Runs a simulation for so many steps.
-Timing time(Simulation& simulation, const Work& work, int steps, const Watch& watch = {});
+/// How long a simulation is run.
+struct Extent {
+    int steps = 0;
+    double seconds = 1e9; ///< after them no further step begins
+};
+Timing time(Simulation& simulation, const Work& work, const Extent& extent, const Watch& watch = {});
 
 /// What of the engine was measured.
 struct Engine {

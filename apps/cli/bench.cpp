@@ -32,7 +32,7 @@ class BenchCommand final : public Command {
         declare_words(parser, words);
         declare_number(parser, "--threads", options.threads, {1, 1024}, "N",
                        "how many work on a step; else 1, 2 and 4, of rope 1");
-        declare_text(parser, "--precision", options.precision, "P", "float or double; else float, of ropes double");
+        declare_text(parser, "--precision", options.precision, "P", "float or double; else both, of rope double");
         declare_number(parser, "--steps", options.steps, {2, 1e6}, "N",
                        "how many steps a case; else a few seconds' worth");
         declare_text(parser, "--case", options.only, "C", "of rope: one case; else all");

@@ -43,15 +43,15 @@ class Watching {
     canvas::Progress progress_;
 };
 
-/// What the rivals do with a case; the first is the textbook in list order, by which speed is told.
+/// What the rivals do with a case; the first is the textbook in list order, by which speed is told. The others are
+/// stopped where they take long.
 std::vector<Rival> measure_rivals(const Case& chosen, const Work& work, int steps) {
-    constexpr std::size_t many = 1'000'000; // constraints: in no order they take long
+    constexpr double patience = 5; // seconds
     std::vector<Rival> all;
     for (const auto& rival : bench::rivals(work)) {
         Watching watching(chosen, rival.name);
-        const bool few = !all.empty() && work.constraints() > many;
-        all.push_back(
-            {rival.name, time(*rival.make(Effort{}), work, few ? std::min(steps, 5) : steps, watching.watch())});
+        const bench::Extent extent{.steps = steps, .seconds = all.empty() ? 1e9 : patience};
+        all.push_back({rival.name, time(*rival.make(Effort{}), work, extent, watching.watch())});
     }
     return all;
 }
@@ -79,6 +79,7 @@ struct Line {
 
     json::Object in_json() const {
         json::Object line{{"case", chosen.name},
+                          {"steps", measured.steps},
                           {"threads", engine.threads},
                           {"precision", engine.single ? "float" : "double"},
                           {"simd", std::string(bench::simd())},
@@ -98,6 +99,7 @@ struct Line {
         json::Object others;
         for (const auto& [name, timing] : rivals)
             others.push_back({key_of(name), json::Object{{"ms_per_step", timing.milliseconds},
+                                                         {"steps", timing.steps},
                                                          {"stretch_max", timing.strain.max},
                                                          {"stretch_mean", timing.strain.mean}}});
         line.push_back({"rivals", std::move(others)});
@@ -113,44 +115,60 @@ std::vector<std::string> row(const std::string& name, const std::string& who, co
             projects ? fmt::format("{:.3f}", projections_per_second(work, timing.milliseconds) / 1e9) : "",
             fmt::format("{:.2f}", unit / timing.milliseconds),
             stretch_text(timing.strain.max),
-            stretch_text(timing.strain.mean)};
+            stretch_text(timing.strain.mean),
+            "",
+            ""};
 }
 
-std::vector<int> thread_counts(const BenchOptions& options) {
-    if (options.threads) return {int(*options.threads)};
+std::vector<std::string> row(const std::string& name, const bench::Engine& engine, const Line& line, double unit) {
+    const auto who = fmt::format("sinew, {}, {} thread{}", engine.single ? "float" : "double", engine.threads,
+                                 engine.threads == 1 ? "" : "s");
+    auto cells = row(name, who, line.work, line.measured, unit, !line.chosen.direct);
+    cells[7] = fmt::format("{:.0f} ms", line.measured.build_ms);
+    if (const double bytes = line.measured.bytes_per_constraint; bytes > 0) cells[8] = fmt::format("{:.0f}", bytes);
+    return cells;
+}
+
+/// Float on one thread, two and four, and double on one; or what was asked for.
+std::vector<bench::Engine> engines(const BenchOptions& options) {
     std::vector<int> counts;
     for (const int n : {1, 2, 4})
         if (n <= hardware_threads()) counts.push_back(n);
-    return counts;
+    if (options.threads) counts = {int(*options.threads)};
+    std::vector<bench::Engine> all;
+    for (const int n : counts) all.push_back({n, options.precision != "double"});
+    if (options.precision.empty() && !options.threads) all.push_back({1, false});
+    return all;
 }
 
 } // namespace
 
 void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& cases) {
-    std::vector<std::vector<std::string>> rows{
-        {"case", "by", "ms a step", "G projections/s", "ratio", "most stretch", "mean stretch"}};
+    std::vector<std::vector<std::string>> rows{{"case", "by", "ms a step", "G projections/s", "ratio", "most stretch",
+                                                "mean stretch", "ready in", "bytes each"}};
     for (const auto& chosen : cases) {
         const auto work = work_of(chosen);
         const int steps = options.steps ? int(*options.steps) : bench::usual_steps(work);
         const auto rivals = measure_rivals(chosen, work, steps);
         const double unit = rivals.front().timing.milliseconds;
         auto name = fmt::format("{} ({})", chosen.name, work.constraints());
-        for (const int threads : thread_counts(options)) {
-            const bench::Engine engine{threads, options.precision != "double"};
-            const auto who = fmt::format("sinew, {}, {} thread{}", engine.single ? "float" : "double", threads,
-                                         threads == 1 ? "" : "s");
-            Watching watching(chosen, who);
+        for (const auto& engine : engines(options)) {
+            Watching watching(chosen, "sinew");
             const auto measured = measure(chosen, work, engine, steps, watching.watch());
+            const Line line{chosen, work, engine, measured, rivals};
             if (options.as_json) {
-                print(to_line(Line{chosen, work, engine, measured, rivals}.in_json()));
+                print(to_line(line.in_json()));
                 flush_output();
             }
-            rows.push_back(row(std::exchange(name, ""), who, work, measured, unit, !chosen.direct));
+            rows.push_back(row(std::exchange(name, ""), engine, line, unit));
         }
-        for (const auto& [who, timing] : rivals) rows.push_back(row("", who, work, timing, unit));
+        for (const auto& [who, timing] : rivals)
+            rows.push_back(row("", timing.steps < steps ? fmt::format("{}, {} steps", who, timing.steps) : who, work,
+                               timing, unit));
     }
-    if (!options.as_json)
-        print(fmt::format("On this machine the engine's lanes are: {}\n{}", bench::simd(), bench_table(rows, options)));
+    if (options.as_json) return;
+    if (!options.as_markdown) print(fmt::format("On this machine the engine's lanes are: {}\n", bench::simd()));
+    print(bench_table(rows, options));
 }
 
 std::string case_details() {

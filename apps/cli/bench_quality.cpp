@@ -36,7 +36,7 @@ void measure(Tried& one, const Work& work, int steps) {
     canvas::Progress progress(one.name, efforts.size() * std::size_t(steps));
     for (std::size_t i = 0; i < efforts.size(); ++i) {
         const auto simulation = one.make(efforts[i]);
-        one.results.push_back(time(*simulation, work, steps, [&](double share) {
+        one.results.push_back(time(*simulation, work, {.steps = steps}, [&](double share) {
             progress.update(std::size_t((double(i) + share) * steps));
             give_up_if_interrupted();
         }));
@@ -44,10 +44,11 @@ void measure(Tried& one, const Work& work, int steps) {
 }
 
 json::Object in_json(const Case& chosen, const Tried& one, const bench::Engine& engine, std::size_t i) {
-    const auto& [milliseconds, strain] = one.results[i];
+    const auto& [milliseconds, steps, strain] = one.results[i];
     const bool ours = one.name == "sinew";
     return {{"case", chosen.name},
             {"by", one.name},
+            {"steps", steps},
             {"threads", ours ? engine.threads : 1},
             {"precision", ours && !engine.single ? "double" : "float"},
             {"substeps", efforts[i].substeps},
@@ -59,7 +60,7 @@ json::Object in_json(const Case& chosen, const Tried& one, const bench::Engine& 
 }
 
 std::vector<std::string> in_row(const Tried& one, std::size_t i) {
-    const auto& [milliseconds, strain] = one.results[i];
+    const auto& [milliseconds, taken, strain] = one.results[i];
     return {i == 0 ? one.name : "",
             fmt::format("{} x {}", efforts[i].substeps, efforts[i].iterations),
             fmt::format("{:.3f}", milliseconds),

@@ -29,7 +29,7 @@ struct Hung {
 
 bench::Timing hang(const bench::Contender& one, const bench::Effort& effort, const bench::Work& work, int steps) {
     canvas::Progress progress(one.name, std::size_t(steps));
-    return time(*one.make(effort), work, steps, [&](double share) {
+    return time(*one.make(effort), work, {.steps = steps}, [&](double share) {
         progress.update(std::size_t(share * steps));
         give_up_if_interrupted();
     });
@@ -72,11 +72,12 @@ void bench_weights(const BenchOptions& options) {
     std::vector<bench::Curve> curves;
     for (const int weight : weights)
         for (const auto& hung : hang_all(weight, int(options.steps.value_or(usual_steps)))) {
-            const auto& [milliseconds, strain] = hung.timing;
+            const auto& [milliseconds, steps, strain] = hung.timing;
             if (options.as_json)
                 print(to_line(json::Object{{"case", fmt::format("heavy-{}", weight)},
                                            {"by", hung.by},
                                            {"effort", hung.effort},
+                                           {"steps", steps},
                                            {"ms_per_step", milliseconds},
                                            {"stretch_max", strain.max},
                                            {"stretch_last", strain.last}}));

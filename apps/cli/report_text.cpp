@@ -44,6 +44,7 @@ std::vector<std::vector<std::string>> report_rows(const Report& report, const Sc
         {"  kinetic", energy(report.kinetic)},
         {"  potential", energy(report.potential)},
         {"  stored", energy(report.stored)},
+        {"  lost to blows", energy(report.energy_lost)},
         {"largest stretch", percent(report.stretch_max)},
         {"mean stretch", percent(report.stretch_mean)},
         {"top speed", quantity(report.max_speed, unit::speed, scene)},
@@ -68,11 +69,11 @@ json::Object report_json(const Report& report) {
                               {"stored", report.stored},
                               {"total", report.kinetic + report.potential + report.stored}};
     return {
-        {"seconds", report.seconds},         {"steps", report.steps},
-        {"particles", report.particles},     {"constraints", report.constraints},
-        {"hash", hash_text(report.hash)},    {"energy", energy},
-        {"stretch_max", report.stretch_max}, {"stretch_mean", report.stretch_mean},
-        {"max_speed", report.max_speed},
+        {"seconds", report.seconds},           {"steps", report.steps},
+        {"particles", report.particles},       {"constraints", report.constraints},
+        {"hash", hash_text(report.hash)},      {"energy", energy},
+        {"energy_lost", report.energy_lost},   {"stretch_max", report.stretch_max},
+        {"stretch_mean", report.stretch_mean}, {"max_speed", report.max_speed},
     };
 }
 

@@ -96,6 +96,7 @@ class RunCommand final : public Command {
             .about = "steps a scene without drawing it and tells how it ended",
             .details = "With --json the last line is one JSON object: scene, mode, precision, dimension, units,\n"
                        "seconds, steps, particles, constraints, hash, energy {kinetic, potential, stored, total},\n"
+                       "energy_lost (what ropes and figures gave up where they struck, cracked or snapped taut),\n"
                        "stretch_max, stretch_mean (of distances, as fractions of their rest length), max_speed,\n"
                        "ms_per_step (median), events_count and events (the first 100): torn, cut, parted (a figure\n"
                        "fell into so many islands), quarantined and those of the scene. Numbers are in the scene's\n"

@@ -9,9 +9,10 @@ template <int D, class T> struct Matrix {
     std::array<Vec<D, T>, D> column{};
 
     static constexpr Matrix diagonal(T s) {
-        Matrix m;
-        for (int i = 0; i < D; ++i) m.column[std::size_t(i)][i] = s;
-        return m;
+        if constexpr (D == 2)
+            return {{Vec<2, T>{{s, 0}}, Vec<2, T>{{0, s}}}};
+        else
+            return {{Vec<3, T>{{s, 0, 0}}, Vec<3, T>{{0, s, 0}}, Vec<3, T>{{0, 0, s}}}};
     }
 
     friend constexpr Vec<D, T> operator*(const Matrix& m, const Vec<D, T>& v) {

@@ -28,7 +28,7 @@ template <class T> constexpr T clamp(T x, T low, T high) {
 }
 
 template <class T> constexpr T absolute(T x) {
-    return x < T(0) ? -x : x;
+    return maximum(x, -x); // no branch
 }
 
 template <class T> constexpr T square(T x) {

@@ -325,6 +325,7 @@ Report Session::report() const {
                           .kinetic = energies.kinetic,
                           .potential = energies.potential,
                           .stored = energies.stored,
+                          .energy_lost = energies.lost,
                           .stretch_max = strains.max,
                           .stretch_mean = strains.mean,
                           .max_speed = max_speed(world)};

@@ -25,6 +25,7 @@ struct Report {
     std::size_t particles = 0, constraints = 0;
     std::uint64_t hash = 0;
     double kinetic = 0, potential = 0, stored = 0;
+    double energy_lost = 0;                   ///< since the start, to blows (measure.h)
     double stretch_max = 0, stretch_mean = 0; ///< of distances, as fractions of their rest length
     double max_speed = 0;
 };
@@ -75,6 +76,9 @@ class Session {
 
     /// Draws it in another theme than the scene says.
     void set_theme(std::string name) { scene_.view.theme = std::move(name); }
+
+    /// Time passes faster by as much, or slower: classic mode's time scale, from 0 to 5.
+    void quicken(double by);
 
     /// Goes on as another scene: figures that are the same in both keep where they are, how they move, and what was
     /// cut.

@@ -119,6 +119,8 @@ struct Block {
     std::uint32_t first_bend = 0, bends = 0;
     std::uint32_t first_way = 0, ways = 0;
     bool motored = false; ///< its limits may do work
+    bool springy = false; ///< some of it gives
+    double lost = 0;      ///< energy, in the last step
 };
 
 /// Rows [first, last) of a table.

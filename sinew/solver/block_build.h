@@ -45,7 +45,8 @@ template <int D, class Real> class BlockBuilder {
         block.first_way = std::uint32_t(blocks_.ways.size());
         for (const Row row : elimination_.order()) add_ways(row);
         block.ways = std::uint32_t(blocks_.ways.size()) - block.first_way;
-        block.motored = block.motored || is_motored(block);
+        block.motored = is_motored(block);
+        block.springy = is_springy(block);
         block.nodes = std::uint32_t(blocks_.nodes.size()) - block.first_node;
         for (std::size_t i = block.unknowns; i < block.nodes; ++i) {
             blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
@@ -198,6 +199,15 @@ template <int D, class Real> class BlockBuilder {
                                [](const BlockDrive& drive) { return drive.driven; });
         };
         return any(blocks_.ways, block.first_way, block.ways) || any(blocks_.bends, block.first_bend, block.bends);
+    }
+
+    bool is_springy(const Block& block) const {
+        const auto any = [](const auto& list, std::uint32_t first, std::uint32_t count) {
+            return std::any_of(list.begin() + first, list.begin() + first + count,
+                               [](const BlockLimit& limit) { return limit.compliance > 0; });
+        };
+        return any(blocks_.links, block.first_link, block.links) || any(blocks_.bends, block.first_bend, block.bends) ||
+               any(blocks_.ways, block.first_way, block.ways);
     }
 
     /// Those of which a particle is the first to be eliminated.

@@ -11,10 +11,10 @@ template <int D, class Real> class BlockContact {
 
     explicit BlockContact(BlockState<D, Real>& state) : state_(state), world_(state.world) {}
 
-    /// When a substep begins: whether it may come to a plane.
+    /// When a substep begins: whether it may come to a plane. What has touched one is near it for the rest of the step.
     void look() {
-        near_ = false;
-        if (world_.bounds.empty()) return;
+        near_ = touched_;
+        if (world_.bounds.empty() || near_) return;
         const double h = state_.substep();
         for (const auto& node : state_.unknowns()) {
             const double reach = h * (norm(node.velocity) + h * norm(node.push)) * 2;
@@ -23,12 +23,11 @@ template <int D, class Real> class BlockContact {
     }
     bool near() const { return near_; }
 
-    /// Whether something has come to a plane.
-    bool struck() const {
-        if (!near_) return false;
-        for (const auto& node : state_.unknowns())
-            for (const auto& plane : world_.bounds)
-                if (depth(node, plane) > 0) return true;
+    /// Whether something has come to a plane: also what was far from it, and was drawn there by the rest.
+    bool struck() {
+        for (const auto& plane : world_.bounds)
+            for (const auto& node : state_.unknowns())
+                if (depth(node, plane) > 0) return touched_ = true;
         return false;
     }
 
@@ -43,7 +42,14 @@ template <int D, class Real> class BlockContact {
                 for (const auto& plane : world_.bounds) press(node, plane, hardest);
     }
 
-    /// The same for velocities: what struck a plane leaves it with its restitution; what rests on it stays.
+    /// What is beyond a plane after all is put on it.
+    void lift() {
+        for (const auto& plane : world_.bounds)
+            for (auto& node : state_.unknowns())
+                node.place += cast<double>(plane.normal) * maximum(depth(node, plane), 0.0);
+    }
+
+    /// As `hold`, for velocities: what struck a plane leaves it with its restitution; what rests on it stays.
     void rebound(double k) {
         if (!near_) return;
         for (auto& node : state_.unknowns())
@@ -53,7 +59,7 @@ template <int D, class Real> class BlockContact {
   private:
     BlockState<D, Real>& state_;
     World<D, Real>& world_;
-    bool near_ = false;
+    bool near_ = false, touched_ = false;
 
     double depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
         return double(plane.offset) + double(world_.particles.radius[node.row]) -

@@ -19,6 +19,7 @@ template <int D> class BlockEnergy {
     double work() const {
         double sum = 0;
         for (const auto& node : solve_.unknowns()) sum += node.mass * dot(node.push, node.place - node.start);
+        if (!solve_.block().springy) return sum;
         for (const auto& link : solve_.links())
             sum -= solve_.stored(link, solve_.node(link.b).place - solve_.node(link.a).place) -
                    solve_.stored(link, link.start);
@@ -30,18 +31,24 @@ template <int D> class BlockEnergy {
     }
 
     /// How much more a swing to its places has than it began with and was given, as a part of what rounding may do.
-    double gain() const {
+    double gain() {
         constexpr double rounding = 1e-6, tiny = 2e-7;
-        double before = 0, after = 0, weight = 0;
+        const double per_h = 2 / solve_.substep();
+        double before = 0;
+        after_ = 0;
         for (const auto& node : solve_.unknowns()) {
-            weight += node.mass * norm(node.push);
-            const auto velocity = (node.place - node.start) * (2 / solve_.substep()) - node.velocity;
+            const auto velocity = (node.place - node.start) * per_h - node.velocity;
             before += 0.5 * node.mass * dot(node.velocity, node.velocity);
-            after += 0.5 * node.mass * dot(velocity, velocity);
+            after_ += 0.5 * node.mass * dot(velocity, velocity);
         }
-        return (after - before - work()) *
-               inverse_or_zero(rounding * (before + after) + tiny * weight * solve_.reach());
+        due_ = before + work();
+        return (after_ - due_) *
+               inverse_or_zero(rounding * (before + after_) + tiny * solve_.weight() * solve_.reach());
     }
+
+    /// The kinetic energy it should have then, and how much of that it has not.
+    double due() const { return due_; }
+    double missing() const { return maximum(due_ - after_, 0.0); }
 
     /// What moves about the motion of the whole is slowed down, until no more than that is left.
     void slow_down(double most) const {
@@ -85,6 +92,7 @@ template <int D> class BlockEnergy {
   private:
     const Solve& solve_;
     bool free_;
+    double due_ = 0, after_ = 0;
     Motion begun_{}; ///< of a free block, when the substep began
 };
 

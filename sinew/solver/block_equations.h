@@ -14,7 +14,10 @@ template <int D> class BlockEquations {
         : blocks_(blocks), block_(block), bends_(blocks, block, substep), ways_(blocks, block, substep), h_(substep),
           per_h_(1 / substep) {
         constexpr double relative = 1e4; // of a rigid link, over all mass / h^2
-        for (const auto& node : unknowns()) total_mass_ += node.mass;
+        for (const auto& node : unknowns()) {
+            total_mass_ += node.mass;
+            weight_ += node.mass * norm(node.push);
+        }
         stiffness_ = relative * total_mass_ * per_h_ * per_h_;
     }
 
@@ -31,6 +34,8 @@ template <int D> class BlockEquations {
     const Block& block() const { return block_; }
     double substep() const { return h_; }
     double total_mass() const { return total_mass_; }
+    /// What the fields pull with, however they are directed.
+    double weight() const { return weight_; }
     /// Of a link of length 1 that holds whatever pulls.
     double stiffness() const { return stiffness_; }
     /// A spring; one so stiff that the penalty is softer is as good as rigid.
@@ -102,7 +107,7 @@ template <int D> class BlockEquations {
     BlockBends<D> bends_;
     BlockWays<D> ways_;
     double h_, per_h_;
-    double total_mass_ = 0, stiffness_ = 0;
+    double total_mass_ = 0, weight_ = 0, stiffness_ = 0;
 };
 
 } // namespace sinew::detail

@@ -80,7 +80,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         for (int i = 0; i < rounds; ++i)
             for (auto& link : links()) {
                 auto &a = node(link.a), &b = node(link.b);
-                const double wa = weight(link.a), wb = weight(link.b);
+                const double wa = mobility(link.a), wb = mobility(link.b);
                 const auto now = b.place - a.place;
                 const double length = norm(now);
                 const auto correction = now * ((length - clamp(length, link.low, link.high)) * inverse_or_zero(length) *
@@ -111,7 +111,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     bool let_go_ = false; ///< a limit, since patience was last asked
     double slight_ = 0;   ///< a tension that is none
 
-    double weight(std::uint32_t i) const {
+    double mobility(std::uint32_t i) const {
         return i < block_.first_node + block_.unknowns ? inverse_or_zero(node(i).mass) : 0;
     }
 
@@ -125,9 +125,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             node.aim = node.place + node.push * (share * h_ * h_);
         }
         choose_sides(rule);
-        double weight = 0;
-        for (const auto& node : unknowns()) weight += node.mass * norm(node.push);
-        slight_ = 1e-6 * weight * inverse_or_zero(reach_) * double(block_.links + block_.ways);
+        slight_ = 1e-6 * Base::weight() * inverse_or_zero(reach_) * double(block_.links + block_.ways);
     }
 
     /// Which limit holds when the substep begins. What is as good as taut counts as taut: else a falling rope would

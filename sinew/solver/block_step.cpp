@@ -21,6 +21,8 @@ template <int D, class Real> class BlockStep {
         for (int s = 0; s < substeps; ++s) advance(double(s) / substeps, double(s + 1) / substeps, 0);
     }
     void report_tensions(double substep) { state_.report_tensions(substep); }
+    /// Energy that went where something struck, cracked or snapped taut.
+    double lost() const { return lost_; }
 
   private:
     using Solve = detail::BlockSolve<D>;
@@ -31,6 +33,8 @@ template <int D, class Real> class BlockStep {
     detail::BlockState<D, Real> state_;
     detail::BlockContact<D, Real> contact_;
     double frame_, longest_ = 0; ///< substep there may be
+    double lost_ = 0;
+    bool swung_ = false; ///< the last substep, so that lengths and velocities are as they should be
 
     void load(double from, double to) {
         state_.load(from, to);
@@ -49,14 +53,17 @@ template <int D, class Real> class BlockStep {
         constexpr int pieces = 4;
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
-        const Energy energy(solve, is_free());
-        if (!pull_together(solve)) return be_stretched(from, to);
-        if (solve.jolted(longest_)) {
-            solve.choose_sides(Rule::implicit);
-            settle(solve, energy);
+        Energy energy(solve, is_free());
+        if (!swung_) {
+            if (!pull_together(solve)) return be_stretched(from, to);
+            if (solve.jolted(longest_)) {
+                solve.choose_sides(Rule::implicit);
+                note_lost(settle(solve, energy));
+            }
         }
         const auto went = swing(solve, energy, depth == deepest);
-        if (went == Went::well) return state_.store();
+        swung_ = went == Went::well;
+        if (swung_) return state_.store();
         if (state_.driven() && !solve.run(Rule::place, many, [] {})) return be_stretched(from, to);
         if (depth == deepest || (depth > 0 && went == Went::against_something)) return give_way(from, to);
         const double piece = (to - from) / pieces;
@@ -67,7 +74,7 @@ template <int D, class Real> class BlockStep {
     enum class Went { well, against_something, too_far };
 
     /// Tries to swing. What goes too far for one substep is done in shorter ones, as long as there are any.
-    Went swing(Solve& solve, const Energy& energy, bool shortest) {
+    Went swing(Solve& solve, Energy& energy, bool shortest) {
         constexpr int few = 8;             // iterations: where more are needed, shorter substeps are cheaper
         constexpr double overshoot = 2e-3; // radians beyond the end of a joint
         if (loses_nothing(solve)) solve.let_bounce();
@@ -82,14 +89,18 @@ template <int D, class Real> class BlockStep {
         }
         if (gain > (shortest ? slight : 1)) return Went::too_far;
         if (!shortest && solve.bends().worst_overshoot() > overshoot) return Went::too_far;
-        const double per_h = 1 / state_.substep(), due = solve.kinetic() + energy.work();
+        const double per_h = 1 / state_.substep();
         for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * (2 * per_h) - node.velocity;
-        if (gain > 1) energy.slow_down(due);
+        if (gain > 1) energy.slow_down(energy.due());
         if (!bounce(solve, energy) && !shortest) return Went::too_far;
-        if (any_tightened())
-            settle(solve, energy);
-        else if (solve.jolted(longest_) && !straighten(solve, energy) && !shortest)
-            return Went::too_far;
+        if (any_tightened()) {
+            note_lost(settle(solve, energy));
+        } else if (solve.jolted(longest_)) {
+            const double kinetic = solve.kinetic();
+            if (!straighten(solve, energy) && !shortest) return Went::too_far;
+            note_lost(kinetic - solve.kinetic());
+        }
+        note_lost(energy.missing());
         energy.keep_momentum();
         return Went::well;
     }
@@ -111,6 +122,7 @@ template <int D, class Real> class BlockStep {
         settle(solve, energy);
         energy.keep_momentum();
         if (state_.works_alone()) energy.slow_down(kinetic + energy.work());
+        note_lost(kinetic + energy.work() - solve.kinetic());
         state_.store();
     }
 
@@ -125,6 +137,7 @@ template <int D, class Real> class BlockStep {
         constexpr double most = 10;
         if (!(solve.worst_place_strain() <= maximum(most, before)))
             for (auto& node : state_.unknowns()) node.place = node.start;
+        contact_.lift(); // it has not converged
         take_mean_velocities();
         state_.forget_tensions();
         state_.store();
@@ -170,7 +183,7 @@ template <int D, class Real> class BlockStep {
     }
 
     /// Something has come to a plane, or a joint to its end: what follows is a blow, not a swing.
-    bool struck(const Solve& solve) const { return solve.bends().any_struck() || contact_.struck(); }
+    bool struck(const Solve& solve) { return contact_.struck() || solve.bends().any_struck(); }
 
     bool any_tightened() const {
         for (const auto& link : state_.links())
@@ -180,10 +193,17 @@ template <int D, class Real> class BlockStep {
         return false;
     }
 
-    void settle(Solve& solve, const Energy& energy) {
+    /// Of what something from outside works on, nobody knows.
+    void note_lost(double energy) {
+        if (state_.works_alone()) lost_ += energy;
+    }
+
+    /// Returns the energy that it took.
+    double settle(Solve& solve, const Energy& energy) {
         const double kinetic = solve.kinetic();
         detail::settle_block(solve, [&](double k) { contact_.rebound(k); });
         if (!contact_.near() && state_.works_alone()) energy.slow_down(kinetic); // less but for rounding
+        return kinetic - solve.kinetic();
     }
 
     /// Where a whip cracks, what it does along its links is no motion but the rule's own error: it goes back into what
@@ -205,7 +225,7 @@ constexpr std::size_t worth_a_thread = 500; ///< nodes: of fewer, telling others
 template <int D> int parts_of(const Blocks<D>& blocks) {
     return int((blocks.list.size() + a_part - 1) / a_part);
 }
-template <int D> std::span<const Block> part_of(const Blocks<D>& blocks, int part) {
+template <int D> std::span<Block> part_of(Blocks<D>& blocks, int part) {
     const auto first = std::size_t(part) * a_part;
     return std::span(blocks.list).subspan(first, std::min<std::size_t>(a_part, blocks.list.size() - first));
 }
@@ -225,14 +245,16 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Re
     constexpr int few = 2;
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : few;
     const auto move = [&](int part) {
-        for (const auto& block : part_of(blocks, part)) {
+        for (auto& block : part_of(blocks, part)) {
             BlockStep<D, Real> step(world, block, double(dt), double(world.last_substep));
             step.run(substeps);
             step.report_tensions(double(substep));
+            block.lost = step.lost();
         }
     };
     const int threads = world.threads > 0 ? world.threads : hardware_threads();
     Workers::run(blocks.nodes.size() < worth_a_thread ? 1 : threads, parts_of(blocks), move);
+    for (const auto& block : blocks.list) world.energy_lost += block.lost;
 }
 
 #define SINEW_BLOCK_STEP(D, Real) template void step_blocks(World<D, Real>&, Real, Real);

@@ -22,11 +22,23 @@ template <class Table, int D, class Real> Real slipped(World<D, Real>& world, co
     return error - clamp(error, -spring, spring);
 }
 
+template <class Table> bool is_driven(const Table& table) {
+    for (Row row = 0; row < table.size(); ++row)
+        if (table.driven[row] || table.gives(row)) return true;
+    return false;
+}
+
 template <int D, class Real> bool is_in_block(const World<D, Real>& world, std::span<const Row> members) {
     return std::any_of(members.begin(), members.end(), [&](Row member) { return world.blocks.contains(member); });
 }
 
 } // namespace
+
+template <int D, class Real> bool any_driven(const World<D, Real>& world) {
+    bool any = false;
+    for_each_table(world, [&](const auto& table) { any = any || is_driven(table); });
+    return any;
+}
 
 template <int D, class Real> void move_limits(World<D, Real>& world, Real h) {
     for_each_table(world, [&](auto& table) {
@@ -57,6 +69,7 @@ template <int D, class Real> void slip(World<D, Real>& world, Real h) {
 }
 
 #define SINEW_DRIVE(D, Real)                                                                                           \
+    template bool any_driven(const World<D, Real>&);                                                                   \
     template void move_limits(World<D, Real>&, Real);                                                                  \
     template void slip(World<D, Real>&, Real);
 SINEW_INSTANTIATE(SINEW_DRIVE)

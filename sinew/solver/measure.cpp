@@ -77,7 +77,7 @@ std::optional<ConstraintState> constraint_state(const World<D, Real>& world, con
 
 template <int D, class Real> Energy energy(const World<D, Real>& world) {
     const auto& p = world.particles;
-    Energy sum;
+    Energy sum{.lost = world.energy_lost};
     for (Row row = 0; row < p.size(); ++row) {
         if (p.mobility[row] == Real(0)) continue;
         const double mass = mass_of(p, row);

@@ -13,6 +13,10 @@ struct Energy {
     double kinetic = 0;
     double potential = 0; ///< of gravity (zero at the origin) and attractors (zero far away)
     double stored = 0;    ///< in compliant constraints and pins
+    /// What ropes, chains and figures that are solved at once had to give up since the world began, not to damping but
+    /// where they struck a plane, came to the end of a damped joint, snapped taut or cracked. Not of what something
+    /// drives, for there nobody knows; nor of what is swept.
+    double lost = 0;
     double total() const { return kinetic + potential + stored; }
 };
 

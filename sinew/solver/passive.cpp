@@ -25,9 +25,12 @@ template <int D, class Real> bool find_limited(World<D, Real>& world) {
     auto& figures = world.budgets.figures;
     figures.assign(world.figures.size(), {});
     bool any = false;
+    const auto in_block = [&](std::span<const Row> members) { // where what is added is never accepted
+        return std::any_of(members.begin(), members.end(), [&](Row member) { return world.blocks.contains(member); });
+    };
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
-            if (limits_turn(table, row) && table.figure[row] < figures.size())
+            if (limits_turn(table, row) && table.figure[row] < figures.size() && !in_block(table.members[row]))
                 any = figures[table.figure[row]].passive = true;
     });
     return any;

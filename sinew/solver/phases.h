@@ -49,7 +49,9 @@ template <int D, class Real> void find_passive(World<D, Real>& world);
 template <int D, class Real> void note_energy(World<D, Real>& world);
 template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h);
 
-/// drive.cpp: limits that are driven move on; lengths that were pulled harder than they hold have slipped.
+/// drive.cpp: whether any limit is driven or gives way. Limits that are driven move on; lengths that were pulled harder
+/// than they hold have slipped.
+template <int D, class Real> bool any_driven(const World<D, Real>& world);
 template <int D, class Real> void move_limits(World<D, Real>& world, Real h);
 template <int D, class Real> void slip(World<D, Real>& world, Real h);
 

@@ -71,12 +71,11 @@ template <int D, class Real> class Planner {
 
     /// What tears must not make a step allocate: room for all that could be, where that is no waste.
     void look_around() {
-        plan_.driven = plan_.may_tear = false;
+        plan_.may_tear = false;
         std::size_t constraints = 0;
         for_each_table(world_, [&](const auto& table) {
             constraints += table.size();
             for (Row row = 0; row < table.size(); ++row) {
-                plan_.driven = plan_.driven || table.driven[row];
                 plan_.may_tear = plan_.may_tear || table.breaking_strain[row] < limit::measure<Real>;
             }
         });

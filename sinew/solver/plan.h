@@ -81,7 +81,6 @@ template <class Real> struct Plan {
     std::vector<PinnedSlot> pins;                    ///< by slot
     std::vector<Tether> tethers;
     std::vector<Real> reach;      ///< of each tether, by slot
-    bool driven = false;          ///< some limits of the world move
     bool may_tear = true;         ///< something in the world
     std::vector<SweepRun> others; ///< constraints that are not plain, in the order of the sweep
 

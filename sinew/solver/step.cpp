@@ -30,10 +30,11 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 template <int D, class Real> class Sweep {
   public:
     Sweep(World<D, Real>& world, int substeps, Real h)
-        : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps), h_(h) {}
+        : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps), h_(h),
+          driven_(any_driven(world)) {}
 
     void run() {
-        if (world_.swept.size() == 0 && !plan_.driven) return;
+        if (world_.swept.size() == 0 && !driven_) return;
         take_up(world_, h_);
         if (!all_is_plain())
             for (int s = 1; s <= substeps_; ++s) run_substep(s);
@@ -51,16 +52,17 @@ template <int D, class Real> class Sweep {
     const Kernels<D, Real>& kernels_;
     int substeps_;
     Real h_;
+    bool driven_;
 
     using Substep = detail::Substep<D, Real>;
 
     bool all_is_plain() const {
-        return plan_.others.empty() && !plan_.driven && world_.blocks.hanging.empty() && !world_.budgets.any;
+        return plan_.others.empty() && !driven_ && world_.blocks.hanging.empty() && !world_.budgets.any;
     }
 
     /// A substep of everything.
     void run_substep(int number) {
-        move_limits(world_, h_);
+        if (driven_) move_limits(world_, h_);
         Substep substep(world_, number, substeps_, h_);
         auto& mover = substep.mover();
         for (const auto& band : plan_.bands) substep.predict(band);
@@ -81,7 +83,7 @@ template <int D, class Real> class Sweep {
         for (const auto& band : plan_.bands) substep.advance(kernels_, band);
         take_back_gains(world_, h_);
         for (const auto& band : plan_.bands) substep.rebound(band);
-        slip(world_, h_);
+        if (driven_) slip(world_, h_);
     }
 
     /// More help only where there is enough to do (docs/performance.md).

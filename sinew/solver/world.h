@@ -287,6 +287,7 @@ template <int D, class RealT> struct World {
 
     double time = 0;
     std::uint64_t steps = 0;
+    double energy_lost = 0;      ///< where blocks were struck, cracked or snapped taut; decides nothing
     Real last_substep = 0;       ///< its length; a change of it corrects the Verlet step
     std::vector<Event> events;   ///< of the last step
     Blocks<D> blocks;            ///< what is solved at once instead of in the sweep

@@ -15,10 +15,11 @@ namespace {
 
 using canvas::Progress;
 
+/// What was written to a terminal that has been closed: it comes in pieces.
 std::string all_from(int descriptor) {
-    std::string text(4096, '\0');
-    const ssize_t got = read(descriptor, text.data(), text.size());
-    text.resize(got > 0 ? std::size_t(got) : 0);
+    std::string text, piece(4096, '\0');
+    for (ssize_t got = 0; (got = read(descriptor, piece.data(), piece.size())) > 0;)
+        text.append(piece, 0, std::size_t(got));
     return text;
 }
 
@@ -29,9 +30,8 @@ std::string on_terminal(unsigned short columns, const std::function<void(std::FI
     if (openpty(&screen, &terminal, nullptr, nullptr, &size) != 0) return "no terminal";
     std::FILE* stream = fdopen(terminal, "w");
     work(stream);
-    std::fflush(stream);
-    const std::string text = all_from(screen);
     std::fclose(stream);
+    const std::string text = all_from(screen);
     close(screen);
     return text;
 }

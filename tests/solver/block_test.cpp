@@ -84,6 +84,29 @@ TEST(Block, AWhipKeepsItsEnergyToo) {
     EXPECT_LT(most.loss, 1e-4);
 }
 
+// A rope with room between its links is dropped, snaps taut and is drawn along: what it has and what it gave up is what
+// it had.
+TEST(Block, WhatARopeGivesUpIsCounted) {
+    constexpr int links = 20;
+    auto world = rope_world<double>(links, 5, 2.5);
+    constexpr double scale = (links + 5) * gravity * 10;
+    const double begun = energy(world).total();
+    for (int i = 0; i < (sanitized ? 60 : 600); ++i) {
+        step(world, 1.0 / 60);
+        const auto now = energy(world);
+        EXPECT_NEAR((now.total() + now.lost - begun) / scale, 0, 1e-4) << i;
+    }
+    EXPECT_GT(energy(world).lost / scale, sanitized ? 0 : 0.01);
+    auto copy = world;
+    EXPECT_EQ(energy(copy).lost, energy(world).lost);
+}
+
+TEST(Block, ASwingGivesUpNothing) {
+    auto world = rope_world<double>(20, 0, 0.9, true);
+    extremes(world, 2, 1);
+    EXPECT_NEAR(energy(world).lost / (20 * gravity * 10), 0, 1e-6);
+}
+
 // The tension of each link of a rope at rest is the weight below it.
 TEST(Block, TensionIsTheWeightBelow) {
     constexpr int links = 50;
