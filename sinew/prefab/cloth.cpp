@@ -145,6 +145,7 @@ std::optional<std::string> Cloth::problem(int dimension) const {
 
 template <int D, class Real> void Cloth::build(Builder<D, Real>& figure) const {
     const auto grid = lay_out(figure, *this);
+    figure.figure().tethers = tethers;
     name_corners(figure, grid);
     weave(figure, grid, *this);
     hold(figure, grid, *this);

@@ -40,6 +40,7 @@ struct Cloth {
     double breaking_strain = 0;
     double toughness = 0;
     double uneven = 0;
+    bool tethers = true;
     std::string drawn = "threads";
     double thickness = 0.01;
 
@@ -94,6 +95,9 @@ struct Cloth {
                                          "twice as much",
                                  .low = 0,
                                  .high = 1e3});
+        visit(self.tethers, Field{.name = "tethers",
+                                  .help = "Nothing gets further from a pin than the threads reach. Where threads may "
+                                          "tear or give there are none"});
         visit(self.drawn,
               Field{.name = "drawn", .help = "Its threads, its cells filled, or both", .choices = drawings});
         visit(self.thickness, Field{.name = "thickness",

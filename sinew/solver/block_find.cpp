@@ -1,4 +1,5 @@
 #include "sinew/solver/block_build.h"
+#include "sinew/solver/phases.h"
 #include "sinew/solver/step.h"
 
 #include <algorithm>
@@ -219,6 +220,7 @@ template <int D, class Real> void prepare(World<D, Real>& world) {
     auto& blocks = world.blocks;
     if (!blocks.stale) return;
     Finder(world).run();
+    make_plan(world);
     // Room for all that could be, not for what is: a thread that tears must not make a step allocate.
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     constexpr std::size_t small = 100'000; // distances; of more, the room would be waste

@@ -12,7 +12,7 @@ using detail::Rule;
 template <int D, class Real> class Hanging {
   public:
     Hanging(World<D, Real>& world, const Block& block, Real h)
-        : p_(world.particles), d_(std::get<kind_number<Distance, D>>(world.constraints)),
+        : s_(world.swept), d_(std::get<kind_number<Distance, D>>(world.constraints)),
           a_(std::get<kind_number<Angle, D>>(world.constraints)), blocks_(world.blocks), block_(block), h_(h) {}
 
     void correct(bool first_iteration) {
@@ -33,7 +33,7 @@ template <int D, class Real> class Hanging {
     }
 
   private:
-    Particles<D, Real>& p_;
+    Swept<D, Real>& s_;
     Constraints<Distance<D>, Real>& d_;
     Constraints<Angle<D>, Real>& a_;
     Blocks<D>& blocks_;
@@ -49,15 +49,17 @@ template <int D, class Real> class Hanging {
 
     void load(bool first_iteration) {
         for (auto& node : unknowns()) {
-            node.start = cast<double>(p_.position[node.row]);
-            node.velocity = cast<double>(p_.velocity[node.row]);
+            const Row slot = s_.slot_of[node.row];
+            node.start = cast<double>(s_.place_at(slot));
+            node.velocity = cast<double>(s_.velocity_at(slot));
             node.push = {};
-            node.mass = inverse_or_zero(double(p_.mobility[node.row]));
+            node.mass = inverse_or_zero(double(s_.mobility[slot]));
         }
         for (auto& node : fixed()) {
             node.velocity = node.move = {};
-            node.start = cast<double>(p_.position[node.row]);
-            node.place = node.start + cast<double>(p_.velocity[node.row]) * double(h_); // a pin may carry it
+            const Row slot = s_.slot_of[node.row];
+            node.start = cast<double>(s_.place_at(slot));
+            node.place = node.start + cast<double>(s_.move_at(slot)); // a pin may carry it
         }
         forget_tensions();
         if (!first_iteration) return; // what the last substep needed is near to what this one will
@@ -73,11 +75,12 @@ template <int D, class Real> class Hanging {
 
     void store(bool first_iteration) {
         const double per_h = 1 / double(h_);
-        const double fastest = double(minimum(limit::speed<Real>, Real(2) * limit::coordinate<Real> * Real(per_h)));
+        const double furthest = double(furthest_move(h_));
         const auto drift = fixed().empty() ? drift_of(per_h) : Vec<D, double>{};
         for (auto& node : unknowns()) {
-            const auto velocity = (node.place - cast<double>(p_.position[node.row])) * per_h - drift;
-            p_.velocity[node.row] = cast<Real>(clamp_components(velocity, fastest));
+            const Row slot = s_.slot_of[node.row];
+            const auto move = node.place - cast<double>(s_.place_at(slot)) - drift * double(h_);
+            s_.set_move(slot, cast<Real>(clamp_components(move, furthest)));
         }
         for (const auto& link : links())
             note(d_.multiplier[link.constraint], link.tension * link.length, first_iteration);
@@ -89,7 +92,8 @@ template <int D, class Real> class Hanging {
         double mass = 0;
         Vec<D, double> gained{};
         for (const auto& node : unknowns()) {
-            const auto position = cast<double>(p_.position[node.row]), velocity = cast<double>(p_.velocity[node.row]);
+            const Row slot = s_.slot_of[node.row];
+            const auto position = cast<double>(s_.place_at(slot)), velocity = cast<double>(s_.velocity_at(slot));
             gained += ((node.place - position) * per_h - velocity) * node.mass;
             mass += node.mass;
         }

@@ -78,6 +78,7 @@ struct Figure {
     std::vector<Numbered> constraint_numbers{};
     std::vector<Piece> pieces{};
     Direct direct = Direct::automatic;
+    bool tethers = false; ///< nothing of it gets further from what pins it than its links reach (plan.h)
     bool quarantined = false;
 };
 

@@ -24,9 +24,6 @@ template <int D, class Real> Vec<D, Real> wind_at(const Wind<D, Real>& wind, con
     return clamp_components(wind.velocity + gust, limit::speed<Real>);
 }
 
-/// Nothing is pushed harder: the largest force on the lightest particle.
-template <class Real> constexpr Real largest_acceleration = limit::force<Real>* limit::mass<Real>;
-
 /// Adds what one field does to one particle. A new field is one more of these. Each is held at the limits, whatever
 /// numbers the field was given.
 template <int D, class Real> struct Adder {

@@ -5,6 +5,9 @@
 /// The parts of a step that both modes share, each in a file of its own.
 namespace sinew {
 
+/// Nothing is pushed harder: the largest force on the lightest particle.
+template <class Real> constexpr Real largest_acceleration = limit::force<Real>* limit::mass<Real>;
+
 /// force.cpp: what acts on a particle, where it is or at another place: a velocity v changes by acceleration -
 /// drag_rate v.
 template <int D, class Real> struct Push {
@@ -19,15 +22,20 @@ template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, 
 /// force.cpp: hands out the forces that strike one particle a step, into particles.force.
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
 
-/// quarantine.cpp: figures and loose particles that are not finite stand still from now on, where they last were.
-template <int D, class Real> void quarantine_non_finite(World<D, Real>& world);
-
-/// quarantine.cpp: what is finite but beyond the stated limits is held at them.
+/// quarantine.cpp: figures and loose particles that are not finite stand still from now on, where they last were; what
+/// is finite but beyond the stated limits is held at them.
 template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 
 /// tear.cpp: removes constraints strained beyond their breaking point for longer than they bear, after a step of dt;
 /// with a distance goes what both of its ends belong to.
 template <int D, class Real> void tear(World<D, Real>& world, Real dt);
+
+/// swept.cpp: the particles of the sweep into their columns, for substeps of length h, and back.
+template <int D, class Real> void take_up(World<D, Real>& world, Real h);
+template <int D, class Real> void put_back(World<D, Real>& world);
+
+/// plan.cpp: works out how the sweep goes about what is in no block.
+template <int D, class Real> void make_plan(World<D, Real>& world);
 
 /// block_step.cpp: moves every block over a step; tensions are told as multipliers of a substep of that length.
 template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep);

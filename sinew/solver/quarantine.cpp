@@ -1,7 +1,33 @@
 #include "sinew/solver/phases.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace sinew {
 namespace {
+
+/// Whether all numbers are within [-limit, limit]; what is no number is not. Compared as whole numbers, many at once.
+template <class Real> bool all_within(std::span<const Real> numbers, Real limit) {
+    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+    constexpr Bits no_sign = ~(Bits(1) << (8 * sizeof(Bits) - 1));
+    const auto most = std::bit_cast<Bits>(limit);
+    Bits beyond = 0; // its highest bit
+    for (const Real number : numbers) beyond |= most - (std::bit_cast<Bits>(number) & no_sign);
+    return beyond <= no_sign;
+}
+template <int D, class Real> bool all_within(const std::vector<Vec<D, Real>>& column, Real limit) {
+    static_assert(sizeof(Vec<D, Real>) == D * sizeof(Real));
+    return column.empty() || all_within<Real>({column[0].component.data(), column.size() * D}, limit);
+}
+
+/// Most worlds are, and are looked through quickly.
+template <int D, class Real> bool all_in_limits(const Particles<D, Real>& p) {
+    const auto& radius = p.radius;
+    return all_within(p.position, limit::coordinate<Real>) && all_within(p.previous, limit::coordinate<Real>) &&
+           all_within(p.velocity, limit::speed<Real>) && all_within(p.force, limit::force<Real>) &&
+           all_within<Real>(p.inverse_mass, limit::mass<Real>) && all_within<Real>(radius, limit::coordinate<Real>) &&
+           std::none_of(radius.begin(), radius.end(), [](Real r) { return r < Real(0); });
+}
 
 template <int D, class Real> bool sound(const Particles<D, Real>& p, Row row) {
     return is_finite(p.position[row]) && is_finite(p.velocity[row]) && is_finite(p.force[row]) &&
@@ -25,8 +51,6 @@ template <int D, class Real> void freeze_figure(World<D, Real>& world, FigureInd
         if (const auto row = world.particles.slots.find(id)) freeze(world.particles, *row);
 }
 
-} // namespace
-
 template <int D, class Real> void quarantine_non_finite(World<D, Real>& world) {
     auto& p = world.particles;
     for (Row row = 0; row < p.size(); ++row) {
@@ -38,14 +62,9 @@ template <int D, class Real> void quarantine_non_finite(World<D, Real>& world) {
         if (world.events.size() < events_per_step)
             world.events.push_back({.type = EventType::quarantined, .figure = figure, .particle = p.slots.id_of(row)});
     }
-    for (auto& pin : world.pins) {
-        if (!is_finite(pin.from)) pin.from = is_finite(pin.target) ? pin.target : Vec<D, Real>{};
-        if (!is_finite(pin.target)) pin.target = pin.from;
-    }
 }
 
-template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
-    auto& p = world.particles;
+template <int D, class Real> void hold(Particles<D, Real>& p) {
     for (Row row = 0; row < p.size(); ++row) {
         p.position[row] = clamp_components(p.position[row], limit::coordinate<Real>);
         p.previous[row] = clamp_components(p.previous[row], limit::coordinate<Real>);
@@ -53,7 +72,18 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
         p.force[row] = clamp_components(p.force[row], limit::force<Real>);
         p.radius[row] = clamp(p.radius[row], Real(0), limit::coordinate<Real>);
     }
+}
+
+} // namespace
+
+template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
+    if (!all_in_limits(world.particles)) {
+        quarantine_non_finite(world);
+        hold(world.particles);
+    }
     for (auto& pin : world.pins) {
+        if (!is_finite(pin.from)) pin.from = is_finite(pin.target) ? pin.target : Vec<D, Real>{};
+        if (!is_finite(pin.target)) pin.target = pin.from;
         pin.from = clamp_components(pin.from, limit::coordinate<Real>);
         pin.target = clamp_components(pin.target, limit::coordinate<Real>);
     }
@@ -64,9 +94,7 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
     }
 }
 
-#define SINEW_QUARANTINE(D, Real)                                                                                      \
-    template void quarantine_non_finite(World<D, Real>&);                                                              \
-    template void hold_in_limits(World<D, Real>&);
+#define SINEW_QUARANTINE(D, Real) template void hold_in_limits(World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_QUARANTINE)
 
 } // namespace sinew

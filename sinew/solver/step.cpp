@@ -1,214 +1,165 @@
 #include "sinew/solver/step.h"
 
-#include "sinew/solver/decay.h"
-#include "sinew/solver/phases.h"
-#include "sinew/solver/project.h"
-
-#include <algorithm>
+#include "sinew/solver/substep.h"
+#include "sinew/solver/workers.h"
 
 namespace sinew {
 namespace {
 
-/// Constraints act on velocities: a particle is where it will be when the substep ends, x + h v, and a correction of
-/// that place is a correction of v. Small differences of large coordinates are never taken, so float loses least.
-/// Nothing is faster than what crosses the world in one substep: places stay finite.
-template <int D, class RealT> struct SubstepMover {
-    using Real = RealT;
-    static constexpr int dimension = D;
-    Particles<D, Real>& particles;
-    Real h;
-    Real per_h = Real(1) / h;
-    Real fastest = minimum(limit::speed<Real>, Real(2) * limit::coordinate<Real> * per_h);
-    bool first_iteration = true;
-
-    Vec<D, Real> point(Row row) const { return particles.position[row] + particles.velocity[row] * h; }
-    Real weight(Row row) const { return particles.mobility[row]; }
-    Real alpha(Real compliance) const { return minimum(compliance * per_h * per_h, limit::measure<Real>); }
-    Real most(Real max_force) const { return minimum(max_force * h * h, limit::multiplier<Real>); }
-    Real share(Real lead) const { return minimum(lead * per_h, limit::coordinate<Real>); }
-    /// The measure's own rate, less the rate of its limits, times the lead.
-    template <class Stencil>
-    Real ahead(const Stencil& stencil, std::span<const Row> members, Real lead, Real rate) const {
-        Real own = -rate;
-        stencil.each([&](std::size_t i) { own += dot(stencil.gradient[i], particles.velocity[members[i]]); });
-        return own * lead;
-    }
-    void push(Row row, const Vec<D, Real>& displacement) { accelerate(row, displacement * per_h); }
-    void accelerate(Row row, const Vec<D, Real>& change) {
-        particles.velocity[row] = clamp_components(particles.velocity[row] + change, fastest);
-    }
-
-    /// Corrections along the gradient where the substep began (SHAKE: Ryckaert, Ciccotti and Berendsen 1977) keep a
-    /// swing's energy; along the gradient where it ends they bleed it. Where the two have come apart only the latter
-    /// still corrects.
-    template <class Stencil> void choose_direction(Stencil& stencil, std::span<const Row> members) const {
-        stencil.each([&](std::size_t i) { stencil.points[i] = particles.position[members[i]]; });
-        stencil.evaluate(stencil.points, stencil.direction);
-        Real along = 0, now = 0, then = 0;
-        stencil.each([&](std::size_t i) {
-            along += dot(stencil.gradient[i], stencil.direction[i]);
-            now += dot(stencil.gradient[i], stencil.gradient[i]);
-            then += dot(stencil.direction[i], stencil.direction[i]);
-        });
-        constexpr Real least_agreement = Real(0.99);
-        if (along < least_agreement * maximum(now, then)) stencil.direction = stencil.gradient;
-    }
-};
-
-/// The rows of particles that no block moves.
-template <int D, class Real> RowRange loose(const World<D, Real>& world) {
-    return RowRange{world.blocks.loose};
-}
-
-/// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
-/// middle of this one. What holds against a push is held back by drag as the push is: a weight at rest pulls with its
-/// weight, however it is damped.
-template <int D, class Real> void predict(World<D, Real>& world, const SubstepMover<D, Real>& mover) {
-    auto& p = world.particles;
-    const Real kick = Real(0.5) * (world.last_substep + mover.h);
-    Decay<Real> decay; // most particles have the same
-    for (const Row row : loose(world)) {
-        p.rebound[row] = {};
-        if (p.mobility[row] == Real(0)) {
-            p.velocity[row] = {}; // it stands, unless a pin carries it
-            continue;
-        }
-        const auto push = push_on(world, row);
-        const Real rate = clamp(world.settings.damping + push.drag_rate, Real(0), limit::measure<Real>);
-        if (rate != decay.rate) decay = Decay<Real>::of(rate, kick);
-        const auto pushed = p.velocity[row] * decay.keep + push.acceleration * (kick * decay.yield);
-        p.velocity[row] = clamp_components(pushed, mover.fastest);
-        p.mobility[row] = maximum(p.inverse_mass[row] * decay.yield, std::numeric_limits<Real>::min());
-    }
-    world.last_substep = mover.h;
-}
-
-/// Hard pins are where they are told to be; the substep's share of the way gives the particle its velocity.
-template <int D, class Real> void move_pins(World<D, Real>& world, Real share, const SubstepMover<D, Real>& mover) {
-    auto& p = world.particles;
-    for (const auto& pin : world.pins) {
-        const auto row = p.slots.find(pin.particle);
-        if (!row || !pin.hard() || p.quarantined[*row]) continue;
-        const auto goal = pin.from + (pin.target - pin.from) * share;
-        p.velocity[*row] = clamp_components((goal - p.position[*row]) * mover.per_h, mover.fastest);
-    }
-}
-
-/// A compliant pin is a damped spring to its target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) + alpha),
-/// e the way to the target and u how much the substep adds to it; its force never exceeds max_force.
-template <int D, class Real>
-void pull_pins(World<D, Real>& world, Real share, Real share_of_substep, SubstepMover<D, Real>& mover) {
-    auto& p = world.particles;
-    for (auto& pin : world.pins) {
-        const auto row = p.slots.find(pin.particle);
-        if (!row || pin.hard() || p.mobility[*row] == Real(0) || world.blocks.holds[*row]) continue;
-        const Real w = p.mobility[*row];
-        const Real alpha = mover.alpha(pin.compliance);
-        // a critical damper of stiffness 1/c on mass 1/w has 2 / sqrt(c w); gamma = damper * compliance / h
-        const Real gamma =
-            minimum(Real(2) * pin.damping * square_root(pin.compliance) * square_root(inverse_or_zero(w)) * mover.per_h,
-                    limit::measure<Real>);
-        const auto goal = pin.from + (pin.target - pin.from) * share;
-        const auto error = mover.point(*row) - goal;
-        const auto last_goal = pin.from + (pin.target - pin.from) * (share - share_of_substep);
-        const auto drift = error - (p.position[*row] - last_goal);
-        const auto lambda = mover.first_iteration ? Vec<D, Real>{} : pin.multiplier;
-        const Real per_resistance = inverse_or_zero(w * (Real(1) + gamma) + alpha);
-        auto next = clamp_components(lambda - (error + lambda * alpha + drift * gamma) * per_resistance,
-                                     limit::multiplier<Real>);
-        if (pin.max_force > Real(0)) {
-            const Real most = pin.max_force * mover.h * mover.h;
-            next *= minimum(Real(1), most * inverse_or_zero(norm(next)));
-        }
-        mover.push(*row, (next - lambda) * w);
-        pin.multiplier = next;
-    }
-}
-
-/// A plane stops what would pass it and rubs: the speed along it falls by friction times the speed it took away. What
-/// strikes faster than resting things sink in a few substeps will rebound.
-template <int D, class Real> void keep_in_bounds(World<D, Real>& world, SubstepMover<D, Real>& mover) {
-    auto& p = world.particles;
-    for (const auto& plane : world.bounds)
-        for (const Row row : loose(world)) {
-            if (p.mobility[row] == Real(0)) continue;
-            const Real depth = plane.offset + p.radius[row] - dot(plane.normal, mover.point(row));
-            if (!(depth > Real(0))) continue;
-            const Real approach = -dot(plane.normal, p.velocity[row]);
-            const auto along = p.velocity[row] + plane.normal * approach;
-            const Real stopped = minimum(depth * mover.per_h, mover.fastest);
-            const Real slowed = minimum(Real(1), plane.friction * stopped * inverse_or_zero(norm(along)));
-            mover.accelerate(row, plane.normal * stopped - along * slowed);
-            if (!mover.first_iteration) continue;
-            const Real resting = Real(4) * mover.h * norm(push_on(world, row).acceleration);
-            if (approach > resting) p.rebound[row] += plane.normal * (plane.restitution * approach);
-        }
-}
-
-/// x += h v. What rounding takes away is carried to the next substep: without it a float particle slower than half a
-/// unit in the last place a substep would stand still.
-template <int D, class Real> void advance(World<D, Real>& world, Real h) {
-    auto& p = world.particles;
-    for (const Row row : loose(world)) {
-        const auto move = p.velocity[row] * h + p.residual[row];
-        const auto moved = p.position[row] + move;
-        const auto held = clamp_components(moved, limit::coordinate<Real>);
-        p.residual[row] = moved == held ? move - (moved - p.position[row]) : Vec<D, Real>{};
-        p.previous[row] = p.position[row];
-        p.position[row] = held;
-    }
-}
-
-/// What struck a plane leaves it with its restitution.
-template <int D, class Real> void rebound(World<D, Real>& world) {
-    auto& p = world.particles;
-    for (const Row row : loose(world)) {
-        const Real speed = norm(p.rebound[row]);
-        if (speed == Real(0)) continue;
-        const auto away = p.rebound[row] * inverse_or_zero(speed);
-        p.velocity[row] += away * maximum(Real(0), speed - dot(away, p.velocity[row]));
-    }
-}
-
 template <int D, class Real> void begin(World<D, Real>& world) {
     world.events.clear();
-    quarantine_non_finite(world);
     hold_in_limits(world);
     apply_random_pushes(world);
+}
+
+/// Most particles have none: what is not written to need not be fetched.
+template <int D, class Real> void forget_forces(std::vector<Vec<D, Real>>& forces) {
+    for (auto& force : forces)
+        if (force != Vec<D, Real>{}) force = {};
 }
 
 template <int D, class Real> void end(World<D, Real>& world, Real dt) {
     tear(world, dt);
     for (auto& pin : world.pins) pin.from = pin.target;
-    std::fill(world.particles.force.begin(), world.particles.force.end(), Vec<D, Real>{});
+    forget_forces(world.particles.force);
     world.time += double(dt);
     ++world.steps;
 }
 
 /// What is in no block: substeps of projections.
-template <int D, class Real> void sweep_substeps(World<D, Real>& world, int substeps, Real h) {
-    const Real share_of_substep = Real(1) / Real(substeps);
-    const bool driven = any_driven(world);
-    for (int s = 1; s <= substeps; ++s) {
-        const Real share = Real(s) / Real(substeps);
-        SubstepMover<D, Real> mover{world.particles, h};
-        if (driven) move_limits(world, h);
-        predict(world, mover);
-        move_pins(world, share, mover);
-        note_energy(world);
-        for (int i = 0; i < world.settings.iterations; ++i) {
-            mover.first_iteration = i == 0;
-            for (const auto& run : world.blocks.runs) detail::project_run(world, run, mover);
-            correct_hanging(world, h, mover.first_iteration);
-            pull_pins(world, share, share_of_substep, mover);
-            keep_in_bounds(world, mover);
-        }
-        advance(world, h);
-        take_back_gains(world, h);
-        rebound(world);
-        if (driven) slip(world, h);
+template <int D, class Real> class Sweep {
+  public:
+    Sweep(World<D, Real>& world, int substeps, Real h)
+        : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps), h_(h),
+          driven_(any_driven(world)) {}
+
+    void run() {
+        if (world_.swept.size() == 0 && !driven_) return;
+        take_up(world_, h_);
+        if (!all_is_plain())
+            for (int s = 1; s <= substeps_; ++s) run_substep(s);
+        else if (plan_.sheets.size() >= std::size_t(2 * threads()))
+            Workers::run(threads(), int(plan_.sheets.size()),
+                         [&](int i) { run_through(plan_.sheets[std::size_t(i)]); });
+        else
+            for (const auto& sheet : plan_.sheets) share_out(sheet);
+        put_back(world_);
     }
-}
+
+  private:
+    World<D, Real>& world_;
+    const Plan<Real>& plan_;
+    const Kernels<D, Real>& kernels_;
+    int substeps_;
+    Real h_;
+    bool driven_;
+
+    using Substep = detail::Substep<D, Real>;
+
+    bool all_is_plain() const {
+        return plan_.others.empty() && !driven_ && world_.blocks.hanging.empty() && !world_.budgets.any;
+    }
+
+    /// A substep of everything.
+    void run_substep(int number) {
+        if (driven_) move_limits(world_, h_);
+        Substep substep(world_, number, substeps_, h_);
+        auto& mover = substep.mover();
+        for (const auto& band : plan_.bands) substep.predict(band);
+        note_energy(world_);
+        for (int i = 0; i < world_.settings.iterations; ++i) {
+            mover.first_iteration = i == 0;
+            for (const auto& sheet : plan_.sheets)
+                for (std::uint32_t f = 0; f < sheet.families; ++f)
+                    for (std::uint32_t band = 0; band < sheet.bands; ++band)
+                        substep.project(kernels_, plan_.families[sheet.first_family + f], band);
+            for (const auto& run : plan_.others) detail::project_run(world_, run, mover);
+            correct_hanging(world_, h_, mover.first_iteration);
+            for (const auto& sheet : plan_.sheets)
+                for (const auto& band : bands_of(sheet)) substep.tether(kernels_, sheet, band);
+            for (const auto& band : plan_.bands) substep.pull_pins(band);
+            for (const auto& band : plan_.bands) substep.keep_in_bounds(kernels_, band);
+        }
+        for (const auto& band : plan_.bands) substep.advance(kernels_, band);
+        take_back_gains(world_, h_);
+        for (const auto& band : plan_.bands) substep.rebound(band);
+        if (driven_) slip(world_, h_);
+    }
+
+    /// More help only where there is enough to do (docs/performance.md).
+    int threads() const {
+        constexpr std::uint32_t worth_it = 8192; // particles
+        if (world_.swept.size() < worth_it) return 1;
+        return std::min(most_threads, world_.threads > 0 ? world_.threads : hardware_threads());
+    }
+    static constexpr int most_threads = 64;
+
+    /// A sheet's substeps, one thread after the other: each does some parts of them and follows the one before it.
+    void share_out(const Sheet& sheet) {
+        const int parts = substeps_ * parts_of(sheet);
+        const int count = sheet.bands < 8U * unsigned(threads()) ? 1 : std::min(threads(), parts);
+        std::array<Progress, most_threads> progress;
+        Workers::run(count, count, [&](int i) {
+            const auto* ahead = i > 0 ? &progress[std::size_t(i) - 1] : nullptr;
+            run_through(sheet, parts * i / count, parts * (i + 1) / count, ahead, &progress[std::size_t(i)]);
+        });
+    }
+    void run_through(const Sheet& sheet) { run_through(sheet, 0, substeps_ * parts_of(sheet), nullptr, nullptr); }
+
+    /// Some of the parts of all substeps of a sheet, band after band: each follows the one before it as closely as what
+    /// it touches allows, so that a band is worked on while it is near. The result is the same to the last bit.
+    void run_through(const Sheet& sheet, int first, int end, const Progress* ahead, Progress* own) {
+        const int iterations = world_.settings.iterations;
+        const auto last = sheet.bands + std::uint32_t(substeps_ * iterations) * sheet.lag;
+        constexpr std::uint32_t at_once = 8; // times, of one substep after the other: what it touches is near
+        for (std::uint32_t time = 0; time < last; time += at_once) {
+            if (ahead) ahead->await(std::min(time + at_once, last));
+            for (int number = first / parts_of(sheet); number < substeps_; ++number) {
+                Substep substep(world_, number + 1, substeps_, h_);
+                for (auto t = time; t < std::min(time + at_once, last); ++t)
+                    run_at(sheet, substep, number, t, first, end);
+            }
+            if (own) own->reach(std::min(time + at_once, last));
+        }
+    }
+
+    /// Predict; the families and what holds, as often as there are iterations; advance.
+    int parts_of(const Sheet& sheet) const { return 2 + world_.settings.iterations * (int(sheet.families) + 1); }
+
+    /// What of a substep there is to do at that time, from part `first` to `end` of all.
+    void run_at(const Sheet& sheet, Substep& substep, int number, std::uint32_t time, int first, int end) {
+        const int iterations = world_.settings.iterations;
+        int part = number * parts_of(sheet);
+        const auto begun = std::uint32_t(number * iterations) * sheet.lag;
+        if (time < begun || time - begun >= sheet.bands + std::uint32_t(iterations) * sheet.lag) return;
+        const auto at = [&](std::uint32_t delay, auto&& work) {
+            if (part >= first && part < end && time >= delay && time - delay < sheet.bands) work(time - delay);
+            ++part;
+        };
+        const auto band = [&](std::uint32_t i) -> const Band& { return plan_.bands[sheet.first_band + i]; };
+        at(begun, [&](std::uint32_t i) { substep.predict(band(i)); });
+        auto delay = begun;
+        for (int n = 0; n < iterations; ++n, delay += sheet.lag) {
+            substep.mover().first_iteration = n == 0;
+            for (auto f = sheet.first_family; f < sheet.first_family + sheet.families; ++f)
+                at(delay + plan_.families[f].delay,
+                   [&](std::uint32_t i) { substep.project(kernels_, plan_.families[f], i); });
+            at(delay + sheet.lag, [&](std::uint32_t i) {
+                substep.tether(kernels_, sheet, band(i));
+                substep.pull_pins(band(i));
+                substep.keep_in_bounds(kernels_, band(i));
+            });
+        }
+        at(delay, [&](std::uint32_t i) {
+            substep.advance(kernels_, band(i));
+            substep.rebound(band(i));
+        });
+    }
+
+    std::span<const Band> bands_of(const Sheet& sheet) const {
+        return std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
+    }
+};
 
 template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) {
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : usual_substeps;
@@ -216,7 +167,8 @@ template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) 
     prepare(world);
     find_passive(world);
     step_blocks(world, dt, h);
-    sweep_substeps(world, substeps, h);
+    Sweep<D, Real>(world, substeps, h).run();
+    world.last_substep = h;
 }
 
 } // namespace

@@ -53,6 +53,7 @@ template <class Table, int D, class Real> void report(World<D, Real>& world, con
 
 template <int D, class Real> void tear(World<D, Real>& world, Real dt) {
     static_assert(kind_number<Distance, D> == 0, "what hangs on a distance is looked at after it");
+    if (world.settings.mode == Mode::physical && !world.swept.plan.may_tear) return;
     bool any_link = false, any = false;
     int kind = 0;
     for_each_table(world, [&](auto& table) {

@@ -93,6 +93,11 @@ class Pool {
 
 } // namespace
 
+void Progress::wait(unsigned time) const {
+    while (!soon([&] { return reached_.load(std::memory_order_acquire) >= time; })) {
+    }
+}
+
 int hardware_threads() {
     return std::max(1, int(std::thread::hardware_concurrency()));
 }

@@ -7,6 +7,7 @@
 #include "sinew/solver/force.h"
 #include "sinew/solver/id.h"
 #include "sinew/solver/passive.h"
+#include "sinew/solver/swept.h"
 
 #include <array>
 #include <cstdint>
@@ -32,6 +33,11 @@ template <class Real> inline constexpr Real multiplier = Real(1e25);    ///< a c
 template <class Real> inline constexpr Real step = Real(1e6);           ///< time units a step may last
 template <class Real> inline constexpr Real shortest_step = Real(1e-9); ///< a shorter one is none
 } // namespace limit
+
+/// Nothing goes further in a substep of length h: what crosses the world.
+template <class Real> constexpr Real furthest_move(Real h) {
+    return minimum(limit::speed<Real> * h, Real(2) * limit::coordinate<Real>);
+}
 
 template <int D, class Real> struct Particles {
     std::vector<Vec<D, Real>> position;
@@ -285,6 +291,7 @@ template <int D, class RealT> struct World {
     Real last_substep = 0;       ///< its length; a change of it corrects the Verlet step
     std::vector<Event> events;   ///< of the last step
     Blocks<D> blocks;            ///< what is solved at once instead of in the sweep
+    Swept<D, Real> swept;        ///< room for the sweep, and its plan
     Budgets<D> budgets;          ///< what the constraints of figures may do to their energy
     std::vector<Vector> scratch; ///< room for the points and gradients of the widest constraint
 };

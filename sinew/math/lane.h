@@ -1,0 +1,165 @@
+#pragma once
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+/// Several numbers at once. A pack of one is the number itself, and +, -, *, /, comparisons, `a < b ? a : b` and the
+/// functions below mean the same for both: text written on an open type V runs on either, lane by lane in the same
+/// bits. Everything here has internal linkage: each file that includes it may be compiled for other processors.
+namespace sinew {
+namespace {
+namespace lane {
+
+template <class Real, int width> struct PackOf {
+    typedef Real type __attribute__((vector_size(width * sizeof(Real))));
+};
+template <class Real> struct PackOf<Real, 1> { using type = Real; };
+template <class Real, int width> using Pack = typename PackOf<Real, width>::type;
+
+/// The widest pack of the processor that this file is compiled for.
+#if defined(SINEW_ONE_LANE)
+inline constexpr int bytes = 0;
+#elif defined(__AVX512F__)
+inline constexpr int bytes = 64;
+#elif defined(__AVX2__)
+inline constexpr int bytes = 32;
+#else
+inline constexpr int bytes = 16;
+#endif
+template <class Real> inline constexpr int widest = bytes > 0 ? bytes / int(sizeof(Real)) : 1;
+
+template <class V, class Real> [[gnu::always_inline]] inline V load(const Real* from) {
+    V pack;
+    __builtin_memcpy(&pack, from, sizeof pack);
+    return pack;
+}
+template <class V, class Real> [[gnu::always_inline]] inline void store(Real* to, const V& pack) {
+    __builtin_memcpy(to, &pack, sizeof pack);
+}
+/// The same number in every lane.
+template <class V, class Real> [[gnu::always_inline]] inline V spread(Real number) {
+    return number - V{};
+}
+
+[[gnu::always_inline]] inline float root(float x) {
+    return __builtin_sqrtf(x);
+}
+[[gnu::always_inline]] inline double root(double x) {
+    return __builtin_sqrt(x);
+}
+#if defined(__SSE2__)
+[[gnu::always_inline]] inline Pack<float, 4> root(Pack<float, 4> x) {
+    return _mm_sqrt_ps(x);
+}
+[[gnu::always_inline]] inline Pack<double, 2> root(Pack<double, 2> x) {
+    return _mm_sqrt_pd(x);
+}
+#endif
+#if defined(__AVX2__)
+[[gnu::always_inline]] inline Pack<float, 8> root(Pack<float, 8> x) {
+    return _mm256_sqrt_ps(x);
+}
+[[gnu::always_inline]] inline Pack<double, 4> root(Pack<double, 4> x) {
+    return _mm256_sqrt_pd(x);
+}
+#endif
+#if defined(__AVX512F__)
+[[gnu::always_inline]] inline Pack<float, 16> root(Pack<float, 16> x) {
+    return _mm512_maskz_sqrt_ps(0xffff, x); // g++ 12 warns of the plain one
+}
+[[gnu::always_inline]] inline Pack<double, 8> root(Pack<double, 8> x) {
+    return _mm512_maskz_sqrt_pd(0xff, x);
+}
+#endif
+template <class V> [[gnu::always_inline]] inline V root(V x) {
+    V roots{};
+    for (unsigned i = 0; i < sizeof(V) / sizeof(x[0]); ++i) roots[i] = root(x[i]);
+    return roots;
+}
+
+template <class V> [[gnu::always_inline]] inline V least(V a, V b) {
+    return b < a ? b : a;
+}
+template <class V> [[gnu::always_inline]] inline V most(V a, V b) {
+    return a < b ? b : a;
+}
+
+[[gnu::always_inline]] inline float lane_of(const float& x, int) {
+    return x;
+}
+[[gnu::always_inline]] inline double lane_of(const double& x, int) {
+    return x;
+}
+template <class V> [[gnu::always_inline]] inline auto lane_of(const V& pack, int i) {
+    return pack[i];
+}
+template <class V, class Real> [[gnu::always_inline]] inline void put_lane(V& pack, int i, Real number) {
+    if constexpr (sizeof(V) == sizeof(Real))
+        pack = number;
+    else
+        pack[i] = number;
+}
+
+/// Numbers from anywhere in a column, and back; as many as there are lanes.
+template <class V, class Real> [[gnu::always_inline]] inline V gather(const Real* column, const unsigned* at) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
+        return _mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xffff, _mm512_loadu_si512(at), column, 4);
+    else if constexpr (sizeof(V) == 64)
+        return _mm512_mask_i32gather_pd(_mm512_setzero_pd(), 0xff,
+                                        _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)), column, 8);
+    else
+#endif
+        if constexpr (sizeof(V) == 16 && sizeof(Real) == 4) {
+        return V{column[at[0]], column[at[1]], column[at[2]], column[at[3]]};
+    } else if constexpr (sizeof(V) == 16) {
+        return V{column[at[0]], column[at[1]]};
+    } else if constexpr (sizeof(V) == 32 && sizeof(Real) == 4) {
+        return V{column[at[0]], column[at[1]], column[at[2]], column[at[3]],
+                 column[at[4]], column[at[5]], column[at[6]], column[at[7]]};
+    } else if constexpr (sizeof(V) == 32) {
+        return V{column[at[0]], column[at[1]], column[at[2]], column[at[3]]};
+    } else {
+        return column[at[0]];
+    }
+}
+template <class V, class Real>
+[[gnu::always_inline]] inline void scatter(Real* column, const unsigned* at, const V& pack) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
+        return _mm512_i32scatter_ps(column, _mm512_loadu_si512(at), pack, 4);
+    else if constexpr (sizeof(V) == 64)
+        return _mm512_i32scatter_pd(column, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)), pack, 8);
+#endif
+    Real numbers[sizeof(V) / sizeof(Real)];
+    store(numbers, pack);
+    for (unsigned i = 0; i < sizeof(V) / sizeof(Real); ++i) column[at[i]] = numbers[i];
+}
+
+/// Whether a comparison holds in some lane.
+[[gnu::always_inline]] inline bool any(bool holds) {
+    return holds;
+}
+template <class Mask> [[gnu::always_inline]] inline bool any(const Mask& holds) {
+    unsigned long long words[sizeof(Mask) / 8], all = 0;
+    __builtin_memcpy(words, &holds, sizeof holds);
+    for (const auto word : words) all |= word;
+    return all != 0;
+}
+
+/// Stores the first `count` lanes and touches nothing behind them.
+template <class V, class Real> [[gnu::always_inline]] inline void store_first(Real* to, const V& pack, int count) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
+        return _mm512_mask_storeu_ps(to, __mmask16((1U << count) - 1), pack);
+    else if constexpr (sizeof(V) == 64)
+        return _mm512_mask_storeu_pd(to, __mmask8((1U << count) - 1), pack);
+    else
+#endif
+        for (int i = 0; i < count; ++i) to[i] = lane_of(pack, i);
+}
+
+} // namespace lane
+} // namespace
+} // namespace sinew

@@ -1,0 +1,6 @@
+// Compiled with the options of its processors, where the build knows them (CMakeLists.txt).
+#if defined(__AVX512F__)
+#include "sinew/solver/kernel_text.h"
+
+SINEW_KERNELS(kernels_avx512)
+#endif

@@ -1,0 +1,280 @@
+#pragma once
+
+#include "sinew/solver/decay.h"
+#include "sinew/solver/phases.h"
+#include "sinew/solver/project.h"
+
+#include <algorithm>
+
+/// The parts of a substep, each for the particles of one band. step.cpp says in which order.
+namespace sinew::detail {
+
+/// Constraints act on what a substep adds: a particle is where it will be when it ends, place + move, and a correction
+/// of that is a correction of the move, which is h v. Small differences of large coordinates are never taken, so float
+/// loses least. Nothing goes further than what crosses the world: places stay finite.
+template <int D, class RealT> struct SubstepMover {
+    using Real = RealT;
+    static constexpr int dimension = D;
+    Swept<D, Real>& swept;
+    Real h;
+    Real per_h = Real(1) / h;
+    Real furthest = furthest_move(h);
+    bool first_iteration = true;
+
+    Vec<D, Real> point(Row row) const { return point_at(swept.slot_of[row]); }
+    Vec<D, Real> point_at(Row slot) const { return swept.place_at(slot) + swept.move_at(slot); }
+    Real weight(Row row) const { return swept.mobility[swept.slot_of[row]]; }
+    Real alpha(Real compliance) const { return minimum(compliance * per_h * per_h, limit::measure<Real>); }
+    Real most(Real max_force) const { return minimum(max_force * h * h, limit::multiplier<Real>); }
+    Real share(Real lead) const { return minimum(lead * per_h, limit::coordinate<Real>); }
+    /// The measure's own rate, less the rate of its limits, times the lead.
+    template <class Stencil>
+    Real ahead(const Stencil& stencil, std::span<const Row> members, Real lead, Real rate) const {
+        Real own = -rate;
+        stencil.each(
+            [&](std::size_t i) { own += dot(stencil.gradient[i], swept.velocity_at(swept.slot_of[members[i]])); });
+        return own * lead;
+    }
+    void push(Row row, const Vec<D, Real>& displacement) { push_at(swept.slot_of[row], displacement); }
+    void push_at(Row slot, const Vec<D, Real>& displacement) {
+        swept.set_move(slot, clamp_components(swept.move_at(slot) + displacement, furthest));
+    }
+
+    /// Corrections along the gradient where the substep began (SHAKE: Ryckaert, Ciccotti and Berendsen 1977) keep a
+    /// swing's energy; along the gradient where it ends they bleed it. Where the two have come apart only the latter
+    /// still corrects.
+    template <class Stencil> void choose_direction(Stencil& stencil, std::span<const Row> members) const {
+        stencil.each([&](std::size_t i) { stencil.points[i] = swept.place_at(swept.slot_of[members[i]]); });
+        stencil.evaluate(stencil.points, stencil.direction);
+        Real along = 0, now = 0, then = 0;
+        stencil.each([&](std::size_t i) {
+            along += dot(stencil.gradient[i], stencil.direction[i]);
+            now += dot(stencil.gradient[i], stencil.gradient[i]);
+            then += dot(stencil.direction[i], stencil.direction[i]);
+        });
+        constexpr Real least_agreement = Real(0.99);
+        if (along < least_agreement * maximum(now, then)) stencil.direction = stencil.gradient;
+    }
+};
+
+template <int D, class Real> class Substep {
+  public:
+    Substep(World<D, Real>& world, int number, int substeps, Real h)
+        : world_(world), p_(world.particles), swept_(world.swept), mover_{world.swept, h},
+          share_(Real(number) / Real(substeps)), share_of_substep_(Real(1) / Real(substeps)), last_(number == substeps),
+          kick_(number == 1 ? Real(0.5) * (world.last_substep + h) : h) {}
+
+    SubstepMover<D, Real>& mover() { return mover_; }
+
+    /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
+    /// middle of this one. What holds against a push is held back by drag as the push is: a weight at rest pulls with
+    /// its weight, however it is damped.
+    void predict(const Band& band) {
+        if (!world_.bounds.empty())
+            for (Row slot = band.first; slot < band.last; ++slot) p_.rebound[swept_.row_of[slot]] = {};
+        if (swept_.everyone_alike)
+            predict_alike(band);
+        else
+            for (Row slot = band.first; slot < band.last; ++slot) predict(slot);
+        move_pins(band);
+    }
+
+    /// Plain distances of a family that begin in that band of a sheet.
+    void project(const Kernels<D, Real>& kernels, const Family& family, std::uint32_t band) {
+        const auto& plan = swept_.plan;
+        const auto* runs = plan.runs.data();
+        const auto first = plan.first_run[family.first_run + band], last = plan.first_run[family.first_run + band + 1];
+        if (first == last) return;
+        auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
+        LinkPass<Real> pass{.per_h2 = mover_.per_h * mover_.per_h,
+                            .kept = last_ || world_.settings.iterations > 1,
+                            .first = mover_.first_iteration};
+        kernels.project(swept_.link_columns(table.multiplier.data()), pass, runs + first, runs + last);
+        if (pass.shortest < Real(1e-18)) part_heaps(table, first, last);
+    }
+
+    /// A compliant pin is a damped spring to its target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) +
+    /// alpha), e the way to the target and u how much the substep adds to it; its force never exceeds max_force.
+    void pull_pins(const Band& band) {
+        for (auto i = band.first_pin; i < band.last_pin; ++i) {
+            auto& pin = world_.pins[swept_.plan.pins[i].pin];
+            const Row slot = swept_.plan.pins[i].slot;
+            const Real w = swept_.mobility[slot];
+            if (pin.hard() || w == Real(0)) continue;
+            const Real alpha = mover_.alpha(pin.compliance);
+            // a critical damper of stiffness 1/c on mass 1/w has 2 / sqrt(c w); gamma = damper * compliance / h
+            const Real gamma = minimum(Real(2) * pin.damping * square_root(pin.compliance) *
+                                           square_root(inverse_or_zero(w)) * mover_.per_h,
+                                       limit::measure<Real>);
+            const auto goal = pin.from + (pin.target - pin.from) * share_;
+            const auto error = mover_.point_at(slot) - goal;
+            const auto last_goal = pin.from + (pin.target - pin.from) * (share_ - share_of_substep_);
+            const auto drift = error - (swept_.place_at(slot) - last_goal);
+            const auto lambda = mover_.first_iteration ? Vector{} : pin.multiplier;
+            const Real per_resistance = inverse_or_zero(w * (Real(1) + gamma) + alpha);
+            auto next = clamp_components(lambda - (error + lambda * alpha + drift * gamma) * per_resistance,
+                                         limit::multiplier<Real>);
+            if (pin.max_force > Real(0)) {
+                const Real most = pin.max_force * mover_.h * mover_.h;
+                next *= minimum(Real(1), most * inverse_or_zero(norm(next)));
+            }
+            mover_.push_at(slot, (next - lambda) * w);
+            pin.multiplier = next;
+        }
+    }
+
+    /// Nothing gets further from a hard pin than the links reach.
+    void tether(const Kernels<D, Real>& kernels, const Sheet& sheet, const Band& band) {
+        const auto& plan = swept_.plan;
+        for (auto i = sheet.first_tether; i < sheet.first_tether + sheet.tethers; ++i) {
+            const auto& pin = world_.pins[plan.tethers[i].pin];
+            Tethering<D, Real> all{};
+            const auto goal = pin.from + (pin.target - pin.from) * share_;
+            for (int k = 0; k < D; ++k) {
+                all.place[k] = swept_.place[std::size_t(k)];
+                all.move[k] = swept_.move[std::size_t(k)];
+                all.anchor[k] = goal[k];
+            }
+            all.mobility = swept_.mobility;
+            const auto first = plan.bands[sheet.first_band].first;
+            all.reach = plan.reach.data() + plan.tethers[i].first - first;
+            kernels.tether(all, band.first, band.last);
+        }
+    }
+
+    /// A plane stops what would pass it and rubs: the speed along it falls by friction times the speed it took away.
+    /// What strikes faster than resting things sink in a few substeps will rebound.
+    void keep_in_bounds(const Kernels<D, Real>& kernels, const Band& band) {
+        for (const auto& plane : world_.bounds) {
+            const Real lowest = kernels.lowest(advance_columns(), plane.normal.component.data(), band.first, band.last);
+            if (lowest > plane.offset + swept_.largest_radius) continue;
+            for (Row slot = band.first; slot < band.last; ++slot) keep_in(plane, slot);
+        }
+    }
+
+    /// x += h v. What rounding takes away is carried to the next substep: without it a float particle slower than half
+    /// a unit in the last place a substep would stand still.
+    void advance(const Kernels<D, Real>& kernels, const Band& band) {
+        if (last_)
+            for (Row slot = band.first; slot < band.last; ++slot)
+                p_.previous[swept_.row_of[slot]] = swept_.place_at(slot);
+        kernels.advance(advance_columns(), band.first, band.last);
+    }
+
+    /// What struck a plane leaves it with its restitution.
+    void rebound(const Band& band) {
+        if (world_.bounds.empty()) return;
+        for (Row slot = band.first; slot < band.last; ++slot) {
+            const auto& struck = p_.rebound[swept_.row_of[slot]];
+            const Real speed = norm(struck);
+            if (speed == Real(0)) continue;
+            const auto away = struck * inverse_or_zero(speed);
+            const auto velocity = swept_.velocity_at(slot);
+            const auto added = away * maximum(Real(0), speed - dot(away, velocity));
+            swept_.set_move(slot, (velocity + added) * mover_.h);
+        }
+    }
+
+  private:
+    using Vector = Vec<D, Real>;
+
+    World<D, Real>& world_;
+    Particles<D, Real>& p_;
+    Swept<D, Real>& swept_;
+    SubstepMover<D, Real> mover_;
+    Real share_, share_of_substep_; ///< of the step that is over when this substep is
+    bool last_;
+    Real kick_;
+    Decay<Real> decay_; ///< most particles have the same
+
+    /// Only gravity, and one damping for all.
+    void predict_alike(const Band& band) {
+        const auto decay = Decay<Real>::of(clamp(world_.settings.damping, Real(0), limit::measure<Real>), kick_);
+        if (decay.yield != Real(1))
+            for (Row slot = band.first; slot < band.last; ++slot) weigh(slot, decay.yield);
+        Drift<D, Real> drift{};
+        drift.mobility = swept_.mobility;
+        drift.keep = decay.keep;
+        drift.most = mover_.furthest;
+        for (int i = 0; i < D; ++i) {
+            drift.move[i] = swept_.move[std::size_t(i)];
+            drift.add[i] = swept_.gravity[i] * (kick_ * decay.yield) * mover_.h;
+        }
+        kernels<D, Real>().drift(drift, band.first, band.last);
+    }
+
+    void weigh(Row slot, Real yield) {
+        if (swept_.inverse_mass[slot] > Real(0))
+            swept_.mobility[slot] = maximum(swept_.inverse_mass[slot] * yield, std::numeric_limits<Real>::min());
+    }
+
+    void predict(Row slot) {
+        if (swept_.mobility[slot] == Real(0)) {
+            swept_.set_move(slot, {}); // it stands, unless a pin carries it
+            return;
+        }
+        const auto push = push_on(world_, swept_.row_of[slot], swept_.place_at(slot));
+        const Real rate = clamp(world_.settings.damping + push.drag_rate, Real(0), limit::measure<Real>);
+        if (rate != decay_.rate) decay_ = Decay<Real>::of(rate, kick_);
+        const auto pushed = swept_.move_at(slot) * decay_.keep + push.acceleration * (kick_ * decay_.yield) * mover_.h;
+        swept_.set_move(slot, clamp_components(pushed, mover_.furthest));
+        weigh(slot, decay_.yield);
+    }
+
+    /// Hard pins are where they are told to be; the substep's share of the way gives the particle its velocity.
+    void move_pins(const Band& band) {
+        for (auto i = band.first_pin; i < band.last_pin; ++i) {
+            const auto& pin = world_.pins[swept_.plan.pins[i].pin];
+            const Row slot = swept_.plan.pins[i].slot;
+            if (!pin.hard() || p_.quarantined[swept_.row_of[slot]]) continue;
+            const auto goal = pin.from + (pin.target - pin.from) * share_;
+            swept_.set_move(slot, clamp_components(goal - swept_.place_at(slot), mover_.furthest));
+        }
+    }
+
+    template <class Table> void part_heaps(Table& table, std::uint32_t first, std::uint32_t last) {
+        for (auto run = first; run < last; ++run)
+            for (std::uint32_t i = 0; i < swept_.plan.runs[run].count; ++i) {
+                const Row row = row_of(swept_.plan.runs[run], i);
+                const auto ends = std::as_const(table.members)[row];
+                if (!(table.low[row] > Real(0)) || norm(mover_.point(ends[1]) - mover_.point(ends[0])) > Real(1e-18))
+                    continue;
+                part(mover_, ends, row, clamp(Real(0), table.low[row], table.high[row]));
+                correct_row(world_, table, row, mover_);
+            }
+    }
+    Row row_of(const LinkRun& run, std::uint32_t i) const {
+        return run.scattered ? swept_.plan.rows[run.a + i] : run.row + i * run.row_step;
+    }
+
+    void keep_in(const HalfSpace<D, Real>& plane, Row slot) {
+        if (swept_.mobility[slot] == Real(0)) return;
+        const Row row = swept_.row_of[slot];
+        const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, mover_.point_at(slot));
+        if (!(depth > Real(0))) return;
+        const auto move = swept_.move_at(slot);
+        const Real approach = -dot(plane.normal, move);
+        const auto along = move + plane.normal * approach;
+        const Real stopped = minimum(depth, mover_.furthest);
+        const Real slowed = minimum(Real(1), plane.friction * stopped * inverse_or_zero(norm(along)));
+        mover_.push_at(slot, plane.normal * stopped - along * slowed);
+        if (!mover_.first_iteration) return;
+        const Real resting = Real(4) * mover_.h * norm(push_on(world_, row, swept_.place_at(slot)).acceleration);
+        if (approach * mover_.per_h > resting)
+            p_.rebound[row] += plane.normal * (plane.restitution * approach * mover_.per_h);
+    }
+
+    Advance<D, Real> advance_columns() const {
+        Advance<D, Real> columns{};
+        for (std::size_t i = 0; i < D; ++i) {
+            columns.place[i] = swept_.place[i];
+            columns.move[i] = swept_.move[i];
+            columns.residual[i] = swept_.residual[i];
+        }
+        columns.most = mover_.furthest;
+        columns.furthest = limit::coordinate<Real>;
+        return columns;
+    }
+};
+
+} // namespace sinew::detail

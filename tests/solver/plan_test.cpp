@@ -1,0 +1,238 @@
+#include "sinew/math/random.h"
+#include "sinew/solver/measure.h"
+
+#include "tests/sanitized.h"
+#include "tests/worlds.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace sinew {
+namespace {
+
+using namespace test;
+
+template <class World> using RealOf = typename World::Real;
+
+/// A figure of particles in a world that falls, swept.
+template <class World> FigureIndex swept_figure(World& world, bool tethers = false) {
+    const auto figure = add_figure(world, "cloth" + std::to_string(world.figures.size()));
+    world.figures[figure].direct = Direct::off;
+    world.figures[figure].tethers = tethers;
+    return figure;
+}
+
+struct ClothSpec {
+    int columns = 12, rows = 12;
+    bool shuffled = false, level = false, tethers = false, bends = false, mixed = false;
+    double spacing = 0.05;
+};
+
+/// All threads of one direction and then those of the next; or everything in any order.
+template <class World> void add_cloth(World& world, const ClothSpec& cloth) {
+    using Real = RealOf<World>;
+    constexpr int D = World::dimension;
+    const auto figure = swept_figure(world, cloth.tethers);
+    const auto n = std::size_t(cloth.columns * cloth.rows);
+    const auto shuffle = [&](auto& list) {
+        for (std::size_t i = list.size() - 1; cloth.shuffled && i > 0; --i)
+            std::swap(list[i], list[std::size_t(random::whole(0, std::int64_t(i), 7, i, 0))]);
+    };
+    std::vector<int> order(n);
+    for (std::size_t i = 0; i < n; ++i) order[i] = int(i);
+    shuffle(order);
+    std::vector<ParticleId> id(n);
+    for (const int i : order) {
+        const double across = cloth.spacing * (i % cloth.columns), down = cloth.spacing * (i / cloth.columns);
+        Vec<D, Real> place{};
+        place[0] = Real(across);
+        place[1] = Real(cloth.level ? 0 : -down);
+        if constexpr (D == 3)
+            place[2] = Real(cloth.level ? down : 1e-4 * random::symmetric<double>(3, std::uint64_t(i), 0));
+        id[std::size_t(i)] = add_particle(world, {.position = place, .mass = Real(1 + i % 3), .figure = figure});
+    }
+    std::vector<std::pair<int, int>> threads;
+    const auto weave = [&](int across, int down) {
+        for (int r = 0; r + down < cloth.rows; ++r)
+            for (int c = std::max(0, -across); c < cloth.columns - std::max(0, across); ++c)
+                threads.emplace_back(r * cloth.columns + c, (r + down) * cloth.columns + c + across);
+    };
+    weave(1, 0), weave(0, 1), weave(1, 1), weave(-1, 1);
+    if (cloth.bends) weave(2, 0), weave(0, 2);
+    shuffle(threads);
+    for (const auto& [a, b] : threads) {
+        const int across = a % cloth.columns - b % cloth.columns, down = a / cloth.columns - b / cloth.columns;
+        const auto length = Real(cloth.spacing * std::sqrt(double(across * across + down * down)));
+        ConstraintSpec<Real> spec{.limits = exactly(length), .figure = figure};
+        if (cloth.mixed && (a + b) % 3 == 0) spec.limits = at_most(length);
+        if (cloth.mixed && (a + b) % 5 == 0) spec.compliance = Real(1e-4);
+        add<Distance>(world, {id[std::size_t(a)], id[std::size_t(b)]}, spec);
+    }
+    pin(world, id[0]);
+    pin(world, id[std::size_t(cloth.columns - 1)]);
+}
+
+/// Chains of the same shape, one beside the other.
+template <class World> void add_chains(World& world, int chains) {
+    using Real = RealOf<World>;
+    for (int c = 0; c < chains; ++c) {
+        const auto figure = swept_figure(world);
+        std::vector<ParticleId> id;
+        for (int i = 0; i < 8; ++i)
+            id.push_back(add_particle(
+                world, {.position = at<typename World::Vector>(0.1 * i + c, 0), .mass = Real(1), .figure = figure}));
+        for (std::size_t i = 0; i + 1 < id.size(); ++i)
+            add<Distance>(world, {id[i], id[i + 1]}, {.limits = exactly(Real(0.1)), .figure = figure});
+        pin(world, id[0]);
+    }
+}
+
+/// What the engine can choose between: directions, colours, copies, and a list as it stands.
+template <class World> World of_every_order(bool mixed = false) {
+    World world;
+    fall(world, 9.81);
+    world.settings.substeps = 10;
+    add_cloth(world, {.columns = 37, .mixed = mixed});
+    add_cloth(world, {.columns = 9, .rows = 20, .bends = true, .mixed = mixed});
+    add_cloth(world, {.shuffled = true, .mixed = mixed});
+    add_cloth(world, {.columns = 3, .rows = 3, .mixed = mixed});
+    add_chains(world, 21);
+    return world;
+}
+
+template <class Type> struct Planned : ::testing::Test {};
+TYPED_TEST_SUITE(Planned, Everywhere, Names);
+
+TYPED_TEST(Planned, EveryWidthOfLanesGivesTheSameBits) {
+    const Simd usual = simd_in_use();
+    for (const bool mixed : {false, true})
+        for (const int iterations : {1, 2}) {
+            auto begun = of_every_order<typename TypeParam::World>(mixed);
+            begun.settings.iterations = iterations;
+            std::set<std::uint64_t> hashes;
+            for (const Simd simd : {Simd::one, Simd::sse2, Simd::avx2, Simd::avx512}) {
+                if (!has_simd(simd)) continue;
+                use_simd(simd);
+                auto world = begun;
+                for (int i = 0; i < 5; ++i) step(world, RealOf<typename TypeParam::World>(1.0 / 60));
+                hashes.insert(state_hash(world));
+            }
+            EXPECT_EQ(hashes.size(), 1U) << mixed << ' ' << iterations;
+        }
+    use_simd(usual);
+}
+
+// Packs of up to 16 are solved at once.
+TYPED_TEST(Planned, LinksSolvedTogetherShareNoParticleAndNoneIsLeftOut) {
+    auto world = of_every_order<typename TypeParam::World>(true);
+    prepare(world);
+    const auto& plan = world.swept.plan;
+    const auto& table = std::get<0>(world.constraints);
+    std::vector<int> seen(table.size(), 0);
+    std::size_t long_ones = 0;
+    for (const auto& run : plan.runs) {
+        std::vector<std::uint32_t> ends;
+        long_ones += run.count >= 16;
+        for (std::uint32_t i = 0; i < run.count; ++i) {
+            const Row row = run.scattered ? plan.rows[run.a + i] : run.row + i * run.row_step;
+            const Row a = run.scattered ? plan.ends_a[run.a + i] : run.a + i;
+            const Row b = run.scattered ? plan.ends_b[run.a + i] : run.b + i;
+            ++seen[row];
+            const auto members = std::minmax({table.members.rows[row][0], table.members.rows[row][1]});
+            EXPECT_EQ(std::minmax({world.swept.row_of[a], world.swept.row_of[b]}), members);
+            const auto at = run.uniform ? run.parameters : run.parameters + i;
+            EXPECT_EQ(plan.high[at], table.high[row]);
+            EXPECT_EQ(plan.compliance[at], table.compliance[row]);
+            ends.push_back(a), ends.push_back(b);
+            const auto last = ends.end() - std::ptrdiff_t(std::min<std::size_t>(ends.size(), 32));
+            EXPECT_EQ(std::set(last, ends.end()).size(), std::size_t(ends.end() - last));
+        }
+    }
+    EXPECT_TRUE(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
+    EXPECT_GT(long_ones, 40U);
+}
+
+TEST(Planned, AnyNumberOfThreadsGivesTheSameBits) {
+    for (const bool shuffled : {false, true}) {
+        World<3, float> begun;
+        fall(begun, 9.81);
+        begun.settings.substeps = 8;
+        add_cloth(begun, {.columns = 96, .rows = 96, .shuffled = shuffled, .tethers = true});
+        add_cloth(begun, {});
+        std::set<std::uint64_t> hashes;
+        for (const int threads : {1, 2, 3, 4}) {
+            auto world = begun;
+            world.threads = threads;
+            for (int i = 0; i < 3; ++i) step(world, 1.0F / 60);
+            hashes.insert(state_hash(world));
+        }
+        EXPECT_EQ(hashes.size(), 1U);
+    }
+}
+
+// Cell by cell, a cloth in substeps grows without bound. None of the orders that are chosen may: the energy never
+// passes that of the start by more than what one sweep leaves of the constraints.
+TEST(Planned, NoOrderGainsEnergyInTenThousandSubsteps) {
+    using Make = std::function<void(World<3, float>&)>;
+    const std::vector<std::pair<const char*, Make>> orders = {
+        {"directions", [](auto& world) { add_cloth(world, {.columns = 9, .rows = 9, .level = true}); }},
+        {"with bends", [](auto& world) { add_cloth(world, {.columns = 9, .rows = 9, .level = true, .bends = true}); }},
+        {"tethers", [](auto& world) { add_cloth(world, {.columns = 9, .rows = 9, .level = true, .tethers = true}); }},
+        {"colours", [](auto& world) { add_cloth(world, {.columns = 9, .rows = 9, .shuffled = true, .level = true}); }},
+        {"list", [](auto& world) { add_cloth(world, {.columns = 3, .rows = 3, .level = true}); }},
+        {"copies", [](auto& world) { add_chains(world, 9); }}};
+    for (const auto& [name, add] : orders) {
+        World<3, float> world;
+        fall(world, 9.81);
+        world.settings.substeps = 10;
+        add(world);
+        const double begun = energy(world).total(), deepest = 9.81 * total_mass(world) * 0.6;
+        double most = begun;
+        for (int i = 0; i < 1000; ++i) {
+            step(world, 1.0F / 60);
+            most = std::max(most, energy(world).total());
+        }
+        EXPECT_LT(most - begun, 0.01 * deepest) << name;
+        EXPECT_LT(max_speed(world), 10) << name;
+    }
+}
+
+TEST(Tethers, FollowThePinsAndAreNotWhereThingsTearOrGive) {
+    World<3, float> world;
+    add_cloth(world, {.tethers = true});
+    prepare(world);
+    EXPECT_EQ(world.swept.plan.tethers.size(), 2U);
+    unpin(world, world.pin_slots.id_of(0));
+    prepare(world);
+    EXPECT_EQ(world.swept.plan.tethers.size(), 1U);
+    unpin(world, world.pin_slots.id_of(0));
+    prepare(world);
+    EXPECT_TRUE(world.swept.plan.tethers.empty());
+
+    World<3, float> tearing;
+    add_cloth(tearing, {.tethers = true});
+    add_cloth(tearing, {});
+    std::get<0>(tearing.constraints).breaking_strain[0] = 0.5F;
+    prepare(tearing);
+    EXPECT_TRUE(tearing.swept.plan.tethers.empty());
+}
+
+// No way from a pin along the threads is shorter than the straight one: of a cloth at rest no tether is taut.
+TEST(Tethers, ReachAsFarAsTheThreads) {
+    World<3, double> world;
+    add_cloth(world, {.tethers = true});
+    prepare(world);
+    const auto& swept = world.swept;
+    for (const auto& tether : swept.plan.tethers) {
+        const Row pinned = *world.particles.slots.find(world.pins[tether.pin].particle);
+        for (Row slot = 0; slot < swept.size(); ++slot) {
+            const double far = distance(world.particles.position[swept.row_of[slot]], world.particles.position[pinned]);
+            EXPECT_LE(far, swept.plan.reach[tether.first + slot] + 1e-6);
+            EXPECT_GE(far * 1.1 + 1e-3, swept.plan.reach[tether.first + slot]); // eight directions come within 8 %
+        }
+    }
+}
+
+} // namespace
+} // namespace sinew
