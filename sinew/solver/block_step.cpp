@@ -177,10 +177,10 @@ template <int D, class Real> class BlockStep {
     }
     /// False where what came to rest on its end had much energy; else that goes back into the rest of the motion.
     bool bounce(Solve& solve, const Energy& energy) const {
-        constexpr double much = 1 + 1e-5;
+        constexpr double part = 1e-5, tiny = 1e-7; // of its energy, and of its weight times its length
         const double kinetic = solve.kinetic();
         if (!detail::BlockBounce<D>(solve).run()) return true;
-        const bool little = kinetic <= much * solve.kinetic();
+        const bool little = kinetic - solve.kinetic() <= part * kinetic + tiny * solve.weight() * solve.reach();
         energy.bring_to(kinetic);
         return little;
     }
