@@ -1,9 +1,10 @@
+#include "sinew/prefab/prefabs.h"
+
 #include "apps/cli/arguments.h"
-#include "apps/cli/catalogue.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "apps/cli/index.h"
 #include "apps/cli/json_line.h"
-#include "apps/cli/scene_file.h"
 #include "apps/cli/scene_page.h"
 
 #include <fmt/format.h>
@@ -12,53 +13,41 @@ namespace sinew::cli {
 namespace {
 
 struct Entry {
-    std::string name, about, file;
+    std::string name, about;
 };
-
-/// What the file says it is, without reading more of it than that.
-std::string about_file(const std::string& path) {
-    try {
-        const auto document = open_document(path);
-        const auto* about = json::find(document.root, "/about");
-        const auto* text = about ? about->as<std::string>() : nullptr;
-        if (text) return *text;
-        return document.diagnostics.ok() ? "" : fmt::format("broken: see `sinew check {}`", path);
-    } catch (const GiveUp&) {
-        return "cannot be read";
-    }
-}
-
-std::vector<Entry> scenes() {
-    std::vector<Entry> entries;
-    for (const auto& name : catalogue_names()) {
-        const auto path = catalogue_path(name).string();
-        entries.push_back({name, about_file(path), path});
-    }
-    return entries;
-}
 
 std::vector<Entry> prefabs() {
     std::vector<Entry> entries;
     Prefabs::for_each([&]<class Prefab>(std::type_identity<Prefab>) {
-        entries.push_back({std::string(Prefab::name), std::string(Prefab::about), {}});
+        entries.push_back({std::string(Prefab::name), std::string(Prefab::about)});
     });
     return entries;
 }
 
-std::string table_of(const std::vector<Entry>& entries) {
+std::string scenes_in_words() {
     std::vector<std::vector<std::string>> rows;
-    for (const auto& entry : entries) rows.push_back({entry.name, entry.about});
+    std::string_view category;
+    const auto index = catalogue_index();
+    for (const auto& entry : index) {
+        if (entry.category != category) rows.push_back({bold(entry.category)});
+        category = entry.category;
+        rows.push_back({entry.name, entry.about});
+    }
     return table(rows);
 }
 
-json::Array json_of(const std::vector<Entry>& entries) {
-    json::Array items;
-    for (const auto& [name, about, file] : entries) {
-        json::Object item{{"name", name}, {"about", about}};
-        if (!file.empty()) item.push_back({"file", file});
-        items.push_back(std::move(item));
-    }
-    return items;
+std::string prefabs_in_words() {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& entry : prefabs()) rows.push_back({entry.name, entry.about});
+    return table(rows);
+}
+
+json::Object json_of_catalogue() {
+    json::Array scenes, made;
+    for (const auto& [name, about, category, file] : catalogue_index())
+        scenes.push_back(json::Object{{"name", name}, {"about", about}, {"category", category}, {"file", file}});
+    for (const auto& [name, about] : prefabs()) made.push_back(json::Object{{"name", name}, {"about", about}});
+    return {{"scenes", std::move(scenes)}, {"prefabs", std::move(made)}};
 }
 
 std::string in_table(std::string text) {
@@ -73,11 +62,16 @@ std::string markdown() {
         "Every scene runs as the engine means it (`physical`) and as the tutorial had it "
         "(`mode=classic`):\n\n"
         "```\nsinew render chains -o out/chains.gif\nsinew render chains mode=classic -o out/chains.gif\n"
-        "```\n\n| scene | made of | idea from |\n|---|---|---|\n";
+        "```\n\n| | scene | made of | idea from |\n|---|---|---|---|\n";
     std::vector<ScenePage> pages;
-    for (const auto& name : catalogue_names()) pages.push_back(page_of(name));
-    for (const auto& page : pages)
-        text += fmt::format("| [`{0}`](#{0}) | {1} | {2} |\n", page.name, page.made_of, in_table(page.source));
+    std::string_view category;
+    const auto index = catalogue_index();
+    for (const auto& entry : index) {
+        const auto& page = pages.emplace_back(page_of(entry.name));
+        text += fmt::format("| {1} | [`{0}`](#{0}) | {2} | {3} |\n", page.name,
+                            entry.category == category ? "" : entry.category, page.made_of, in_table(page.source));
+        category = entry.category;
+    }
     for (const auto& page : pages) {
         text += fmt::format("\n## {}\n\n{}\n\n", page.name, page.about);
         if (!page.parameters.empty()) text += "| value | is | unit | meaning |\n|---|---|---|---|\n";
@@ -85,7 +79,7 @@ std::string markdown() {
             text += fmt::format("| `{}` | {} | {} | {} |\n", path, in_table(value), unit, in_table(help));
     }
     text += "\n## Prefabs\n\n`sinew describe PREFAB` tells their parameters.\n\n| prefab | |\n|---|---|\n";
-    for (const auto& [name, about, file] : prefabs()) text += fmt::format("| `{}` | {} |\n", name, in_table(about));
+    for (const auto& [name, about] : prefabs()) text += fmt::format("| `{}` | {} |\n", name, in_table(about));
     return text;
 }
 
@@ -116,10 +110,9 @@ class ListCommand final : public Command {
         if (as_markdown)
             print(markdown());
         else if (as_json)
-            print(to_line(json::Object{{"scenes", json_of(scenes())}, {"prefabs", json_of(prefabs())}}));
+            print(to_line(json_of_catalogue()));
         else
-            print(fmt::format("{}\n{}\n{}\n{}", bold("scenes"), table_of(scenes()), bold("prefabs"),
-                              table_of(prefabs())));
+            print(fmt::format("{}\n{}\n{}", scenes_in_words(), bold("prefabs"), prefabs_in_words()));
         return done;
     }
 

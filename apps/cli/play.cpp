@@ -1,9 +1,9 @@
 #include "sinew/scene/text.h"
 
 #include "apps/cli/arguments.h"
-#include "apps/cli/catalogue.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "apps/cli/index.h"
 #include "apps/cli/json_line.h"
 #include "apps/cli/scene_file.h"
 #include "apps/cli/stepping.h"
@@ -47,6 +47,15 @@ play::Fetched fetch(const std::string& word, std::span<const Override> overrides
     }
 }
 
+play::Shelf shelf() {
+    play::Shelf shelf{{}, {}, fetch};
+    for (auto& entry : catalogue_index()) {
+        shelf.names.push_back(std::move(entry.name));
+        shelf.categories.push_back(std::move(entry.category));
+    }
+    return shelf;
+}
+
 std::string keys_text() {
     std::string text;
     for (const auto& action : play::key_actions()) text += fmt::format("  {:8} {}\n", action.key, action.about);
@@ -84,7 +93,7 @@ class PlayCommand final : public Command {
         if (!script) refuse_without_window();
         const auto scene = words.plain.empty() ? std::string("ragdoll") : words.plain[0];
         canvas::catch_interrupts();
-        Play game({catalogue_names(), fetch}, scene, words.overrides);
+        Play game(shelf(), scene, words.overrides);
         if (!game.ready()) throw GiveUp{bad_input, game.problem()};
         if (as_json) game.listener = [&](const play::Told& told) { print_told(game, told); };
         return script ? play_script(*script, game) : play_window(game);

@@ -16,6 +16,7 @@ struct Doer {
     void operator()(const Become& deed) const { session.become(*deed.scene); }
     void operator()(const Return& deed) const { session = *deed.to; }
     void operator()(const Restart&) const { session.restart(); }
+    void operator()(const Quicken& deed) const { session.quicken(deed.by); }
     void operator()(const Tweak& deed) const {
         std::visit(
             [&]<class WorldT>(WorldT& world) {

@@ -35,6 +35,9 @@ struct Return {
     std::shared_ptr<const Session> to;
 }; ///< to what it was then
 struct Restart {};
+struct Quicken {
+    double by = 0;
+}; ///< time passes faster or slower
 /// Sets what is said of one particle.
 struct Tweak {
     ParticleId particle;
@@ -42,7 +45,7 @@ struct Tweak {
     std::optional<double> mass;
 };
 
-using Deed = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart, Tweak>;
+using Deed = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart, Quicken, Tweak>;
 
 void carry_out(const Deed& deed, Session& session);
 

@@ -275,7 +275,11 @@ void Play::handle(const Input& input) {
         void operator()(const Pressed& pressed) const { play.pressed(pressed.button); }
         void operator()(const Released& released) const { play.released(released.button); }
         void operator()(const Scrolled& scrolled) const {
-            const double factor = std::pow(a_notch, std::clamp(scrolled.notches, -most_notches, most_notches));
+            const double notches = std::clamp(scrolled.notches, -most_notches, most_notches);
+            const auto& scene = play.session().scene();
+            if (scene.pointer.wheel_quickens > 0 && scene.solver.mode == "classic")
+                return play.tape().act(Quicken{notches * scene.pointer.wheel_quickens});
+            const double factor = std::pow(a_notch, notches);
             play.eye_.zoom(play.session(), play.pointer_, factor);
         }
         void operator()(const Pinched& pinched) const {

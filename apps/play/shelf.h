@@ -21,7 +21,8 @@ struct Fetched {
 
 /// Where scenes come from.
 struct Shelf {
-    std::vector<std::string> names; ///< of the catalogue
+    std::vector<std::string> names;      ///< of the catalogue, in the order in which they are shown
+    std::vector<std::string> categories; ///< of each; none where that is not known
     std::function<Fetched(const std::string& word, std::span<const Override> overrides)> fetch;
 };
 

@@ -21,14 +21,27 @@ void Browser::show(const Look& look, const Fonts& fonts, float scale) {
     const float height = width * 0.75F + ImGui::GetTextLineHeight() + 10 * scale;
     ImGui::BeginChild("scenes", {0, height * 2 + gap}, false);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+    const auto& shelf = play_.shelf();
     int number = 0;
-    for (const auto& name : play_.shelf().names) {
-        if (words_of(name).find(search_.data()) == std::string::npos && name.find(search_.data()) == std::string::npos)
-            continue;
+    std::string_view category;
+    bool any = false;
+    for (std::size_t i = 0; i < shelf.names.size(); ++i) {
+        const auto& name = shelf.names[i];
+        const std::string_view of = i < shelf.categories.size() ? std::string_view(shelf.categories[i]) : "";
+        const auto found = [&](const std::string& text) { return text.find(search_.data()) != std::string::npos; };
+        if (!found(words_of(name)) && !found(name) && !found(std::string(of))) continue;
+        any = true;
+        if (of != category) {
+            ImGui::PushFont(fonts.small);
+            ImGui::TextColored(look.accent, "%s", std::string(of).c_str());
+            ImGui::PopFont();
+            number = 0;
+        }
+        category = of;
         if (number++ % across != 0) ImGui::SameLine();
         card(name, width, look, fonts);
     }
-    if (number == 0) ImGui::TextColored(look.faint, "nothing is called so");
+    if (!any) ImGui::TextColored(look.faint, "nothing is called so");
     ImGui::PopStyleVar();
     ImGui::EndChild();
 }

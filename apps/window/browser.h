@@ -14,6 +14,8 @@ class Browser {
     explicit Browser(play::Play& play) : play_(play), thumbnails_(play.shelf()) {}
     void show(const Look& look, const Fonts& fonts, float scale);
 
+    void forget_textures() { thumbnails_.forget(); }
+
   private:
     void card(const std::string& name, float width, const Look& look, const Fonts& fonts);
 

@@ -23,6 +23,8 @@ class Panel {
     /// Within an ImGui frame.
     void show();
 
+    /// The context that held them is gone.
+    void forget_textures() { browser_.forget_textures(); }
     void measure_frame(double seconds) { statistics_.frame(seconds); }
     void measure_steps(double seconds, std::uint64_t steps) { statistics_.steps(seconds, steps); }
 

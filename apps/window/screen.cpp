@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <epoxy/gl.h>
 #include <string_view>
 
 namespace sinew::window {
@@ -45,11 +46,28 @@ std::optional<std::string> Screen::open(const std::string& title, int width, int
     window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
                                SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
     if (!window_) return because("no window can be opened");
-    context_ = SDL_GL_CreateContext(window_);
-    if (!context_) return because("the display has no OpenGL 3.3");
-    SDL_GL_SetSwapInterval(1);
     SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
+    return renew();
+}
+
+/// Where the driver cannot tell that a context is lost, one that does not tell is better than none.
+std::optional<std::string> Screen::renew() {
+    if (context_) SDL_GL_DeleteContext(context_);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION, SDL_GL_CONTEXT_RESET_LOSE_CONTEXT);
+    context_ = SDL_GL_CreateContext(window_);
+    if (!context_) {
+        SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION, SDL_GL_CONTEXT_RESET_NO_NOTIFICATION);
+        context_ = SDL_GL_CreateContext(window_);
+    }
+    if (!context_) return because("the display has no OpenGL 3.3");
+    can_tell_ = epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_robustness");
+    SDL_GL_SetSwapInterval(1);
     return std::nullopt;
+}
+
+bool Screen::lost() const {
+    if (!can_tell_) return false;
+    return (epoxy_gl_version() >= 45 ? glGetGraphicsResetStatus() : glGetGraphicsResetStatusARB()) != GL_NO_ERROR;
 }
 
 int Screen::width() const {

@@ -16,6 +16,10 @@ class Screen {
 
     /// What went wrong, or nothing.
     std::optional<std::string> open(const std::string& title, int width, int height);
+    /// Whether the context was lost, as when a graphics driver starts anew: nothing more will be seen of it.
+    bool lost() const;
+    /// A new context in the same window. What was in the old one is gone.
+    std::optional<std::string> renew();
 
     SDL_Window* window() const { return window_; }
     SDL_GLContext context() const { return context_; }
@@ -30,7 +34,7 @@ class Screen {
     void show() const { SDL_GL_SwapWindow(window_); }
 
   private:
-    bool started_ = false;
+    bool started_ = false, can_tell_ = false;
     SDL_Window* window_ = nullptr;
     SDL_GLContext context_ = nullptr;
 };

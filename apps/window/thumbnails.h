@@ -22,6 +22,8 @@ class Thumbnails {
 
     /// Its texture; 0 as long as there is none.
     std::uint32_t of(const std::string& name, const std::string& theme);
+    /// Draws them all again: the context that held them is gone.
+    void forget() { textures_.clear(); }
 
   private:
     struct Drawn {

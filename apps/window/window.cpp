@@ -32,12 +32,21 @@ class Window {
         play_.theme = settings_.theme;
         play_.panel = settings_.panel;
         if (auto problem = screen_.open("Sinew", settings_.width, settings_.height)) return problem;
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;
+        ImGui_ImplSDL2_InitForOpenGL(screen_.window(), screen_.context());
         if (auto problem = prepare()) return problem;
         auto last = Clock::now();
         while (!play_.quit && !canvas::interrupted()) {
             const auto now = Clock::now();
             frame(seconds_between(last, now));
             last = now;
+            if (is_lost_ || screen_.lost())
+                if (auto problem = start_anew()) {
+                    if (play_.is_edited()) keep_for_later(play_);
+                    return problem;
+                }
+            is_lost_ = false;
             rest(now);
         }
         finish();
@@ -60,11 +69,17 @@ class Window {
     std::optional<std::string> prepare() {
         painter_ = std::make_unique<GlPainter>();
         if (!painter_->problem().empty()) return painter_->problem();
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr;
-        ImGui_ImplSDL2_InitForOpenGL(screen_.window(), screen_.context());
         if (!ImGui_ImplOpenGL3_Init("#version 330 core")) return "OpenGL cannot draw the panel";
         return std::nullopt;
+    }
+
+    /// After the context was lost: all again in a new one. The scene knows nothing of it.
+    std::optional<std::string> start_anew() {
+        ImGui_ImplOpenGL3_Shutdown();
+        painter_.reset();
+        panel_.forget_textures();
+        if (auto problem = screen_.renew()) return problem;
+        return prepare();
     }
 
     void finish() {
@@ -157,7 +172,7 @@ class Window {
             break;
         case SDL_RENDER_DEVICE_RESET:
         case SDL_RENDER_TARGETS_RESET:
-            painter_ = std::make_unique<GlPainter>();
+            is_lost_ = true;
             break;
         case SDL_DROPFILE:
             play_.open(event.drop.file);
@@ -194,7 +209,7 @@ class Window {
         }
     }
 
-    bool dragging_ = false;
+    bool dragging_ = false, is_lost_ = false;
 
     static std::optional<play::Button> button_of(int number) {
         if (number == SDL_BUTTON_LEFT) return play::Button::left;

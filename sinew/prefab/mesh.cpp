@@ -83,6 +83,7 @@ template <int D, class Real> void Mesh::build(Builder<D, Real>& figure) const {
     for (std::size_t i = 0; i < shape.faces() && !unseen; ++i) {
         std::vector<ParticleId> corners;
         for (const auto corner : shape.face(i)) corners.push_back(particles[corner]);
+        if (corners.size() == 3) corners.push_back(corners.back()); // a patch has four
         const bool patch = corners.size() == 4;
         if (drawn == "threads")
             figure.draw(Mark::loop, "thread", std::move(corners), thickness);

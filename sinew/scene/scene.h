@@ -86,6 +86,7 @@ struct ViewSection {
 struct PointerSection {
     double cuts_within = 0;
     double pulls_within = 0;
+    double wheel_quickens = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.cuts_within, Field{.name = "cuts_within",
@@ -98,6 +99,11 @@ struct PointerSection {
                                        .unit = unit::length,
                                        .low = 0,
                                        .high = 1e6});
+        visit(self.wheel_quickens, Field{.name = "wheel_quickens",
+                                         .help = "What a notch of its wheel adds to solver.rules.time_scale, up to 5; "
+                                                 "0: the wheel zooms (classic mode)",
+                                         .low = 0,
+                                         .high = 5});
     }
 };
 
@@ -111,7 +117,11 @@ struct Scene {
     ~Scene();
 
     int version = 1;
-    std::string about, source;
+    std::string about, source, category = "other";
+
+    static constexpr std::array<std::string_view, 7> categories = {"basics",     "ropes",    "cloth", "bodies",
+                                                                   "characters", "machines", "other"};
+
     int dimension = 2;
     UnitsSection units;
     ViewSection view;
@@ -130,6 +140,7 @@ struct Scene {
               Field{.name = "sinew", .help = "Version of the format", .low = 1, .high = 1, .required = true});
         visit(self.about, Field{.name = "about", .help = "What it shows, in a sentence or two"});
         visit(self.source, Field{.name = "source", .help = "Where the idea is from"});
+        visit(self.category, Field{.name = "category", .help = "Which scenes it is shown with", .choices = categories});
         visit(self.dimension, Field{.name = "dimension", .help = "2 or 3", .low = 2, .high = 3});
         visit(self.units, Field{.name = "units", .help = "What the numbers of the file are in"});
         visit(self.view, Field{.name = "view", .help = "What is seen of it"});

@@ -33,6 +33,16 @@ void Session::let_go() {
     hand_.reset();
 }
 
+void Session::quicken(double by) {
+    constexpr double fastest = 5; // as the GameMaker tutorial had it
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            auto& scale = world.settings.classic.time_scale;
+            scale = typename WorldT::Real(clamp(double(scale) + by, 0.0, fastest));
+        },
+        world_);
+}
+
 void Session::become(Scene scene) {
     let_go();
     auto fresh = instantiate(scene);

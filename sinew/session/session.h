@@ -77,6 +77,9 @@ class Session {
     /// Draws it in another theme than the scene says.
     void set_theme(std::string name) { scene_.view.theme = std::move(name); }
 
+    /// Time passes faster by as much, or slower: classic mode's time scale, from 0 to 5.
+    void quicken(double by);
+
     /// Goes on as another scene: figures that are the same in both keep where they are, how they move, and what was
     /// cut.
     void become(Scene scene);

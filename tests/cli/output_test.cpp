@@ -170,6 +170,7 @@ TEST(List, NamesScenesAndPrefabs) {
     EXPECT_EQ(lists["scenes"].size(), 2u);
     EXPECT_EQ(lists["scenes"][0]["name"], "pendulum");
     EXPECT_EQ(lists["scenes"][0]["about"], "A weight on a string.");
+    EXPECT_EQ(lists["scenes"][0]["category"], "other"); // it says none
     EXPECT_EQ(lists["scenes"][0]["file"], (catalogue() / "pendulum.json").string());
     EXPECT_TRUE(std::ranges::any_of(lists["prefabs"], [](const json& prefab) { return prefab["name"] == "ragdoll"; }));
 }

@@ -4,6 +4,7 @@
 #include "canvas/png.h"
 #include "canvas/raster.h"
 #include "tests/canvas/ssim.h"
+#include "tests/scene/models.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -49,9 +50,10 @@ Image taken(const Shot& shot) {
     const auto path = fs::path(SINEW_SCENES_DIR) / (shot.scene + ".json");
     const std::vector<Override> overrides = {{"mode=" + shot.mode}};
     auto document = load(bytes_of(path), path.string(), overrides);
-    auto opened = open_scene(document, [&](const std::string& name, const Limits& limits) {
+    const auto image_at = [&](const std::string& name, const Limits& limits) {
         return canvas::read_png(path.parent_path() / name, name, limits);
-    });
+    };
+    auto opened = open_scene(document, image_at, models_beside(path));
     EXPECT_TRUE(opened) << to_text(document.diagnostics);
     Image image{width, height, std::vector<std::uint32_t>(width * height)};
     if (!opened) return image;

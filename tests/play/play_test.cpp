@@ -33,7 +33,7 @@ Fetched fetch(const std::string& word, std::span<const Override> overrides) {
     return fetched;
 }
 
-const Shelf shelf{{"chains", "ragdoll", "rope"}, fetch};
+const Shelf shelf{{"chains", "ragdoll", "rope"}, {}, fetch};
 
 Session session_of(const std::string& name) {
     return Session(std::move(*fetch(name, {}).opened));
@@ -132,6 +132,29 @@ TEST(PlayTape, GoesBackToTheSameBits) {
     tape.go_to(60);
     for (int i = 0; i < 140; ++i) tape.step();
     EXPECT_EQ(hash_of(tape.session()), hashes[200]);
+}
+
+TEST(PlayWheel, ChangesHowFastTimePassesWhereTheSceneSaysSo) {
+    Play play(shelf, "bezier_humanoid", {Override{"mode=classic"}});
+    ASSERT_TRUE(play.ready()) << play.problem();
+    const auto scale = [&] {
+        return std::visit([](const auto& world) { return double(world.settings.classic.time_scale); },
+                          play.session().world());
+    };
+    const auto height = play.view().see({{0, 0, 0}})->scale;
+    play.handle(Scrolled{-3});
+    EXPECT_NEAR(scale(), 0.7, 1e-12);
+    EXPECT_EQ(play.view().see({{0, 0, 0}})->scale, height) << "it does not zoom as well";
+    for (int i = 0; i < 20; ++i) play.handle(Scrolled{-1});
+    EXPECT_EQ(scale(), 0);
+    for (int i = 0; i < 30; ++i) play.tape().step();
+    for (int i = 0; i < 100; ++i) play.handle(Scrolled{1}), play.tape().step();
+    EXPECT_EQ(scale(), 5);
+    std::visit(
+        [](const auto& world) {
+            for (const auto& place : world.particles.position) EXPECT_TRUE(is_finite(place));
+        },
+        play.session().world());
 }
 
 TEST(PlayTape, WhatIsDoneInThePastChangesTheFuture) {
@@ -345,7 +368,7 @@ TEST(Play, TheDisplaysRateChangesNothingButThePictures) {
 }
 
 TEST(Play, ASceneInSpaceIsTurnedAndItsClothIsTaken) {
-    Play play({{}, fetch}, "cloth3d");
+    Play play({{}, {}, fetch}, "cloth3d");
     play.resize(1000, 700);
     for (int i = 0; i < (test::sanitized ? 5 : 30); ++i) play.advance(1.0 / 60);
     const auto eye = play.view().towards_eye();

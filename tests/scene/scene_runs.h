@@ -3,6 +3,8 @@
 #include "sinew/session/session.h"
 #include "sinew/solver/edit.h"
 
+#include "tests/scene/models.h"
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -35,7 +37,7 @@ inline std::optional<Session> open(const std::string& name, const std::string& m
     const auto path = std::filesystem::path(SINEW_SCENES_DIR) / (name + ".json");
     const std::array<Override, 2> choice = {Override{"mode=" + mode}, Override{"precision=" + precision}};
     auto document = load(text_of(path), path.string(), choice);
-    auto opened = open_scene(document);
+    auto opened = open_scene(document, {}, models_beside(path));
     EXPECT_TRUE(opened.has_value()) << to_text(document.diagnostics);
     if (!opened) return std::nullopt;
     return Session(std::move(*opened));

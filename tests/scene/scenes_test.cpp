@@ -3,6 +3,7 @@
 #include "sinew/solver/measure.h"
 
 #include "tests/scene/laws.h"
+#include "tests/scene/models.h"
 #include "tests/scene/schema_check.h"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ std::string text_of(const std::filesystem::path& file) {
 
 Document opened(const std::string& text, const std::string& name, std::vector<Override> overrides = {}) {
     auto document = load(text, name, overrides);
-    open_scene(document);
+    open_scene(document, {}, models_beside(name));
     return document;
 }
 
@@ -40,7 +41,7 @@ TEST(Scenes, EveryOneIsGoodInEveryMode) {
     ASSERT_FALSE(scene_files().empty());
     for (const auto& file : scene_files())
         for (const auto mode : modes) {
-            const auto document = opened(text_of(file), file.filename().string(), {{concat("mode=", mode)}});
+            const auto document = opened(text_of(file), file.string(), {{concat("mode=", mode)}});
             EXPECT_TRUE(document.diagnostics.ok()) << to_text(document.diagnostics);
         }
 }

@@ -1,12 +1,14 @@
 #include "sinew/session/session.h"
 
 #include "apps/window/gl_painter.h"
+#include "apps/window/screen.h"
 #include "canvas/png.h"
 #include "canvas/raster.h"
 #include "tests/canvas/ssim.h"
 
 #include <SDL.h>
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <epoxy/gl.h>
 #include <fstream>
@@ -110,6 +112,34 @@ TEST_F(GlPainterTest, LeavesOutWhatCannotBePainted) {
         picture.items.back().number = 77;
     }
     by_gl(picture);
+}
+
+TEST(Screen, ShowsTheSameInANewContext) {
+    setenv("SDL_VIDEODRIVER", "offscreen", 1);
+    const auto shown = [](Screen& screen, const Picture& picture) {
+        GlPainter painter;
+        EXPECT_EQ(painter.problem(), "");
+        painter.paint(picture, 0, 0);
+        std::vector<std::uint32_t> pixels(std::size_t(screen.width()) * std::size_t(screen.height()));
+        glReadPixels(0, 0, screen.width(), screen.height(), GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels.data());
+        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+        return pixels;
+    };
+    {
+        Screen screen;
+        if (const auto problem = screen.open("test", width, height)) GTEST_SKIP() << *problem;
+        auto session = session_of("ragdoll");
+        Picture picture;
+        picture.width = width, picture.height = height;
+        session.draw(picture);
+        const auto before = shown(screen, picture);
+        EXPECT_GT(std::count_if(before.begin(), before.end(), [&](auto pixel) { return pixel != before[0]; }), 1000);
+        EXPECT_FALSE(screen.lost());
+        ASSERT_FALSE(screen.renew());
+        EXPECT_FALSE(screen.lost());
+        EXPECT_EQ(shown(screen, picture), before);
+    }
+    unsetenv("SDL_VIDEODRIVER");
 }
 
 } // namespace
