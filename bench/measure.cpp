@@ -1,6 +1,7 @@
 #include "bench/measure.h"
 
 #include "sinew/solver/edit.h"
+#include "sinew/solver/kernel.h"
 #include "sinew/solver/step.h"
 
 #include "bench/memory.h"
@@ -118,7 +119,7 @@ std::unique_ptr<Simulation> simulate(const Case& chosen, const Engine& engine, c
 }
 
 std::string_view simd() {
-    return "scalar";
+    return name_of(simd_in_use());
 }
 
 } // namespace sinew::bench

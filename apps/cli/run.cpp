@@ -1,3 +1,5 @@
+#include "sinew/solver/profile.h"
+
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
@@ -65,10 +67,19 @@ json::Array events_json(const Session& session) {
     return events;
 }
 
-json::Object to_json(const std::string& name, const Session& session, double milliseconds) {
+json::Object phases_json(const PhaseTimes& times) {
+    json::Object object;
+    for (std::size_t i = 0; i < phase_names.size(); ++i)
+        object.push_back(
+            {std::string(phase_names[i]), 1000 * times.seconds[i] / double(std::max(times.steps, std::uint64_t(1)))});
+    return object;
+}
+
+json::Object to_json(const std::string& name, const Session& session, double milliseconds, const PhaseTimes& phases) {
     auto object = scene_json(name, session.scene());
     for (auto& member : report_json(session.report())) object.push_back(std::move(member));
     object.push_back({"ms_per_step", milliseconds});
+    object.push_back({"ms_by_phase", phases_json(phases)});
     object.push_back({"events_count", session.happening_count()});
     object.push_back({"events", events_json(session)});
     return object;
@@ -98,7 +109,8 @@ class RunCommand final : public Command {
                        "seconds, steps, particles, constraints, hash, energy {kinetic, potential, stored, total},\n"
                        "energy_lost (what ropes and figures gave up where they struck, cracked or snapped taut),\n"
                        "stretch_max, stretch_mean (of distances, as fractions of their rest length), max_speed,\n"
-                       "ms_per_step (median), events_count and events (the first 100): torn, cut, parted (a figure\n"
+                       "ms_per_step (median), ms_by_phase (mean), events_count and events (the first 100): torn, cut, "
+                       "parted (a figure\n"
                        "fell into so many islands), quarantined and those of the scene. Numbers are in the scene's\n"
                        "units; one that is not finite is null. The hash is the same on every machine.\n",
             .examples = "sinew run ragdoll\n"
@@ -121,9 +133,12 @@ class RunCommand final : public Command {
         canvas::catch_interrupts();
         const auto& scene = run.session.scene();
         const auto& name = words.scene;
+        PhaseTimes phases;
+        const Profile profile(phases);
         const auto times = timed(run, steps_until(scene, seconds.value_or(scene.seconds)), title_of(name));
         const auto milliseconds = times.median();
-        print(as_json ? to_line(to_json(name, run.session, milliseconds)) : summary(name, run.session, milliseconds));
+        print(as_json ? to_line(to_json(name, run.session, milliseconds, phases))
+                      : summary(name, run.session, milliseconds));
         return done;
     }
 

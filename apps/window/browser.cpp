@@ -19,7 +19,7 @@ void Browser::show(const Look& look, const Fonts& fonts, float scale) {
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##search", "search scenes", search_.data(), search_.size());
     const float height = width * 0.75F + ImGui::GetTextLineHeight() + 10 * scale;
-    ImGui::BeginChild("scenes", {0, height * 2 + gap}, false);
+    ImGui::BeginChild("scenes", {0, height * 2 + gap * 2 + ImGui::GetTextLineHeight()}, false);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
     const auto& shelf = play_.shelf();
     int number = 0;

@@ -26,7 +26,9 @@ class Panel {
     /// The context that held them is gone.
     void forget_textures() { browser_.forget_textures(); }
     void measure_frame(double seconds) { statistics_.frame(seconds); }
-    void measure_steps(double seconds, std::uint64_t steps) { statistics_.steps(seconds, steps); }
+    void measure_steps(double seconds, std::uint64_t steps, const PhaseTimes& phases) {
+        statistics_.steps(seconds, steps, phases);
+    }
 
   private:
     void side();

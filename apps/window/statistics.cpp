@@ -65,11 +65,16 @@ std::string text(const char* format, double value) {
 
 } // namespace
 
-void Statistics::steps(double seconds, std::uint64_t count) {
-    if (count == 0) return;
+void Statistics::steps(double seconds, std::uint64_t count, const PhaseTimes& phases) {
+    if (count == 0 || phases.steps == 0) return;
     const double each = seconds * 1000 / double(count);
     step_ += (each - step_) * 0.1;
-    keep(step_times_, float(each), most);
+    StepTimes times{};
+    double sum = 0;
+    for (std::size_t i = 0; i < phases.seconds.size(); ++i)
+        times[i] = float(sum += phases.seconds[i] * 1000 / double(phases.steps));
+    times.back() = std::max(float(each), times[times.size() - 2]);
+    keep(step_times_, times, most);
 }
 
 void Statistics::sample(play::Play& play) {
@@ -118,11 +123,18 @@ void Statistics::show(play::Play& play, const Look& look, const Fonts& fonts, fl
     ImGui::Dummy({0, 2 * scale});
 
     ImGui::PushFont(fonts.small);
-    ImGui::TextColored(look.faint, "time of a step");
-    const auto times = graph_frame(look, 44 * scale);
+    // One on the other: the uppermost line is all of a step.
+    const std::array<ImVec4, 5> colors = {look.faint, look.accent, look.cool, look.good, look.text};
+    ImGui::TextColored(look.faint, "time of a step: ");
+    for (std::size_t i = 0; i < phase_names.size(); ++i)
+        ImGui::SameLine(0, 0), ImGui::TextColored(colors[i], "%s ", std::string(phase_names[i]).c_str());
+    ImGui::SameLine(0, 0), ImGui::TextColored(colors.back(), "all");
+    const auto times = graph_frame(look, 52 * scale);
     float slowest = 0.05F;
-    for (const float time : step_times_) slowest = std::max(slowest, time);
-    plot(times, step_times_, 0, slowest, most, packed(look.cool), 1.5F * scale, [](float time) { return time; });
+    for (const auto& time : step_times_) slowest = std::max(slowest, time.back());
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        plot(times, step_times_, 0, slowest, most, packed(colors[i]), 1.3F * scale,
+             [i](const StepTimes& time) { return time[i]; });
 
     ImGui::TextColored(look.faint, "energy: ");
     ImGui::SameLine(0, 0), ImGui::TextColored(look.accent, "kinetic ");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/solver/profile.h"
+
 #include "apps/play/play.h"
 #include "apps/window/look.h"
 
@@ -11,8 +13,8 @@ namespace sinew::window {
 class Statistics {
   public:
     void frame(double seconds) { frame_ += (seconds * 1000 - frame_) * 0.1; }
-    /// So many steps took so long, together.
-    void steps(double seconds, std::uint64_t count);
+    /// So many steps took so long, together, and in each phase.
+    void steps(double seconds, std::uint64_t count, const PhaseTimes& phases);
     /// Measures the world every now and then.
     void sample(play::Play& play);
     void show(play::Play& play, const Look& look, const Fonts& fonts, float scale);
@@ -25,7 +27,9 @@ class Statistics {
     };
 
     double frame_ = 16, step_ = 0; ///< milliseconds, smoothed
-    std::deque<float> step_times_;
+    /// Milliseconds of a step up to the end of each phase; the last: all of it, with what drives the scene.
+    using StepTimes = std::array<float, phase_names.size() + 1>;
+    std::deque<StepTimes> step_times_;
     std::deque<Energies> energies_;
     Report report_;
     double largest_tension_ = 0;

@@ -29,6 +29,7 @@ template <int D, class Real> class BlockStep {
     using Energy = detail::BlockEnergy<D>;
 
     static constexpr int deepest = 3;                          ///< a substep is cut into pieces, and again, so often
+    static constexpr int deepest_at_ends = 5;                  ///< the same where joints come to their ends
     static constexpr int many = 40, stretched_iterations = 10; ///< iterations, where there is no other way
     detail::BlockState<D, Real> state_;
     detail::BlockContact<D, Real> contact_;
@@ -61,20 +62,22 @@ template <int D, class Real> class BlockStep {
                 note_lost(settle(solve, energy));
             }
         }
-        const auto went = swing(solve, energy, depth == deepest);
+        const auto went = swing(solve, energy, depth);
         swung_ = went == Went::well;
         if (swung_) return state_.store();
         if (state_.driven() && !solve.run(Rule::place, many, [] {})) return be_stretched(from, to);
-        if (depth == deepest || (depth > 0 && went == Went::against_something)) return give_way(from, to);
+        const bool blow = depth > 0 && went == Went::against_something;
+        if (blow || (depth >= deepest && went != Went::past_an_end)) return give_way(from, to);
         const double piece = (to - from) / pieces;
         for (int i = 0; i < pieces; ++i)
             advance(from + piece * i, i + 1 == pieces ? to : from + piece * (i + 1), depth + 1);
     }
 
-    enum class Went { well, against_something, too_far };
+    enum class Went { well, against_something, past_an_end, too_far };
 
     /// Tries to swing. What goes too far for one substep is done in shorter ones, as long as there are any.
-    Went swing(Solve& solve, Energy& energy, bool shortest) {
+    Went swing(Solve& solve, Energy& energy, int depth) {
+        const bool shortest = depth >= deepest;
         constexpr int few = 8;             // iterations: where more are needed, shorter substeps are cheaper
         constexpr double overshoot = 2e-3; // radians beyond the end of a joint
         if (loses_nothing(solve)) solve.let_bounce();
@@ -88,7 +91,7 @@ template <int D, class Real> class BlockStep {
             gain = energy.gain();
         }
         if (gain > (shortest ? slight : 1)) return Went::too_far;
-        if (!shortest && solve.bends().worst_overshoot() > overshoot) return Went::too_far;
+        if (depth < deepest_at_ends && solve.bends().worst_overshoot() > overshoot) return Went::past_an_end;
         const double per_h = 1 / state_.substep();
         for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * (2 * per_h) - node.velocity;
         if (gain > 1) energy.slow_down(energy.due());
@@ -174,10 +177,10 @@ template <int D, class Real> class BlockStep {
     }
     /// False where what came to rest on its end had much energy; else that goes back into the rest of the motion.
     bool bounce(Solve& solve, const Energy& energy) const {
-        constexpr double much = 1 + 1e-5;
+        constexpr double part = 1e-5, tiny = 1e-7; // of its energy, and of its weight times its length
         const double kinetic = solve.kinetic();
         if (!detail::BlockBounce<D>(solve).run()) return true;
-        const bool little = kinetic <= much * solve.kinetic();
+        const bool little = kinetic - solve.kinetic() <= part * kinetic + tiny * solve.weight() * solve.reach();
         energy.bring_to(kinetic);
         return little;
     }

@@ -1,5 +1,6 @@
 #include "sinew/solver/step.h"
 
+#include "sinew/solver/profile.h"
 #include "sinew/solver/substep.h"
 #include "sinew/solver/workers.h"
 
@@ -161,12 +162,14 @@ template <int D, class Real> class Sweep {
     }
 };
 
-template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) {
+template <int D, class Real> void physical_step(World<D, Real>& world, Real dt, detail::Laps& laps) {
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : usual_substeps;
     const Real h = dt / Real(substeps);
     prepare(world);
     find_passive(world);
+    laps.end(Phase::prepare);
     step_blocks(world, dt, h);
+    laps.end(Phase::blocks);
     Sweep<D, Real>(world, substeps, h).run();
     world.last_substep = h;
 }
@@ -176,12 +179,15 @@ template <int D, class Real> void physical_step(World<D, Real>& world, Real dt) 
 template <int D, class Real> void step(World<D, Real>& world, Real dt) {
     if (!(dt >= limit::shortest_step<Real>)) return;
     dt = minimum(dt, limit::step<Real>);
+    detail::Laps laps;
     begin(world);
     if (world.settings.mode == Mode::classic)
         classic_step(world, dt);
     else
-        physical_step(world, dt);
+        physical_step(world, dt, laps);
+    laps.end(Phase::sweep);
     end(world, dt);
+    laps.end(Phase::finish);
 }
 
 #define SINEW_STEP(D, Real) template void step(World<D, Real>&, Real);

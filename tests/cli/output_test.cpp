@@ -32,6 +32,10 @@ TEST(Run, EndsWithOneObject) {
     EXPECT_EQ(hash.size(), 16u);
     EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos);
     EXPECT_GT(result["ms_per_step"], 0);
+    double phases = 0;
+    for (const auto& [phase, milliseconds] : result["ms_by_phase"].items()) phases += milliseconds.get<double>();
+    EXPECT_EQ(result["ms_by_phase"].size(), 4u);
+    EXPECT_GT(phases, 0);
     EXPECT_EQ(result["events"], json::array());
     EXPECT_EQ(result["events_count"], 0);
 }
@@ -72,7 +76,9 @@ TEST(Run, TwiceIsTheSame) {
             auto first = json_of({"run", "tearing", "--json", mode, precision});
             auto second = json_of({"run", "tearing", "--json", mode, precision});
             first.erase("ms_per_step");
+            first.erase("ms_by_phase");
             second.erase("ms_per_step");
+            second.erase("ms_by_phase");
             EXPECT_EQ(first, second);
         }
 }

