@@ -67,6 +67,7 @@ template <int D, class Real> void Mesh::build(Builder<D, Real>& figure) const {
     const auto& shape = shape_of(*this);
     std::vector<ParticleId> particles;
     particles.reserve(shape.points.size());
+    figure.figure().tethers = tethers;
     figure.number_particles("vertex", shape.points.size());
     const double share = mass / double(shape.points.size());
     for (const auto& point : shape.points) {

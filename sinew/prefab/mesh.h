@@ -24,6 +24,7 @@ struct Mesh {
     double size = 1;
     bool diagonals = true;
     std::vector<double> pin_list{};
+    bool tethers = true;
     double mass = 1;
     double compliance = 0;
     double breaking_strain = 0;
@@ -45,6 +46,8 @@ struct Mesh {
                     .help = "Faces of four corners and more are also tied from each corner to the next but one"});
         visit(self.pin_list,
               Field{.name = "pin_list", .help = "Points that are held, counted from 0", .low = 0, .high = 4e9});
+        visit(self.tethers, Field{.name = "tethers",
+                                  .help = "Nothing gets further from what is held than the edges reach: it sags less"});
         visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.compliance, Field{.name = "compliance",
                                      .help = "How much an edge gives under a force; 0 does not stretch",
