@@ -100,8 +100,8 @@ Measured measure(const Case& chosen, const Work& work, const Engine& engine, int
 }
 
 int usual_steps(const Work& work) {
-    constexpr double constraints_stepped = 3e7; // a few seconds by the book
-    return int(std::clamp(constraints_stepped / double(work.constraints()), 10.0, 300.0));
+    constexpr double constraints_stepped = 1e7; // a second by the book
+    return int(std::clamp(constraints_stepped / double(work.constraints()), 5.0, 300.0));
 }
 
 Work work_of(const Case& chosen) {
