@@ -96,7 +96,7 @@ for size in "1 1" "1280 720"; do xdotool windowsize "$window" $size; sleep 0.2; 
 kill -0 $game 2>/dev/null || fail "the window is gone"
 
 # Every scene, and out.
-scenes=$("$SINEW" list --json | grep -o '"kind": *"scene"' | wc -l)
+scenes=$("$SINEW" list --json | grep -o '"file":' | wc -l)
 for i in $(seq "$scenes"); do xdotool key --clearmodifiers bracketright; until_said '"what": "scene"' "$i"; done
 key Escape
 for _ in $(seq 100); do kill -0 $game 2>/dev/null || break; sleep 0.05; done
