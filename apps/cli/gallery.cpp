@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int film_width = 320, film_height = 240;
+constexpr double most_width = 320, most_height = 240; // pixels
 constexpr double film_fps = 10, film_seconds = 5;
 
 void settle(const canvas::Failure& failure) {
@@ -35,8 +35,8 @@ class Scrap {
   public:
     Scrap(const fs::path& page, std::string_view ending) { settle(file_.create(page, ending)); }
 
-    std::unique_ptr<canvas::Writer> open() {
-        auto [writer, failure] = canvas::open(file_.path(), {film_width, film_height, film_fps, true});
+    std::unique_ptr<canvas::Writer> open(const Picture& picture) {
+        auto [writer, failure] = canvas::open(file_.path(), {picture.width, picture.height, film_fps, true});
         settle(failure);
         return std::move(writer);
     }
@@ -55,6 +55,16 @@ struct Reel {
     std::string film, still;
 };
 
+/// As wide for its height as the scene is.
+Picture paper_of(const Scene& scene) {
+    const double width = scene.view.size[0], height = scene.view.size[1];
+    const double scale = minimum(most_width / width, most_height / height);
+    Picture picture;
+    picture.width = std::max(int(width * scale + 0.5), 1);
+    picture.height = std::max(int(height * scale + 0.5), 1);
+    return picture;
+}
+
 /// `number` parts the files of reels that are shot at once.
 Reel shoot(const std::string& name, std::string_view mode, const fs::path& page, std::size_t number) {
     const std::vector<Override> overrides = {{concat("mode=", mode)}};
@@ -63,10 +73,8 @@ Reel shoot(const std::string& name, std::string_view mode, const fs::path& page,
     const auto frames = std::max<std::size_t>(std::size_t(std::min(seconds, film_seconds) * film_fps), 1);
     const auto still_frame = std::min(frames - 1, std::size_t(seconds / 5 * film_fps));
     Scrap film(page, fmt::format(".{}.webp", number)), still(page, fmt::format(".{}.png", number));
-    const auto film_writer = film.open(), still_writer = still.open();
-    Picture picture;
-    picture.width = film_width;
-    picture.height = film_height;
+    Picture picture = paper_of(run.session.scene());
+    const auto film_writer = film.open(picture), still_writer = still.open(picture);
     for (std::size_t frame = 0; frame < frames; ++frame) {
         run.advance(steps_before(run.session.scene(), double(frame) / film_fps));
         run.session.draw(picture);

@@ -59,6 +59,12 @@ template <int D, class Real> class Planner {
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
     Row slot(Row row) const { return swept_.slot_of[row]; }
 
+    template <class Visit> void each_swept(Visit&& visit) const {
+        const std::span<const char> in_block = world_.particles.in_block;
+        for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)
+            for (end = next_flag(in_block, row, 1); row < end; ++row) visit(Row(row));
+    }
+
     // --- what there is ----------------------------------------------------------------------------------------------
 
     /// Larger limits are none, or too large for products of three of them.
@@ -111,7 +117,7 @@ template <int D, class Real> class Planner {
 
     void join() {
         room_.parent.resize(particles());
-        for (Row row = 0; row < particles(); ++row) room_.parent[row] = row;
+        each_swept([&](Row row) { room_.parent[row] = row; });
         for (const Row link : room_.links) {
             const Row a = first_of(end(link, 0)), b = first_of(end(link, 1));
             room_.parent[std::max(a, b)] = std::min(a, b);
@@ -123,11 +129,11 @@ template <int D, class Real> class Planner {
     void sort_into_parts() {
         auto& parts = room_.parts;
         parts.clear();
-        room_.part_of.assign(particles(), none);
+        room_.part_of.resize(particles());
+        each_swept([&](Row row) { room_.part_of[row] = none; });
         for (const Row link : room_.links) room_.part_of[end(link, 0)] = room_.part_of[end(link, 1)] = 0;
         bool any_alone = false;
-        for (Row row = 0; row < particles(); ++row) {
-            if (world_.blocks.holds[row]) continue;
+        each_swept([&](Row row) {
             if (room_.part_of[row] == none) {
                 any_alone = true;
             } else if (const Row first = first_of(row); first == row) {
@@ -136,13 +142,12 @@ template <int D, class Real> class Planner {
             } else {
                 room_.part_of[row] = room_.part_of[first];
             }
-        }
+        });
         if (any_alone) parts.push_back({});
-        for (Row row = 0; row < particles(); ++row) {
-            if (world_.blocks.holds[row]) continue;
+        each_swept([&](Row row) {
             if (room_.part_of[row] == none) room_.part_of[row] = Row(parts.size() - 1);
             ++parts[room_.part_of[row]].members;
-        }
+        });
         for (const Row link : room_.links) ++parts[room_.part_of[end(link, 0)]].links;
         std::uint32_t member = 0, link = 0;
         for (auto& part : parts) {
@@ -153,12 +158,11 @@ template <int D, class Real> class Planner {
         room_.members.resize(member);
         room_.link_at.resize(link);
         room_.rank.resize(particles());
-        for (Row row = 0; row < particles(); ++row) {
-            if (world_.blocks.holds[row]) continue;
+        each_swept([&](Row row) {
             auto& part = parts[room_.part_of[row]];
             room_.rank[row] = part.members;
             room_.members[part.first_member + part.members++] = row;
-        }
+        });
         for (const Row row : room_.links) {
             auto& part = parts[room_.part_of[end(row, 0)]];
             room_.link_at[part.first_link + part.links++] = row;
