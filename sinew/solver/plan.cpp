@@ -1,4 +1,5 @@
 #include "sinew/solver/phases.h"
+#include "sinew/solver/waiting.h"
 #include "sinew/solver/world.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ template <int D, class Real> class Planner {
         take_plain();
         join();
         sort_into_parts();
+        Waiting::tell(0.3);
         for (std::size_t part = 0; part < room_.parts.size();) {
             const auto alike = count_alike(part);
             constexpr std::size_t many = 8, small = 1024;
@@ -36,6 +38,7 @@ template <int D, class Real> class Planner {
             }
             part += alike;
         }
+        Waiting::tell(tethered(0));
         plan_.first_run.push_back(std::uint32_t(plan_.runs.size()));
         constexpr std::size_t lanes = 16; // a pack reads on behind the last
         for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->resize(column->size() + lanes);
@@ -58,6 +61,12 @@ template <int D, class Real> class Planner {
     std::size_t particles() const { return world_.particles.size(); }
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
     Row slot(Row row) const { return swept_.slot_of[row]; }
+
+    template <class Visit> void each_swept(Visit&& visit) const {
+        const std::span<const char> in_block = world_.particles.in_block;
+        for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)
+            for (end = next_flag(in_block, row, 1); row < end; ++row) visit(Row(row));
+    }
 
     // --- what there is ----------------------------------------------------------------------------------------------
 
@@ -111,7 +120,7 @@ template <int D, class Real> class Planner {
 
     void join() {
         room_.parent.resize(particles());
-        for (Row row = 0; row < particles(); ++row) room_.parent[row] = row;
+        each_swept([&](Row row) { room_.parent[row] = row; });
         for (const Row link : room_.links) {
             const Row a = first_of(end(link, 0)), b = first_of(end(link, 1));
             room_.parent[std::max(a, b)] = std::min(a, b);
@@ -123,11 +132,11 @@ template <int D, class Real> class Planner {
     void sort_into_parts() {
         auto& parts = room_.parts;
         parts.clear();
-        room_.part_of.assign(particles(), none);
+        room_.part_of.resize(particles());
+        each_swept([&](Row row) { room_.part_of[row] = none; });
         for (const Row link : room_.links) room_.part_of[end(link, 0)] = room_.part_of[end(link, 1)] = 0;
         bool any_alone = false;
-        for (Row row = 0; row < particles(); ++row) {
-            if (world_.blocks.holds[row]) continue;
+        each_swept([&](Row row) {
             if (room_.part_of[row] == none) {
                 any_alone = true;
             } else if (const Row first = first_of(row); first == row) {
@@ -136,13 +145,12 @@ template <int D, class Real> class Planner {
             } else {
                 room_.part_of[row] = room_.part_of[first];
             }
-        }
+        });
         if (any_alone) parts.push_back({});
-        for (Row row = 0; row < particles(); ++row) {
-            if (world_.blocks.holds[row]) continue;
+        each_swept([&](Row row) {
             if (room_.part_of[row] == none) room_.part_of[row] = Row(parts.size() - 1);
             ++parts[room_.part_of[row]].members;
-        }
+        });
         for (const Row link : room_.links) ++parts[room_.part_of[end(link, 0)]].links;
         std::uint32_t member = 0, link = 0;
         for (auto& part : parts) {
@@ -153,12 +161,11 @@ template <int D, class Real> class Planner {
         room_.members.resize(member);
         room_.link_at.resize(link);
         room_.rank.resize(particles());
-        for (Row row = 0; row < particles(); ++row) {
-            if (world_.blocks.holds[row]) continue;
+        each_swept([&](Row row) {
             auto& part = parts[room_.part_of[row]];
             room_.rank[row] = part.members;
             room_.members[part.first_member + part.members++] = row;
-        }
+        });
         for (const Row row : room_.links) {
             auto& part = parts[room_.part_of[end(row, 0)]];
             room_.link_at[part.first_link + part.links++] = row;
@@ -364,6 +371,9 @@ template <int D, class Real> class Planner {
         return figure < world_.figures.size() && world_.figures[figure].tethers;
     }
 
+    /// Of all there is to get ready, when such a share of the sheets has its tethers.
+    static double tethered(double share) { return 0.45 + 0.55 * share; }
+
     /// To a few of its pins: of many those that lie furthest apart. What may tear has none, nor what gives.
     void add_tethers(Sheet& sheet) {
         const Row begin = plan_.bands[sheet.first_band].first;
@@ -390,6 +400,8 @@ template <int D, class Real> class Planner {
             plan_.reach.resize(first + size);
             reach_from(part, *world_.particles.slots.find(world_.pins[pin].particle), begin, first);
             ++sheet.tethers;
+            const auto share = double(i + 1) / double(std::min(most, pins.size()));
+            Waiting::tell(tethered((double(&sheet - plan_.sheets.data()) + share) / double(plan_.sheets.size())));
         }
     }
 
