@@ -10,7 +10,7 @@ namespace {
 
 /// Filled and read without locks, because a signal handler reads it.
 template <class T> struct Slots {
-    std::array<std::atomic<T>, 16> slots{};
+    std::array<std::atomic<T>, 32> slots{};
     static_assert(std::atomic<T>::is_always_lock_free);
 
     void replace(T from, T to) {

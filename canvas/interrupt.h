@@ -19,7 +19,7 @@ int interrupted();
 int interrupt_exit_code();
 
 /// What a second signal takes down with the process: files are unlinked, child processes killed. The text of the path
-/// must stay where it is until spared. At most 16 of each are remembered.
+/// must stay where it is until spared. At most 32 of each are remembered.
 void doom(const char* path);
 void spare(const char* path);
 void doom(pid_t child);

@@ -107,7 +107,7 @@ class WebpWriter final : public MovieWriter {
     Arguments encoding() const override {
         // libwebp_anim stores what changed from frame to frame, but keeps all of it in memory until the end.
         const Arguments how = format.compact
-                                  ? Arguments{"-c:v", "libwebp_anim", "-quality", "80"}
+                                  ? Arguments{"-c:v", "libwebp_anim", "-quality", "80", "-compression_level", "2"}
                                   : Arguments{"-c:v", "libwebp", "-quality", "85", "-compression_level", "1"};
         return joined(how, {"-loop", "0", "-f", "webp", url(partial.path())});
     }

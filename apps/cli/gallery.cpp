@@ -6,6 +6,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/gallery_page.h"
 #include "apps/cli/scene_file.h"
+#include "apps/cli/side_by_side.h"
 #include "apps/cli/stepping.h"
 #include "canvas/formats.h"
 #include "canvas/interrupt.h"
@@ -21,47 +22,69 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int film_width = 320, film_height = 240;
-constexpr double film_fps = 12, film_seconds = 6;
+constexpr double most_width = 320, most_height = 240; // pixels
+constexpr double film_fps = 10, film_seconds = 5;
 
 void settle(const canvas::Failure& failure) {
     give_up_if_interrupted();
     if (failure) refuse("sinew", *failure);
 }
 
-std::string bytes_of(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// Writes pictures of a session as WebP beside the gallery and takes the bytes.
-class Camera {
+/// What is written into a file of its own beside the page, as bytes.
+class Scrap {
   public:
-    explicit Camera(fs::path target) : target_(std::move(target)) {
-        picture_.width = film_width;
-        picture_.height = film_height;
+    Scrap(const fs::path& page, std::string_view ending) { settle(file_.create(page, ending)); }
+
+    std::unique_ptr<canvas::Writer> open(const Picture& picture) {
+        auto [writer, failure] = canvas::open(file_.path(), {picture.width, picture.height, film_fps, true});
+        settle(failure);
+        return std::move(writer);
     }
 
-    /// `count` frames from now on.
-    std::string film(Run& run, std::size_t count) {
-        canvas::PartialFile file;
-        settle(file.create(target_, ".webp"));
-        auto [writer, failure] = canvas::open(file.path(), {film_width, film_height, film_fps, true});
-        settle(failure);
-        const auto begin = run.steps();
-        for (std::size_t frame = 0; frame < count; ++frame) {
-            run.advance(begin + steps_before(run.session.scene(), double(frame) / film_fps));
-            run.session.draw(picture_);
-            settle(writer->frame(picture_));
-        }
-        settle(writer->finish());
-        return bytes_of(file.path());
+    std::string bytes() const {
+        std::ifstream in(file_.path(), std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
     }
 
   private:
-    fs::path target_;
-    Picture picture_;
+    canvas::PartialFile file_;
 };
+
+/// A scene in one mode: a film of its beginning, and a picture after a fifth of its time.
+struct Reel {
+    std::string film, still;
+};
+
+/// As wide for its height as the scene is.
+Picture paper_of(const Scene& scene) {
+    const double width = scene.view.size[0], height = scene.view.size[1];
+    const double scale = minimum(most_width / width, most_height / height);
+    Picture picture;
+    picture.width = std::max(int(width * scale + 0.5), 1);
+    picture.height = std::max(int(height * scale + 0.5), 1);
+    return picture;
+}
+
+/// `number` parts the files of reels that are shot at once.
+Reel shoot(const std::string& name, std::string_view mode, const fs::path& page, std::size_t number) {
+    const std::vector<Override> overrides = {{concat("mode=", mode)}};
+    Run run(open_file(name, overrides));
+    const double seconds = run.session.scene().seconds;
+    const auto frames = std::max<std::size_t>(std::size_t(std::min(seconds, film_seconds) * film_fps), 1);
+    const auto still_frame = std::min(frames - 1, std::size_t(seconds / 5 * film_fps));
+    Scrap film(page, fmt::format(".{}.webp", number)), still(page, fmt::format(".{}.png", number));
+    Picture picture = paper_of(run.session.scene());
+    const auto film_writer = film.open(picture), still_writer = still.open(picture);
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        run.advance(steps_before(run.session.scene(), double(frame) / film_fps));
+        run.session.draw(picture);
+        settle(film_writer->frame(picture));
+        if (frame == still_frame) settle(still_writer->frame(picture));
+    }
+    settle(film_writer->finish());
+    settle(still_writer->finish());
+    return {film.bytes(), still.bytes()};
+}
 
 class GalleryCommand final : public Command {
     Manual manual() const override {
@@ -70,7 +93,7 @@ class GalleryCommand final : public Command {
             .usage = "[SCENE...] [-o FILE]",
             .about = "makes one page with every scene: film, description, parameters, source",
             .details =
-                "The page is one HTML file that needs no network. Each scene moves for up to six seconds, in both\n"
+                "The page is one HTML file that needs no network. Each scene moves for up to five seconds, in both\n"
                 "modes. Films need ffmpeg.\n",
             .examples = "sinew gallery -o out/gallery.html\n"
                         "sinew gallery ragdoll rope -o two.html\n",
@@ -92,13 +115,12 @@ class GalleryCommand final : public Command {
         if (const auto failure = file.create(path_)) refuse(path_, *failure);
 
         std::vector<Exhibit> exhibits;
-        canvas::Progress progress(path_, names.size() * modes.size());
-        for (const auto& name : names) {
-            exhibits.push_back({page_of(name), {}, {}});
-            for (std::size_t mode = 0; mode < modes.size(); ++mode) {
-                record(name, modes[mode], exhibits.back());
-                progress.update((exhibits.size() - 1) * modes.size() + mode + 1);
-            }
+        for (const auto& name : names) exhibits.push_back({page_of(name), {}, {}});
+        const auto reels = shoot_all(names);
+        for (std::size_t i = 0; i < reels.size(); ++i) {
+            auto& exhibit = exhibits[i / modes.size()];
+            exhibit.films.push_back(reels[i].film);
+            exhibit.stills.push_back(reels[i].still);
         }
         const auto html = gallery_html(exhibits);
         std::ofstream out(file.path(), std::ios::binary);
@@ -109,15 +131,15 @@ class GalleryCommand final : public Command {
         return done;
     }
 
-    void record(const std::string& name, std::string_view mode, Exhibit& exhibit) const {
-        const std::vector<Override> overrides = {{concat("mode=", mode)}};
-        Camera camera(path_);
-        Run run(open_file(name, overrides));
-        const double seconds = std::min(run.session.scene().seconds, film_seconds);
-        exhibit.films.push_back(camera.film(run, std::max<std::size_t>(std::size_t(seconds * film_fps), 1)));
-        Run again(open_file(name, overrides));
-        again.advance(steps_before(again.session.scene(), again.session.scene().seconds / 5));
-        exhibit.stills.push_back(camera.film(again, 1));
+    /// Every mode of every scene, as many at once as there are processors.
+    std::vector<Reel> shoot_all(const std::vector<std::string>& names) const {
+        std::vector<Reel> reels(names.size() * modes.size());
+        canvas::Progress progress(path_, reels.size());
+        side_by_side(
+            reels.size(),
+            [&](std::size_t i) { reels[i] = shoot(names[i / modes.size()], modes[i % modes.size()], path_, i); },
+            [&](std::size_t done) { progress.update(done); });
+        return reels;
     }
 
     Words words_;

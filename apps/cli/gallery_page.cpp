@@ -129,8 +129,8 @@ std::string lowered(std::string text) {
 
 std::string film(const Exhibit& exhibit, std::size_t mode) {
     return fmt::format("<picture class=\"{0}\">"
-                       "<source media=\"(prefers-reduced-motion: reduce)\" srcset=\"data:image/webp;base64,{1}\">"
-                       "<img alt=\"{2}, {0}\" width=\"320\" height=\"240\" decoding=\"async\" "
+                       "<source media=\"(prefers-reduced-motion: reduce)\" srcset=\"data:image/png;base64,{1}\">"
+                       "<img alt=\"{2}, {0}\" decoding=\"async\" "
                        "src=\"data:image/webp;base64,{3}\"></picture>",
                        modes[mode], base64(exhibit.stills[mode]), escaped(exhibit.page.name),
                        base64(exhibit.films[mode]));

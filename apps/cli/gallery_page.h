@@ -7,11 +7,11 @@
 
 namespace sinew::cli {
 
-/// A scene and what it looks like in each mode: bytes of WebP files, in the order of `modes`.
+/// A scene and what it looks like in each mode, in the order of `modes`.
 struct Exhibit {
     ScenePage page;
-    std::vector<std::string> films;
-    std::vector<std::string> stills; ///< for readers who do not want things to move
+    std::vector<std::string> films;  ///< bytes of WebP files
+    std::vector<std::string> stills; ///< of PNG files: for readers who do not want things to move
 };
 
 /// One HTML page that needs nothing but itself: pictures are in it, scripts and styles too, and nothing is loaded.

@@ -24,9 +24,12 @@ std::vector<std::byte> draw(const play::Shelf& shelf, const std::string& name, c
     while (session.seconds() < until && std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(300))
         session.step();
     Picture picture;
-    picture.width = Thumbnails::width, picture.height = Thumbnails::height;
+    const auto& size = session.scene().view.size;
+    const double scale = std::min(Thumbnails::width / double(size[0]), Thumbnails::height / double(size[1]));
+    picture.width = std::max(1, int(size[0] * scale + 0.5));
+    picture.height = std::max(1, int(size[1] * scale + 0.5));
     session.draw(picture);
-    canvas::Raster raster(picture.width, picture.height);
+    canvas::Raster raster(Thumbnails::width, Thumbnails::height);
     if (raster.paint(picture)) return {};
     const auto bytes = raster.bytes();
     return {bytes.begin(), bytes.end()};

@@ -18,12 +18,20 @@ template <int D, class Real> struct Placement {
     double turn = 0; ///< radians, counter-clockwise as seen on screen; about z in 3D
     int up = 1;
 
-    Vec<D, Real> place(const Vec<D, double>& local) const {
+    Vec<D, Real> place(const Vec<D, double>& local) const { return at + cast<Real>(turned(local)); }
+
+    /// What rounding takes from it: links shorter than a float's grain is fine would begin slack or stretched.
+    Vec<D, Real> residual(const Vec<D, double>& local) const {
+        return cast<Real>(cast<double>(at) + turned(local) - cast<double>(place(local)));
+    }
+
+  private:
+    Vec<D, double> turned(const Vec<D, double>& local) const {
         const double c = cosine(turn), s = sine(turn);
-        auto turned = local;
-        turned[0] = c * local[0] - s * local[1];
-        turned[1] = (s * local[0] + c * local[1]) * up;
-        return at + cast<Real>(turned);
+        auto place = local;
+        place[0] = c * local[0] - s * local[1];
+        place[1] = (s * local[0] + c * local[1]) * up;
+        return place;
     }
 };
 
@@ -79,6 +87,7 @@ template <int D, class RealT> class Builder {
         const auto id = add_particle(
             world_,
             {.position = placement_.place(local), .mass = Real(mass), .radius = Real(radius), .figure = figure_});
+        if (mode_ == Mode::physical) world_.particles.residual.back() = placement_.residual(local);
         locals_.push_back(local);
         figure().particles.push_back(id);
         if (!name.empty()) figure().particle_names.emplace_back(name, id);

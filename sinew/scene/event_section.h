@@ -29,11 +29,13 @@ struct GrabEvent {
         visit(self.to, Field{.name = "to", .help = "Where it is carried; left out: held", .unit = unit::length});
         visit(self.over,
               Field{.name = "over", .help = "How long that takes", .unit = unit::time, .low = 0, .high = 1e9});
-        visit(self.within, Field{.name = "within",
-                                 .help = "What of its figure is as near is carried along",
-                                 .unit = unit::length,
-                                 .low = 0,
-                                 .high = 1e6});
+        visit(self.within,
+              Field{.name = "within",
+                    .help = "What of its figure is as near is carried along; in classic mode, what is as near to "
+                            "its way",
+                    .unit = unit::length,
+                    .low = 0,
+                    .high = 1e6});
         visit(self.compliance, Field{.name = "compliance",
                                      .help = "How much the hold gives under a force; 0 holds fast",
                                      .unit = unit::compliance,

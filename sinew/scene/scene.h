@@ -86,6 +86,7 @@ struct ViewSection {
 struct PointerSection {
     double cuts_within = 0;
     double pulls_within = 0;
+    double pulls_times = 1;
     double wheel_quickens = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -94,11 +95,17 @@ struct PointerSection {
                                       .unit = unit::length,
                                       .low = 0,
                                       .high = 1e6});
-        visit(self.pulls_within, Field{.name = "pulls_within",
-                                       .help = "How near to what it grabs the rest of its figure is pulled along",
-                                       .unit = unit::length,
-                                       .low = 0,
-                                       .high = 1e6});
+        visit(self.pulls_within,
+              Field{.name = "pulls_within",
+                    .help = "How near to what it grabs the rest of its figure is pulled along; in "
+                            "classic mode it holds nothing, but drags along what is as near to its way",
+                    .unit = unit::length,
+                    .low = 0,
+                    .high = 1e6});
+        visit(self.pulls_times, Field{.name = "pulls_times",
+                                      .help = "How many times as fast as itself that goes (classic mode)",
+                                      .low = 0,
+                                      .high = 100});
         visit(self.wheel_quickens, Field{.name = "wheel_quickens",
                                          .help = "What a notch of its wheel adds to solver.rules.time_scale, up to 5; "
                                                  "0: the wheel zooms (classic mode)",

@@ -12,6 +12,15 @@ template <class WorldT> Gravity<WorldT::dimension, typename WorldT::Real>* gravi
                                 : std::get_if<Gravity<WorldT::dimension, typename WorldT::Real>>(&world.forces.front());
 }
 
+/// What the `number`th particle of a kick's target gets, when it happened so often before.
+template <int D, class Real>
+Vec<D, Real> kick_of(const KickEvent& kick, const Scene& scene, std::size_t number, std::uint64_t before) {
+    const auto by = kick.by.template as<D, Real>();
+    const auto seed = std::uint64_t(kick.seed) ^ random::mix(std::uint64_t(scene.solver.seed));
+    return Vec<D, Real>::map(
+        [&](int axis) { return by[axis] * random::symmetric<Real>(seed, 3 * number + std::uint64_t(axis), before); });
+}
+
 /// What an event does to a world. Returns where it happened, as the scene calls it.
 template <class WorldT> struct Doer {
     using Real = typename WorldT::Real;
@@ -21,16 +30,9 @@ template <class WorldT> struct Doer {
     std::uint64_t before = 0; ///< how often the same event happened already
 
     std::string operator()(const KickEvent& kick) const {
-        const auto by = kick.by.template as<D, Real>();
-        const auto seed = std::uint64_t(kick.seed) ^ random::mix(std::uint64_t(scene.solver.seed));
-        std::uint64_t stream = 0;
-        for (const auto id : find_particles(world, kick.target)) {
-            const auto change = Vec<D, Real>::map([&](int axis) {
-                return by[axis] * random::symmetric<Real>(seed, stream + std::uint64_t(axis), before);
-            });
-            set_velocity(world, id, *velocity_of(world, id) + change);
-            stream += 3;
-        }
+        std::size_t number = 0;
+        for (const auto id : find_particles(world, kick.target))
+            set_velocity(world, id, *velocity_of(world, id) + kick_of<D, Real>(kick, scene, number++, before));
         return kick.target;
     }
 

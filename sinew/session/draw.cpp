@@ -214,7 +214,7 @@ template <class WorldT> class Drawer {
         float side = 0;
         for (std::size_t i = 0; i < 4; ++i)
             side = maximum(side, distance(traced_.points[i], traced_.points[(i + 1) % 4]));
-        const int parts = 1 + int(minimum(side / (finest * unit_), float(most - 1)));
+        const int parts = 1 + int(minimum(side / (finest * maximum(unit_, 1.0F)), float(most - 1)));
         const double step = 1.0 / parts;
         for (int i = 0; i < parts; ++i)
             for (int k = 0; k < parts; ++k) draw_part(*patch, i * step, k * step, step, style);

@@ -19,6 +19,14 @@ double heading(Vec2<float> from, Vec2<float> to) {
     return arctangent(double(to[1] - from[1]), double(to[0] - from[0]));
 }
 
+/// Positive where the way round the shape turns from x to y.
+float area(std::span<const Vec2<float>> shape) {
+    float twice = 0;
+    for (std::size_t i = 0; i < shape.size(); ++i)
+        twice += dot(perpendicular(shape[i]), shape[i + 1 < shape.size() ? i + 1 : 0]);
+    return twice / 2;
+}
+
 } // namespace
 
 void smooth(std::span<const Vec2<float>> points, Pixels& curve) {
@@ -58,11 +66,22 @@ void ring(Vec2<float> from, Vec2<float> to, float width, float wire, Pixels& loo
 }
 
 void widen(Pixels& shape, float by) {
-    Vec2<float> middle{};
-    for (const auto& point : shape) middle += point;
-    middle *= 1 / float(shape.empty() ? 1 : shape.size());
-    for (auto& point : shape)
-        point += Vec2<float>::map([&](int i) { return clamp(point[i] - middle[i], -1.0F, 1.0F) * by; });
+    if (shape.empty()) return;
+    constexpr float longest = 3; // times `by`, the way of a sharp corner
+    const auto is_at = [](Vec2<float> a, Vec2<float> b) { return distance(a, b) < 1e-3F; };
+    const auto first = shape.front();
+    auto before = shape.back();
+    for (std::size_t i = shape.size(); i-- > 0 && is_at(before, first);) before = shape[i];
+    const float outward = area(shape) < 0 ? -by : by;
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+        auto next = i + 1;
+        while (next < shape.size() && is_at(shape[next], shape[i])) ++next;
+        const auto point = shape[i], after = next < shape.size() ? shape[next] : first;
+        const auto from = perpendicular(direction(point - before)), to = perpendicular(direction(after - point));
+        const float straight = maximum(1 + dot(from, to), 2 / square(longest));
+        shape[i] -= (from + to) * (outward / straight);
+        if (!is_at(after, point) && next == i + 1) before = point;
+    }
 }
 
 } // namespace sinew

@@ -19,7 +19,7 @@ void taper(Vec2<float> from, float from_width, Vec2<float> to, float to_width, P
 /// The middle line of a ring around two points, into `loop`: as wide as `width`, of a wire so thick.
 void ring(Vec2<float> from, Vec2<float> to, float width, float wire, Pixels& loop);
 
-/// Moves each point away from the middle, so that neighbours overlap instead of leaving a seam.
+/// Moves each side outwards, so that neighbours overlap instead of leaving a seam.
 void widen(Pixels& shape, float by);
 
 } // namespace sinew

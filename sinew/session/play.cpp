@@ -18,6 +18,11 @@ bool Session::grab(std::span<const ParticleId> members, const Point& place) {
         world_);
     held_.clear();
     taken_over_ = true;
+    if (strokes(world_, scene_.pointer.pulls_within)) {
+        stroke_ = Stroke{place, scene_.pointer.pulls_within, scene_.pointer.pulls_times};
+        stroke_to_ = place;
+        return true;
+    }
     const auto units = scene_.measures();
     hand_ = Hand::take(world_, members, place, Hand::strength * units.per_metre / square(units.per_second),
                        scene_.pointer.pulls_within);
@@ -26,11 +31,13 @@ bool Session::grab(std::span<const ParticleId> members, const Point& place) {
 
 void Session::drag(const Point& place) {
     if (hand_) hand_->target = place;
+    stroke_to_ = place;
 }
 
 void Session::let_go() {
     if (hand_) hand_->let_go(world_);
     hand_.reset();
+    stroke_.reset();
 }
 
 void Session::quicken(double by) {
@@ -76,6 +83,7 @@ void Session::keep_going(const AnyWorld& old) {
         [&]<class WorldT>(WorldT& world) {
             const auto* before = std::get_if<WorldT>(&old);
             std::erase_if(held_, [&](Held& held) {
+                if (held.stroke) return false;
                 const auto id = find_particle(world, held.particle);
                 const auto row = before ? before->pin_slots.find(held.pin) : std::nullopt;
                 if (!id || !row) return true;

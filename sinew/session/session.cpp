@@ -40,6 +40,7 @@ void Session::restart() {
     plan_events();
     find_driven();
     hand_.reset();
+    stroke_.reset();
     taken_over_ = false;
     held_.clear();
     blowing_.clear();
@@ -65,6 +66,7 @@ void Session::step() {
     winder_.run(scene_, world_);
     carry_held();
     if (hand_) hand_->carry(world_);
+    if (stroke_) stroke_->go(world_, stroke_to_);
     std::visit([&]<class WorldT>(WorldT& world) { sinew::step(world, typename WorldT::Real(dt)); }, world_);
     note_events();
 }
@@ -114,10 +116,20 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
                     if (!id) return;
                     Point from;
                     for (int i = 0; i < D; ++i) from[i] = double((*position_of(world, *id))[i]);
+                    if (strokes(world_, happening.within)) {
+                        held_.push_back({where,
+                                         {},
+                                         from,
+                                         happening.to.value_or(from),
+                                         now,
+                                         happening.over,
+                                         Stroke{from, happening.within, scene_.pointer.pulls_times}});
+                        return note(std::string(Event::name), where);
+                    }
                     const auto held = pin(world, *id,
                                           PinSpec<D, Real>{.compliance = Real(happening.compliance),
                                                            .max_force = Real(happening.max_force)});
-                    held_.push_back({where, *held, from, happening.to.value_or(from), now, happening.over});
+                    held_.push_back({where, *held, from, happening.to.value_or(from), now, happening.over, {}});
                     if (happening.within > 0) hold_around(world, *id, happening, held_.back());
                 } else if constexpr (std::is_same_v<Event, ReleaseEvent>) {
                     where = happening.particle;
@@ -131,6 +143,7 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
                     if (cut(happening.line, happening.within) > 0) return; // has told of it
                 } else {
                     where = Doer<WorldT>{world, scene_, before}(happening);
+                    if constexpr (std::is_same_v<Event, KickEvent>) kick_driven(world, happening, before);
                     if (std::is_same_v<Event, JoinEvent> && where.empty()) return;
                 }
                 note(std::string(Event::name), where);
@@ -232,6 +245,18 @@ void Session::drive() {
         world_);
 }
 
+/// A pin carries its particle whatever it does, so that a kick is felt by what goes after the pointer.
+template <class WorldT> void Session::kick_driven(const WorldT& world, const KickEvent& kick, std::uint64_t before) {
+    using Real = typename WorldT::Real;
+    std::size_t number = 0;
+    for (const auto id : find_particles(world, kick.target)) {
+        const auto change = kick_of<WorldT::dimension, Real>(kick, scene_, number++, before) * world.settings.frame;
+        for (auto& driven : driven_)
+            if (const auto row = world.pin_slots.find(driven.pin); row && world.pins[*row].particle == id)
+                for (int i = 0; i < WorldT::dimension; ++i) driven.seeker.speed[i] += double(change[i]);
+    }
+}
+
 std::optional<Point> Session::pointer() const {
     if (pointer_) return pointer_;
     const double now = std::visit([](const auto& world) { return world.time; }, world_);
@@ -248,11 +273,14 @@ void Session::carry_held() {
         [&]<class WorldT>(WorldT& world) {
             using Real = typename WorldT::Real;
             const double then = world.time + step_length(scene_);
-            for (const auto& held : held_) {
+            for (auto& held : held_) {
                 const double share = held.over > 0 ? clamp((then - held.since) / held.over, 0.0, 1.0) : 1.0;
-                move_pin(world, held.pin, VectorOf<WorldT>::map([&](int i) {
-                             return Real(held.from[i] + (held.to[i] - held.from[i]) * share);
-                         }));
+                Point place;
+                for (int i = 0; i < 3; ++i) place[i] = held.from[i] + (held.to[i] - held.from[i]) * share;
+                if (held.stroke)
+                    held.stroke->go(world_, place);
+                else
+                    move_pin(world, held.pin, place.template as<WorldT::dimension, Real>());
             }
         },
         world_);

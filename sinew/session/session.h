@@ -5,6 +5,7 @@
 #include "sinew/session/hand.h"
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
+#include "sinew/session/stroke.h"
 #include "sinew/session/winder.h"
 
 #include <array>
@@ -73,6 +74,8 @@ class Session {
     void let_go();
     /// What is held, or nothing.
     const Hand* hand() const { return hand_ ? &*hand_ : nullptr; }
+    /// Whether the pointer does something to what it is dragged along: it holds it, or strokes it (classic mode).
+    bool holds() const { return hand_ || stroke_; }
 
     /// Draws it in another theme than the scene says.
     void set_theme(std::string name) { scene_.view.theme = std::move(name); }
@@ -111,6 +114,7 @@ class Session {
         PinId pin;
         Point from, to;
         double since = 0, over = 0;
+        std::optional<Stroke> stroke{}; ///< instead of a pin
     };
     struct Blowing {
         std::size_t force = 0;
@@ -127,6 +131,7 @@ class Session {
 
     void find_driven();
     void drive();
+    template <class WorldT> void kick_driven(const WorldT& world, const KickEvent& kick, std::uint64_t before);
     /// An event that is still to come.
     struct Due {
         double at = 0;
@@ -157,6 +162,8 @@ class Session {
     Winder winder_;
     std::optional<Point> pointer_;
     std::optional<Hand> hand_;
+    std::optional<Stroke> stroke_; ///< of the pointer, instead of a hand
+    Point stroke_to_{};
     bool taken_over_ = false; ///< by a pointer: the scene's own hand keeps away until a restart
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "sinew/math/matrix.h"
+#include "sinew/solver/bonds.h"
 #include "sinew/solver/elimination.h"
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 /// What is solved at once instead of in a sweep: ropes, chains, trees, and figures with few loops. A block is a
@@ -16,6 +18,7 @@ namespace sinew {
 /// A particle of a block. Its equation is   diagonal move + sum of entries = residual.
 template <int D> struct BlockNode {
     Row row = 0;
+    std::uint32_t slot = 0; ///< which stays the same when rows move (block_rows.h)
     double mass = 0;
     Vec<D, double> start{};    ///< where the substep began
     Vec<D, double> place{};    ///< where it is going to be
@@ -30,6 +33,7 @@ template <int D> struct BlockNode {
 /// A measure held in [low, high], and its multiplier on the way to the solution.
 struct BlockLimit {
     Row constraint = 0;
+    std::uint32_t slot = 0; ///< which stays the same when rows move
     double low = 0, high = 0, compliance = 0;
     double before = 0;  ///< the tension when the substep began
     double tension = 0; ///< the multiplier; of a distance, of (length^2 - limit^2) / 2
@@ -118,41 +122,16 @@ struct Block {
     std::uint32_t first_link = 0, links = 0;
     std::uint32_t first_bend = 0, bends = 0;
     std::uint32_t first_way = 0, ways = 0;
-    bool motored = false; ///< its limits may do work
-    bool springy = false; ///< some of it gives
-    double lost = 0;      ///< energy, in the last step
+    std::uint32_t particle = 0;  ///< the slot of one that is in it
+    std::uint32_t row_moves = 0; ///< how often rows had moved when it looked its own up
+    bool motored = false;        ///< its limits may do work
+    bool springy = false;        ///< some of it gives
+    double lost = 0;             ///< energy, in the last step
 };
 
 /// Rows [first, last) of a table.
 struct Rows {
     Row first = 0, last = 0;
-};
-
-/// All rows of some ranges, one after the other.
-class RowRange {
-  public:
-    explicit RowRange(std::span<const Rows> ranges) : ranges_(ranges) {}
-
-    class Iterator {
-      public:
-        explicit Iterator(const Rows* range, const Rows* end)
-            : range_(range), end_(end), row_(range == end ? 0 : range->first) {}
-        Row operator*() const { return row_; }
-        Iterator& operator++() {
-            if (++row_ == range_->last && ++range_ != end_) row_ = range_->first;
-            return *this;
-        }
-        bool operator!=(const Iterator& other) const { return range_ != other.range_; }
-
-      private:
-        const Rows *range_, *end_;
-        Row row_;
-    };
-    Iterator begin() const { return Iterator(ranges_.data(), ranges_.data() + ranges_.size()); }
-    Iterator end() const { return Iterator(ranges_.data() + ranges_.size(), ranges_.data() + ranges_.size()); }
-
-  private:
-    std::span<const Rows> ranges_;
 };
 
 struct SweepRun {
@@ -162,18 +141,31 @@ struct SweepRun {
 
 /// Room for finding the blocks.
 struct BlockRoom {
-    /// An island, as far as it matters to whether it becomes a block.
-    struct About {
-        std::uint32_t particles = 0, links = 0, inner_links = 0;
+    /// What hangs together, as far as it matters to whether it becomes a block.
+    struct Part {
+        std::uint32_t first = 0, particles = 0; ///< of `members`
+        std::uint32_t links = 0, inner_links = 0;
         bool suits = true;
         bool wanted = false; ///< however many loops it has
     };
-    std::vector<About> about; ///< by the island's first particle
-    std::vector<Row> part_of; ///< per particle: the block it is in, by one of its particles
-    std::vector<Row> node_of, first_link, link_at, first_bend, bend_at, first_way, way_at, members, first_member,
-        cursor;
-    std::vector<Row> parent, peeled;
-    std::vector<std::vector<char>> taken; ///< per kind and constraint: it is in a block
+    struct Constraint {
+        int kind = 0;
+        Row row = 0;
+    };
+    std::vector<Part> parts;
+    std::vector<Row> members;            ///< of the parts, one after the other
+    std::vector<Constraint> constraints; ///< all that join or hold them
+    std::vector<std::uint32_t> met;      ///< per particle: the last look in which it was met
+    std::vector<Row> part_of;            ///< per particle: the block it is in, by one of its particles
+    std::vector<Row> node_of;            ///< per particle
+    std::vector<Row> bonds, parent, peeled, tree;
+    std::vector<std::pair<Row, Row>> trees; ///< particles that hang, behind what they hang on
+
+    void reserve(std::size_t particles) {
+        parts.reserve(particles);
+        for (auto* column : {&members, &peeled, &tree}) column->reserve(particles);
+        trees.reserve(particles);
+    }
 };
 
 /// All of it follows from the rest of the world: a copy begins without, and looks again.
@@ -193,58 +185,92 @@ template <int D> struct Blocks {
     std::vector<std::uint32_t> first_pair; ///< of each node: for its entries e < g, where their product goes
     std::vector<std::uint32_t> pairs;
 
-    // What is left to the sweep.
-    std::vector<char> holds;    ///< per particle: it is in a block
-    std::vector<Rows> loose;    ///< particles
-    std::vector<SweepRun> runs; ///< constraints, in the order of the sweep
+    std::vector<SweepRun> runs; ///< constraints that are left to the sweep, in its order
 
     // Room for a step.
     std::vector<std::uint32_t> pin_of, next_pin; ///< per particle its first pin, per pin the next of the same particle
 
-    Islands islands;
+    // What has changed since the blocks were found.
+    struct Touched {
+        std::uint32_t particle = 0; ///< its slot
+        bool around = false;        ///< and all that it is joined to
+    };
+    bool stale = true;   ///< everything has to be looked at
+    bool changed = true; ///< something has
+    std::vector<Touched> touched;
+    std::uint32_t row_moves = 0; ///< how often rows have moved
+    Bonds bonds;
+
     Elimination elimination;
     BlockRoom room;
-    bool stale = true; ///< the topology, or who can move, has changed: the next step looks again
+    std::uint32_t looks = 0;
 
     Blocks() = default;
     Blocks(const Blocks&) {}
     Blocks& operator=(const Blocks&) {
-        stale = true;
+        stale = changed = true;
         return *this;
     }
     Blocks(Blocks&&) = default;
     Blocks& operator=(Blocks&&) = default;
     ~Blocks() = default;
 
-    bool contains(Row particle) const { return !stale && holds[particle]; }
+    void touch(std::uint32_t particle, bool around = false) {
+        changed = true;
+        stale = stale || touched.size() == touched.capacity();
+        if (!stale) touched.push_back({particle, around});
+    }
 
     void clear() {
-        for (auto* column : {&first_entry, &first_pair, &pairs}) column->clear();
+        columns([](auto& column) { column.clear(); });
         list.clear();
         hanging.clear();
-        nodes.clear();
-        links.clear();
-        bends.clear();
-        ways.clear();
-        way_nodes.clear();
-        way_entries.clear();
-        entries.clear();
-        loose.clear();
-        runs.clear();
+        touched.clear();
+    }
+    /// Calls visit(column) for what grows with every block.
+    template <class Visit> void columns(Visit&& visit) {
+        visit(nodes);
+        visit(links);
+        visit(bends);
+        visit(ways);
+        visit(way_nodes);
+        visit(way_entries);
+        visit(first_entry);
+        visit(entries);
+        visit(first_pair);
+        visit(pairs);
     }
 
     /// Room for whatever becomes of so many particles and constraints as they tear.
     void reserve(std::size_t particles, std::size_t distances, std::size_t angles) {
-        list.reserve(particles / 2 + 1);
-        nodes.reserve(particles + distances + 2 * angles);
-        links.reserve(distances);
-        bends.reserve(angles);
-        for (auto* column : {&first_entry, &first_pair}) column->reserve(nodes.capacity() + 1);
-        entries.reserve(8 * distances + 16 * angles + 1024);
-        pairs.reserve(2 * entries.capacity());
-        loose.reserve(particles);
+        for (auto* blocks : {&list, &hanging}) blocks->reserve(particles / 2 + 1);
+        const auto most_nodes = 2 * (particles + distances + 2 * angles);
+        const auto most_entries = 8 * distances + 16 * angles + 1024;
+        nodes.reserve(most_nodes);
+        links.reserve(2 * distances);
+        bends.reserve(2 * angles);
+        for (auto* column : {&first_entry, &first_pair}) column->reserve(most_nodes + 1);
+        entries.reserve(most_entries);
+        pairs.reserve(2 * most_entries);
         runs.reserve(2 * (distances + angles) + particles);
         elimination.reserve(particles, 2 * distances + 6 * angles);
+        room.reserve(particles);
+    }
+
+    /// What changes is found again behind all that was there, as long as there is room for so much more.
+    bool has_room(std::size_t more) {
+        bool enough = true;
+        columns([&](const auto& column) { enough = enough && column.size() + more <= column.capacity(); });
+        return enough;
+    }
+    void leave_room() {
+        constexpr std::size_t little = 1024;
+        columns([&](auto& column) {
+            if (column.capacity() < column.size() + column.size() / 2 + little / 2)
+                column.reserve(2 * column.size() + little);
+        });
+        touched.reserve(little + nodes.size() / 8);
+        room.constraints.reserve(2 * room.constraints.size());
     }
 };
 

@@ -13,27 +13,33 @@ template <int D, class Real> class BlockBuilder {
 
   public:
     BlockBuilder(World<D, Real>& world, const Graph& graph)
-        : graph_(graph), distances_(graph.distances()), angles_(graph.angles()), pulleys_(graph.pulleys()),
-          blocks_(world.blocks), elimination_(world.blocks.elimination), room_(world.blocks.room) {}
+        : graph_(graph), particles_(world.particles), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
+          angles_(std::get<kind_number<Angle, D>>(world.constraints)),
+          pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), blocks_(world.blocks),
+          elimination_(world.blocks.elimination), room_(world.blocks.room) {}
 
     /// Makes a block of those particles, which `part` names, and lists it. False where it would not stay sparse.
     /// Of what hangs on the rest of the world, only what is rigid.
     bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool hangs) {
         part_ = part, hangs_ = hangs;
+        neighbours_ = 0;
         elimination_.begin_graph();
         for (const Row row : members) {
             elimination_.begin_row(row);
-            for (const Row link : graph_.links_of(row))
-                if (takes(distances_, link)) add_neighbours(row, distances_.members[link]);
-            for (const Row bend : graph_.bends_of(row))
-                if (takes(angles_, bend)) add_neighbours(row, angles_.members[bend]);
-            for (const Row way : graph_.ways_of(row))
-                if (takes(pulleys_, way)) add_neighbours(row, pulleys_.members[way]);
+            add_neighbours(distances_, row);
+            add_neighbours(angles_, row);
+            add_neighbours(pulleys_, row);
             elimination_.end_row(row);
         }
         if (!elimination_.run(members)) return false;
-
-        Block block{.first_node = std::uint32_t(blocks_.nodes.size()), .unknowns = std::uint32_t(members.size())};
+        if (!blocks_.stale && !blocks_.has_room(4 * members.size() + 2 * neighbours_ + elimination_.pairs())) {
+            blocks_.stale = true;
+            return false;
+        }
+        Block block{.first_node = std::uint32_t(blocks_.nodes.size()),
+                    .unknowns = std::uint32_t(members.size()),
+                    .particle = particles_.slots.slot_of(members.front()),
+                    .row_moves = blocks_.row_moves};
         for (const Row row : elimination_.order()) add_node(row);
         add_entries(block);
         block.first_link = std::uint32_t(blocks_.links.size());
@@ -58,14 +64,16 @@ template <int D, class Real> class BlockBuilder {
 
   private:
     const Graph& graph_;
-    const Constraints<Distance<D>, Real>& distances_;
-    const Constraints<Angle<D>, Real>& angles_;
-    const Constraints<Pulley<D>, Real>& pulleys_;
+    const Particles<D, Real>& particles_;
+    Constraints<Distance<D>, Real>& distances_;
+    Constraints<Angle<D>, Real>& angles_;
+    Constraints<Pulley<D>, Real>& pulleys_;
     Blocks<D>& blocks_;
     Elimination& elimination_;
     BlockRoom& room_;
     Row part_ = no_row;
     bool hangs_ = false;
+    std::size_t neighbours_ = 0; ///< of all members, counted as often as they are named
 
     bool mobile(Row particle) const { return graph_.mobile(particle); }
     template <class Table> static bool is_driven(const Table& table, Row row) { return Graph::is_driven(table, row); }
@@ -83,18 +91,17 @@ template <int D, class Real> class BlockBuilder {
         return false;
     }
 
-    void add_neighbours(Row row, std::span<const Row> members) {
-        for (const Row other : members)
-            if (other != row && mobile(other)) elimination_.add_neighbour(other);
+    template <class Table> void add_neighbours(const Table& table, Row row) {
+        graph_.each(table, row, [&](Row constraint) {
+            if (!takes(table, constraint)) return;
+            for (const Row other : table.members[constraint])
+                if (++neighbours_; other != row && mobile(other)) elimination_.add_neighbour(other);
+        });
     }
 
     void add_node(Row row) {
         room_.node_of[row] = Row(blocks_.nodes.size());
-        blocks_.nodes.push_back({.row = row});
-    }
-
-    template <class Table> void mark(const Table&, Row row) {
-        room_.taken[std::size_t(Kinds<D>::template index_of<typename Table::Kind>)][row] = 1;
+        blocks_.nodes.push_back({.row = row, .slot = particles_.slots.slot_of(row)});
     }
 
     std::uint32_t entry_of(std::uint32_t column, std::uint32_t node) const {
@@ -124,11 +131,11 @@ template <int D, class Real> class BlockBuilder {
 
     /// Those of a particle that no earlier one of the block has added.
     void add_links(Row row) {
-        for (const Row link : graph_.links_of(row)) {
+        graph_.each(distances_, row, [&](Row link) {
             const Row other = graph_.other_end(link, row);
             const bool inner = mobile(other);
-            if (!takes(distances_, link) || is_driven(distances_, link)) continue;
-            if (inner && elimination_.position(other) < elimination_.position(row)) continue;
+            if (!takes(distances_, link) || is_driven(distances_, link)) return;
+            if (inner && elimination_.position(other) < elimination_.position(row)) return;
             const auto a = room_.node_of[row], b = node_for(other);
             BlockLink<D> added;
             static_cast<BlockLimit&>(added) = limit_of(distances_, link);
@@ -139,19 +146,20 @@ template <int D, class Real> class BlockBuilder {
             added.length = added.high < far ? added.high : maximum(added.low, 1e-6);
             added.per_length2 = 1 / square(added.length);
             blocks_.links.push_back(added);
-            mark(distances_, link);
-        }
+            distances_.in_block[link] = 1;
+        });
     }
 
     /// A particle that cannot move is a node each time it is needed.
     std::uint32_t node_for(Row particle) {
         if (mobile(particle)) return room_.node_of[particle];
-        blocks_.nodes.push_back({.row = particle});
+        blocks_.nodes.push_back({.row = particle, .slot = particles_.slots.slot_of(particle)});
         return std::uint32_t(blocks_.nodes.size() - 1);
     }
 
     template <class Table> static BlockLimit limit_of(const Table& table, Row row) {
         return {.constraint = row,
+                .slot = table.slots.slot_of(row),
                 .low = double(table.low[row]),
                 .high = double(table.high[row]),
                 .compliance = double(table.compliance[row])};
@@ -164,15 +172,17 @@ template <int D, class Real> class BlockBuilder {
     }
 
     void add_ways(Row row) {
-        for (const Row link : graph_.links_of(row))
+        graph_.each(distances_, row, [&](Row link) {
             if (takes(distances_, link) && is_driven(distances_, link) && is_first(row, distances_.members[link]))
                 add_way(distances_, link, false);
-        for (const Row way : graph_.ways_of(row))
+        });
+        graph_.each(pulleys_, row, [&](Row way) {
             if (takes(pulleys_, way) && is_first(row, pulleys_.members[way])) add_way(pulleys_, way, true);
+        });
     }
 
-    template <class Table> void add_way(const Table& table, Row row, bool is_pulley) {
-        const auto members = table.members[row];
+    template <class Table> void add_way(Table& table, Row row, bool is_pulley) {
+        const auto members = std::as_const(table).members[row];
         BlockWay added;
         static_cast<BlockLimit&>(added) = limit_of(table, row);
         added.low = maximum(added.low, 0.0);
@@ -190,7 +200,7 @@ template <int D, class Real> class BlockBuilder {
                                                                                        : Blocks<D>::none);
             }
         blocks_.ways.push_back(added);
-        mark(table, row);
+        table.in_block[row] = 1;
     }
 
     bool is_motored(const Block& block) const {
@@ -212,9 +222,9 @@ template <int D, class Real> class BlockBuilder {
 
     /// Those of which a particle is the first to be eliminated.
     void add_bends(Row row) {
-        for (const Row bend : graph_.bends_of(row)) {
-            const auto members = angles_.members[bend];
-            if (!takes(angles_, bend) || !is_first(row, members)) continue;
+        graph_.each(angles_, row, [&](Row bend) {
+            const auto members = std::as_const(angles_).members[bend];
+            if (!takes(angles_, bend) || !is_first(row, members)) return;
             BlockBend<D> added;
             static_cast<BlockLimit&>(added) = limit_of(angles_, bend);
             added.driven = is_driven(angles_, bend);
@@ -225,8 +235,8 @@ template <int D, class Real> class BlockBuilder {
                 added.entries[i] = mobile(members[i]) && mobile(members[j]) ? entry_of(early, late) : Blocks<D>::none;
             }
             blocks_.bends.push_back(added);
-            mark(angles_, bend);
-        }
+            angles_.in_block[bend] = 1;
+        });
     }
 };
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
-/// Finding the blocks: which parts of the world hang together, and whether their equations stay sparse.
+/// Finding the blocks: which parts of the world hang together, and whether their equations stay sparse. What a change
+/// did not touch stays as it was found; the rest is found as if it were all there is, so that the blocks do not depend
+/// on how the world came to be what it is.
 namespace sinew {
 namespace {
 
@@ -12,31 +14,19 @@ template <int D, class Real> class Finder {
   public:
     explicit Finder(World<D, Real>& world)
         : world_(world), particles_(world.particles), graph_(world), builder_(world, graph_), blocks_(world.blocks),
-          islands_(world.blocks.islands), room_(world.blocks.room) {}
+          room_(world.blocks.room) {}
 
     void run() {
-        blocks_.clear();
-        blocks_.holds.assign(particles_.size(), 0);
-        blocks_.pin_of.resize(particles_.size());
-        blocks_.next_pin.resize(world_.pins.size());
-        room_.node_of.assign(particles_.size(), no_row);
-        room_.part_of.assign(particles_.size(), no_row);
-        room_.taken.resize(std::size_t(Kinds<D>::size));
-        for_each_table(world_, [&](const auto& table) { taken(table).assign(table.size(), 0); });
-        blocks_.elimination.reset(particles_.size());
-        join_islands();
-        take_stock();
-        graph_.list();
-        for (Row row = 0; row < particles_.size(); ++row)
-            if (mobile(row) && islands_.of(row) == row && worthwhile(room_.about[row])) build(row);
-        hang_trees();
-        blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
-        list_loose();
-        blocks_.stale = false;
+        make_room();
+        if (!blocks_.stale) find_again();
+        if (blocks_.stale) find_all();
+        list_runs();
+        blocks_.touched.clear();
+        blocks_.stale = blocks_.changed = false;
     }
 
   private:
-    using About = BlockRoom::About;
+    using Part = BlockRoom::Part;
     using Graph = detail::BlockGraph<D, Real>;
 
     World<D, Real>& world_;
@@ -44,130 +34,204 @@ template <int D, class Real> class Finder {
     detail::BlockGraph<D, Real> graph_;
     detail::BlockBuilder<D, Real> builder_;
     Blocks<D>& blocks_;
-    Islands& islands_;
     BlockRoom& room_;
 
+    static constexpr char met = 2; ///< in place of in_block: a constraint this look has come to
+
     bool mobile(Row particle) const { return graph_.mobile(particle); }
-    template <class Table> std::vector<char>& taken(const Table&) {
-        return room_.taken[std::size_t(Kinds<D>::template index_of<typename Table::Kind>)];
+
+    void make_room() {
+        const auto count = particles_.size();
+        for (auto* column : {&room_.part_of, &room_.node_of, &room_.bonds, &room_.parent}) column->resize(count);
+        room_.met.resize(count, 0);
+        blocks_.pin_of.resize(count);
+        blocks_.next_pin.resize(world_.pins.size());
+        blocks_.elimination.make_room(count);
+    }
+    void begin_look() {
+        ++blocks_.looks;
+        room_.parts.clear();
+        room_.members.clear();
+        room_.constraints.clear();
     }
 
-    /// What shares no constraint moves by itself. What cannot move joins nothing.
-    void join_islands() {
-        islands_.reset(particles_.size());
-        for_each_table(world_, [&](const auto& table) {
-            for (Row row = 0; row < table.size(); ++row) {
-                Row first = no_row;
-                for (const Row member : table.members[row]) {
-                    if (!mobile(member)) continue;
-                    if (first == no_row) first = member;
-                    islands_.join(first, member);
-                }
-            }
+    void find_all() {
+        begin_look();
+        blocks_.clear();
+        std::fill(particles_.in_block.begin(), particles_.in_block.end(), char(0));
+        blocks_.bonds.reset(particles_.slots.slots());
+        int kind = 0;
+        for_each_table(world_, [&](auto& table) {
+            std::fill(table.in_block.begin(), table.in_block.end(), char(0));
+            for (Row row = 0; row < table.size(); ++row)
+                for (const Row member : std::as_const(table).members[row])
+                    blocks_.bonds.add(particles_.slots.slot_of(member), kind, table.slots.slot_of(row));
+            ++kind;
         });
+        for (Row row = 0; row < particles_.size(); ++row) spread(row);
+        build_parts();
+        blocks_.leave_room();
+    }
+
+    /// What hangs together with what has changed. Where there is no room for more, everything is stale.
+    void find_again() {
+        begin_look();
+        const auto& slots = particles_.slots;
+        for (const auto& touched : blocks_.touched) {
+            if (!slots.in_use(touched.particle)) continue;
+            const Row row = slots.row_at(touched.particle);
+            if (!mobile(row)) particles_.in_block[row] = 0;
+            if (mobile(row))
+                spread(row);
+            else if (touched.around)
+                blocks_.bonds.each(touched.particle, [&](int kind, std::uint32_t slot) { spread_over(kind, slot); });
+        }
+        const auto gone = [&](const Block& block) {
+            if (!slots.in_use(block.particle)) return true;
+            const Row row = slots.row_at(block.particle);
+            return !mobile(row) || room_.met[row] == blocks_.looks;
+        };
+        std::erase_if(blocks_.list, gone);
+        std::erase_if(blocks_.hanging, gone);
+        blocks_.first_entry.pop_back();
+        build_parts();
+    }
+
+    // --- what hangs together ----------------------------------------------------------------------------------------
+
+    /// What shares no constraint moves by itself. What cannot move joins nothing.
+    void spread(Row from) {
+        if (!mobile(from) || !meet(from)) return;
+        auto first = room_.members.size() - 1;
+        room_.parts.push_back({.first = std::uint32_t(first)});
+        for (auto next = first; next < room_.members.size(); ++next) {
+            const Row row = room_.members[next];
+            take_stock(row);
+            blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+                visit_table(world_, kind, [&](auto& table) { reach(table, kind, table.slots.row_at(slot)); });
+            });
+        }
+        const auto part = room_.members.begin() + std::ptrdiff_t(first);
+        room_.parts.back().particles = std::uint32_t(room_.members.end() - part);
+        std::sort(part, room_.members.end());
+    }
+    bool meet(Row particle) {
+        if (room_.met[particle] == blocks_.looks) return false;
+        room_.met[particle] = blocks_.looks;
+        room_.members.push_back(particle);
+        return true;
+    }
+    template <class Table> void reach(Table& table, int kind, Row row) {
+        if (table.in_block[row] == met) return;
+        table.in_block[row] = met;
+        room_.constraints.push_back({kind, row});
+        std::uint32_t moving = 0;
+        for (const Row member : std::as_const(table).members[row])
+            if (mobile(member)) meet(member), ++moving;
+        take_stock(table, row, moving);
+    }
+
+    /// Over all that a constraint joins, from one of its particles that cannot move.
+    void spread_over(int kind, std::uint32_t slot) {
+        visit_table(world_, kind, [&](auto& table) {
+            const Row row = table.slots.row_at(slot);
+            room_.constraints.push_back({kind, row});
+            for (const Row member : std::as_const(table).members[row]) spread(member);
+        });
+    }
+
+    void take_stock(Row particle) {
+        auto& part = room_.parts.back();
+        const auto direct = graph_.direct_of(particle);
+        part.suits = part.suits && direct != Direct::off;
+        part.wanted = part.wanted || direct == Direct::on;
+    }
+    template <class Table> void take_stock(const Table& table, Row row, std::uint32_t moving) {
+        using Kind = typename Table::Kind;
+        auto& part = room_.parts.back();
+        if constexpr (std::is_same_v<Kind, Distance<D>>) {
+            ++part.links;
+            part.inner_links += moving == 2;
+            part.suits = part.suits && Graph::natural(table, row) && graph_.has_length(row);
+        } else if constexpr (std::is_same_v<Kind, Pulley<D>>) {
+            part.links += 2;
+            part.inner_links += moving - 1;
+            part.suits = part.suits && Graph::natural(table, row);
+        } else if constexpr (std::is_same_v<Kind, Angle<D>>) {
+            part.suits = part.suits && Graph::natural(table, row) && !Graph::opens(table, row);
+        } else {
+            part.suits = false;
+        }
+    }
+
+    // --- blocks -----------------------------------------------------------------------------------------------------
+
+    std::span<const Row> members_of(const Part& part) const {
+        return std::span(std::as_const(room_.members)).subspan(part.first, part.particles);
     }
 
     /// A single link is as well solved in the sweep, whose one step is then exact. With many loops the factors fill in.
-    static bool worthwhile(const About& about) {
-        const auto loops = about.inner_links + 1 > about.particles ? about.inner_links + 1 - about.particles : 0;
-        if (about.wanted) return about.suits && about.links >= 1;
-        return about.suits && about.links >= 2 && loops <= about.particles / 2 + 32;
+    static bool worthwhile(const Part& part) {
+        const auto loops = part.inner_links + 1 > part.particles ? part.inner_links + 1 - part.particles : 0;
+        if (part.wanted) return part.suits && part.links >= 1;
+        return part.suits && part.links >= 2 && loops <= part.particles / 2 + 32;
     }
 
-    void take_stock() {
-        room_.about.assign(particles_.size(), {});
-        for (Row row = 0; row < particles_.size(); ++row)
-            if (mobile(row)) {
-                auto& about = room_.about[islands_.of(row)];
-                ++about.particles;
-                const auto direct = graph_.direct_of(row);
-                about.suits = about.suits && direct != Direct::off;
-                about.wanted = about.wanted || direct == Direct::on;
-            }
-        for_each_table(world_, [&](const auto& table) {
-            using Kind = typename std::decay_t<decltype(table)>::Kind;
-            for (Row row = 0; row < table.size(); ++row) {
-                Row island = no_row;
-                std::uint32_t moving = 0;
-                for (const Row member : table.members[row])
-                    if (mobile(member)) island = islands_.of(member), ++moving;
-                if (island == no_row) continue;
-                auto& about = room_.about[island];
-                if constexpr (std::is_same_v<Kind, Distance<D>>) {
-                    ++about.links;
-                    about.inner_links += moving == 2;
-                    about.suits = about.suits && Graph::natural(table, row) && graph_.has_length(row);
-                } else if constexpr (std::is_same_v<Kind, Pulley<D>>) {
-                    about.links += 2;
-                    about.inner_links += moving - 1;
-                    about.suits = about.suits && Graph::natural(table, row);
-                } else if constexpr (std::is_same_v<Kind, Angle<D>>) {
-                    about.suits = about.suits && Graph::natural(table, row) && !Graph::opens(table, row);
-                } else {
-                    about.suits = false;
-                }
-            }
-        });
-        for (Row row = 0; row < particles_.size(); ++row)
-            if (mobile(row)) room_.part_of[row] = islands_.of(row);
-        sort_into_parts();
+    void build_parts() {
+        for (const auto& [kind, row] : room_.constraints)
+            visit_table(world_, kind, [&, row = row](auto& table) { table.in_block[row] = 0; });
+        for (const auto& part : room_.parts) {
+            const auto members = members_of(part);
+            const bool built = worthwhile(part) && build(members, members.front(), blocks_.list, false);
+            for (const Row row : members) particles_.in_block[row] = built;
+            if (!built) hang_trees(members);
+        }
+        blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
     }
-
-    /// Particles by the part they are in.
-    void sort_into_parts() {
-        room_.first_member.assign(particles_.size() + 1, 0);
-        for (Row row = 0; row < particles_.size(); ++row)
-            if (room_.part_of[row] != no_row) ++room_.first_member[room_.part_of[row] + 1];
-        for (std::size_t i = 1; i < room_.first_member.size(); ++i) room_.first_member[i] += room_.first_member[i - 1];
-        room_.members.resize(room_.first_member.back());
-        auto& next = room_.cursor;
-        next = room_.first_member;
-        for (Row row = 0; row < particles_.size(); ++row)
-            if (room_.part_of[row] != no_row) room_.members[next[room_.part_of[row]]++] = row;
-    }
-    std::span<const Row> members_of(Row part) const {
-        const auto first = room_.first_member[part];
-        return std::span(std::as_const(room_.members)).subspan(first, room_.first_member[part + 1] - first);
-    }
-
-    void build(Row island) {
-        if (!builder_.build(members_of(island), island, blocks_.list, false)) return;
-        for (const Row row : members_of(island)) blocks_.holds[row] = 1;
+    bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool hangs) {
+        for (const Row row : members) room_.part_of[row] = part;
+        return builder_.build(members, part, list, hangs);
     }
 
     // --- trees that hang on what has too many loops: ropes on a cloth -----------------------------------------------
 
     /// Leaves are taken away until none is left. What went, and what it went from, is a tree.
-    void hang_trees() {
-        peel();
-        room_.part_of.assign(particles_.size(), no_row);
+    void hang_trees(std::span<const Row> members) {
+        peel(members);
+        if (room_.peeled.empty()) return;
+        for (const Row row : members) room_.part_of[row] = no_row;
         for (std::size_t i = room_.peeled.size(); i-- > 0;) {
             const Row row = room_.peeled[i], parent = room_.parent[row];
             const Row root = room_.parent[parent] == no_row ? parent : room_.part_of[parent];
             room_.part_of[row] = room_.part_of[root] = root;
         }
-        sort_into_parts();
-        for (Row row = 0; row < particles_.size(); ++row)
-            if (room_.part_of[row] == row && members_of(row).size() > 2)
-                builder_.build(members_of(row), row, blocks_.hanging, true);
+        auto& trees = room_.trees;
+        trees.clear();
+        for (const Row row : members)
+            if (room_.part_of[row] != no_row) trees.push_back({room_.part_of[row], row});
+        std::sort(trees.begin(), trees.end());
+        for (std::size_t first = 0, end = 0; first < trees.size(); first = end) {
+            room_.tree.clear();
+            const Row root = trees[first].first;
+            for (; end < trees.size() && trees[end].first == root; ++end) room_.tree.push_back(trees[end].second);
+            if (room_.tree.size() > 2) build(room_.tree, root, blocks_.hanging, true);
+        }
     }
 
-    void peel() {
-        auto& bonds = room_.cursor; // to others that move and have not gone
+    void peel(std::span<const Row> members) {
+        auto& bonds = room_.bonds; // to others that move and have not gone
         auto& peeled = room_.peeled;
-        bonds.assign(particles_.size(), 0);
-        room_.parent.assign(particles_.size(), no_row);
         peeled.clear();
         constexpr Row never = 1 << 20; // more than any will lose
-        const auto& distances = graph_.distances();
-        for (Row link = 0; link < distances.size(); ++link) {
-            const Row a = graph_.end(link, 0), b = graph_.end(link, 1);
-            if (taken(distances)[link] || !mobile(a) || !mobile(b)) continue;
-            const bool binds = !graph_.is_stick(link) || is_off(a) || is_off(b);
-            bonds[a] += binds ? never : 1, bonds[b] += binds ? never : 1;
-        }
-        for (Row row = 0; row < particles_.size(); ++row)
+        for (const Row row : members) {
+            room_.parent[row] = no_row;
+            bonds[row] = 0;
+            graph_.each(graph_.distances(), row, [&](Row link) {
+                const Row other = graph_.other_end(link, row);
+                if (mobile(other)) bonds[row] += graph_.is_stick(link) && !is_off(row) && !is_off(other) ? 1 : never;
+            });
             if (bonds[row] == 1) peeled.push_back(row);
+        }
         std::size_t kept = 0;
         for (std::size_t i = 0; i < peeled.size(); ++i) { // grows on the way
             const Row row = peeled[i];
@@ -184,51 +248,54 @@ template <int D, class Real> class Finder {
     bool is_off(Row particle) const { return graph_.direct_of(particle) == Direct::off; }
 
     Row neighbour_left(Row row) const {
-        for (const Row link : graph_.links_of(row))
-            if (const Row other = graph_.other_end(link, row); mobile(other) && room_.parent[other] == no_row)
-                return other;
-        return no_row;
+        Row left = no_row;
+        graph_.each(graph_.distances(), row, [&](Row link) {
+            const Row other = graph_.other_end(link, row);
+            if (left == no_row && mobile(other) && room_.parent[other] == no_row) left = other;
+        });
+        return left;
     }
 
-    /// What is left: particles and constraints in no block.
-    void list_loose() {
-        blocks_.loose.clear();
-        for (Row row = 0; row < particles_.size(); ++row) {
-            if (blocks_.holds[row]) continue;
-            if (blocks_.loose.empty() || blocks_.loose.back().last != row) blocks_.loose.push_back({row, row});
-            blocks_.loose.back().last = row + 1;
-        }
+    /// Constraints that are left to the sweep.
+    void list_runs() {
         blocks_.runs.clear();
         std::array<Row, std::size_t(Kinds<D>::size)> next{};
         for (const auto& run : world_.sweep)
             visit_table(world_, run.kind, [&](const auto& table) {
                 auto& row = next[std::size_t(run.kind)];
-                for (const Row last = row + run.count; row < last; ++row) {
-                    if (taken(table)[row]) continue;
+                for (const Row last = row + run.count; row < last;) {
+                    const Row first = std::min(last, Row(next_flag(table.in_block, row, 0)));
+                    row = std::min(last, Row(next_flag(table.in_block, first, 1)));
+                    if (first == row) continue;
                     auto* end = blocks_.runs.empty() ? nullptr : &blocks_.runs.back();
-                    if (!end || end->kind != run.kind || end->rows.last != row)
-                        blocks_.runs.push_back({run.kind, {row, row}});
-                    blocks_.runs.back().rows.last = row + 1;
+                    if (end && end->kind == run.kind && end->rows.last == first)
+                        end->rows.last = row;
+                    else
+                        blocks_.runs.push_back({run.kind, {first, row}});
                 }
             });
     }
 };
 
-} // namespace
-
-template <int D, class Real> void prepare(World<D, Real>& world) {
-    auto& blocks = world.blocks;
-    if (!blocks.stale) return;
-    Finder(world).run();
-    make_plan(world);
-    // Room for all that could be, not for what is: a thread that tears must not make a step allocate.
+/// Room for all that could be, not for what is: a thread that tears must not make a step allocate.
+template <int D, class Real> void reserve_for_tears(World<D, Real>& world) {
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     constexpr std::size_t small = 100'000; // distances; of more, the room would be waste
     const bool may_tear = std::any_of(distances.breaking_strain.begin(), distances.breaking_strain.end(),
                                       [](Real strain) { return strain < limit::measure<Real>; });
-    if (may_tear && distances.size() <= small)
-        blocks.reserve(world.particles.size(), distances.size(),
-                       std::get<kind_number<Angle, D>>(world.constraints).size());
+    if (!may_tear || distances.size() > small) return;
+    world.blocks.reserve(world.particles.size(), distances.size(),
+                         std::get<kind_number<Angle, D>>(world.constraints).size());
+}
+
+} // namespace
+
+template <int D, class Real> void prepare(World<D, Real>& world) {
+    auto& blocks = world.blocks;
+    if (!blocks.changed && !blocks.stale) return;
+    reserve_for_tears(world);
+    Finder(world).run();
+    make_plan(world);
 }
 
 #define SINEW_BLOCK_FIND(D, Real) template void prepare(World<D, Real>&);

@@ -7,25 +7,24 @@ namespace sinew::detail {
 
 template <int D, class Real> class BlockGraph {
   public:
-    explicit BlockGraph(World<D, Real>& world)
+    explicit BlockGraph(const World<D, Real>& world)
         : world_(world), particles_(world.particles), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           angles_(std::get<kind_number<Angle, D>>(world.constraints)),
-          pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), room_(world.blocks.room) {}
-
-    void list() {
-        list(distances_, room_.first_link, room_.link_at);
-        list(angles_, room_.first_bend, room_.bend_at);
-        list(pulleys_, room_.first_way, room_.way_at);
-    }
+          pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)) {}
 
     const Constraints<Distance<D>, Real>& distances() const { return distances_; }
     const Constraints<Angle<D>, Real>& angles() const { return angles_; }
     const Constraints<Pulley<D>, Real>& pulleys() const { return pulleys_; }
 
     bool mobile(Row particle) const { return particles_.mobility[particle] > Real(0); }
-    std::span<const Row> links_of(Row particle) const { return those_of(particle, room_.first_link, room_.link_at); }
-    std::span<const Row> ways_of(Row particle) const { return those_of(particle, room_.first_way, room_.way_at); }
-    std::span<const Row> bends_of(Row particle) const { return those_of(particle, room_.first_bend, room_.bend_at); }
+
+    /// Calls visit(row) for each constraint of the kind of `table` that a particle is part of, in their order.
+    template <class Table, class Visit> void each(const Table& table, Row particle, Visit&& visit) const {
+        constexpr int wanted = Kinds<D>::template index_of<typename Table::Kind>;
+        world_.blocks.bonds.each(particles_.slots.slot_of(particle), [&](int kind, std::uint32_t slot) {
+            if (kind == wanted) visit(table.slots.row_at(slot));
+        });
+    }
 
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
     Row other_end(Row link, Row particle) const { return end(link, 0) == particle ? end(link, 1) : end(link, 0); }
@@ -60,23 +59,6 @@ template <int D, class Real> class BlockGraph {
     const Constraints<Distance<D>, Real>& distances_;
     const Constraints<Angle<D>, Real>& angles_;
     const Constraints<Pulley<D>, Real>& pulleys_;
-    BlockRoom& room_;
-
-    /// The constraints of each particle, side by side.
-    template <class Table> void list(const Table& table, std::vector<Row>& first, std::vector<Row>& at) {
-        first.assign(particles_.size() + 1, 0);
-        for (Row row = 0; row < table.size(); ++row)
-            for (const Row member : table.members[row]) ++first[member + 1];
-        for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-        at.resize(first.back());
-        auto& next = room_.cursor;
-        next = first;
-        for (Row row = 0; row < table.size(); ++row)
-            for (const Row member : table.members[row]) at[next[member]++] = row;
-    }
-    static std::span<const Row> those_of(Row particle, const std::vector<Row>& first, const std::vector<Row>& at) {
-        return std::span(at).subspan(first[particle], first[particle + 1] - first[particle]);
-    }
 };
 
 } // namespace sinew::detail

@@ -1,3 +1,4 @@
+#include "sinew/solver/block_rows.h"
 #include "sinew/solver/block_solve.h"
 #include "sinew/solver/phases.h"
 
@@ -111,7 +112,10 @@ template <int D, class Real> class Hanging {
 } // namespace
 
 template <int D, class Real> void correct_hanging(World<D, Real>& world, Real h, bool first_iteration) {
-    for (const auto& block : world.blocks.hanging) Hanging<D, Real>(world, block, h).correct(first_iteration);
+    for (auto& block : world.blocks.hanging) {
+        detail::look_up_rows(world, block);
+        Hanging<D, Real>(world, block, h).correct(first_iteration);
+    }
 }
 
 #define SINEW_HANG(D, Real) template void correct_hanging(World<D, Real>&, Real, bool);

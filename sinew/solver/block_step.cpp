@@ -1,6 +1,7 @@
 #include "sinew/solver/block_bounce.h"
 #include "sinew/solver/block_contact.h"
 #include "sinew/solver/block_energy.h"
+#include "sinew/solver/block_rows.h"
 #include "sinew/solver/block_settle.h"
 #include "sinew/solver/workers.h"
 
@@ -249,6 +250,7 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Re
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : few;
     const auto move = [&](int part) {
         for (auto& block : part_of(blocks, part)) {
+            detail::look_up_rows(world, block);
             BlockStep<D, Real> step(world, block, double(dt), double(world.last_substep));
             step.run(substeps);
             step.report_tensions(double(substep));

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -8,12 +10,23 @@
 /// and copying rows walk that list, so a new column is one line.
 namespace sinew {
 
+/// The first row from this one on that has this flag, 0 or 1; their number if none has.
+inline std::size_t next_flag(std::span<const char> flags, std::size_t from, char flag) {
+    if (from >= flags.size()) return flags.size();
+    const void* found = std::memchr(flags.data() + from, flag, flags.size() - from);
+    return found ? std::size_t(static_cast<const char*>(found) - flags.data()) : flags.size();
+}
+
 /// Removes the rows whose flag in `gone` is set; the others keep their order.
 template <class T> void erase_rows(std::vector<T>& column, std::span<const char> gone) {
-    std::size_t kept = 0;
-    for (std::size_t row = 0; row < column.size(); ++row)
-        if (!gone[row]) column[kept++] = column[row];
-    column.resize(kept);
+    const auto at = [&](std::size_t row) { return column.begin() + std::ptrdiff_t(row); };
+    std::size_t end = next_flag(gone, 0, 1);
+    auto kept = at(end);
+    for (std::size_t first; (first = next_flag(gone, end, 0)) < gone.size();) {
+        end = next_flag(gone, first, 1);
+        kept = std::copy(at(first), at(end), kept);
+    }
+    column.erase(kept, column.end());
 }
 
 template <class Table> void erase_rows(Table& table, std::span<const char> gone) {

@@ -1,6 +1,7 @@
 #include "sinew/solver/cut.h"
 
 #include "sinew/solver/split.h"
+#include "sinew/solver/step.h"
 
 #include <algorithm>
 
@@ -25,57 +26,17 @@ bool crosses(const Blade& blade, const Vec2<double>& a, const Vec2<double>& b) {
             distance_to(blade.to, a, b) <= blade.reach);
 }
 
-/// Finds what holds both ends of a link that is cut: each particle knows its cut links, and a constraint counts the
-/// ends it meets.
-class Dangling {
-  public:
-    Dangling(std::size_t particles, std::span<const std::array<Row, 2>> links)
-        : first_(particles + 1, 0), link_(2 * links.size()), met_(links.size(), nobody) {
-        for (const auto& ends : links)
-            for (const Row end : ends) ++first_[end + 1];
-        for (std::size_t i = 0; i < particles; ++i) first_[i + 1] += first_[i];
-        auto next = first_;
-        for (std::size_t i = 0; i < links.size(); ++i)
-            for (const Row end : links[i]) link_[next[end]++] = i;
-    }
-
-    /// Whether both ends of a cut link are among the members; `number` is another one for every constraint asked about.
-    bool is_on_one(std::span<const Row> members, std::size_t number) {
-        for (const Row member : members)
-            for (std::size_t i = first_[member]; i < first_[member + 1]; ++i) {
-                if (met_[link_[i]] == number) return true;
-                met_[link_[i]] = number;
-            }
-        return false;
-    }
-
-  private:
-    static constexpr std::size_t nobody = ~std::size_t(0);
-    std::vector<std::size_t> first_, link_; // the links of each row, one row's after the other's
-    std::vector<std::size_t> met_;          // the last constraint that has an end of it
-};
-
-/// Distances, in the order of their rows, and then what hangs on them.
+/// What both ends of a distance belong to, but for distances.
 template <int D, class Real>
-std::vector<ConstraintId> with_what_hangs(const World<D, Real>& world, std::span<const ConstraintId> ids) {
-    constexpr int link_kind = kind_number<Distance, D>;
-    const auto& distances = std::get<link_kind>(world.constraints);
-    std::vector<ConstraintId> all(ids.begin(), ids.end());
-    std::vector<std::array<Row, 2>> links;
-    for (const auto& id : ids)
-        if (const auto row = id.kind == link_kind ? distances.slots.find(id.id) : std::nullopt)
-            links.push_back(distances.members.rows[*row]);
-    if (links.empty()) return all;
-    Dangling hanging(world.particles.size(), links);
-    std::size_t number = 0;
-    int kind = 0;
-    for_each_table(world, [&](const auto& table) {
-        if (kind != link_kind)
-            for (Row row = 0; row < table.size(); ++row)
-                if (hanging.is_on_one(table.members[row], number++)) all.push_back({kind, table.slots.id_of(row)});
-        ++kind;
+void add_what_hangs(const World<D, Real>& world, const std::array<Row, 2>& ends, std::vector<ConstraintId>& all) {
+    world.blocks.bonds.each(world.particles.slots.slot_of(ends[0]), [&](int kind, std::uint32_t slot) {
+        visit_table(world, kind, [&](const auto& table) {
+            const Row row = table.slots.row_at(slot);
+            const auto members = table.members[row];
+            const bool both = std::find(members.begin(), members.end(), ends[1]) != members.end();
+            if (both && kind != kind_number<Distance, D>) all.push_back({kind, table.slots.id_of(row)});
+        });
     });
-    return all;
 }
 
 } // namespace
@@ -104,18 +65,20 @@ template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const Cons
     const auto& distances = std::get<link_kind>(world.constraints);
     Cut done;
     if (ids.empty()) return done;
+    if (world.blocks.stale) prepare(world); // finds what hangs together
     std::vector<Ends> gone;
+    std::vector<ConstraintId> all(ids.begin(), ids.end());
     for (const auto& id : ids) {
         const auto row = id.kind == link_kind ? distances.slots.find(id.id) : std::nullopt;
         if (!row) continue;
         const auto ends = distances.members[*row];
         gone.push_back({world.particles.slots.id_of(ends[0]), world.particles.slots.id_of(ends[1])});
         done.figures.push_back(distances.figure[*row]);
+        add_what_hangs(world, distances.members.rows[*row], all);
     }
     done.links = gone.size();
     std::sort(done.figures.begin(), done.figures.end());
     done.figures.erase(std::unique(done.figures.begin(), done.figures.end()), done.figures.end());
-    const auto all = with_what_hangs(world, ids);
     remove_constraints(world, std::span<const ConstraintId>(all));
     sever(world, std::span<const Ends>(gone));
     done.doubled = split(world, std::span<const Ends>(gone));

@@ -2,7 +2,8 @@
 
 #include "sinew/solver/edit.h"
 
-/// Cutting: what a blade crosses is removed, and what hangs on it. Everything takes time in proportion to the world.
+/// Cutting: what a blade crosses is removed, and what hangs on it. What is cut is found in time in proportion to the
+/// world; the rest takes what the parts that are cut are worth, but that rows close up.
 namespace sinew {
 
 /// A straight cut across a picture plane.

@@ -29,7 +29,8 @@ template <class Table> bool is_driven(const Table& table) {
 }
 
 template <int D, class Real> bool is_in_block(const World<D, Real>& world, std::span<const Row> members) {
-    return std::any_of(members.begin(), members.end(), [&](Row member) { return world.blocks.contains(member); });
+    return std::any_of(members.begin(), members.end(),
+                       [&](Row member) { return world.particles.in_block[member] != 0; });
 }
 
 } // namespace

@@ -22,11 +22,12 @@ template <int D, class Real> Real verlet_interval(const World<D, Real>& world) {
 /// Pinned hard and quarantined particles are immovable to the solver; the others weigh what they weigh.
 template <int D, class Real> void refresh_mobility(World<D, Real>& world, Row row) {
     auto& particles = world.particles;
-    world.blocks.stale = true;
     const auto id = particles.slots.id_of(row);
     const bool pinned = std::any_of(world.pins.begin(), world.pins.end(),
                                     [&](const auto& pin) { return pin.particle == id && pin.hard(); });
-    particles.mobility[row] = pinned || particles.quarantined[row] ? Real(0) : particles.inverse_mass[row];
+    const Real mobility = pinned || particles.quarantined[row] ? Real(0) : particles.inverse_mass[row];
+    if ((mobility > Real(0)) != (particles.mobility[row] > Real(0))) detail::note_mobility(world, row);
+    particles.mobility[row] = mobility;
 }
 
 template <class Table, class Real>
@@ -46,6 +47,7 @@ void append_row(Table& table, const ConstraintSpec<Real>& spec, Interval<Real> l
     table.fatigue.push_back(Real(0));
     table.multiplier.push_back(Real(0));
     table.figure.push_back(spec.figure);
+    table.in_block.push_back(0);
     table.torn.push_back(0);
 }
 
@@ -87,8 +89,11 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
     p.radius.push_back(spec.radius);
     p.figure.push_back(spec.figure);
     p.quarantined.push_back(0);
+    p.in_block.push_back(0);
     world.events.reserve(events_per_step);
-    return p.slots.append();
+    const auto id = p.slots.append();
+    detail::note_particle(world);
+    return id;
 }
 
 template <int D, class Real> void remove_particles(World<D, Real>& world, std::span<const ParticleId> ids) {
@@ -113,6 +118,7 @@ template <int D, class Real> void remove_particles(World<D, Real>& world, std::s
             for (auto& member : table.members[row]) member = moved[member];
     });
 
+    detail::note_rows(world);
     erase_rows(particles, gone);
     particles.slots.erase(gone);
 
@@ -144,10 +150,10 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         } else if (rows.size() != std::size_t(Kind::arity)) {
             return;
         }
-        world.blocks.stale = true;
         table.members.append(rows);
         append_row(table, spec, spec.limits.value_or(Interval<Real>{0, 0}));
         added = ConstraintId{kind, table.slots.append()};
+        for (const Row member : rows) detail::note_member(world, table, kind, Row(table.size() - 1), member);
         if (!spec.limits) {
             constexpr double most = limit::measure<double>;
             const Real rest = Real(clamp(constraint_state(world, *added)->measure, -most, most));
@@ -162,13 +168,15 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
 template <int D, class Real> void remove_constraints(World<D, Real>& world, std::span<const ConstraintId> ids) {
     int kind = 0;
     for_each_table(world, [&](auto& table) {
-        std::vector<char> gone(table.size(), 0);
+        auto& gone = table.torn;
+        bool any = false;
         for (const auto& id : ids)
             if (id.kind == kind)
-                if (const auto row = table.slots.find(id.id)) gone[*row] = 1;
-        detail::erase_constraints(world, table, kind++, gone);
+                if (const auto row = table.slots.find(id.id)) gone[*row] = 1, any = true;
+        if (any) detail::erase_constraints(world, table, kind, gone);
+        ++kind;
     });
-    detail::forget_the_dead(world);
+    detail::forget_constraints(world);
 }
 
 template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintId& id, Real rate) {
@@ -177,7 +185,7 @@ template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintI
         const auto row = table.slots.find(id.id);
         if (!row) return;
         found = true;
-        world.blocks.stale = world.blocks.stale || !table.driven[*row];
+        if (!table.driven[*row]) detail::note_feature(world, table, *row);
         table.driven[*row] = 1;
         table.rate[*row] = clamp(rate, -limit::speed<Real>, limit::speed<Real>);
     });
@@ -190,7 +198,7 @@ template <int D, class Real> bool set_max_force(World<D, Real>& world, const Con
         const auto row = table.slots.find(id.id);
         if (!row) return;
         found = true;
-        world.blocks.stale = world.blocks.stale || !table.gives(*row);
+        if (!table.gives(*row)) detail::note_feature(world, table, *row);
         table.max_force[*row] = clamp(max_force, Real(0), limit::measure<Real>);
     });
     return found;
@@ -230,6 +238,7 @@ template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id,
     if (!row) return false;
     world.particles.inverse_mass[*row] = inverse_of_mass(mass);
     refresh_mobility(world, *row);
+    world.blocks.changed = true; // the plan knows which links join equals
     return true;
 }
 
@@ -259,8 +268,11 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
                           .compliance = clamp(spec.compliance, Real(0), most),
                           .damping = clamp(spec.damping, Real(0), most),
                           .max_force = clamp(spec.max_force, Real(0), most)});
-    if (world.pins.back().hard()) world.particles.mobility[*row] = Real(0);
-    world.blocks.stale = true;
+    if (world.pins.back().hard() && world.particles.mobility[*row] > Real(0)) {
+        world.particles.mobility[*row] = Real(0);
+        detail::note_mobility(world, *row);
+    }
+    detail::note_rows(world);
     return world.pin_slots.append();
 }
 

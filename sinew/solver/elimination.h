@@ -7,41 +7,18 @@
 #include <span>
 #include <vector>
 
-/// The graph side of blocks: what hangs together, and in which order it is eliminated. Both keep their room, so that
-/// looking again allocates nothing.
 namespace sinew {
 
 inline constexpr auto no_row = ~Row(0);
 
-/// Sets that grow together, by union and find: each is known by its first member.
-class Islands {
-  public:
-    void reset(std::size_t count) {
-        parent_.resize(count);
-        for (Row row = 0; row < count; ++row) parent_[row] = row;
-    }
-    Row of(Row row) {
-        while (parent_[row] != row) row = parent_[row] = parent_[parent_[row]];
-        return row;
-    }
-    void join(Row a, Row b) {
-        a = of(a), b = of(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<Row> parent_;
-};
-
 /// The order in which a sparse matrix is eliminated, and its fill. Minimum degree (Tinney and Walker 1967): leaves
-/// first, so that a tree fills nothing in. What would not stay sparse is refused.
+/// first, so that a tree fills nothing in. What would not stay sparse is refused. It keeps its room, so that looking
+/// again allocates nothing.
 class Elimination {
   public:
-    void reset(std::size_t rows) {
-        begin_.assign(rows, 0);
-        size_.assign(rows, 0);
-        position_.assign(rows, no_row);
-        before_.resize(rows), after_.resize(rows);
+    void make_room(std::size_t rows) {
+        begin_.resize(rows), size_.resize(rows);
+        for (auto* column : {&position_, &before_, &after_}) column->resize(rows);
     }
     /// Room for a graph of that many rows and neighbours.
     void reserve(std::size_t rows, std::size_t neighbours) {
@@ -83,6 +60,13 @@ class Elimination {
             if (pool_.size() > most) return false;
         }
         return true;
+    }
+
+    /// How many pairs of neighbours its rows have, which is more than anything else there is of it.
+    std::size_t pairs() const {
+        std::size_t sum = 0;
+        for (const Row row : order_) sum += size_[row] * (size_[row] + 1) / 2;
+        return sum;
     }
 
     std::span<const Row> order() const { return order_; }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/solver/columns.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -38,10 +40,18 @@ template <class Tag> class Slots {
 
     Id<Tag> id_of(Row row) const { return {slot_of_row_[row], entries_[slot_of_row_[row]].generation}; }
 
+    std::uint32_t slot_of(Row row) const { return slot_of_row_[row]; }
+    Row row_at(std::uint32_t slot) const { return entries_[slot].row; } ///< of a slot that is in use
+    bool in_use(std::uint32_t slot) const {
+        const Row row = entries_[slot].row;
+        return row < slot_of_row_.size() && slot_of_row_[row] == slot;
+    }
+    std::size_t slots() const { return entries_.size(); } ///< in use or free
+
     /// Forgets the rows whose flag in `gone` is set; the rest close up in order. Allocates nothing.
     void erase(std::span<const char> gone) {
-        Row kept = 0;
-        for (Row row = 0; row < slot_of_row_.size(); ++row) {
+        Row kept = Row(next_flag(gone, 0, 1));
+        for (Row row = kept; row < slot_of_row_.size(); ++row) {
             const std::uint32_t slot = slot_of_row_[row];
             if (gone[row]) {
                 entries_[slot] = {.row = first_free_, .generation = entries_[slot].generation + 1};

@@ -26,7 +26,8 @@ template <int D, class Real> bool find_limited(World<D, Real>& world) {
     figures.assign(world.figures.size(), {});
     bool any = false;
     const auto in_block = [&](std::span<const Row> members) { // where what is added is never accepted
-        return std::any_of(members.begin(), members.end(), [&](Row member) { return world.blocks.contains(member); });
+        return std::any_of(members.begin(), members.end(),
+                           [&](Row member) { return world.particles.in_block[member] != 0; });
     };
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)

@@ -59,6 +59,12 @@ template <int D, class Real> class Planner {
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
     Row slot(Row row) const { return swept_.slot_of[row]; }
 
+    template <class Visit> void each_swept(Visit&& visit) const {
+        const std::span<const char> in_block = world_.particles.in_block;
+        for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)
+            for (end = next_flag(in_block, row, 1); row < end; ++row) visit(Row(row));
+    }
+
     // --- what there is ----------------------------------------------------------------------------------------------
 
     /// Larger limits are none, or too large for products of three of them.
@@ -111,7 +117,7 @@ template <int D, class Real> class Planner {
 
     void join() {
         room_.parent.resize(particles());
-        for (Row row = 0; row < particles(); ++row) room_.parent[row] = row;
+        each_swept([&](Row row) { room_.parent[row] = row; });
         for (const Row link : room_.links) {
             const Row a = first_of(end(link, 0)), b = first_of(end(link, 1));
             room_.parent[std::max(a, b)] = std::min(a, b);
@@ -123,11 +129,11 @@ template <int D, class Real> class Planner {
     void sort_into_parts() {
         auto& parts = room_.parts;
         parts.clear();
-        room_.part_of.assign(particles(), none);
+        room_.part_of.resize(particles());
+        each_swept([&](Row row) { room_.part_of[row] = none; });
         for (const Row link : room_.links) room_.part_of[end(link, 0)] = room_.part_of[end(link, 1)] = 0;
         bool any_alone = false;
-        for (Row row = 0; row < particles(); ++row) {
-            if (world_.blocks.holds[row]) continue;
+        each_swept([&](Row row) {
             if (room_.part_of[row] == none) {
                 any_alone = true;
             } else if (const Row first = first_of(row); first == row) {
@@ -136,13 +142,12 @@ template <int D, class Real> class Planner {
             } else {
                 room_.part_of[row] = room_.part_of[first];
             }
-        }
+        });
         if (any_alone) parts.push_back({});
-        for (Row row = 0; row < particles(); ++row) {
-            if (world_.blocks.holds[row]) continue;
+        each_swept([&](Row row) {
             if (room_.part_of[row] == none) room_.part_of[row] = Row(parts.size() - 1);
             ++parts[room_.part_of[row]].members;
-        }
+        });
         for (const Row link : room_.links) ++parts[room_.part_of[end(link, 0)]].links;
         std::uint32_t member = 0, link = 0;
         for (auto& part : parts) {
@@ -153,12 +158,11 @@ template <int D, class Real> class Planner {
         room_.members.resize(member);
         room_.link_at.resize(link);
         room_.rank.resize(particles());
-        for (Row row = 0; row < particles(); ++row) {
-            if (world_.blocks.holds[row]) continue;
+        each_swept([&](Row row) {
             auto& part = parts[room_.part_of[row]];
             room_.rank[row] = part.members;
             room_.members[part.first_member + part.members++] = row;
-        }
+        });
         for (const Row row : room_.links) {
             auto& part = parts[room_.part_of[end(row, 0)]];
             room_.link_at[part.first_link + part.links++] = row;
@@ -389,7 +393,7 @@ template <int D, class Real> class Planner {
                 pins.push_back(pinned.pin);
             }
         if (pins.empty()) return;
-        list_neighbours(part);
+        list_rigid_links(part);
         constexpr std::size_t most = most_tethers;
         const auto size = members(part).size();
         for (std::size_t i = 0; i < std::min(most, pins.size()); ++i) {
@@ -409,19 +413,20 @@ template <int D, class Real> class Planner {
     void reach_from(std::size_t part, Row anchor, Row begin, std::size_t first) {
         constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.0001;
         const auto all = members(part);
-        const auto way = [&](Row r) -> Real& { return plan_.per_reach_square[first + (slot(all[r]) - begin)]; };
-        for (Row r = 0; r < all.size(); ++r) way(r) = Real(far);
+        auto& way = room_.way;
+        way.assign(all.size(), Real(far));
         auto& done = room_.chained;
         done.assign(all.size(), 0);
-        auto& link_to = room_.at; // of the particle that is looked at: by rank
-        link_to.assign(all.size(), none);
+        constexpr double apart = -1;
+        auto& length_to = room_.length_to; // of the particle that is looked at
+        length_to.assign(all.size(), apart);
         auto& heap = room_.heap;
         heap.assign(1, {0, room_.rank[anchor]});
-        way(room_.rank[anchor]) = 0;
+        way[room_.rank[anchor]] = 0;
         const auto later = [](const auto& a, const auto& b) { return a > b; };
         const auto shorten = [&](Row r, double length) {
-            if (!(Real(length) < way(r))) return;
-            way(r) = Real(length);
+            if (!(Real(length) < way[r])) return;
+            way[r] = Real(length);
             heap.push_back({length, r});
             std::push_heap(heap.begin(), heap.end(), later);
         };
@@ -431,31 +436,38 @@ template <int D, class Real> class Planner {
             heap.pop_back();
             if (done[r]) continue;
             done[r] = 1;
-            each_rigid(r, [&](Row other, Row link) { link_to[other] = link; });
-            each_rigid(r, [&](Row other, Row link) {
-                if (done[other]) return;
-                shorten(other, double(way(r)) + length_of(link));
-                each_rigid(other, [&](Row third, Row side) {
-                    if (link_to[third] == none || !done[third]) return;
-                    shorten(other, across(double(way(r)), double(way(third)), length_of(link_to[third]),
-                                          length_of(link), length_of(side)));
-                });
-            });
-            each_rigid(r, [&](Row other, Row) { link_to[other] = none; });
+            for (const auto& [other, length] : rigid(r)) length_to[other] = length;
+            for (const auto& [other, length] : rigid(r)) {
+                if (done[other]) continue;
+                shorten(other, double(way[r]) + length);
+                for (const auto& [third, side] : rigid(other))
+                    if (length_to[third] != apart && done[third])
+                        shorten(other, across(double(way[r]), double(way[third]), length_to[third], length, side));
+            }
+            for (const auto& [other, length] : rigid(r)) length_to[other] = apart;
         }
         for (Row r = 0; r < all.size(); ++r) {
-            const double reach = minimum(double(way(r)) * slack, far);
-            way(r) = reach > 0 ? Real(1 / square(reach)) : Real(0);
+            const double reach = minimum(way[r] * slack, far);
+            plan_.per_reach_square[first + (slot(all[r]) - begin)] =
+                reach > 0 ? Real(1 / square(reach)) : Real(0);
         }
     }
 
-    double length_of(Row link) const { return double(distances_.high[link]); }
-
-    template <class Visit> void each_rigid(Row r, Visit&& visit) const {
-        for (auto i = room_.first_near[r]; i < room_.first_near[r + 1]; ++i) {
-            const Row link = room_.near_link[i];
-            if (distances_.compliance[link] == Real(0) && distances_.high[link] < limit::coordinate<Real>)
-                visit(room_.near[i], link);
+    using RigidLink = PlanRoom::RigidLink;
+    std::span<const RigidLink> rigid(Row r) const {
+        return std::span(room_.rigid).subspan(room_.first_rigid[r], room_.first_rigid[r + 1] - room_.first_rigid[r]);
+    }
+    void list_rigid_links(std::size_t part) {
+        list_neighbours(part);
+        room_.rigid.clear();
+        room_.first_rigid.assign(1, 0);
+        for (Row r = 0; r < members(part).size(); ++r) {
+            for (auto i = room_.first_near[r]; i < room_.first_near[r + 1]; ++i) {
+                const Row link = room_.near_link[i];
+                if (distances_.compliance[link] == Real(0) && distances_.high[link] < limit::coordinate<Real>)
+                    room_.rigid.push_back({room_.near[i], double(distances_.high[link])});
+            }
+            room_.first_rigid.push_back(std::uint32_t(room_.rigid.size()));
         }
     }
 

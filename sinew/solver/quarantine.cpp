@@ -1,3 +1,4 @@
+#include "sinew/solver/changes.h"
 #include "sinew/solver/phases.h"
 
 #include <algorithm>
@@ -35,7 +36,9 @@ template <int D, class Real> bool sound(const Particles<D, Real>& p, Row row) {
 }
 
 /// Stands still where it last was; what is no number becomes the nearest thing to nothing.
-template <int D, class Real> void freeze(Particles<D, Real>& p, Row row) {
+template <int D, class Real> void freeze(World<D, Real>& world, Row row) {
+    auto& p = world.particles;
+    detail::note_mobility(world, row);
     if (!is_finite(p.position[row])) p.position[row] = is_finite(p.previous[row]) ? p.previous[row] : Vec<D, Real>{};
     p.previous[row] = p.position[row];
     p.velocity[row] = p.residual[row] = p.force[row] = {};
@@ -48,7 +51,7 @@ template <int D, class Real> void freeze(Particles<D, Real>& p, Row row) {
 template <int D, class Real> void freeze_figure(World<D, Real>& world, FigureIndex figure) {
     world.figures[figure].quarantined = true;
     for (const auto id : world.figures[figure].particles)
-        if (const auto row = world.particles.slots.find(id)) freeze(world.particles, *row);
+        if (const auto row = world.particles.slots.find(id)) freeze(world, *row);
 }
 
 template <int D, class Real> void quarantine_non_finite(World<D, Real>& world) {
@@ -56,8 +59,7 @@ template <int D, class Real> void quarantine_non_finite(World<D, Real>& world) {
     for (Row row = 0; row < p.size(); ++row) {
         if (sound(p, row)) continue;
         const FigureIndex figure = p.figure[row];
-        freeze(p, row);
-        world.blocks.stale = true;
+        freeze(world, row);
         if (figure < world.figures.size()) freeze_figure(world, figure);
         if (world.events.size() < events_per_step)
             world.events.push_back({.type = EventType::quarantined, .figure = figure, .particle = p.slots.id_of(row)});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/solver/world.h"
+#include "sinew/solver/changes.h"
 
 #include <algorithm>
 
@@ -12,15 +12,18 @@ inline void erase_from_sweep(std::vector<Run>& sweep, int kind, std::span<const 
     Row row = 0;
     for (auto& run : sweep) {
         if (run.kind != kind) continue;
-        const auto count = run.count;
-        for (Row i = 0; i < count; ++i) run.count -= Row(gone[row++] != 0);
+        const Row end = row + run.count;
+        for (auto i = next_flag(gone, row, 1); i < end; i = next_flag(gone, i + 1, 1)) --run.count;
+        row = end;
     }
     std::erase_if(sweep, [](const Run& run) { return run.count == 0; });
 }
 
 template <int D, class Real, class Table>
 void erase_constraints(World<D, Real>& world, Table& table, int kind, std::span<const char> gone) {
-    world.blocks.stale = true;
+    for (auto row = next_flag(gone, 0, 1); row < gone.size(); row = next_flag(gone, row + 1, 1))
+        for (const Row member : table.members[Row(row)]) note_member_gone(world, table, kind, Row(row), member);
+    note_rows(world);
     erase_from_sweep(world.sweep, kind, gone);
     table.members.erase(gone);
     table.slots.erase(gone);
@@ -28,24 +31,30 @@ void erase_constraints(World<D, Real>& world, Table& table, int kind, std::span<
 }
 
 template <int D, class Real> void erase_pins(World<D, Real>& world, std::span<const char> gone) {
+    note_rows(world);
     erase_rows(world.pins, gone);
     world.pin_slots.erase(gone);
 }
 
-/// Takes names and pieces of what is gone out of the figures. Their lists of everything stay as they were built: names
-/// by number count on it.
-template <int D, class Real> void forget_the_dead(World<D, Real>& world) {
-    const auto dead_particle = [&](ParticleId id) { return !world.particles.slots.find(id); };
-    const auto dead_constraint = [&](const ConstraintId& id) {
+/// Takes the names of constraints that are gone out of the figures. Their lists of everything stay as they were built:
+/// names by number count on it.
+template <int D, class Real> void forget_constraints(World<D, Real>& world) {
+    const auto dead = [&](const ConstraintId& id) {
         bool found = false;
         visit_table(world, id.kind, [&](const auto& table) { found = table.slots.find(id.id).has_value(); });
         return !found;
     };
+    for (auto& figure : world.figures) figure.constraint_names.erase_if(dead);
+}
+
+/// The same, and names of particles and pieces.
+template <int D, class Real> void forget_the_dead(World<D, Real>& world) {
+    forget_constraints(world);
+    const auto dead = [&](ParticleId id) { return !world.particles.slots.find(id); };
     for (auto& figure : world.figures) {
-        figure.particle_names.erase_if(dead_particle);
-        figure.constraint_names.erase_if(dead_constraint);
+        figure.particle_names.erase_if(dead);
         std::erase_if(figure.pieces, [&](const Piece& piece) {
-            return std::any_of(piece.particles.begin(), piece.particles.end(), dead_particle);
+            return std::any_of(piece.particles.begin(), piece.particles.end(), dead);
         });
     }
 }

@@ -1,7 +1,9 @@
 #include "sinew/solver/split.h"
 
+#include "sinew/solver/changes.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/fans.h"
+#include "sinew/solver/step.h"
 
 #include <algorithm>
 
@@ -30,11 +32,7 @@ struct Fan {
 
 template <int D, class Real> class Splitter {
   public:
-    Splitter(World<D, Real>& world, std::span<const Ends> gone)
-        : world_(world), particles_(world.particles.size()), parting_of_(particles_, none) {
-        const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
-        for (Row row = 0; row < distances.size(); ++row)
-            if (ties(distances, row)) links_.push_back(distances.members.rows[row]);
+    Splitter(World<D, Real>& world, std::span<const Ends> gone) : world_(world), particles_(world.particles.size()) {
         for (const auto& [a, b] : gone) {
             const auto from = row_of(world, a), to = row_of(world, b);
             if (from && to) gone_.push_back({*from, *to});
@@ -42,6 +40,8 @@ template <int D, class Real> class Splitter {
     }
 
     std::size_t split() {
+        if (!find_cells()) return 0;
+        parting_of_.assign(particles_, none);
         auto all = links_;
         all.insert(all.end(), gone_.begin(), gone_.end());
         const Neighbours whole(particles_, all), left(particles_, links_);
@@ -51,7 +51,6 @@ template <int D, class Real> class Splitter {
             if (fans.size() > 1) part(row, left.of(row), after.around(row), fans);
         }
         if (partings_.empty()) return 0;
-        world_.blocks.stale = true;
         follow_constraints();
         for (auto& figure : world_.figures) follow_pieces(figure);
         return world_.particles.size() - particles_;
@@ -65,6 +64,41 @@ template <int D, class Real> class Splitter {
     std::vector<Parting> partings_;
     std::vector<std::size_t> parting_of_; // row -> number of its parting, or none
     std::vector<std::array<Row, 2>> links_, gone_;
+
+    /// The links around the gaps, as far as the fans of their neighbours reach. False where they surely close no loop.
+    bool find_cells() {
+        const auto& distances = std::get<kind_number<Distance, D>>(world_.constraints);
+        const auto& slots = world_.particles.slots;
+        std::vector<char> seen(particles_, 0);
+        std::vector<Row> near;
+        const auto meet = [&](Row row) {
+            if (seen[row] != 0) return false;
+            seen[row] = 1;
+            near.push_back(row);
+            return true;
+        };
+        for (const auto& ends : gone_)
+            for (const Row end : ends) meet(end);
+        constexpr int rings = 3;
+        constexpr char done = 2;
+        bool loops = false;
+        std::size_t next = 0;
+        for (int ring = 0; ring < rings; ++ring)
+            for (const auto last = near.size(); next < last; ++next) {
+                const Row row = near[next];
+                seen[row] = done;
+                world_.blocks.bonds.each(slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+                    if (kind != kind_number<Distance, D>) return;
+                    const Row link = distances.slots.row_at(slot);
+                    const auto& ends = distances.members.rows[link];
+                    const Row other = ends[0] == row ? ends[1] : ends[0];
+                    if (!ties(distances, link) || seen[other] == done) return;
+                    links_.push_back(ends);
+                    loops = !meet(other) || loops;
+                });
+            }
+        return loops;
+    }
 
     /// Particles that lost a link or, next to those, a cell. What is pinned holds together.
     std::vector<Row> around_the_gaps(const Neighbours& whole) const {
@@ -129,6 +163,7 @@ template <int D, class Real> class Splitter {
             column.push_back(value);
         });
         const auto id = p.slots.append();
+        detail::note_particle(world_);
         const Row twin = Row(p.size() - 1);
         lighten(twin, share);
         if (const auto figure = p.figure[row]; figure < world_.figures.size())
@@ -162,11 +197,19 @@ template <int D, class Real> class Splitter {
                     if (const auto* parting = parting_of(members[i]))
                         whole = follow(*parting, members, moved[i]) && whole;
                 if (!whole) torn_apart.push_back({kind, table.slots.id_of(row)});
-                std::copy(moved.begin(), moved.end(), table.members[row].begin());
+                for (std::size_t i = 0; i < members.size(); ++i) move(table, kind, row, i, moved[i]);
             }
             ++kind;
         });
         remove_constraints(world_, std::span<const ConstraintId>(torn_apart));
+    }
+
+    template <class Table> void move(Table& table, int kind, Row row, std::size_t member, Row to) {
+        Row& from = table.members[row][member];
+        if (from == to) return;
+        detail::note_member_gone(world_, table, kind, row, from);
+        detail::note_member(world_, table, kind, row, to);
+        from = to;
     }
 
     static bool follow(const Parting& parting, std::span<const Row> members, Row& moved) {
@@ -227,7 +270,9 @@ template <int D, class Real> class Splitter {
 } // namespace
 
 template <int D, class Real> std::size_t split(World<D, Real>& world, std::span<const Ends> gone) {
-    return gone.empty() ? 0 : Splitter<D, Real>(world, gone).split();
+    if (gone.empty()) return 0;
+    if (world.blocks.stale) prepare(world); // finds what hangs together
+    return Splitter<D, Real>(world, gone).split();
 }
 
 #define SINEW_SPLIT(D, Real) template std::size_t split(World<D, Real>&, std::span<const Ends>);

@@ -69,7 +69,7 @@ template <int D, class Real> void tear(World<D, Real>& world, Real dt) {
         any = any || torn;
         if (kind++ == 0) any_link = torn;
     });
-    if (any) detail::forget_the_dead(world);
+    if (any) detail::forget_constraints(world);
 }
 
 #define SINEW_TEAR(D, Real) template void tear(World<D, Real>&, Real);

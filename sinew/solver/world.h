@@ -51,6 +51,7 @@ template <int D, class Real> struct Particles {
     std::vector<Real> radius;
     std::vector<FigureIndex> figure;
     std::vector<char> quarantined; ///< stands still: it or its figure was found non-finite
+    std::vector<char> in_block;    ///< scratch: a block moves it, not the sweep
     Slots<ParticleTag> slots;
 
     std::size_t size() const { return position.size(); }
@@ -67,6 +68,7 @@ template <int D, class Real> struct Particles {
         visit(self.radius);
         visit(self.figure);
         visit(self.quarantined);
+        visit(self.in_block);
     }
 };
 
@@ -135,7 +137,8 @@ template <class KindT, class Real> struct Constraints {
     std::vector<Real> fatigue;         ///< what it has borne of it
     std::vector<Real> multiplier;      ///< of the last substep; tension = -multiplier / h^2
     std::vector<FigureIndex> figure;
-    std::vector<char> torn; ///< scratch: to be removed when the step ends; the last of the columns (remove.h)
+    std::vector<char> in_block; ///< scratch: a block solves it, not the sweep
+    std::vector<char> torn;     ///< scratch: to be removed when the step ends; the last of the columns (remove.h)
     Slots<ConstraintTag> slots;
 
     std::size_t size() const { return low.size(); }
@@ -157,6 +160,7 @@ template <class KindT, class Real> struct Constraints {
         visit(self.fatigue);
         visit(self.multiplier);
         visit(self.figure);
+        visit(self.in_block);
         visit(self.torn);
     }
 };

@@ -67,12 +67,12 @@ TEST(Driver, WithoutKeysAPinStaysWhereItIs) {
     expect_near(driven_to(PointerDriver{}, rest, 17, 1), rest);
 }
 
-Session session_of(const std::string& driver, const std::string& mode = "physical") {
+Session session_of(const std::string& driver, const std::string& mode = "physical", const std::string& more = "") {
     auto document = load(fmt::format(R"({{"sinew": 1, "units": {{"length": "px", "time": "frame", "up": "-y"}},
         "solver": {{"mode": "{}"}},
         "figures": [{{"name": "f", "particles": {{"a": {{"at": [450, 100], "pinned": true}}, "b": {{"at": [450, 100]}}}}}}],
-        "pins": [{{"particle": "f/b", {}}}]}})",
-                                     mode, driver),
+        "pins": [{{"particle": "f/b", {}}}]{}}})",
+                                     mode, driver, more),
                          "test.json");
     auto opened = open_scene(document);
     EXPECT_TRUE(opened) << to_text(document.diagnostics);
@@ -135,6 +135,25 @@ TEST(Driver, SeeksWithSpeedLeftAndOvershoots) {
     }
     EXPECT_GT(most, 120);
     EXPECT_NEAR(seeker.at[0], 100, 0.1);
+}
+
+// The humanoid's hand: it is kicked on its way to the pointer, and comes back to it.
+TEST(Driver, AKickReachesWhatSeeksThePointer) {
+    const auto far = [](const std::string& kick) {
+        auto session = session_of(
+            R"("driver": "pointer", "seek": 0.05, "seek_damping": 0.9, "keys": [{"at": 0, "to": [450, 100]}])",
+            "classic", kick);
+        session.step();
+        double most = 0;
+        for (int frame = 1; frame < 200; ++frame) {
+            session.step();
+            most = std::max(most, std::abs(place(session, "f/b")[0] - 450));
+        }
+        EXPECT_NEAR(place(session, "f/b")[0], 450, 0.1);
+        return most;
+    };
+    EXPECT_EQ(far(""), 0);
+    EXPECT_GT(far(R"(, "events": [{"at": 3, "kick": "f/b", "by": [16, 16], "seed": 1}])"), 1);
 }
 
 TEST(Driver, KeysOutOfOrderAreAnError) {

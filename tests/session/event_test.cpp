@@ -152,5 +152,42 @@ TEST(Pointer, PullsWhatIsNearAlongAndLetsGoOfAll) {
     EXPECT_EQ(pinned(R"("pointer": {"pulls_within": 12.5}, )", 12.5), 13U) << "a disc of two threads about the middle";
 }
 
+// The tearable curtain: of a row of points 10 px apart, those within 20 px of the way go as fast as the pointer, times
+// what the scene says; it holds none, and catches what its way comes near to later.
+TEST(Pointer, InClassicModeStrokesWhatItComesNearTo) {
+    std::string row;
+    for (int i = 0; i < 10; ++i)
+        row += (i > 0 ? ", \"p" : "\"p") + std::to_string(i) + "\": {\"at\": [" + std::to_string(10 * i) + ", 0]}";
+    const auto scene = [&](const std::string& events) {
+        return R"("solver": {"mode": "classic"}, "world": {"damping": 1, "gravity": [0, 0]},
+            "pointer": {"pulls_within": 20, "pulls_times": 5}, "figures": [{"name": "f", "particles": {)" +
+               row + "}}], " + events + R"("seconds": 1)";
+    };
+    const auto expect_stroked = [](const Session& session, const std::string& name, double velocity) {
+        EXPECT_NEAR(speed(session, name)[1], velocity, 1e-9) << name;
+    };
+    auto session = play(scene(""));
+    const auto id = *find_particle(world_of(session), "f/p1");
+    ASSERT_TRUE(session.grab(std::span(&id, 1), Point{{10, 0, 0}}));
+    EXPECT_TRUE(session.holds());
+    session.drag(Point{{10, 4, 0}});
+    session.step();
+    for (const auto* near : {"f/p0", "f/p1", "f/p2"}) expect_stroked(session, near, 20);
+    expect_stroked(session, "f/p3", 0);
+    session.drag(Point{{85, 4, 0}}); // in one step past all others
+    session.step();
+    EXPECT_NEAR(speed(session, "f/p6")[0], 5 * 75, 1e-9);
+    session.let_go();
+    EXPECT_FALSE(session.holds());
+
+    auto told = play(scene(
+        R"("events": [{"at": 0, "grab": "f/p1", "to": [10, 4], "over": 1, "within": 20}, {"at": 1, "release": "f/p1"}], )"));
+    told.step();
+    expect_stroked(told, "f/p2", 20);
+    expect_stroked(told, "f/p3", 0);
+    told.step();
+    expect_stroked(told, "f/p2", 20);
+}
+
 } // namespace
 } // namespace sinew

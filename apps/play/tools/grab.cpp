@@ -21,7 +21,7 @@ class GrabTool final : public Tool {
         if (!picked) return;
         depth_ = picked->depth;
         play.tape().act(Grab{picked->members, picked->place});
-        held_ = play.session().hand() != nullptr;
+        held_ = play.session().holds();
         if (held_) play.tell("grab", {{"particle", name_of(play.session().world(), picked->members.front())}});
     }
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "sinew/solver/world.h"
+
+namespace sinew::detail {
+
+/// Rows move when others go. A block knows its own by their slots, and looks them up before it moves.
+template <int D, class Real> void look_up_rows(World<D, Real>& world, Block& block) {
+    auto& blocks = world.blocks;
+    if (block.row_moves == blocks.row_moves) return;
+    block.row_moves = blocks.row_moves;
+    const auto each = [](auto& column, std::uint32_t first, std::uint32_t count, auto&& visit) {
+        for (auto i = first; i < first + count; ++i) visit(column[i]);
+    };
+    const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
+    const auto& angles = std::get<kind_number<Angle, D>>(world.constraints);
+    const auto& pulleys = std::get<kind_number<Pulley, D>>(world.constraints);
+    const auto row_in = [](const auto& table) {
+        return [&table](BlockLimit& limit) { limit.constraint = table.slots.row_at(limit.slot); };
+    };
+    each(blocks.nodes, block.first_node, block.nodes,
+         [&](BlockNode<D>& node) { node.row = world.particles.slots.row_at(node.slot); });
+    each(blocks.links, block.first_link, block.links, row_in(distances));
+    each(blocks.bends, block.first_bend, block.bends, row_in(angles));
+    each(blocks.ways, block.first_way, block.ways, [&](BlockWay& way) {
+        way.constraint = way.is_pulley ? pulleys.slots.row_at(way.slot) : distances.slots.row_at(way.slot);
+    });
+}
+
+} // namespace sinew::detail

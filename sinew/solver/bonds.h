@@ -1,0 +1,86 @@
+#pragma once
+
+#include "sinew/solver/id.h"
+
+#include <vector>
+
+/// Which constraints each particle is part of, in the order in which they were added. By slots, which stay what they
+/// are when rows move.
+namespace sinew {
+
+class Bonds {
+  public:
+    /// Begins anew, for so many particles.
+    void reset(std::size_t particles) {
+        last_.assign(particles, none);
+        all_.clear();
+        free_ = none;
+    }
+    void make_room(std::size_t particles) {
+        if (last_.size() < particles) last_.resize(particles, none);
+    }
+
+    void add(std::uint32_t particle, int kind, std::uint32_t constraint) {
+        const auto added = take();
+        auto& last = last_[particle];
+        all_[added] = {packed(kind, constraint), added};
+        if (last != none) std::swap(all_[added].next, all_[last].next);
+        last = added;
+    }
+
+    /// False where that would mean to look through too many.
+    bool remove(std::uint32_t particle, int kind, std::uint32_t constraint) {
+        constexpr int most = 256;
+        auto& last = last_[particle];
+        auto before = last;
+        for (int i = 0; i < most; ++i, before = all_[before].next) {
+            const auto at = all_[before].next;
+            if (all_[at].constraint != packed(kind, constraint)) continue;
+            all_[before].next = all_[at].next;
+            if (last == at) last = before == at ? none : before;
+            all_[at].next = free_;
+            free_ = at;
+            return true;
+        }
+        return false;
+    }
+
+    /// Calls visit(kind, slot) for each constraint of a particle.
+    template <class Visit> void each(std::uint32_t particle, Visit&& visit) const {
+        const auto last = last_[particle];
+        if (last == none) return;
+        auto at = last;
+        do {
+            at = all_[at].next;
+            visit(int(all_[at].constraint >> slot_bits), all_[at].constraint & ((1U << slot_bits) - 1));
+        } while (at != last);
+    }
+
+  private:
+    static constexpr auto none = ~std::uint32_t(0);
+
+    static constexpr int slot_bits = 28; ///< the others are the kind
+
+    struct Bond {
+        std::uint32_t constraint = 0;
+        std::uint32_t next = none; ///< of the same particle, the first one after the last; of what is free, the next
+    };
+    std::vector<Bond> all_;
+    std::vector<std::uint32_t> last_; ///< of each particle
+    std::uint32_t free_ = none;
+
+    static std::uint32_t packed(int kind, std::uint32_t constraint) {
+        return std::uint32_t(kind) << slot_bits | constraint;
+    }
+    std::uint32_t take() {
+        if (free_ == none) {
+            all_.emplace_back();
+            return std::uint32_t(all_.size() - 1);
+        }
+        const auto taken = free_;
+        free_ = all_[taken].next;
+        return taken;
+    }
+};
+
+} // namespace sinew
