@@ -33,8 +33,8 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 /// with a distance goes what both of its ends belong to.
 template <int D, class Real> void tear(World<D, Real>& world, Real dt);
 
-/// swept.cpp: what holds for all particles of the sweep in substeps of length h; those of slots [first, last) into their
-/// columns, and back.
+/// swept.cpp: what holds for all particles of the sweep in substeps of length h; those of slots [first, last) into
+/// their columns, and back.
 template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h);
 template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row first, Row last);
 template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last);

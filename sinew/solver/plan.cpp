@@ -448,8 +448,7 @@ template <int D, class Real> class Planner {
         }
         for (Row r = 0; r < all.size(); ++r) {
             const double reach = minimum(way[r] * slack, far);
-            plan_.per_reach_square[first + (slot(all[r]) - begin)] =
-                reach > 0 ? Real(1 / square(reach)) : Real(0);
+            plan_.per_reach_square[first + (slot(all[r]) - begin)] = reach > 0 ? Real(1 / square(reach)) : Real(0);
         }
     }
 

@@ -137,8 +137,8 @@ template <int D, class Real> class Sweep {
         }
     }
 
-    /// Taking up and predicting, which only the first substep does by itself; the families and what holds, as often as there are
-    /// iterations, the last time with what ends the substep and begins the next.
+    /// Taking up and predicting, which only the first substep does by itself; the families and what holds, as often as
+    /// there are iterations, the last time with what ends the substep and begins the next.
     int parts_of(const Sheet& sheet) const { return 1 + world_.settings.iterations * (int(sheet.families) + 1); }
 
     /// What of a substep there is to do at that time, from part `first` to `end` of all.

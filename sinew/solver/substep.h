@@ -3,6 +3,7 @@
 #include "sinew/solver/decay.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
+#include "sinew/solver/swept_rows.h"
 
 #include <algorithm>
 
@@ -136,8 +137,7 @@ template <int D, class Real> class Substep {
         }
     }
 
-    /// Where the sheet's particles are tied to, from now on: in every second substep, for what gets out of reach in one
-    /// is a trace. The last is one of them.
+    /// Where the sheet's particles are tied to, from now on.
     void tie(const Sheet& sheet) {
         const auto& plan = swept_.plan;
         const auto first = plan.bands[sheet.first_band].first;
@@ -149,7 +149,7 @@ template <int D, class Real> class Substep {
             anchors_[i].per_reach_square = plan.per_reach_square.data() + tether.first - first;
         }
         motion_.anchors = anchors_.data();
-        motion_.anchor_count = (substeps_ - number_) % 2 == 0 ? sheet.tethers : 0;
+        motion_.anchor_count = sheet.tethers;
     }
 
     /// Nothing gets further from a hard pin than the links reach.
@@ -224,7 +224,7 @@ template <int D, class Real> class Substep {
     const LinkColumns<D, Real>& links_;
     SubstepMover<D, Real> mover_;
     Real share_, share_of_substep_; ///< of the step that is over when this substep is
-    int number_, substeps_;         ///< from 1; of the step
+    int number_;                    ///< from 1
     bool last_;
     Real kick_;
     Decay<Real> decay_; ///< most particles have the same
@@ -281,7 +281,8 @@ template <int D, class Real> class Substep {
         for (auto i = band.first_pin; i < band.last_pin; ++i) {
             const auto& pin = world_.pins[swept_.plan.pins[i].pin];
             const Row slot = swept_.plan.pins[i].slot;
-            if (!pin.hard() || p_.quarantined[swept_.row_of[slot]]) continue;
+            const bool rests = number_ > 2 && pin.from == pin.target; // and its particle is there
+            if (rests || !pin.hard() || p_.quarantined[swept_.row_of[slot]]) continue;
             const auto goal = pin.from + (pin.target - pin.from) * share_;
             swept_.set_move(slot, clamp_components(goal - swept_.place_at(slot), mover_.furthest));
         }

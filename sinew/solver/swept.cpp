@@ -1,4 +1,5 @@
 #include "sinew/solver/phases.h"
+#include "sinew/solver/swept_rows.h"
 
 namespace sinew {
 
@@ -37,26 +38,24 @@ template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row fir
     const auto& p = world.particles;
     auto& swept = world.swept;
     const Real furthest = furthest_move(h);
-    for (Row slot = first; slot < last; ++slot) {
-        const Row row = swept.row_of[slot];
+    each_row(swept, first, last, [&](Row row, Row slot) {
         swept.put(swept.place, slot, p.position[row]);
         swept.put(swept.move, slot, clamp_components(p.velocity[row] * h, furthest));
         swept.put(swept.residual, slot, p.residual[row]);
         swept.mobility[slot] = p.mobility[row] > Real(0) ? p.inverse_mass[row] : Real(0);
         swept.inverse_mass[slot] = swept.mobility[slot];
-    }
+    });
 }
 
 template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last) {
     auto& p = world.particles;
     const auto& swept = world.swept;
-    for (Row slot = first; slot < last; ++slot) {
-        const Row row = swept.row_of[slot];
+    each_row(swept, first, last, [&](Row row, Row slot) {
         p.position[row] = swept.place_at(slot);
         p.velocity[row] = swept.velocity_at(slot);
         p.residual[row] = swept.residual_at(slot);
         if (p.mobility[row] != swept.mobility[slot]) p.mobility[row] = swept.mobility[slot];
-    }
+    });
 }
 
 #define SINEW_SWEPT(D, Real)                                                                                           \

@@ -5,6 +5,7 @@
 #include "tests/worlds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 
