@@ -58,7 +58,11 @@ Simd simd_in_use() {
 }
 
 const char* name_of(Simd simd) {
+#if defined(__aarch64__)
+    constexpr const char* names[] = {"one", "neon", "", ""};
+#else
     constexpr const char* names[] = {"one", "sse2", "avx2", "avx512"};
+#endif
     return names[int(simd)];
 }
 
