@@ -1,5 +1,8 @@
 #include "apps/cli/stepping.h"
 
+#include "sinew/solver/step.h"
+#include "sinew/solver/waiting.h"
+
 #include "apps/cli/console.h"
 #include "canvas/interrupt.h"
 
@@ -19,6 +22,18 @@ std::uint64_t steps_before(const Scene& scene, double seconds) {
 
 std::uint64_t steps_until(const Scene& scene, double seconds) {
     return std::uint64_t(std::ceil(std::fmax(seconds * scene.solver.rate - rounding, 0)));
+}
+
+Run::Run(Opened opened) : session(std::move(opened)) {
+    std::visit(
+        [](auto& world) {
+            constexpr std::size_t soon = 30'000; // particles that are ready in a blink
+            if (world.settings.mode == Mode::classic || world.particles.size() < soon) return;
+            canvas::Progress progress("getting ready", 100);
+            const Waiting waiting([&](double share) { progress.update(std::size_t(100 * share)); });
+            prepare(world);
+        },
+        session.world());
 }
 
 void Run::advance(std::uint64_t steps) {

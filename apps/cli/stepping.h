@@ -17,7 +17,8 @@ std::uint64_t steps_until(const Scene& scene, double seconds);
 /// A session and how many steps it took.
 class Run {
   public:
-    explicit Run(Opened opened) : session(std::move(opened)) {}
+    /// With a progress bar where getting the world ready takes a while.
+    explicit Run(Opened opened);
 
     /// Steps on until `steps` are taken in all. Gives up on Ctrl-C.
     void advance(std::uint64_t steps);

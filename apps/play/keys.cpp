@@ -26,6 +26,8 @@ constexpr std::array actions = {
     KeyAction{"ctrl+z", "undo", [](Play& play) { play.undo(); }},
     KeyAction{"ctrl+y", "do again", [](Play& play) { play.redo(); }},
     KeyAction{"ctrl+s", "save", [](Play& play) { play.save_beside(); }},
+    KeyAction{"y", "with the display, or as fast as can be",
+              [](Play& play) { play.free_running = !play.free_running; }},
     KeyAction{"tab", "panel", [](Play& play) { play.panel = !play.panel; }},
     KeyAction{"f1", "this help", [](Play& play) { play.help = !play.help; }},
     KeyAction{"escape", "close, or quit", [](Play& play) { play.close(); }},

@@ -97,6 +97,7 @@ class Play {
     std::string theme;                ///< instead of the scene's; empty leaves that
     std::string shown_theme() const { return theme.empty() ? session().scene().view.theme : theme; }
     bool panel = true, help = false;
+    bool free_running = false; ///< pictures do not wait for the display
     bool quit = false;
 
     std::optional<Picked> hovered, selected;

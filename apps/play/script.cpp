@@ -4,6 +4,8 @@
 #include "sinew/scene/text.h"
 #include "sinew/solver/edit.h"
 
+#include "apps/play/touch.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -20,7 +22,7 @@ struct Action {
 constexpr std::array actions = {
     Action{"move", 1, 4},  Action{"press", 0, 1}, Action{"release", 0, 1}, Action{"scroll", 1, 1}, Action{"key", 1, 1},
     Action{"where", 1, 1}, Action{"set", 1, 1},   Action{"open", 1, 1},    Action{"drop", 1, 1},   Action{"go", 1, 1},
-    Action{"save", 1, 1},  Action{"shot", 1, 1},  Action{"end", 0, 0},
+    Action{"save", 1, 1},  Action{"shot", 1, 1},  Action{"end", 0, 0},     Action{"touch", 3, 5},  Action{"lift", 1, 1},
 };
 
 std::optional<double> number_of(const std::string& text) {
@@ -82,11 +84,13 @@ std::string read_line(const std::vector<std::string>& words, std::size_t number,
 /// Plays the lines as their time comes.
 class Player {
   public:
-    Player(const Script& script, Play& play) : script_(script), play_(play) {}
+    Player(const Script& script, Play& play) : script_(script), play_(play), touch_(play) {}
 
     /// All that is due by that second; a problem ends it.
     std::string perform(double now) {
         glide(now);
+        for (auto& slide : slides_) touch_.move(slide.finger, slide.at(now));
+        std::erase_if(slides_, [&](const Slide& slide) { return now >= slide.until; });
         for (; next_ < script_.lines.size() && script_.lines[next_].at <= now; ++next_) {
             const auto& line = script_.lines[next_];
             if (line.action == "end") return over_ = true, "";
@@ -95,11 +99,24 @@ class Player {
         return "";
     }
 
-    bool over() const { return over_ || (next_ == script_.lines.size() && !to_) || play_.quit; }
+    bool over() const { return over_ || (next_ == script_.lines.size() && !to_ && slides_.empty()) || play_.quit; }
 
   private:
+    /// A finger on its way.
+    struct Slide {
+        std::int64_t finger = 0;
+        Vec2<double> from, to;
+        double since = 0, until = 0;
+
+        Vec2<double> at(double now) const {
+            return from + (to - from) * std::clamp((now - since) / (until - since), 0.0, 1.0);
+        }
+    };
+
     const Script& script_;
     Play& play_;
+    Touch touch_;
+    std::vector<Slide> slides_;
     std::size_t next_ = 0;
     bool over_ = false;
     Vec2<double> from_{};
@@ -146,6 +163,12 @@ class Player {
         } else if (action == "key") {
             play_.handle(Key{words[0]});
             play_.handle(KeyUp{words[0]});
+        } else if (action == "touch") {
+            return touch(at, words);
+        } else if (action == "lift") {
+            const auto finger = number_of(words[0]);
+            if (!finger) return "expected the number of a finger";
+            touch_.up(std::int64_t(*finger));
         } else if (action == "where") {
             return where(words[0]);
         } else if (action == "set") {
@@ -188,6 +211,22 @@ class Player {
         to_ = to;
         since_ = at, until_ = at + over;
         if (over == 0) glide(at);
+        return "";
+    }
+
+    std::string touch(double at, const std::vector<std::string>& words) {
+        const auto finger = number_of(words[0]), x = number_of(words[1]), y = number_of(words[2]);
+        if (!finger || !x || !y) return "expected the number of a finger and two pixels";
+        const auto over = words.size() == 5 && words[3] == "over" ? number_of(words[4]) : std::nullopt;
+        if (words.size() > 3 && (!over || *over < 0)) return "expected `over` and seconds after the place";
+        const auto id = std::int64_t(*finger);
+        const Vec2<double> to{{*x, *y}};
+        const auto from = touch_.place_of(id);
+        if (!from) touch_.down(id, to);
+        if (from && over.value_or(0) > 0)
+            slides_.push_back({id, *from, to, at, at + *over});
+        else
+            touch_.move(id, to);
         return "";
     }
 

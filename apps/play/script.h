@@ -13,6 +13,8 @@
 ///     0.7 press                        left; or: press right, press middle
 ///     1.0 move 900 200 over 0.5        pixels
 ///     1.6 release
+///     1.8 touch 1 600 300              a finger comes down there, or is moved there, over 0 s where nothing is said
+///     1.9 lift 1
 ///     2.0 scroll 3                     notches of the wheel
 ///     2.0 key ctrl+z                   down and up
 ///     2.1 where bob/right_hand         tells where it is

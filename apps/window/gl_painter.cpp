@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <epoxy/gl.h>
+#include <initializer_list>
 
 namespace sinew::window {
 namespace {
@@ -29,8 +30,9 @@ void main() {
 }
 )";
 
+// After "#define IMAGES" or without: a renderer in software takes both sides of every branch, texels first of all.
 // Colours are straight, images are premultiplied, what is written is premultiplied.
-constexpr const char* fragment_text = R"(#version 330 core
+constexpr const char* fragment_text = R"(
 in vec2 at;
 flat in vec2 form;
 in vec4 paint;
@@ -41,13 +43,15 @@ void main() {
         float away = length(vec2(max(abs(at.x) - form.x, 0.0), at.y)) - form.y;
         float cover = clamp(0.5 - away, 0.0, 1.0) * paint.a;
         result = vec4(paint.rgb * cover, cover);
-    } else if (form.x > -1.5) {
-        result = vec4(paint.rgb * paint.a, paint.a);
-    } else {
+#ifdef IMAGES
+    } else if (form.x < -1.5) {
         vec4 texel = texture(image, at);
         vec2 inside = min(at, 1.0 - at) / max(fwidth(at), vec2(1e-6)) + 0.5;
         float cover = clamp(min(inside.x, inside.y), 0.0, 1.0);
         result = mix(texel, vec4(paint.rgb * texel.a, texel.a), paint.a) * cover;
+#endif
+    } else {
+        result = vec4(paint.rgb * paint.a, paint.a);
     }
 }
 )";
@@ -63,9 +67,9 @@ std::uint32_t without_alpha(std::uint32_t color) {
     return color & 0xffffffU;
 }
 
-GLuint compiled(GLenum stage, const char* text, std::string& problem) {
+GLuint compiled(GLenum stage, std::initializer_list<const char*> parts, std::string& problem) {
     const GLuint shader = glCreateShader(stage);
-    glShaderSource(shader, 1, &text, nullptr);
+    glShaderSource(shader, GLsizei(parts.size()), parts.begin(), nullptr);
     glCompileShader(shader);
     GLint good = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
@@ -83,16 +87,22 @@ bool is_paintable(std::span<const Vec2<float>> outline) {
 
 } // namespace
 
-GlPainter::GlPainter() {
-    program_ = glCreateProgram();
-    for (const auto& [stage, text] :
-         {std::pair<GLenum, const char*>{GL_VERTEX_SHADER, vertex_text}, {GL_FRAGMENT_SHADER, fragment_text}}) {
-        const GLuint shader = compiled(stage, text, problem_);
-        glAttachShader(program_, shader);
+GlPainter::Program GlPainter::linked(const char* defined) {
+    Program program{.name = glCreateProgram()};
+    for (const GLuint shader :
+         {compiled(GL_VERTEX_SHADER, {vertex_text}, problem_),
+          compiled(GL_FRAGMENT_SHADER, {"#version 330 core\n", defined, fragment_text}, problem_)}) {
+        glAttachShader(program.name, shader);
         glDeleteShader(shader);
     }
-    glLinkProgram(program_);
-    size_place_ = glGetUniformLocation(program_, "size");
+    glLinkProgram(program.name);
+    program.size = glGetUniformLocation(program.name, "size");
+    return program;
+}
+
+GlPainter::GlPainter() {
+    shapes_ = linked("");
+    images_ = linked("#define IMAGES\n");
     glGenVertexArrays(1, &array_);
     glGenBuffers(1, &vertices_buffer_);
     glGenBuffers(1, &indices_buffer_);
@@ -115,7 +125,7 @@ GlPainter::~GlPainter() {
     glDeleteBuffers(1, &vertices_buffer_);
     glDeleteBuffers(1, &indices_buffer_);
     glDeleteVertexArrays(1, &array_);
-    glDeleteProgram(program_);
+    for (const auto& program : {shapes_, images_}) glDeleteProgram(program.name);
 }
 
 void GlPainter::paint(const Picture& picture, int left, int bottom) {
@@ -131,8 +141,6 @@ void GlPainter::paint(const Picture& picture, int left, int bottom) {
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    glUseProgram(program_);
-    glUniform2f(size_place_, float(picture.width), float(picture.height));
     glBindVertexArray(array_);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_buffer_);
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices_.size() * sizeof(Vertex)), vertices_.data(), GL_STREAM_DRAW);
@@ -140,6 +148,9 @@ void GlPainter::paint(const Picture& picture, int left, int bottom) {
                  GL_STREAM_DRAW);
     glActiveTexture(GL_TEXTURE0);
     for (const auto& batch : batches_) {
+        const auto& program = batch.texture == 0 ? shapes_ : images_;
+        glUseProgram(program.name);
+        glUniform2f(program.size, float(picture.width), float(picture.height));
         glBindTexture(GL_TEXTURE_2D, batch.texture);
         glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(std::size_t(batch.first) * sizeof(std::uint32_t)));
@@ -172,12 +183,8 @@ void GlPainter::gather(const Picture& picture) {
         case Shape::text:
             add_text(picture, item);
             break;
-        case Shape::loop:
-            if (outline.size() > 2) add_line(outline.back(), outline.front(), width, color);
-            [[fallthrough]];
         default:
-            if (outline.size() == 1) add_line(outline[0], outline[0], width, color);
-            for (std::size_t i = 0; i + 1 < outline.size(); ++i) add_line(outline[i], outline[i + 1], width, color);
+            add_stroke(outline, item.shape == Shape::loop, width, color);
         }
     }
 }
@@ -194,12 +201,7 @@ void GlPainter::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 
 /// What follows is painted with that texture; what has none can be painted with any.
 void GlPainter::use(std::uint32_t texture) {
-    auto& last = batches_.back();
-    if (last.texture == texture) return;
-    if (last.texture == 0)
-        last.texture = texture;
-    else
-        batches_.push_back({texture, std::uint32_t(indices_.size()), 0});
+    if (batches_.back().texture != texture) batches_.push_back({texture, std::uint32_t(indices_.size()), 0});
 }
 
 void GlPainter::add_line(Vec2<float> a, Vec2<float> b, float width, std::uint32_t color) {
@@ -215,6 +217,53 @@ void GlPainter::add_line(Vec2<float> a, Vec2<float> b, float width, std::uint32_
     const auto first = corner(-far, -wide);
     corner(far, -wide), corner(far, wide), corner(-far, wide);
     triangle(first, first + 1, first + 2), triangle(first, first + 2, first + 3);
+}
+
+/// A strip of quads that share their corners where the stroke hardly turns, with round ends; where it turns sharply one
+/// strip ends and the next begins.
+void GlPainter::add_stroke(std::span<const Vec2<float>> outline, bool closed, float width, std::uint32_t color) {
+    way_.clear();
+    for (const auto& point : outline)
+        if (way_.empty() || distance(way_.back(), point) > 1e-3F) way_.push_back(point);
+    if (closed && way_.size() > 2) way_.push_back(way_.front());
+    if (way_.size() < 3) return add_line(way_.front(), way_.back(), width, color);
+    const float radius = width / 2, wide = radius + 1; // a pixel more: where it fades
+    const auto pair = [&](Vec2<float> place, Vec2<float> across, float beyond) {
+        put({place - across, {{beyond, -wide}}, {{0, radius}}, color});
+        return put({place + across, {{beyond, wide}}, {{0, radius}}, color});
+    };
+    const auto quad_to_last = [&](std::uint32_t last) {
+        triangle(last - 3, last - 1, last), triangle(last - 3, last, last - 2);
+    };
+    auto along = direction(way_[1] - way_[0]);
+    const auto begin = [&](Vec2<float> place) {
+        const auto across = perpendicular(along) * wide;
+        pair(place - along * wide, across, wide);
+        quad_to_last(pair(place, across, 0));
+    };
+    const auto end = [&](Vec2<float> place) {
+        const auto across = perpendicular(along) * wide;
+        quad_to_last(pair(place, across, 0));
+        quad_to_last(pair(place + along * wide, across, wide));
+    };
+    begin(way_[0]);
+    for (std::size_t i = 1; i + 1 < way_.size(); ++i) {
+        const auto next = direction(way_[i + 1] - way_[i]);
+        const float straight = 1 + dot(along, next);
+        const auto out = (perpendicular(along) + perpendicular(next)) * (wide / maximum(straight, 1e-3F));
+        const float inwards = absolute(dot(out, along)); // how far the corner reaches along its sides
+        const bool turns = straight < 1.5F || inwards > distance(way_[i - 1], way_[i]) / 2 ||
+                           inwards > distance(way_[i], way_[i + 1]) / 2;
+        if (turns) {
+            end(way_[i]);
+            along = next;
+            begin(way_[i]);
+        } else {
+            quad_to_last(pair(way_[i], out, 0));
+            along = next;
+        }
+    }
+    end(way_.back());
 }
 
 /// Triangles, and around them a rim that fades.

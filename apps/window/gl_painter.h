@@ -32,6 +32,10 @@ class GlPainter {
         Vec2<float> shape; ///< of a line: half its length, half its width. Else {-1, 0}: flat; {-2, 0}: an image
         std::uint32_t color;
     };
+    struct Program {
+        std::uint32_t name = 0;
+        int size = -1; ///< where it takes the picture's
+    };
     struct Batch {
         std::uint32_t texture = 0, first = 0, count = 0;
     };
@@ -43,8 +47,10 @@ class GlPainter {
         std::string text;
     };
 
+    Program linked(const char* defined);
     void gather(const Picture& picture);
     void add_line(Vec2<float> a, Vec2<float> b, float width, std::uint32_t color);
+    void add_stroke(std::span<const Vec2<float>> outline, bool closed, float width, std::uint32_t color);
     void add_polygon(std::span<const Vec2<float>> outline, std::uint32_t color);
     void add_image(const Picture& picture, const Picture::Item& item);
     void add_text(const Picture& picture, const Picture::Item& item);
@@ -57,13 +63,14 @@ class GlPainter {
     void forget_unused();
 
     std::string problem_;
-    std::uint32_t program_ = 0, array_ = 0, vertices_buffer_ = 0, indices_buffer_ = 0;
-    int size_place_ = -1;
+    Program shapes_, images_;
+    std::uint32_t array_ = 0, vertices_buffer_ = 0, indices_buffer_ = 0;
     std::vector<Vertex> vertices_;
     std::vector<std::uint32_t> indices_;
     std::vector<Batch> batches_;
     std::vector<Texture> textures_;
     std::vector<std::uint32_t> rest_; // scratch of a polygon's corners
+    std::vector<Vec2<float>> way_;    // scratch of a stroke
     std::uint64_t frame_ = 0;
 };
 

@@ -61,8 +61,14 @@ std::optional<std::string> Screen::renew() {
     }
     if (!context_) return because("the display has no OpenGL 3.3");
     can_tell_ = epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_robustness");
-    SDL_GL_SetSwapInterval(1);
+    SDL_GL_SetSwapInterval(waits_ ? 1 : 0);
     return std::nullopt;
+}
+
+void Screen::wait_for_display(bool on) {
+    if (on == waits_) return;
+    waits_ = on;
+    SDL_GL_SetSwapInterval(on ? 1 : 0);
 }
 
 bool Screen::lost() const {

@@ -32,9 +32,11 @@ class Screen {
     double density() const;
     bool minimized() const;
     void show() const { SDL_GL_SwapWindow(window_); }
+    /// Whether showing waits for the display.
+    void wait_for_display(bool on);
 
   private:
-    bool started_ = false, can_tell_ = false;
+    bool started_ = false, can_tell_ = false, waits_ = true;
     SDL_Window* window_ = nullptr;
     SDL_GLContext context_ = nullptr;
 };

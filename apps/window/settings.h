@@ -12,12 +12,14 @@ struct Settings {
     std::string theme; ///< empty: as scenes say
     int width = 1280, height = 720;
     bool panel = true;
+    bool free_running = false;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.theme, Field{.name = "theme", .help = "light, dark, or as scenes say"});
         visit(self.width, Field{.name = "width", .help = "Of the window", .low = 1, .high = 16384});
         visit(self.height, Field{.name = "height", .help = "Of the window", .low = 1, .high = 16384});
         visit(self.panel, Field{.name = "panel", .help = "Whether the panel is shown"});
+        visit(self.free_running, Field{.name = "free_running", .help = "Whether pictures do not wait for the display"});
     }
 };
 

@@ -1,5 +1,6 @@
 #include "apps/window/window.h"
 
+#include "apps/play/touch.h"
 #include "apps/window/gl_painter.h"
 #include "apps/window/keyboard.h"
 #include "apps/window/panel.h"
@@ -25,12 +26,13 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
 
 class Window {
   public:
-    explicit Window(play::Play& play) : play_(play), panel_(play) {}
+    explicit Window(play::Play& play) : play_(play), touch_(play), panel_(play) {}
 
     std::optional<std::string> run() {
         settings_ = load_settings();
         play_.theme = settings_.theme;
         play_.panel = settings_.panel;
+        play_.free_running = settings_.free_running;
         if (auto problem = screen_.open("Sinew", settings_.width, settings_.height)) return problem;
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
@@ -47,7 +49,7 @@ class Window {
                     return problem;
                 }
             is_lost_ = false;
-            rest(now);
+            if (!play_.free_running) rest(now);
         }
         finish();
         return std::nullopt;
@@ -55,6 +57,7 @@ class Window {
 
   private:
     play::Play& play_;
+    play::Touch touch_;
     Settings settings_;
     Screen screen_;
     Panel panel_;
@@ -92,7 +95,7 @@ class Window {
                            {"ms_paint", painting_ * each}});
         int width = 0, height = 0;
         SDL_GetWindowSize(screen_.window(), &width, &height);
-        save_settings({play_.theme, width, height, play_.panel});
+        save_settings({play_.theme, width, height, play_.panel, play_.free_running});
         if (play_.is_edited()) keep_for_later(play_);
         ImGui_ImplOpenGL3_Shutdown();
         ImGui_ImplSDL2_Shutdown();
@@ -101,17 +104,17 @@ class Window {
     }
 
     void frame(double passed) {
-        for (SDL_Event event; SDL_PollEvent(&event);) take(event);
         const int width = screen_.width(), height = screen_.height();
+        const double density = screen_.density();
+        panel_.dress(density);
+        area_ = panel_.area(width, height);
+        play_.resize(area_.width, area_.height, density);
+        for (SDL_Event event; SDL_PollEvent(&event);) take(event);
         if (screen_.minimized() || width < 1 || height < 1) { // nothing to see: time stands still
             SDL_Delay(50);
             return;
         }
         panel_.measure_frame(passed);
-        const double density = screen_.density();
-        panel_.dress(density);
-        area_ = panel_.area(width, height);
-        play_.resize(area_.width, area_.height, density);
         const auto begin = Clock::now();
         step(passed);
         const auto stepped = Clock::now();
@@ -127,6 +130,7 @@ class Window {
         panel_.show();
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        screen_.wait_for_display(!play_.free_running);
         screen_.show();
         ++frames_;
         shown_ += passed;
@@ -181,21 +185,29 @@ class Window {
             SDL_free(event.drop.file);
             break;
         case SDL_MOUSEMOTION:
+            if (is_a_finger(event.motion.which)) break;
             if (!io.WantCaptureMouse || dragging_) play_.handle(play::Moved{in_scene(event.motion.x, event.motion.y)});
             break;
         case SDL_MOUSEBUTTONDOWN:
-            if (io.WantCaptureMouse) break;
+            if (io.WantCaptureMouse || is_a_finger(event.button.which)) break;
             play_.handle(play::Moved{in_scene(event.button.x, event.button.y)});
             if (const auto button = button_of(event.button.button)) press(*button);
             break;
         case SDL_MOUSEBUTTONUP:
+            if (is_a_finger(event.button.which)) break;
             if (const auto button = button_of(event.button.button); button && dragging_) release(*button);
             break;
         case SDL_MOUSEWHEEL:
             if (!io.WantCaptureMouse) play_.handle(play::Scrolled{double(event.wheel.preciseY)});
             break;
-        case SDL_MULTIGESTURE:
-            pinch(event.mgesture);
+        case SDL_FINGERDOWN:
+            if (const auto at = under(event.tfinger); is_scene(at)) touch_.down(event.tfinger.fingerId, at);
+            break;
+        case SDL_FINGERMOTION:
+            touch_.move(event.tfinger.fingerId, under(event.tfinger));
+            break;
+        case SDL_FINGERUP:
+            touch_.up(event.tfinger.fingerId);
             break;
         case SDL_KEYDOWN:
             if (!io.WantTextInput) play_.handle(play::Key{name_of_key(event.key.keysym)});
@@ -232,12 +244,17 @@ class Window {
         play_.handle(play::Released{button});
     }
 
-    void pinch(const SDL_MultiGestureEvent& gesture) {
-        if (gesture.numFingers != 2) return;
-        const Vec2<double> at{
-            {double(gesture.x) * screen_.width() - area_.left, double(gesture.y) * screen_.height() - area_.top}};
-        play_.handle(play::Pinched{at - play_.pointer(), 1 + double(gesture.dDist) * 2});
-        play_.handle(play::Moved{at});
+    /// SDL moves a mouse to where the first finger is: for the panel, not for the scene.
+    static bool is_a_finger(Uint32 mouse) { return mouse == SDL_TOUCH_MOUSEID; }
+
+    /// A finger does not hover, so that the panel has not seen it come.
+    bool is_scene(Vec2<double> at) const {
+        return !play_.help && play_.problem().empty() && at[0] >= 0 && at[1] >= 0 && at[0] < area_.width &&
+               at[1] < area_.height;
+    }
+
+    Vec2<double> under(const SDL_TouchFingerEvent& finger) const {
+        return {{double(finger.x) * screen_.width() - area_.left, double(finger.y) * screen_.height() - area_.top}};
     }
 };
 

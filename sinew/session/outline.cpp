@@ -32,13 +32,16 @@ float area(std::span<const Vec2<float>> shape) {
 void smooth(std::span<const Vec2<float>> points, Pixels& curve) {
     curve.clear();
     if (points.empty()) return;
-    constexpr float piece = 4; // pixels, as long as a straight part may be
+    constexpr float piece = 4, off = 0.1F; // pixels: as short as parts need be, and as far from the curve
     constexpr int most = 8;
     const std::size_t last = points.size() - 1;
     for (std::size_t i = 0; i < last; ++i) {
         const auto bend =
             catmull_rom(points[i == 0 ? 0 : i - 1], points[i], points[i + 1], points[i + 2 > last ? last : i + 2]);
-        const int parts = 1 + int(minimum(distance(points[i], points[i + 1]) / piece, float(most - 1)));
+        // of so many straight parts, none is further from the curve than `off`
+        const float bent = maximum(norm(bend.a - bend.b * 2 + bend.c), norm(bend.b - bend.c * 2 + bend.d));
+        const float needed = minimum(square_root(0.75F * bent / off), distance(points[i], points[i + 1]) / piece);
+        const int parts = 1 + int(minimum(needed, float(most - 1)));
         for (int part = 0; part < parts; ++part) curve.push_back(bend.at(float(part) / float(parts)));
     }
     curve.push_back(points[last]);

@@ -1,6 +1,7 @@
 #include "sinew/solver/block_build.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/step.h"
+#include "sinew/solver/waiting.h"
 
 #include <algorithm>
 
@@ -294,8 +295,11 @@ template <int D, class Real> void prepare(World<D, Real>& world) {
     auto& blocks = world.blocks;
     if (!blocks.changed && !blocks.stale) return;
     reserve_for_tears(world);
+    Waiting::tell(0);
     Finder(world).run();
+    Waiting::tell(0.2);
     make_plan(world);
+    Waiting::tell(1);
 }
 
 #define SINEW_BLOCK_FIND(D, Real) template void prepare(World<D, Real>&);

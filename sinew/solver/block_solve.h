@@ -43,12 +43,15 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// not converge.
     template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
         set_out(rule);
-        double before = 0;
+        double before = 0, last = 0;
         for (int i = 0;; ++i) {
             if (i > 0 && steady() && worst_error() <= good_enough) return true;
             const double worst = assemble(rule);
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
+            if (i > 1 && block_.braced() && worst <= braces_give && worst > 0.5 * last && moved_ <= hardly * reach_)
+                return true; // braces in a plane: Newton does not come nearer
+            last = worst;
             if (i % patience == 0) { // a solution that exists comes nearer
                 if (i > 0 && !let_go_ && worst > 0.5 * before && worst > acceptable) return false;
                 before = worst;
@@ -92,6 +95,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
   private:
     static constexpr double good_enough = 1e-7;
+    static constexpr double braces_give = 1e-6;
     static constexpr double hardly = 1e-5;        ///< a move after which the next would be too small to matter
     static constexpr double hardly_pulled = 1e-3; ///< the same of a tension
     static constexpr double acceptable = 1e-5;

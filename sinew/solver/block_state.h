@@ -92,8 +92,10 @@ template <int D, class Real> class BlockState {
         }
     }
 
+    /// Those of the last substep. Where some braces hold against others, any of them would do that is the same all
+    /// round, and from substep to substep it would grow with what rounding did to their lengths.
     void start_tensions() {
-        for (auto& link : links()) link.tension = link.before;
+        for (auto& link : links()) link.tension = block.braced() ? 0 : link.before;
         for (auto& bend : bends()) bend.tension = bend.before;
         for (auto& way : ways()) way.tension = way.before;
     }

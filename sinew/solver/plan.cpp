@@ -1,4 +1,5 @@
 #include "sinew/solver/phases.h"
+#include "sinew/solver/waiting.h"
 #include "sinew/solver/world.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ template <int D, class Real> class Planner {
         take_plain();
         join();
         sort_into_parts();
+        Waiting::tell(0.3);
         for (std::size_t part = 0; part < room_.parts.size();) {
             const auto alike = count_alike(part);
             constexpr std::size_t many = 8, small = 1024;
@@ -36,6 +38,7 @@ template <int D, class Real> class Planner {
             }
             part += alike;
         }
+        Waiting::tell(tethered(0));
         plan_.first_run.push_back(std::uint32_t(plan_.runs.size()));
         constexpr std::size_t lanes = 16; // a pack reads on behind the last
         for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->resize(column->size() + lanes);
@@ -377,6 +380,9 @@ template <int D, class Real> class Planner {
         return figure < world_.figures.size() && world_.figures[figure].tethers;
     }
 
+    /// Of all there is to get ready, when such a share of the sheets has its tethers.
+    static double tethered(double share) { return 0.45 + 0.55 * share; }
+
     /// To a few of its pins: of many those that lie furthest apart. What may tear has none, nor what gives.
     void add_tethers(Sheet& sheet) {
         const Row begin = plan_.bands[sheet.first_band].first;
@@ -403,6 +409,8 @@ template <int D, class Real> class Planner {
             plan_.per_reach_square.resize(first + size);
             reach_from(part, *world_.particles.slots.find(world_.pins[pin].particle), begin, first);
             ++sheet.tethers;
+            const auto share = double(i + 1) / double(std::min(most, pins.size()));
+            Waiting::tell(tethered((double(&sheet - plan_.sheets.data()) + share) / double(plan_.sheets.size())));
         }
     }
 

@@ -1,13 +1,11 @@
 #include "sinew/session/session.h"
 
-#include "canvas/cairo_handle.h"
 #include "canvas/png.h"
 #include "canvas/raster.h"
-#include "tests/canvas/ssim.h"
+#include "tests/canvas/golden_picture.h"
 #include "tests/scene/models.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -66,35 +64,15 @@ Image taken(const Shot& shot) {
     canvas::Raster raster(width, height);
     EXPECT_EQ(raster.paint(picture), canvas::Failure());
     std::memcpy(image.pixels.data(), raster.bytes().data(), raster.bytes().size());
-    for (auto& pixel : image.pixels) pixel = (pixel & 0xf8f8f8U) | 0xff000000U;
+    take_few_shades(image);
     return image;
-}
-
-void write(const Image& image, const fs::path& path) {
-    auto pixels = image.pixels;
-    const canvas::CairoSurface surface(
-        cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_RGB24,
-                                            image.width, image.height, 4 * image.width));
-    EXPECT_EQ(cairo_surface_write_to_png(surface.get(), path.c_str()), CAIRO_STATUS_SUCCESS);
 }
 
 class GoldenImage : public testing::TestWithParam<Shot> {};
 
 TEST_P(GoldenImage, LooksAsItDid) {
     const auto& shot = GetParam();
-    const auto now = taken(shot);
-    if (std::getenv("SINEW_RENEW_GOLDEN")) {
-        // What looks the same keeps its file, whatever cairo rounds otherwise.
-        const auto old = canvas::read_png(shot.golden(), shot.name(), {});
-        if (!old.image || ssim(*old.image, now) < least_ssim) write(now, shot.golden());
-    }
-    const auto golden = canvas::read_png(shot.golden(), shot.name(), {});
-    ASSERT_TRUE(golden.image) << golden.problem << "\nSee tests/golden/images/README.md";
-    const double found = ssim(*golden.image, now);
-    const auto seen = fs::temp_directory_path() / ("sinew_" + shot.name() + ".png");
-    if (found < least_ssim) write(now, seen);
-    EXPECT_GE(found, least_ssim) << seen << " is what it looks like now, " << shot.golden()
-                                 << " what it did.\nIf it is meant to, see tests/golden/images/README.md";
+    expect_looks_like(shot.golden(), taken(shot), least_ssim);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, GoldenImage, testing::ValuesIn(shots()),

@@ -3,6 +3,7 @@
 #include "apps/play/clock.h"
 #include "apps/play/scene_edit.h"
 #include "apps/play/script.h"
+#include "apps/play/touch.h"
 #include "tests/sanitized.h"
 
 #include <algorithm>
@@ -400,6 +401,40 @@ TEST(PlayScript, SaysWhatIsWrongAndWhere) {
     EXPECT_NE(read_script("size").problem, "");
     Play play(shelf, "ragdoll");
     EXPECT_NE(run_script(read_script("0 move bob/nose").script, play).find("bob/nose"), std::string::npos);
+}
+
+// Two fingers 200 pixels apart, one of which goes 200 further: twice as large, about the middle, which moves by 100.
+TEST(Touch, OneFingerIsThePointerAndTwoMoveAndScale) {
+    Play play(shelf, "ragdoll");
+    Listening heard(play);
+    const auto pixel = [&](std::size_t number) {
+        const auto& told = heard.told;
+        std::size_t seen = 0;
+        for (const auto& one : told)
+            if (one.what == "where" && seen++ == number)
+                return (*json::find(one.more, "pixel")->value.as<json::Array>())[0].as<json::Number>()->value;
+        return -1.0;
+    };
+    EXPECT_EQ(run_script(read_script("0 key p\n"
+                                     "0.1 where bob/head\n"
+                                     "0.1 touch 1 400 300\n0.2 touch 2 600 300\n"
+                                     "0.3 touch 2 800 300 over 0.2\n"
+                                     "0.6 where bob/head\n"
+                                     "0.7 lift 1\n0.7 touch 2 100 100\n"
+                                     "0.8 where bob/head\n0.8 lift 2\n")
+                             .script,
+                         play),
+              "");
+    EXPECT_NEAR(pixel(1), (pixel(0) - 500) * 2 + 600, 1e-3);
+    EXPECT_EQ(pixel(2), pixel(1)) << "what is left of two fingers does nothing";
+    EXPECT_EQ(heard.count("grab"), 0U);
+    EXPECT_EQ(run_script(read_script("0 key home\n0 move bob/head over 0\n").script, play), "");
+    Touch touch(play);
+    touch.down(7, play.pointer());
+    touch.move(7, play.pointer() + Vec2<double>{{50, 0}});
+    EXPECT_EQ(heard.count("grab"), 1U);
+    touch.down(8, {{10, 10}});
+    EXPECT_EQ(heard.count("let_go"), 1U) << "the second finger takes the first's hold";
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "sinew/math/random.h"
 #include "sinew/solver/measure.h"
+#include "sinew/solver/waiting.h"
 
 #include "tests/sanitized.h"
 #include "tests/worlds.h"
@@ -235,6 +236,21 @@ TEST(Tethers, ReachAsFarAsTheThreads) {
             EXPECT_GE(far * 1.1 + 1e-3, reach); // eight directions come within 8 %
         }
     }
+}
+
+TEST(GettingReady, TellsHowFarItIs) {
+    World<3, double> world;
+    add_cloth(world, {.tethers = true});
+    std::vector<double> shares;
+    const Waiting waiting([&](double share) { shares.push_back(share); });
+    prepare(world);
+    ASSERT_GE(shares.size(), 6U);
+    EXPECT_EQ(shares.front(), 0);
+    EXPECT_EQ(shares.back(), 1);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    const auto told = shares.size();
+    prepare(world); // nothing to do
+    EXPECT_EQ(shares.size(), told);
 }
 
 } // namespace
