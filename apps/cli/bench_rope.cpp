@@ -1,4 +1,5 @@
 #include "sinew/sinew.h"
+#include "sinew/solver/cut.h"
 
 #include "apps/cli/bench_options.h"
 #include "apps/cli/console.h"
@@ -19,6 +20,7 @@ struct RopeResult {
     double milliseconds = 0; ///< median of a step
     double stretch = 0;      ///< the largest of any link after any step, as a fraction
     double outside = 0;      ///< the most an angle was outside its limits after any step, degrees
+    double cut = 0;          ///< of the case ropes: median milliseconds of one, and of finding the blocks again
     double gain = 0;         ///< the most energy above that at the start, as a fraction of all weight times the length
 };
 
@@ -30,6 +32,32 @@ template <class Real> double worst_angle(const World<2, Real>& world) {
         worst =
             std::max(worst, std::abs(constraint_state(world, {kind_number<Angle, 2>, angles.slots.id_of(row)})->error));
     return worst * 180 / pi<double>;
+}
+
+double median(std::vector<double> times) {
+    if (times.empty()) return 0;
+    const auto middle = times.begin() + std::ptrdiff_t(times.size() / 2);
+    std::nth_element(times.begin(), middle, times.end());
+    return *middle;
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point before) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+}
+
+/// Cuts some of many ropes in the middle, one after the other.
+template <class Real> double time_of_a_cut(World<2, Real>& world, int links) {
+    constexpr int cuts = 21;
+    std::vector<double> times;
+    for (int i = 0; i < cuts; ++i) {
+        const auto link = find_constraint(world, fmt::format("rope_{}/link_{}", i * many_ropes / cuts, links / 2));
+        const auto before = std::chrono::steady_clock::now();
+        cut(world, std::span<const ConstraintId>(&*link, 1));
+        prepare(world);
+        times.push_back(milliseconds_since(before));
+        step(world, Real(1.0 / 60));
+    }
+    return median(times);
 }
 
 template <class Real> RopeResult run_rope(const RopeCase& rope, double seconds, canvas::Progress& progress) {
@@ -44,16 +72,15 @@ template <class Real> RopeResult run_rope(const RopeCase& rope, double seconds, 
     for (std::size_t i = 0; i < steps; ++i) {
         const auto before = std::chrono::steady_clock::now();
         step(world, Real(1.0 / 60));
-        times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+        times.push_back(milliseconds_since(before));
         result.outside = std::max(result.outside, worst_angle(world));
         result.stretch = std::max(result.stretch, stretch(world).max);
         result.gain = std::max(result.gain, (energy(world).total() - begun) / scale);
         progress.update(i + 1);
         give_up_if_interrupted();
     }
-    const auto middle = times.begin() + std::ptrdiff_t(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    result.milliseconds = times.empty() ? 0 : *middle;
+    result.milliseconds = median(times);
+    if (rope.name == "ropes") result.cut = time_of_a_cut(world, rope.links);
     return result;
 }
 
@@ -69,7 +96,10 @@ json::Object in_json(const RopeCase& rope, const RopeResult& result) {
                       {"outside_limits", result.outside},
                       {"energy_gain", result.gain}};
     // a shipped game gives all its ropes that much
-    if (rope.name == "ropes") line.emplace_back("ropes_per_half_ms", many_ropes * 0.5 / result.milliseconds);
+    if (rope.name == "ropes") {
+        line.emplace_back("ropes_per_half_ms", many_ropes * 0.5 / result.milliseconds);
+        line.emplace_back("ms_per_cut", result.cut);
+    }
     return line;
 }
 
@@ -136,7 +166,8 @@ std::string rope_details() {
            "after any step, and the most energy it ever gained, as a part of its weight times its length.\n"
            "With --json one line a case: case, links, weight, start, threads, precision, ms_per_step,\n"
            "stretch_max, energy_gain (fractions), outside_limits (the worst angle, in degrees); of the case\n"
-           "ropes also ropes_per_half_ms: how many a step of 0.5 ms would move.\n"
+           "ropes also ropes_per_half_ms: how many a step of 0.5 ms would move; and ms_per_cut: what it takes to\n"
+           "cut one of them in the middle.\n"
            "Cases of rope: " +
            cases + ".\n";
 }

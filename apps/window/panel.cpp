@@ -148,7 +148,9 @@ void Panel::problem() {
 void Panel::help() {
     const auto& look = look_called(play_.shown_theme());
     const auto scale = float(density_);
-    ImGui::SetNextWindowPos({float(width_) / 2, float(height_) / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    const auto area = this->area(width_, height_);
+    const ImVec2 middle{float(area.left) + float(area.width) / 2, float(area.top) + float(area.height) / 2};
+    ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 12 * scale);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(26 * scale, 22 * scale));
     ImGui::Begin("help", nullptr,
@@ -173,8 +175,9 @@ void Panel::help() {
         line("wheel", "zoom");
         ImGui::EndTable();
     }
+    ImGui::PopStyleVar();
     ImGui::End();
-    ImGui::PopStyleVar(3);
+    ImGui::PopStyleVar(2);
 }
 
 } // namespace sinew::window

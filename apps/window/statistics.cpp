@@ -111,6 +111,11 @@ void Statistics::show(play::Play& play, const Look& look, const Fonts& fonts, fl
         const auto units = scene.measures();
         row("tension", text("%.4g N", largest_tension_ * units.per_second * units.per_second / units.per_metre), look);
     }
+    if (report_.energy_lost > 0) {
+        const auto units = scene.measures();
+        const double per_joule = units.per_metre * units.per_metre / (units.per_second * units.per_second);
+        row("lost to blows", text("%.4g J", report_.energy_lost / per_joule), look);
+    }
     row("step", text("%.3f ms", step_), look);
     row("frame", text("%.1f ms", frame_) + text(", %.0f a second", 1000 / std::max(frame_, 0.01)), look);
     ImGui::TextColored(look.faint, "hash");

@@ -104,6 +104,8 @@ template <int D> struct BlockBend : BlockLimit, BlockDrive {
     double begun = 0; ///< the angle when the substep began
     double give = 0;  ///< how far beyond its limit it is held
     bool strikes = false;
+    double taut = 1;              ///< of a spring: the share that acts, in this substep
+    std::array<double, 2> arms{}; ///< squares of the lengths at which its arms are taut; 0 of one that is never slack
     std::array<std::uint32_t, 3> nodes{};
     std::array<std::uint32_t, 3> entries{}; ///< of the pairs 0 1, 1 2, 2 0
     std::array<Vec<D, double>, 3> gradient{};
@@ -127,6 +129,9 @@ struct Block {
     bool motored = false;        ///< its limits may do work
     bool springy = false;        ///< some of it gives
     double lost = 0;             ///< energy, in the last step
+
+    /// Some of its links may hold what others hold too.
+    bool braced() const { return links > unknowns + 1; }
 };
 
 /// Rows [first, last) of a table.

@@ -22,6 +22,7 @@ template <int D> class BlockBends {
             bend.slips = false;
             bend.give = 0;
             const double angle = bend.begun = angle_of(bend, true);
+            bend.taut = tautness(bend, true);
             if (bounces(bend)) {
                 constexpr double hardly = 1e-6;
                 bend.side = bend.tension > 0 && angle > bend.high - hardly  ? 1
@@ -83,8 +84,11 @@ template <int D> class BlockBends {
     double stored(const BlockBend<D>& bend, bool at_start) const {
         if (!soft(bend)) return 0;
         const double angle = angle_of(bend, at_start);
-        return 0.5 * square(angle - clamp(angle, bend.low, bend.high)) / bend.compliance;
+        return 0.5 * tautness(bend, at_start) * square(angle - clamp(angle, bend.low, bend.high)) / bend.compliance;
     }
+
+    /// From now on springs do nothing.
+    void go_limp() { limp_ = true; }
 
     /// How far the worst rigid one is outside its limits when the substep begins.
     double worst_outside() const {
@@ -152,9 +156,27 @@ template <int D> class BlockBends {
     Blocks<D>& blocks_;
     const Block& block_;
     double h_;
-    bool bounce_ = false;
+    bool bounce_ = false, limp_ = false;
 
     BlockNode<D>& node(std::uint32_t i) const { return blocks_.nodes[i]; }
+
+    /// The share of a spring that acts: it bends what is taut, and nothing where an arm has no length and could be
+    /// turned by nothing.
+    double tautness(const BlockBend<D>& bend, bool at_start) const {
+        double share = 1;
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (bend.arms[i] == 0) continue;
+            const auto &a = node(bend.nodes[i]), &b = node(bend.nodes[i + 1]);
+            const auto arm = at_start ? b.start - a.start : b.place - a.place;
+            share *= minimum(dot(arm, arm) / bend.arms[i], 1.0);
+        }
+        return share;
+    }
+
+    /// A spring that is folded turns on past half a turn, for as long as a substep lasts: it must not push to and fro.
+    static double turned_on(const BlockBend<D>& bend, double angle) {
+        return bend.begun + unwrap<Angle<D>>(angle - bend.begun, 0.0, 0.0);
+    }
 
     double measure(BlockBend<D>& bend) const {
         const Points<3, D, double> points{node(bend.nodes[0]).place, node(bend.nodes[1]).place,
@@ -204,14 +226,16 @@ template <int D> class BlockBends {
 
     /// Returns how far the angle is outside its limits.
     double assemble(BlockBend<D>& bend, Rule rule, double hardest, double margin) {
-        const double angle = measure(bend);
+        double angle = measure(bend);
+        if (soft(bend)) angle = turned_on(bend, angle);
         point(bend, rule, angle);
         bend.stiffness = 0;
         if (rule == Rule::place && bend.driven) return 0; // no time passes: it gives
         if (soft(bend)) {
             const double error = angle - clamp(angle, bend.low, bend.high);
-            if (error == 0 || rule == Rule::place) return 0;
-            const double k = minimum(1 / bend.compliance, hardest * arm2(bend));
+            if (limp_) bend.tension = 0;
+            if (error == 0 || rule == Rule::place || limp_) return 0;
+            const double k = minimum(bend.taut / bend.compliance, hardest * arm2(bend));
             bend.tension =
                 bend.held(k * (error + bend.lead * ((angle - bend.begun) / h_ - bend.rate)), bend.tension, false);
             bend.stiffness = bend.slips ? 0 : k * (1 + bend.lead / h_);

@@ -220,6 +220,17 @@ template <int D, class Real> class BlockBuilder {
                any(blocks_.ways, block.first_way, block.ways);
     }
 
+    /// The square of the length at which the link between two particles is taut; 0 where it is never slack.
+    double slack_arm(Row a, Row b) const {
+        double arm = 0;
+        graph_.each(distances_, a, [&](Row link) {
+            const Real high = distances_.high[link];
+            const bool slack = distances_.low[link] < high && high < limit::coordinate<Real>;
+            if (slack && graph_.other_end(link, a) == b) arm = square(double(high));
+        });
+        return arm;
+    }
+
     /// Those of which a particle is the first to be eliminated.
     void add_bends(Row row) {
         graph_.each(angles_, row, [&](Row bend) {
@@ -234,6 +245,7 @@ template <int D, class Real> class BlockBuilder {
                 const auto [early, late] = std::minmax(added.nodes[i], added.nodes[j]);
                 added.entries[i] = mobile(members[i]) && mobile(members[j]) ? entry_of(early, late) : Blocks<D>::none;
             }
+            for (std::size_t i = 0; i < 2; ++i) added.arms[i] = slack_arm(members[i], members[i + 1]);
             blocks_.bends.push_back(added);
             angles_.in_block[bend] = 1;
         });

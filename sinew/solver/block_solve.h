@@ -43,12 +43,15 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// not converge.
     template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
         set_out(rule);
-        double before = 0;
+        double before = 0, last = 0;
         for (int i = 0;; ++i) {
             if (i > 0 && steady() && worst_error() <= good_enough) return true;
             const double worst = assemble(rule);
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
+            if (i > 1 && block_.braced() && worst <= braces_give && worst > 0.5 * last && moved_ <= hardly * reach_)
+                return true; // braces in a plane: Newton does not come nearer
+            last = worst;
             if (i % patience == 0) { // a solution that exists comes nearer
                 if (i > 0 && !let_go_ && worst > 0.5 * before && worst > acceptable) return false;
                 before = worst;
@@ -92,8 +95,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
   private:
     static constexpr double good_enough = 1e-7;
+    static constexpr double braces_give = 1e-6;
     static constexpr double hardly = 1e-5;        ///< a move after which the next would be too small to matter
-    static constexpr double hardly_pulled = 1e-3; ///< the same of a tension
+    static constexpr double hardly_pulled = 3e-3; ///< the same of a tension
     static constexpr double acceptable = 1e-5;
     static constexpr double absurd = 100;
     static constexpr int undecided_after = 8;  ///< iterations: then half steps, which settle what goes to and fro
@@ -132,12 +136,10 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// tighten link by link.
     void choose_side(BlockLink<D>& link) const {
         link.flips = 0;
+        link.side = link.low == link.high || link.tension > 0 ? 1 : link.tension < 0 ? -1 : 0;
+        if (link.side != 0) return;
         const double length = norm(link.start), margin = as_good_as_taut * link.length;
-        const bool exact = link.low == link.high;
-        if (exact || link.tension > 0 || (link.tension == 0 && length > link.high - margin))
-            link.side = 1;
-        else
-            link.side = link.tension < 0 || length < link.low + margin ? -1 : 0;
+        link.side = length > link.high - margin ? 1 : length < link.low + margin ? -1 : 0;
     }
 
     /// The equations at the present places. Returns the worst violation of a rigid link, relative to its length.

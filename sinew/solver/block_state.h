@@ -5,6 +5,8 @@
 #include "sinew/solver/decay.h"
 #include "sinew/solver/phases.h"
 
+#include <algorithm>
+
 /// A block as the world has it: taken over where a substep begins, given back where it ends.
 namespace sinew::detail {
 
@@ -47,12 +49,19 @@ template <int D, class Real> class BlockState {
         driven_ = false;
         if (block.motored) move_limits();
         Decay<double> decay;
+        Push<D, Real> fall; // the same for all that only fall
+        bool fall_known = false;
+        const bool all_fall = std::all_of(world.forces.begin(), world.forces.end(), [](const auto& force) {
+            return std::holds_alternative<Gravity<D, Real>>(force);
+        });
         for (auto& node : unknowns()) {
             const Row row = node.row;
             node.start = node.place = cast<double>(particles.position[row]) + cast<double>(particles.residual[row]);
             const auto velocity = cast<double>(particles.velocity[row]);
             const auto middle = particles.position[row] + particles.velocity[row] * Real(0.5 * h_);
-            const auto push = push_on(world, row, middle);
+            const bool falls = all_fall && particles.force[row] == Vec<D, Real>{};
+            if (falls && !fall_known) fall = push_on(world, row, middle), fall_known = true;
+            const auto push = falls ? fall : push_on(world, row, middle);
             const double rate = clamp(double(world.settings.damping + push.drag_rate), 0.0, limit::measure<double>);
             if (rate != decay.rate) decay = Decay<double>::of(rate, h_);
             node.velocity = velocity * decay.keep;
@@ -92,8 +101,10 @@ template <int D, class Real> class BlockState {
         }
     }
 
+    /// Those of the last substep. Where some braces hold against others, any of them would do that is the same all
+    /// round, and from substep to substep it would grow with what rounding did to their lengths.
     void start_tensions() {
-        for (auto& link : links()) link.tension = link.before;
+        for (auto& link : links()) link.tension = block.braced() ? 0 : link.before;
         for (auto& bend : bends()) bend.tension = bend.before;
         for (auto& way : ways()) way.tension = way.before;
     }

@@ -109,15 +109,21 @@ template <int D, class Real> class BlockStep {
         return Went::well;
     }
 
-    /// The substep once more, implicit. Where even that finds nothing, everything stays where it is for this moment and
-    /// slows down, until it does.
+    /// The substep once more, implicit; if need be as if it had no springs. Where even that finds nothing, everything
+    /// stays where it is for this moment and slows down, until it does.
     void give_way(double from, double to) {
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
         const Energy energy(solve, is_free());
         pull_together(solve);
         const double kinetic = solve.kinetic();
-        if (run(solve, Rule::implicit, many)) {
+        bool found = run(solve, Rule::implicit, many);
+        if (!found && state_.block.springy) {
+            state_.start_tensions();
+            solve.bends().go_limp();
+            found = run(solve, Rule::implicit, many);
+        }
+        if (found) {
             take_mean_velocities();
         } else {
             for (auto& node : state_.unknowns()) node.place = node.start, node.velocity *= 0.5;

@@ -263,6 +263,48 @@ TEST(Block, LettingGoAddsNoEnergy) {
     }
 }
 
+// Springs between links that can go slack: a heap of them folds flat in any way, and still falls and comes to rest.
+TEST(Block, AHeapOfStiffRopeComesToRest) {
+    for (const double stiffness : {0.01, 0.1, 1.0}) {
+        World<2, double> world;
+        fall(world, gravity);
+        world.bounds.push_back({{{0, 1}}, 0, 0, 0.4});
+        build(world,
+              Rope{.length = 2,
+                   .segments = sanitized ? 10 : 20,
+                   .angle = pi<double> * 0.97,
+                   .pinned = "none",
+                   .mass = 1,
+                   .bend_stiffness = stiffness},
+              "rope", {.at = {{0, 0.2}}});
+        run(world, sanitized ? 1 : 2);
+        double highest = 0, fastest = 0;
+        for (const auto& place : world.particles.position) highest = maximum(highest, place[1]);
+        for (const auto& velocity : world.particles.velocity) fastest = maximum(fastest, norm(velocity));
+        EXPECT_LT(highest, 0.5) << "it stood two metres high; stiffness " << stiffness;
+        EXPECT_LT(fastest, 0.5);
+        EXPECT_LT(stretch(world).max, 1e-3);
+    }
+}
+
+// Of six rods between four corners one is too many: what they hold against each other must not grow.
+TEST(Block, BracesDoNotPullAgainstEachOther) {
+    World<3, float> world;
+    fall(world, gravity);
+    std::vector<ParticleId> corners;
+    for (const Vec<3, float> place : {Vec<3, float>{{0, 0, 0}}, {{0.4F, 0, 0}}, {{0.4F, 0.2F, 0}}, {{0, 0.2F, 0}}})
+        corners.push_back(add_particle(world, {.position = place, .velocity = {{place[1], -place[0], place[0]}}}));
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        for (std::size_t j = i + 1; j < corners.size(); ++j) add<Distance>(world, {corners[i], corners[j]});
+    run(world, 2);
+    const auto& rods = std::get<kind_number<Distance, 3>>(world.constraints);
+    for (Row row = 0; row < rods.size(); ++row) {
+        const auto state = constraint_state(world, {kind_number<Distance, 3>, rods.slots.id_of(row)});
+        EXPECT_LT(std::abs(state->tension), 1000) << "each corner weighs ten newtons";
+        EXPECT_LT(std::abs(state->strain), 1e-5);
+    }
+}
+
 TEST(Block, PinnedFurtherApartThanItIsLongItStretchesEvenlyAndComesBack) {
     World<2, double> world;
     fall(world, gravity);

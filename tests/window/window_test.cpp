@@ -1,5 +1,7 @@
 #include "sinew/solver/edit.h"
 
+#include "apps/play/keys.h"
+#include "apps/play/tool.h"
 #include "apps/window/window.h"
 #include "tests/canvas/golden_picture.h"
 #include "tests/canvas/scratch_folder.h"
@@ -29,7 +31,7 @@ class WindowTest : public testing::Test {
   protected:
     void SetUp() override {
         setenv("SDL_VIDEODRIVER", "offscreen", 1);
-        setenv("XDG_CONFIG_HOME", folder.path.c_str(), 1);
+        for (const char* name : {"XDG_CONFIG_HOME", "XDG_STATE_HOME"}) setenv(name, folder.path.c_str(), 1);
         if (SDL_Init(SDL_INIT_VIDEO) != 0) GTEST_SKIP() << "no OpenGL without a display here: " << SDL_GetError();
         game.listener = [this](const play::Told& one) {
             told += one.what + " ";
@@ -38,7 +40,7 @@ class WindowTest : public testing::Test {
     }
     void TearDown() override {
         SDL_Quit();
-        for (const char* name : {"SDL_VIDEODRIVER", "XDG_CONFIG_HOME"}) unsetenv(name);
+        for (const char* name : {"SDL_VIDEODRIVER", "XDG_CONFIG_HOME", "XDG_STATE_HOME"}) unsetenv(name);
     }
 
     /// A finger, in parts of the window.
@@ -125,6 +127,34 @@ TEST_F(WindowTest, LooksAsItDid) {
     const auto light = canvas::read_png(kept / "light.png", "light", {});
     ASSERT_TRUE(light.image);
     EXPECT_LT(ssim(*light.image, shot), 0.8) << "a window without its panel looks otherwise";
+}
+
+// Each with a picture or two after it, the help over the scene among them; twice, so that what is on goes off. What
+// writes files is left out, and what ends it comes last.
+TEST_F(WindowTest, ShowsWhatEveryKeyDoes) {
+    struct Typing {
+        std::vector<SDL_Keycode> keys;
+        std::size_t next = 0;
+    } typing;
+    for (int times = 0; times < 2; ++times) {
+        for (const auto& action : play::key_actions())
+            if (action.key != "s" && action.key != "v" && action.key != "escape" && !action.key.starts_with("ctrl"))
+                typing.keys.push_back(SDL_GetKeyFromName(std::string(action.key).c_str()));
+        for (const auto& tool : play::all_tools())
+            typing.keys.push_back(SDL_GetKeyFromName(std::string(tool->key()).c_str()));
+        for (const char overlay : {'1', '2', '3', '4'}) typing.keys.push_back(overlay);
+    }
+    typing.keys.push_back(SDLK_ESCAPE);
+    const auto type = [](Uint32 interval, void* data) -> Uint32 {
+        auto& left = *static_cast<Typing*>(data);
+        key(left.keys[left.next++]);
+        return left.next < left.keys.size() ? interval : 0;
+    };
+    SDL_AddTimer(10, type, &typing);
+    if (const auto problem = show(game)) GTEST_SKIP() << *problem;
+    EXPECT_EQ(typing.next, typing.keys.size());
+    EXPECT_FALSE(game.help);
+    EXPECT_TRUE(told.ends_with("end saved ")) << told << " and what was edited is kept";
 }
 
 // The scene lies between the tools (56 pixels wide) and the panel (340), above the bar (64), of 1280x720.
