@@ -68,12 +68,13 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         }
     }
 
-    /// One iteration more.
-    template <class Hold> void refine(Rule rule, Hold&& hold) {
+    /// One iteration more. False where that led away: a limit let go that should have held.
+    template <class Hold> bool refine(Rule rule, Hold&& hold) {
         assemble(rule);
         hold();
         Base::solve();
         take_step(1);
+        return worst_error() <= acceptable;
     }
 
     /// Where Newton does not find the lengths: sweeps over the links come nearer to them.

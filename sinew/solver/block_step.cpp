@@ -45,8 +45,8 @@ template <int D, class Real> class BlockStep {
     bool run(Solve& solve, Rule rule, int iterations) {
         return solve.run(rule, iterations, [&] { contact_.hold(solve.stiffness()); });
     }
-    void refine(Solve& solve) {
-        solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness()); });
+    bool refine(Solve& solve) {
+        return solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness()); });
     }
     /// Nothing from outside acts on it but force fields.
     bool is_free() const { return state_.fixed().empty() && !state_.driven() && !contact_.near(); }
@@ -88,7 +88,7 @@ template <int D, class Real> class BlockStep {
         constexpr double exact = 0.02, slight = 1e3; // parts of what rounding may do
         double gain = state_.works_alone() ? energy.gain() : 0;
         if (absolute(gain) > exact) {
-            refine(solve);
+            if (!refine(solve)) return Went::too_far;
             gain = energy.gain();
         }
         if (gain > (shortest ? slight : 1)) return Went::too_far;
