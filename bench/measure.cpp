@@ -61,7 +61,8 @@ Measured measure_as(const Case& chosen, const Work& work, int threads, int steps
     constexpr std::size_t enough = 50'000; // constraints: below it pages and what the heap keeps are what is told
     if (const auto bytes = memory.risen(); bytes > 0 && work.constraints() >= enough)
         measured.bytes_per_constraint = (double(bytes) - particles) / double(work.constraints());
-    static_cast<Timing&>(measured) = time(run, work, {.steps = steps}, watch);
+    constexpr double patience = 3; // seconds
+    static_cast<Timing&>(measured) = time(run, work, {.steps = steps, .seconds = patience}, watch);
     return measured;
 }
 
@@ -100,8 +101,8 @@ Measured measure(const Case& chosen, const Work& work, const Engine& engine, int
 }
 
 int usual_steps(const Work& work) {
-    constexpr double constraints_stepped = 1e7; // a second by the book
-    return int(std::clamp(constraints_stepped / double(work.constraints()), 5.0, 300.0));
+    constexpr double constraints_stepped = 5e6; // half a second by the book
+    return int(std::clamp(constraints_stepped / double(work.constraints()), 3.0, 300.0));
 }
 
 Work work_of(const Case& chosen) {

@@ -129,15 +129,19 @@ std::vector<std::string> row(const std::string& name, const bench::Engine& engin
     return cells;
 }
 
-/// Float on one thread, two and four, and double on one; or what was asked for.
-std::vector<bench::Engine> engines(const BenchOptions& options) {
+/// Float on one thread, two and four, and double on one, of what is large only float on one and on most; or what was
+/// asked for.
+std::vector<bench::Engine> engines(const BenchOptions& options, const Work& work) {
+    constexpr std::size_t large = 1'000'000; // constraints: building the world takes longer than its steps
+    const bool few = work.constraints() >= large;
     std::vector<int> counts;
     for (const int n : {1, 2, 4})
         if (n <= hardware_threads()) counts.push_back(n);
+    if (few && counts.size() > 2) counts.erase(counts.begin() + 1, counts.end() - 1);
     if (options.threads) counts = {int(*options.threads)};
     std::vector<bench::Engine> all;
     for (const int n : counts) all.push_back({n, options.precision != "double"});
-    if (options.precision.empty() && !options.threads) all.push_back({1, false});
+    if (options.precision.empty() && !options.threads && !few) all.push_back({1, false});
     return all;
 }
 
@@ -152,7 +156,7 @@ void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& ca
         const auto rivals = measure_rivals(chosen, work, steps);
         const double unit = rivals.front().timing.milliseconds;
         auto name = fmt::format("{} ({})", chosen.name, work.constraints());
-        for (const auto& engine : engines(options)) {
+        for (const auto& engine : engines(options, work)) {
             Watching watching(chosen, "sinew");
             const auto measured = measure(chosen, work, engine, steps, watching.watch());
             const Line line{chosen, work, engine, measured, rivals};

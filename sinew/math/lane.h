@@ -142,10 +142,28 @@ template <class V, class Real>
     return holds;
 }
 template <class Mask> [[gnu::always_inline]] inline bool any(const Mask& holds) {
-    unsigned long long words[sizeof(Mask) / 8], all = 0;
-    __builtin_memcpy(words, &holds, sizeof holds);
-    for (const auto word : words) all |= word;
-    return all != 0;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Mask) == 64) {
+        const auto words = reinterpret_cast<__m512i>(holds);
+        return _mm512_test_epi64_mask(words, words) != 0;
+    } else
+#endif
+#if defined(__AVX2__)
+        if constexpr (sizeof(Mask) == 32) {
+        return _mm256_movemask_epi8(reinterpret_cast<__m256i>(holds)) != 0;
+    } else
+#endif
+#if defined(__SSE2__)
+        if constexpr (sizeof(Mask) == 16) {
+        return _mm_movemask_epi8(reinterpret_cast<__m128i>(holds)) != 0;
+    } else
+#endif
+    {
+        unsigned long long words[sizeof(Mask) / 8], all = 0;
+        __builtin_memcpy(words, &holds, sizeof holds);
+        for (const auto word : words) all |= word;
+        return all != 0;
+    }
 }
 
 /// Stores the first `count` lanes and touches nothing behind them.
@@ -158,6 +176,30 @@ template <class V, class Real> [[gnu::always_inline]] inline void store_first(Re
     else
 #endif
         for (int i = 0; i < count; ++i) to[i] = lane_of(pack, i);
+}
+
+/// The first `count` lanes, and another number in those behind them.
+template <class V, class Real> [[gnu::always_inline]] inline V first_lanes(const V& pack, int count, Real behind) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
+        return _mm512_mask_blend_ps(__mmask16((1U << count) - 1), _mm512_set1_ps(behind), pack);
+    else if constexpr (sizeof(V) == 64)
+        return _mm512_mask_blend_pd(__mmask8((1U << count) - 1), _mm512_set1_pd(behind), pack);
+    else
+#endif
+    {
+        V lanes = pack;
+        for (int i = count; i < int(sizeof(V) / sizeof(Real)); ++i) put_lane(lanes, i, behind);
+        return lanes;
+    }
+}
+
+/// Stores a pack: all lanes, or the first `count`.
+template <bool all, class V, class Real> [[gnu::always_inline]] inline void put(Real* to, const V& pack, int count) {
+    if constexpr (all)
+        store(to, pack);
+    else
+        store_first(to, pack, count);
 }
 
 } // namespace lane

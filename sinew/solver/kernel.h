@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 /// What is done to many particles at once. Each function is compiled once for each kind of processor from the same text
@@ -18,13 +19,15 @@ struct LinkRun {
     bool soft = false;            ///< some have compliance
     bool exact = true;            ///< each has but one limit
     bool swings = false;          ///< corrected along the links as they were when the substep began
+    bool even = true;             ///< both ends of each move as readily, and can
     bool scattered = false;
 };
 
 /// The columns of the particles (swept.h), and of the plan (plan.h).
 template <int D, class Real> struct LinkColumns {
-    const Real* place[D];
-    Real* move[D];
+    const Real* place;
+    Real* move;
+    std::size_t apart; ///< from one component to the next
     const Real* mobility;
     const Real *low, *high, *compliance;
     const std::uint32_t *ends_a, *ends_b, *rows; ///< of scattered ones
@@ -38,39 +41,41 @@ template <class Real> struct LinkPass {
     bool first = true; ///< they begin at zero
 };
 
-template <int D, class Real> struct Drift {
-    Real* move[D];
-    const Real* mobility;
-    Real add[D]; ///< to each move
-    Real keep;   ///< of it, before
-    Real most;   ///< it may be
+/// Where particles are tied to: each no further from it than it reaches.
+template <int D, class Real> struct Anchor {
+    Real place[D];
+    const Real* per_reach_square; ///< 1 / reach^2, by slot
 };
 
-template <int D, class Real> struct Advance {
-    Real *place[D], *move[D], *residual[D];
-    Real most;     ///< a move may be
-    Real furthest; ///< a particle may be
+/// What a substep does to each particle by itself.
+template <int D, class Real> struct Motion {
+    Real *place, *move, *residual;
+    std::size_t apart; ///< from one component to the next
+    const Real* mobility;
+    const Anchor<D, Real>* anchors = nullptr;
+    std::uint32_t anchor_count = 0;
+    Real most = 0;     ///< a move may be
+    Real furthest = 0; ///< a particle may be
+    Real add[D];       ///< to each move
+    Real keep = 1;     ///< of it, before
 };
 
-template <int D, class Real> struct Tethering {
-    const Real* place[D];
-    Real* move[D];
-    const Real* mobility;
-    const Real* reach; ///< by slot
-    Real anchor[D];    ///< where it will be
-};
+/// Each of particles in slots [first, last).
+template <int D, class Real> using Moving = void (*)(const Motion<D, Real>&, std::uint32_t first, std::uint32_t last);
 
 template <int D, class Real> struct Kernels {
     /// Solves some runs one after the other.
     void (*project)(const LinkColumns<D, Real>&, LinkPass<Real>&, const LinkRun* first, const LinkRun* last);
-    /// move <- keep move + add of what can move, 0 of the rest, for slots [first, last).
-    void (*drift)(const Drift<D, Real>&, std::uint32_t first, std::uint32_t last);
+    /// Pulls what is out of reach of an anchor back.
+    Moving<D, Real> tether;
     /// place <- place + move, with what rounding takes kept in the residual (Kahan 1965).
-    void (*advance)(const Advance<D, Real>&, std::uint32_t first, std::uint32_t last);
-    /// Pulls what is out of reach of the anchor back.
-    void (*tether)(const Tethering<D, Real>&, std::uint32_t first, std::uint32_t last);
+    Moving<D, Real> advance;
+    /// move <- keep move + add of what can move, 0 of the rest.
+    Moving<D, Real> drift;
+    /// All three, one after the other; and the first two.
+    Moving<D, Real> go_on, settle;
     /// The least of normal . (place + move).
-    Real (*lowest)(const Advance<D, Real>&, const Real* normal, std::uint32_t first, std::uint32_t last);
+    Real (*lowest)(const Motion<D, Real>&, const Real* normal, std::uint32_t first, std::uint32_t last);
 };
 
 /// Those of one kind of processor.

@@ -19,6 +19,9 @@ template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, 
     return push_on(world, row, world.particles.position[row]);
 }
 
+/// force.cpp: whether any force is one. Most worlds have none, and are looked through quickly.
+template <int D, class Real> bool any_strikes(const std::vector<Vec<D, Real>>& forces);
+
 /// force.cpp: hands out the forces that strike one particle a step, into particles.force.
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
 
@@ -30,9 +33,11 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 /// with a distance goes what both of its ends belong to.
 template <int D, class Real> void tear(World<D, Real>& world, Real dt);
 
-/// swept.cpp: the particles of the sweep into their columns, for substeps of length h, and back.
-template <int D, class Real> void take_up(World<D, Real>& world, Real h);
-template <int D, class Real> void put_back(World<D, Real>& world);
+/// swept.cpp: what holds for all particles of the sweep in substeps of length h; those of slots [first, last) into
+/// their columns, and back.
+template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h);
+template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row first, Row last);
+template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last);
 
 /// plan.cpp: works out how the sweep goes about what is in no block.
 template <int D, class Real> void make_plan(World<D, Real>& world);

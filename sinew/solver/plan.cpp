@@ -45,7 +45,7 @@ template <int D, class Real> class Planner {
         list_pins();
         if (!plan_.may_tear)
             for (auto& sheet : plan_.sheets) add_tethers(sheet);
-        plan_.reach.resize(plan_.reach.size() + (plan_.reach.empty() ? 0 : lanes));
+        plan_.per_reach_square.resize(plan_.per_reach_square.size() + (plan_.per_reach_square.empty() ? 0 : lanes));
         swept_.make_room();
     }
 
@@ -240,8 +240,15 @@ template <int D, class Real> class Planner {
                               .uniform = true,
                               .soft = distances_.compliance[link] > Real(0),
                               .exact = is_exact(link),
-                              .swings = swings_});
+                              .swings = swings_,
+                              .even = is_even(link)});
         fresh_ = false;
+    }
+    /// Its ends can move, and equally readily whatever slows them down.
+    bool is_even(Row link) const {
+        const auto& p = world_.particles;
+        const Row a = end(link, 0), b = end(link, 1);
+        return p.mobility[a] > Real(0) && p.mobility[b] > Real(0) && p.inverse_mass[a] == p.inverse_mass[b];
     }
     bool is_exact(Row link) const { return distances_.low[link] == distances_.high[link]; }
 
@@ -263,6 +270,7 @@ template <int D, class Real> class Planner {
         if (!run.uniform) add_parameters(link);
         run.soft = run.soft || distances_.compliance[link] > Real(0);
         run.exact = run.exact && is_exact(link);
+        run.even = run.even && is_even(link);
         ++run.count;
     }
 
@@ -281,6 +289,7 @@ template <int D, class Real> class Planner {
         auto& run = plan_.runs.back();
         run.soft = run.soft || distances_.compliance[link] > Real(0);
         run.exact = run.exact && is_exact(link);
+        run.even = run.even && is_even(link);
         ++run.count;
     }
 
@@ -391,13 +400,13 @@ template <int D, class Real> class Planner {
             }
         if (pins.empty()) return;
         list_rigid_links(part);
-        constexpr std::size_t most = 4;
+        constexpr std::size_t most = most_tethers;
         const auto size = members(part).size();
         for (std::size_t i = 0; i < std::min(most, pins.size()); ++i) {
             const auto pin = pins.size() <= most ? pins[i] : pins[i * (pins.size() - 1) / (most - 1)];
-            const auto first = plan_.reach.size();
+            const auto first = plan_.per_reach_square.size();
             plan_.tethers.push_back({.pin = pin, .first = std::uint32_t(first)});
-            plan_.reach.resize(first + size);
+            plan_.per_reach_square.resize(first + size);
             reach_from(part, *world_.particles.slots.find(world_.pins[pin].particle), begin, first);
             ++sheet.tethers;
             const auto share = double(i + 1) / double(std::min(most, pins.size()));
@@ -445,8 +454,10 @@ template <int D, class Real> class Planner {
             }
             for (const auto& [other, length] : rigid(r)) length_to[other] = apart;
         }
-        for (Row r = 0; r < all.size(); ++r)
-            plan_.reach[first + (slot(all[r]) - begin)] = Real(minimum(double(way[r]) * slack, far));
+        for (Row r = 0; r < all.size(); ++r) {
+            const double reach = minimum(way[r] * slack, far);
+            plan_.per_reach_square[first + (slot(all[r]) - begin)] = reach > 0 ? Real(1 / square(reach)) : Real(0);
+        }
     }
 
     using RigidLink = PlanRoom::RigidLink;

@@ -36,11 +36,14 @@ struct PinnedSlot {
     std::uint32_t slot = 0, pin = 0;
 };
 
+/// Of one sheet.
+inline constexpr std::size_t most_tethers = 4;
+
 /// Keeps the particles of a sheet within reach of a pin: no further than the shortest way along rigid links is long
 /// (long-range attachments: Kim, Chentanez and Mueller 2012).
 struct Tether {
     std::uint32_t pin = 0;   ///< of the world
-    std::uint32_t first = 0; ///< of Plan::reach: that of the sheet's first slot
+    std::uint32_t first = 0; ///< of Plan::per_reach_square: that of the sheet's first slot
 };
 
 /// Room for working out a plan.
@@ -87,9 +90,9 @@ template <class Real> struct Plan {
     std::vector<std::uint32_t> ends_a, ends_b, rows; ///< of what is scattered
     std::vector<PinnedSlot> pins;                    ///< by slot
     std::vector<Tether> tethers;
-    std::vector<Real> reach;      ///< of each tether, by slot
-    bool may_tear = true;         ///< something in the world
-    std::vector<SweepRun> others; ///< constraints that are not plain, in the order of the sweep
+    std::vector<Real> per_reach_square; ///< of each tether, by slot; 0 where it reaches anywhere
+    bool may_tear = true;               ///< something in the world
+    std::vector<SweepRun> others;       ///< constraints that are not plain, in the order of the sweep
 
     void reserve(std::size_t particles, std::size_t distances, std::size_t constraints) {
         sheets.reserve(particles + 1);
@@ -110,7 +113,7 @@ template <class Real> struct Plan {
         runs.clear();
         pins.clear();
         tethers.clear();
-        reach.clear();
+        per_reach_square.clear();
         others.clear();
     }
 };

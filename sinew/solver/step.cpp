@@ -13,8 +13,8 @@ template <int D, class Real> void begin(World<D, Real>& world) {
     apply_random_pushes(world);
 }
 
-/// Most particles have none: what is not written to need not be fetched.
 template <int D, class Real> void forget_forces(std::vector<Vec<D, Real>>& forces) {
+    if (!any_strikes(forces)) return;
     for (auto& force : forces)
         if (force != Vec<D, Real>{}) force = {};
 }
@@ -32,19 +32,19 @@ template <int D, class Real> class Sweep {
   public:
     Sweep(World<D, Real>& world, int substeps, Real h)
         : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps), h_(h),
-          driven_(any_driven(world)) {}
+          driven_(!(plan_.others.empty() && world.blocks.list.empty()) && any_driven(world)) {}
 
     void run() {
         if (world_.swept.size() == 0 && !driven_) return;
-        take_up(world_, h_);
+        begin_sweep(world_, h_);
+        links_ = world_.swept.link_columns(distances().multiplier.data());
         if (!all_is_plain())
-            for (int s = 1; s <= substeps_; ++s) run_substep(s);
+            run_substeps();
         else if (plan_.sheets.size() >= std::size_t(2 * threads()))
             Workers::run(threads(), int(plan_.sheets.size()),
                          [&](int i) { run_through(plan_.sheets[std::size_t(i)]); });
         else
             for (const auto& sheet : plan_.sheets) share_out(sheet);
-        put_back(world_);
     }
 
   private:
@@ -54,17 +54,27 @@ template <int D, class Real> class Sweep {
     int substeps_;
     Real h_;
     bool driven_;
+    LinkColumns<D, Real> links_{};
 
     using Substep = detail::Substep<D, Real>;
+
+    auto& distances() { return std::get<kind_number<Distance, D>>(world_.constraints); }
+    Substep make_substep(int number) { return Substep(world_, kernels_, links_, number, substeps_, h_); }
 
     bool all_is_plain() const {
         return plan_.others.empty() && !driven_ && world_.blocks.hanging.empty() && !world_.budgets.any;
     }
 
+    void run_substeps() {
+        take_up(world_, h_, 0, world_.swept.size());
+        for (int s = 1; s <= substeps_; ++s) run_substep(s);
+        put_back(world_, 0, world_.swept.size());
+    }
+
     /// A substep of everything.
     void run_substep(int number) {
         if (driven_) move_limits(world_, h_);
-        Substep substep(world_, number, substeps_, h_);
+        auto substep = make_substep(number);
         auto& mover = substep.mover();
         for (const auto& band : plan_.bands) substep.predict(band);
         note_energy(world_);
@@ -73,15 +83,17 @@ template <int D, class Real> class Sweep {
             for (const auto& sheet : plan_.sheets)
                 for (std::uint32_t f = 0; f < sheet.families; ++f)
                     for (std::uint32_t band = 0; band < sheet.bands; ++band)
-                        substep.project(kernels_, plan_.families[sheet.first_family + f], band);
+                        substep.project(plan_.families[sheet.first_family + f], band);
             for (const auto& run : plan_.others) detail::project_run(world_, run, mover);
             correct_hanging(world_, h_, mover.first_iteration);
-            for (const auto& sheet : plan_.sheets)
-                for (const auto& band : bands_of(sheet)) substep.tether(kernels_, sheet, band);
+            for (const auto& sheet : plan_.sheets) {
+                substep.tie(sheet);
+                for (const auto& band : bands_of(sheet)) substep.tether(band);
+            }
             for (const auto& band : plan_.bands) substep.pull_pins(band);
-            for (const auto& band : plan_.bands) substep.keep_in_bounds(kernels_, band);
+            for (const auto& band : plan_.bands) substep.keep_in_bounds(band);
         }
-        for (const auto& band : plan_.bands) substep.advance(kernels_, band);
+        for (const auto& band : plan_.bands) substep.advance(band);
         take_back_gains(world_, h_);
         for (const auto& band : plan_.bands) substep.rebound(band);
         if (driven_) slip(world_, h_);
@@ -116,19 +128,22 @@ template <int D, class Real> class Sweep {
         for (std::uint32_t time = 0; time < last; time += at_once) {
             if (ahead) ahead->await(std::min(time + at_once, last));
             for (int number = first / parts_of(sheet); number < substeps_; ++number) {
-                Substep substep(world_, number + 1, substeps_, h_);
+                auto substep = make_substep(number + 1), next = make_substep(number + 2);
+                substep.tie(sheet);
                 for (auto t = time; t < std::min(time + at_once, last); ++t)
-                    run_at(sheet, substep, number, t, first, end);
+                    run_at(sheet, substep, next, number, t, first, end);
             }
             if (own) own->reach(std::min(time + at_once, last));
         }
     }
 
-    /// Predict; the families and what holds, as often as there are iterations; advance.
-    int parts_of(const Sheet& sheet) const { return 2 + world_.settings.iterations * (int(sheet.families) + 1); }
+    /// Taking up and predicting, which only the first substep does by itself; the families and what holds, as often as
+    /// there are iterations, the last time with what ends the substep and begins the next.
+    int parts_of(const Sheet& sheet) const { return 1 + world_.settings.iterations * (int(sheet.families) + 1); }
 
     /// What of a substep there is to do at that time, from part `first` to `end` of all.
-    void run_at(const Sheet& sheet, Substep& substep, int number, std::uint32_t time, int first, int end) {
+    void run_at(const Sheet& sheet, Substep& substep, Substep& next, int number, std::uint32_t time, int first,
+                int end) {
         const int iterations = world_.settings.iterations;
         int part = number * parts_of(sheet);
         const auto begun = std::uint32_t(number * iterations) * sheet.lag;
@@ -138,23 +153,24 @@ template <int D, class Real> class Sweep {
             ++part;
         };
         const auto band = [&](std::uint32_t i) -> const Band& { return plan_.bands[sheet.first_band + i]; };
-        at(begun, [&](std::uint32_t i) { substep.predict(band(i)); });
+        at(begun, [&](std::uint32_t i) {
+            if (number > 0) return;
+            take_up(world_, h_, band(i).first, band(i).last);
+            substep.predict(band(i));
+        });
         auto delay = begun;
-        for (int n = 0; n < iterations; ++n, delay += sheet.lag) {
+        for (int n = 0; n < iterations; ++n) {
             substep.mover().first_iteration = n == 0;
             for (auto f = sheet.first_family; f < sheet.first_family + sheet.families; ++f)
-                at(delay + plan_.families[f].delay,
-                   [&](std::uint32_t i) { substep.project(kernels_, plan_.families[f], i); });
-            at(delay + sheet.lag, [&](std::uint32_t i) {
-                substep.tether(kernels_, sheet, band(i));
-                substep.pull_pins(band(i));
-                substep.keep_in_bounds(kernels_, band(i));
+                at(delay + plan_.families[f].delay, [&](std::uint32_t i) { substep.project(plan_.families[f], i); });
+            delay += sheet.lag;
+            at(delay, [&](std::uint32_t i) {
+                if (n + 1 < iterations) return substep.hold(band(i));
+                const bool over = number + 1 == substeps_;
+                substep.go_on(band(i), over ? nullptr : &next);
+                if (over) put_back(world_, band(i).first, band(i).last);
             });
         }
-        at(delay, [&](std::uint32_t i) {
-            substep.advance(kernels_, band(i));
-            substep.rebound(band(i));
-        });
     }
 
     std::span<const Band> bands_of(const Sheet& sheet) const {

@@ -3,6 +3,7 @@
 #include "sinew/solver/decay.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
+#include "sinew/solver/swept_rows.h"
 
 #include <algorithm>
 
@@ -59,10 +60,22 @@ template <int D, class RealT> struct SubstepMover {
 
 template <int D, class Real> class Substep {
   public:
-    Substep(World<D, Real>& world, int number, int substeps, Real h)
-        : world_(world), p_(world.particles), swept_(world.swept), mover_{world.swept, h},
-          share_(Real(number) / Real(substeps)), share_of_substep_(Real(1) / Real(substeps)), last_(number == substeps),
-          kick_(number == 1 ? Real(0.5) * (world.last_substep + h) : h) {}
+    Substep(World<D, Real>& world, const Kernels<D, Real>& kernels, const LinkColumns<D, Real>& links, int number,
+            int substeps, Real h)
+        : world_(world), p_(world.particles), swept_(world.swept), kernels_(kernels),
+          links_(links), mover_{world.swept, h}, share_(Real(number) / Real(substeps)),
+          share_of_substep_(Real(1) / Real(substeps)), number_(number), last_(number == substeps),
+          kick_(number == 1 ? Real(0.5) * (world.last_substep + h) : h) {
+        motion_.place = swept_.place[0];
+        motion_.move = swept_.move[0];
+        motion_.residual = swept_.residual[0];
+        motion_.apart = swept_.apart();
+        motion_.mobility = swept_.mobility;
+        motion_.most = mover_.furthest;
+        motion_.furthest = limit::coordinate<Real>;
+        if (swept_.everyone_alike) decay_ = decay_over(kick_);
+        fall(motion_, kick_, decay_);
+    }
 
     SubstepMover<D, Real>& mover() { return mover_; }
 
@@ -72,25 +85,26 @@ template <int D, class Real> class Substep {
     void predict(const Band& band) {
         if (!world_.bounds.empty())
             for (Row slot = band.first; slot < band.last; ++slot) p_.rebound[swept_.row_of[slot]] = {};
-        if (swept_.everyone_alike)
-            predict_alike(band);
-        else
+        if (swept_.everyone_alike) {
+            weigh(band);
+            kernels_.drift(motion_, band.first, band.last);
+        } else {
             for (Row slot = band.first; slot < band.last; ++slot) predict(slot);
+        }
         move_pins(band);
     }
 
     /// Plain distances of a family that begin in that band of a sheet.
-    void project(const Kernels<D, Real>& kernels, const Family& family, std::uint32_t band) {
+    void project(const Family& family, std::uint32_t band) {
         const auto& plan = swept_.plan;
         const auto* runs = plan.runs.data();
         const auto first = plan.first_run[family.first_run + band], last = plan.first_run[family.first_run + band + 1];
         if (first == last) return;
-        auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
         LinkPass<Real> pass{.per_h2 = mover_.per_h * mover_.per_h,
                             .kept = last_ || world_.settings.iterations > 1,
                             .first = mover_.first_iteration};
-        kernels.project(swept_.link_columns(table.multiplier.data()), pass, runs + first, runs + last);
-        if (pass.shortest < Real(1e-18)) part_heaps(table, first, last);
+        kernels_.project(links_, pass, runs + first, runs + last);
+        if (pass.shortest < Real(1e-18)) part_heaps(first, last);
     }
 
     /// A compliant pin is a damped spring to its target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) +
@@ -123,30 +137,31 @@ template <int D, class Real> class Substep {
         }
     }
 
-    /// Nothing gets further from a hard pin than the links reach.
-    void tether(const Kernels<D, Real>& kernels, const Sheet& sheet, const Band& band) {
+    /// Where the sheet's particles are tied to, from now on.
+    void tie(const Sheet& sheet) {
         const auto& plan = swept_.plan;
-        for (auto i = sheet.first_tether; i < sheet.first_tether + sheet.tethers; ++i) {
-            const auto& pin = world_.pins[plan.tethers[i].pin];
-            Tethering<D, Real> all{};
+        const auto first = plan.bands[sheet.first_band].first;
+        for (std::uint32_t i = 0; i < sheet.tethers; ++i) {
+            const auto& tether = plan.tethers[sheet.first_tether + i];
+            const auto& pin = world_.pins[tether.pin];
             const auto goal = pin.from + (pin.target - pin.from) * share_;
-            for (int k = 0; k < D; ++k) {
-                all.place[k] = swept_.place[std::size_t(k)];
-                all.move[k] = swept_.move[std::size_t(k)];
-                all.anchor[k] = goal[k];
-            }
-            all.mobility = swept_.mobility;
-            const auto first = plan.bands[sheet.first_band].first;
-            all.reach = plan.reach.data() + plan.tethers[i].first - first;
-            kernels.tether(all, band.first, band.last);
+            for (int k = 0; k < D; ++k) anchors_[i].place[k] = goal[k];
+            anchors_[i].per_reach_square = plan.per_reach_square.data() + tether.first - first;
         }
+        motion_.anchors = anchors_.data();
+        motion_.anchor_count = sheet.tethers;
+    }
+
+    /// Nothing gets further from a hard pin than the links reach.
+    void tether(const Band& band) {
+        if (motion_.anchor_count > 0) kernels_.tether(motion_, band.first, band.last);
     }
 
     /// A plane stops what would pass it and rubs: the speed along it falls by friction times the speed it took away.
     /// What strikes faster than resting things sink in a few substeps will rebound.
-    void keep_in_bounds(const Kernels<D, Real>& kernels, const Band& band) {
+    void keep_in_bounds(const Band& band) {
         for (const auto& plane : world_.bounds) {
-            const Real lowest = kernels.lowest(advance_columns(), plane.normal.component.data(), band.first, band.last);
+            const Real lowest = kernels_.lowest(motion_, plane.normal.component.data(), band.first, band.last);
             if (lowest > plane.offset + swept_.largest_radius) continue;
             for (Row slot = band.first; slot < band.last; ++slot) keep_in(plane, slot);
         }
@@ -154,11 +169,9 @@ template <int D, class Real> class Substep {
 
     /// x += h v. What rounding takes away is carried to the next substep: without it a float particle slower than half
     /// a unit in the last place a substep would stand still.
-    void advance(const Kernels<D, Real>& kernels, const Band& band) {
-        if (last_)
-            for (Row slot = band.first; slot < band.last; ++slot)
-                p_.previous[swept_.row_of[slot]] = swept_.place_at(slot);
-        kernels.advance(advance_columns(), band.first, band.last);
+    void advance(const Band& band) {
+        note_previous(band);
+        kernels_.advance(motion_, band.first, band.last);
     }
 
     /// What struck a plane leaves it with its restitution.
@@ -175,37 +188,79 @@ template <int D, class Real> class Substep {
         }
     }
 
+    void hold(const Band& band) {
+        tether(band);
+        pull_pins(band);
+        keep_in_bounds(band);
+    }
+
+    /// What ends this substep and, where there is one, begins the next. At once, where each particle is by itself.
+    void go_on(const Band& band, Substep* next) {
+        if (!swept_.everyone_alike || !world_.bounds.empty() || has_soft_pins(band)) {
+            hold(band);
+            advance(band);
+            rebound(band);
+            if (next) next->predict(band);
+        } else if (next) {
+            auto motion = next->motion_;
+            motion.anchors = motion_.anchors;
+            motion.anchor_count = motion_.anchor_count;
+            kernels_.go_on(motion, band.first, band.last);
+            next->weigh(band);
+            next->move_pins(band);
+        } else {
+            note_previous(band);
+            kernels_.settle(motion_, band.first, band.last);
+        }
+    }
+
   private:
     using Vector = Vec<D, Real>;
 
     World<D, Real>& world_;
     Particles<D, Real>& p_;
     Swept<D, Real>& swept_;
+    const Kernels<D, Real>& kernels_;
+    const LinkColumns<D, Real>& links_;
     SubstepMover<D, Real> mover_;
     Real share_, share_of_substep_; ///< of the step that is over when this substep is
+    int number_;                    ///< from 1
     bool last_;
     Real kick_;
     Decay<Real> decay_; ///< most particles have the same
+    Motion<D, Real> motion_{};
+    std::array<Anchor<D, Real>, most_tethers> anchors_;
+
+    Decay<Real> decay_over(Real time) const {
+        return Decay<Real>::of(clamp(world_.settings.damping, Real(0), limit::measure<Real>), time);
+    }
 
     /// Only gravity, and one damping for all.
-    void predict_alike(const Band& band) {
-        const auto decay = Decay<Real>::of(clamp(world_.settings.damping, Real(0), limit::measure<Real>), kick_);
-        if (decay.yield != Real(1))
-            for (Row slot = band.first; slot < band.last; ++slot) weigh(slot, decay.yield);
-        Drift<D, Real> drift{};
-        drift.mobility = swept_.mobility;
-        drift.keep = decay.keep;
-        drift.most = mover_.furthest;
-        for (int i = 0; i < D; ++i) {
-            drift.move[i] = swept_.move[std::size_t(i)];
-            drift.add[i] = swept_.gravity[i] * (kick_ * decay.yield) * mover_.h;
-        }
-        kernels<D, Real>().drift(drift, band.first, band.last);
+    void fall(Motion<D, Real>& motion, Real kick, const Decay<Real>& decay) const {
+        motion.keep = decay.keep;
+        for (int i = 0; i < D; ++i) motion.add[i] = swept_.gravity[i] * (kick * decay.yield) * mover_.h;
+    }
+
+    /// Substeps from the second on are as long as it is.
+    void weigh(const Band& band) {
+        if (decay_.yield == Real(1) || number_ > 2) return;
+        for (Row slot = band.first; slot < band.last; ++slot) weigh(slot, decay_.yield);
     }
 
     void weigh(Row slot, Real yield) {
         if (swept_.inverse_mass[slot] > Real(0))
             swept_.mobility[slot] = maximum(swept_.inverse_mass[slot] * yield, std::numeric_limits<Real>::min());
+    }
+
+    bool has_soft_pins(const Band& band) const {
+        for (auto i = band.first_pin; i < band.last_pin; ++i)
+            if (!world_.pins[swept_.plan.pins[i].pin].hard()) return true;
+        return false;
+    }
+
+    void note_previous(const Band& band) {
+        if (!last_) return;
+        for (Row slot = band.first; slot < band.last; ++slot) p_.previous[swept_.row_of[slot]] = swept_.place_at(slot);
     }
 
     void predict(Row slot) {
@@ -226,13 +281,15 @@ template <int D, class Real> class Substep {
         for (auto i = band.first_pin; i < band.last_pin; ++i) {
             const auto& pin = world_.pins[swept_.plan.pins[i].pin];
             const Row slot = swept_.plan.pins[i].slot;
-            if (!pin.hard() || p_.quarantined[swept_.row_of[slot]]) continue;
+            const bool rests = number_ > 2 && pin.from == pin.target; // and its particle is there
+            if (rests || !pin.hard() || p_.quarantined[swept_.row_of[slot]]) continue;
             const auto goal = pin.from + (pin.target - pin.from) * share_;
             swept_.set_move(slot, clamp_components(goal - swept_.place_at(slot), mover_.furthest));
         }
     }
 
-    template <class Table> void part_heaps(Table& table, std::uint32_t first, std::uint32_t last) {
+    void part_heaps(std::uint32_t first, std::uint32_t last) {
+        auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
         for (auto run = first; run < last; ++run)
             for (std::uint32_t i = 0; i < swept_.plan.runs[run].count; ++i) {
                 const Row row = row_of(swept_.plan.runs[run], i);
@@ -262,18 +319,6 @@ template <int D, class Real> class Substep {
         const Real resting = Real(4) * mover_.h * norm(push_on(world_, row, swept_.place_at(slot)).acceleration);
         if (approach * mover_.per_h > resting)
             p_.rebound[row] += plane.normal * (plane.restitution * approach * mover_.per_h);
-    }
-
-    Advance<D, Real> advance_columns() const {
-        Advance<D, Real> columns{};
-        for (std::size_t i = 0; i < D; ++i) {
-            columns.place[i] = swept_.place[i];
-            columns.move[i] = swept_.move[i];
-            columns.residual[i] = swept_.residual[i];
-        }
-        columns.most = mover_.furthest;
-        columns.furthest = limit::coordinate<Real>;
-        return columns;
     }
 };
 

@@ -57,6 +57,9 @@ template <int D, class Real> struct Swept {
         inverse_mass = next + stride;
     }
 
+    /// From one component of a column to the next.
+    std::size_t apart() const { return std::size_t(place[1] - place[0]); }
+
     Vec<D, Real> place_at(Row slot) const { return get(place, slot); }
     Vec<D, Real> move_at(Row slot) const { return get(move, slot); }
     Vec<D, Real> velocity_at(Row slot) const { return get(move, slot) * per_h; }
@@ -72,7 +75,7 @@ template <int D, class Real> struct Swept {
 
     LinkColumns<D, Real> link_columns(Real* multiplier) const {
         LinkColumns<D, Real> columns{};
-        for (std::size_t i = 0; i < D; ++i) columns.place[i] = place[i], columns.move[i] = move[i];
+        columns.place = place[0], columns.move = move[0], columns.apart = apart();
         columns.mobility = mobility;
         columns.low = plan.low.data();
         columns.high = plan.high.data();

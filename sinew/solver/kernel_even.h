@@ -1,0 +1,84 @@
+#pragma once
+
+#include "sinew/math/lane.h"
+#include "sinew/solver/kernel.h"
+#include "sinew/solver/kernel_length.h"
+
+/// The text of the kernel for most links of a cloth: of one length, rigid, corrected as they are now, and between
+/// particles that move equally readily. Each takes half of the correction, so neither mobility nor multiplier is
+/// needed.
+namespace sinew {
+namespace {
+
+using namespace lane;
+
+template <int D, class Real, bool kept> struct EvenLinks {
+    const Real *place_a, *place_b;
+    Real *move_a, *move_b;
+    std::size_t apart;
+    const Real* mobility;
+    Real* multiplier;
+    std::uint32_t row_step;
+    LinkPass<Real>& pass;
+
+    EvenLinks(const LinkColumns<D, Real>& columns, LinkPass<Real>& in, const LinkRun& run)
+        : place_a(columns.place + run.a), place_b(columns.place + run.b), move_a(columns.move + run.a),
+          move_b(columns.move + run.b), apart(columns.apart), mobility(columns.mobility + run.a),
+          multiplier(columns.multiplier + run.row), row_step(run.row_step), pass(in) {}
+
+    template <class V, bool all>
+    [[gnu::always_inline]] void project(std::uint32_t i, int count, const V& wanted, const V& per_wanted_square) const {
+        V a[D], b[D], e[D], e2{};
+#pragma GCC unroll 3
+        for (unsigned k = 0; k < D; ++k) {
+            a[k] = load<V>(move_a + i + k * apart);
+            b[k] = load<V>(move_b + i + k * apart);
+            e[k] = (load<V>(place_b + i + k * apart) - load<V>(place_a + i + k * apart)) + (b[k] - a[k]);
+            e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
+        }
+        V t = e2 * per_wanted_square;
+        if constexpr (!all) t = first_lanes(t, count, Real(1));
+        const V by = lacking(t), half = by * Real(0.5);
+#pragma GCC unroll 3
+        for (unsigned k = 0; k < D; ++k) {
+            const V share = e[k] * half;
+            put<all>(move_a + i + k * apart, a[k] - share, count);
+            put<all>(move_b + i + k * apart, b[k] + share, count);
+        }
+        if constexpr (kept) {
+            const V w = load<V>(mobility + i), length = root(e2);
+            note<V, all>(i, count, length * by / (w + w), wanted > V{} ? length : spread<V>(Real(1)));
+        }
+    }
+
+    template <class V, bool all>
+    [[gnu::always_inline]] void note(std::uint32_t i, int count, const V& lambda, const V& length) const {
+        if (any(length < spread<V>(Real(1e-18)))) [[unlikely]]
+            for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, lane_of(length, k));
+        if (row_step == 1) return put<all>(multiplier + i, lambda, count);
+        Real* const to = multiplier + std::size_t(i) * row_step;
+        for (int k = 0; k < count; ++k) to[std::size_t(k) * row_step] = lane_of(lambda, k);
+    }
+
+    /// Each as long as `wanted` says, or all as long as the first.
+    [[gnu::always_inline]] void solve(std::uint32_t count, const Real* wanted, bool uniform) const {
+        constexpr int width = widest<Real>;
+        using V = Pack<Real, width>;
+        std::uint32_t i = 0;
+        const auto same = spread<V>(*wanted), per_square_of_same = per_square(same);
+        if (uniform) {
+            for (; i + width <= count; i += width) project<V, true>(i, width, same, per_square_of_same);
+            if (i < count) project<V, false>(i, int(count - i), same, per_square_of_same);
+            return;
+        }
+        for (; i + width <= count; i += width) {
+            const V length = load<V>(wanted + i);
+            project<V, true>(i, width, length, per_square(length));
+        }
+        const V length = load<V>(wanted + i);
+        if (i < count) project<V, false>(i, int(count - i), length, per_square(length));
+    }
+};
+
+} // namespace
+} // namespace sinew

@@ -1,0 +1,217 @@
+#pragma once
+
+#include "sinew/math/lane.h"
+#include "sinew/solver/kernel.h"
+#include "sinew/solver/kernel_even.h"
+
+#include <type_traits>
+#include <utility>
+
+/// The text of the kernel that solves distances, of every kind.
+namespace sinew {
+namespace {
+
+using namespace lane;
+
+/// How particles' numbers come into lanes, and back: those that lie side by side, or from anywhere. `count` of the
+/// lanes are meant; no other particle is written to.
+struct SideBySide {
+    std::uint32_t slot;
+    template <class V, class Real> [[gnu::always_inline]] V get(const Real* column, int) const {
+        return load<V>(column + slot);
+    }
+    template <bool all, class V, class Real>
+    [[gnu::always_inline]] void put(Real* column, const V& pack, int count) const {
+        lane::put<all>(column + slot, pack, count);
+    }
+};
+struct Scattered {
+    const std::uint32_t* slots;
+    template <class V, class Real> [[gnu::always_inline]] V get(const Real* column, int count) const {
+        if (count == int(sizeof(V) / sizeof(Real))) return gather<V>(column, slots);
+        Real numbers[sizeof(V) / sizeof(Real)] = {};
+        for (int i = 0; i < count; ++i) numbers[i] = column[slots[i]];
+        return load<V>(numbers);
+    }
+    template <bool all, class V, class Real>
+    [[gnu::always_inline]] void put(Real* column, const V& pack, int count) const {
+        if constexpr (all) return scatter(column, slots, pack);
+        Real numbers[sizeof(V) / sizeof(Real)];
+        store(numbers, pack);
+        for (int i = 0; i < count; ++i) column[slots[i]] = numbers[i];
+    }
+};
+
+template <class V> struct Limits { V low, high, alpha; };
+
+/// What kind of runs a text is compiled for.
+struct Rules {
+    bool kept = true;   ///< multipliers are wanted
+    bool soft = true;   ///< some have compliance
+    bool range = true;  ///< some have two limits
+    bool swings = true; ///< corrected, where it can be, along the link as it was when the substep began
+};
+
+/// A distance held within [low, high] by the multiplier lambda (project.h has the formulas). d is the direction it is
+/// corrected in, along the link e as it is; where `swings`, as it was when the substep began, unless it has turned by
+/// more than 8 degrees since.
+///
+///     s = (limit - length) / (|d| (w n . d/|d| + alpha)),   n = e / length
+///     b moves by w_b s d, a by -w_a s d
+template <int D, class Real, Rules rules, class Ends> struct Projection {
+    const LinkColumns<D, Real>& columns;
+    LinkPass<Real>& pass;
+    const LinkRun& run;
+
+    /// The links from number i on: as many as a pack has lanes, or if not all, `count`.
+    template <class V, bool all>
+    [[gnu::always_inline]] void project(std::uint32_t i, int count, const Limits<V>& limits) const {
+        const auto [a, b] = ends(i);
+        V move_a[D], move_b[D], e[D], d[D], e2{}, zero{};
+#pragma GCC unroll 3
+        for (unsigned k = 0; k < D; ++k) {
+            move_a[k] = a.template get<V>(columns.move + k * columns.apart, count);
+            move_b[k] = b.template get<V>(columns.move + k * columns.apart, count);
+            d[k] = b.template get<V>(columns.place + k * columns.apart, count) -
+                   a.template get<V>(columns.place + k * columns.apart, count);
+            e[k] = d[k] + (move_b[k] - move_a[k]);
+            e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
+        }
+        V d2 = e2, d_e = e2;
+        if constexpr (rules.swings) {
+            d2 = d_e = zero;
+            for (unsigned k = 0; k < D; ++k) d2 = d2 + d[k] * d[k], d_e = d_e + d[k] * e[k];
+            const Real agreement = run.swings ? Real(0.99 * 0.99) : Real(2); // of none
+            const auto agree = d_e * most(d_e, zero) > agreement * (e2 * d2);
+            d2 = agree ? d2 : e2, d_e = agree ? d_e : e2;
+            for (unsigned k = 0; k < D; ++k) d[k] = agree ? d[k] : e[k];
+        } else {
+#pragma GCC unroll 3
+            for (unsigned k = 0; k < D; ++k) d[k] = e[k];
+        }
+        const V length = root(e2);
+        const V w_a = a.template get<V>(columns.mobility, count), w_b = b.template get<V>(columns.mobility, count);
+        V resistance = (w_a + w_b) * d_e, d_length{}, s;
+        if constexpr (rules.soft || rules.kept) d_length = root(d2);
+        if constexpr (rules.soft) resistance = resistance + limits.alpha * (length * d_length);
+        // what has no length or no weight has no resistance: then the products below are zero
+        constexpr Real least_resistance = sizeof(Real) == 4 ? Real(1e-26) : Real(1e-200);
+        const V per = Real(1) / most(resistance, spread<V>(least_resistance));
+        if constexpr (rules.kept) {
+            const V lambda = multipliers<V>(i, count);
+            const V slack = limits.alpha * lambda, gain = w_a + w_b > zero ? length * per * d_length : zero;
+            const V pushing = lambda + (limits.low - length - slack) * gain;
+            const V pulling = lambda + (limits.high - length - slack) * gain;
+            const V next = most(pushing, zero) + least(pulling, zero);
+            s = d_length > zero ? (next - lambda) / d_length : zero;
+            note(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
+            move<V, all>(a, b, move_a, move_b, d, s * w_a, s * w_b, count);
+        } else {
+            if constexpr (rules.range)
+                s = (most(limits.low - length, zero) + least(limits.high - length, zero)) * length;
+            else
+                s = (limits.low - length) * length;
+            move<V, all>(a, b, move_a, move_b, d, s * (per * w_a), s * (per * w_b), count);
+        }
+    }
+
+    template <class V, bool all>
+    [[gnu::always_inline]] void move(const Ends& a, const Ends& b, const V (&move_a)[D], const V (&move_b)[D],
+                                     const V (&d)[D], const V& s_a, const V& s_b, int count) const {
+#pragma GCC unroll 3
+        for (unsigned k = 0; k < D; ++k) {
+            a.template put<all>(columns.move + k * columns.apart, move_a[k] - d[k] * s_a, count);
+            b.template put<all>(columns.move + k * columns.apart, move_b[k] + d[k] * s_b, count);
+        }
+    }
+
+    template <class V>
+    [[gnu::always_inline]] void note(std::uint32_t i, int count, const V& lambda, const V& length) const {
+        Real numbers[sizeof(V) / sizeof(Real)];
+        if (any(length < spread<V>(Real(1e-18)))) {
+            store(numbers, length);
+            for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, numbers[k]);
+        }
+        if (!std::is_same_v<Ends, Scattered> && run.row_step == 1)
+            return lane::put<false>(columns.multiplier + run.row + i, lambda, count);
+        store(numbers, lambda);
+        for (int k = 0; k < count; ++k) columns.multiplier[row(i + unsigned(k))] = numbers[k];
+    }
+
+    [[gnu::always_inline]] std::pair<Ends, Ends> ends(std::uint32_t i) const {
+        if constexpr (std::is_same_v<Ends, Scattered>)
+            return {Ends{columns.ends_a + run.a + i}, Ends{columns.ends_b + run.a + i}};
+        else
+            return {Ends{run.a + i}, Ends{run.b + i}};
+    }
+    [[gnu::always_inline]] std::uint32_t row(std::uint32_t i) const {
+        if constexpr (std::is_same_v<Ends, Scattered>)
+            return columns.rows[run.a + i];
+        else
+            return run.row + i * run.row_step;
+    }
+    template <class V> [[gnu::always_inline]] V multipliers(std::uint32_t i, int count) const {
+        if (pass.first) return V{};
+        Real numbers[sizeof(V) / sizeof(Real)] = {};
+        for (int k = 0; k < count; ++k) numbers[k] = columns.multiplier[row(i + unsigned(k))];
+        return load<V>(numbers);
+    }
+
+    template <class V, class Get> [[gnu::always_inline]] Limits<V> limits(std::uint32_t at, Get&& get) const {
+        constexpr Real stiffest = Real(1e26);
+        Limits<V> limits{get(columns.low + at), V{}, V{}};
+        if constexpr (rules.range || rules.kept) limits.high = get(columns.high + at);
+        if constexpr (rules.soft) limits.alpha = least(spread<V>(stiffest), get(columns.compliance + at) * pass.per_h2);
+        return limits;
+    }
+
+    inline void all() const {
+        constexpr int width = widest<Real>;
+        using V = Pack<Real, width>;
+        const auto same = limits<V>(
+            run.parameters, [](const Real* from) __attribute__((always_inline)) { return spread<V>(*from); });
+        const auto of = [&](std::uint32_t i) __attribute__((always_inline)) {
+            if (run.uniform) return same;
+            return limits<V>(
+                run.parameters + i, [](const Real* from) __attribute__((always_inline)) { return load<V>(from); });
+        };
+        std::uint32_t i = 0;
+        for (; i + width <= run.count; i += width) project<V, true>(i, width, of(i));
+        if (i < run.count) project<V, false>(i, int(run.count - i), of(i));
+    }
+};
+
+template <int D, class Real>
+void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, const LinkRun* first,
+                  const LinkRun* last) {
+    for (; first != last; ++first) {
+        const auto& run = *first;
+        if (run.even && run.exact && !run.soft && !run.swings && !run.scattered && (pass.first || !pass.kept)) {
+            const Real* const wanted = columns.low + run.parameters;
+            if (pass.kept)
+                EvenLinks<D, Real, true>(columns, pass, run).solve(run.count, wanted, run.uniform);
+            else
+                EvenLinks<D, Real, false>(columns, pass, run).solve(run.count, wanted, run.uniform);
+            continue;
+        }
+        constexpr Rules all{}, unkept{.kept = false}, swinging{false, false, false, true};
+        constexpr Rules simple{false, false, false, false};
+        if (run.scattered && pass.kept)
+            Projection<D, Real, all, Scattered>{columns, pass, run}.all();
+        else if (run.scattered && (run.soft || !run.exact || run.swings))
+            Projection<D, Real, unkept, Scattered>{columns, pass, run}.all();
+        else if (run.scattered)
+            Projection<D, Real, simple, Scattered>{columns, pass, run}.all();
+        else if (pass.kept)
+            Projection<D, Real, all, SideBySide>{columns, pass, run}.all();
+        else if (run.soft || !run.exact)
+            Projection<D, Real, unkept, SideBySide>{columns, pass, run}.all();
+        else if (run.swings)
+            Projection<D, Real, swinging, SideBySide>{columns, pass, run}.all();
+        else
+            Projection<D, Real, simple, SideBySide>{columns, pass, run}.all();
+    }
+}
+
+} // namespace
+} // namespace sinew
