@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -176,6 +178,23 @@ template <class V, class Real> [[gnu::always_inline]] inline void store_first(Re
     else
 #endif
         for (int i = 0; i < count; ++i) to[i] = lane_of(pack, i);
+}
+
+/// Stores the first `count` lanes, each `apart` numbers from the one before, and touches nothing in between.
+template <class V, class Real>
+[[gnu::always_inline]] inline void put_apart(Real* to, const V& pack, int count, std::size_t apart) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
+        if (apart == 2) {
+            const auto low = _mm512_set_epi32(7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0, 0);
+            const auto high = _mm512_set_epi32(15, 15, 14, 14, 13, 13, 12, 12, 11, 11, 10, 10, 9, 9, 8, 8);
+            const auto wanted = unsigned(((1ULL << 2 * count) - 1) & 0x55555555ULL);
+            _mm512_mask_storeu_ps(to, __mmask16(wanted), _mm512_maskz_permutexvar_ps(0xffff, low, pack));
+            _mm512_mask_storeu_ps(to + 16, __mmask16(wanted >> 16), _mm512_maskz_permutexvar_ps(0xffff, high, pack));
+            return;
+        }
+#endif
+    for (int i = 0; i < count; ++i) to[std::size_t(i) * apart] = lane_of(pack, i);
 }
 
 /// The first `count` lanes, and another number in those behind them.

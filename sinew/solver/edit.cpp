@@ -3,7 +3,6 @@
 #include "sinew/solver/remove.h"
 
 #include <algorithm>
-#include <set>
 
 namespace sinew {
 namespace {
@@ -342,73 +341,6 @@ template <int D, class Real> void release_quarantine(World<D, Real>& world, Figu
     }
 }
 
-template <int D, class Real>
-std::optional<FigureIndex> find_figure(const World<D, Real>& world, std::string_view name) {
-    return world.figure_names.find(name);
-}
-
-namespace {
-
-struct Path {
-    const Figure* figure = nullptr;
-    std::string_view name;
-};
-
-/// The figure of a path "figure/name", and the name.
-template <int D, class Real> Path split(const World<D, Real>& world, std::string_view path) {
-    const auto slash = path.find('/');
-    if (slash == std::string_view::npos) return {};
-    const auto figure = find_figure(world, path.substr(0, slash));
-    return figure ? Path{&world.figures[*figure], path.substr(slash + 1)} : Path{};
-}
-
-/// What a name stands for: one that was given, or one by number.
-template <class Id>
-std::optional<Id> look_up(std::string_view name, const NameTable<Id>& given, const std::vector<Numbered>& numbered,
-                          const std::vector<Id>& built) {
-    if (const auto id = given.find(name)) return id;
-    const auto number = number_called(name, numbered);
-    return number && *number < built.size() ? std::optional(built[*number]) : std::nullopt;
-}
-
-} // namespace
-
-template <int D, class Real>
-std::optional<ParticleId> find_particle(const World<D, Real>& world, std::string_view path) {
-    const auto [figure, name] = split(world, path);
-    if (!figure) return std::nullopt;
-    const auto id = look_up(name, figure->particle_names, figure->particle_numbers, figure->particles);
-    return id && world.particles.slots.find(*id) ? id : std::nullopt;
-}
-
-template <int D, class Real>
-std::vector<ParticleId> find_particles(const World<D, Real>& world, std::string_view path) {
-    if (const auto one = find_particle(world, path)) return {*one};
-    auto [figure, stem] = split(world, path);
-    if (!figure || !stem.ends_with('*')) return {};
-    stem.remove_suffix(1);
-    const auto& built = figure->particles;
-    std::set<std::uint32_t> named;
-    for (const auto& [name, id] : figure->particle_names)
-        if (name.starts_with(stem)) named.insert(id.slot);
-    std::vector<ParticleId> found;
-    for (std::size_t i = 0; i < built.size(); ++i) {
-        if (!world.particles.slots.find(built[i])) continue;
-        if (named.contains(built[i].slot) || stem.empty() ||
-            name_of(i, figure->particle_numbers).starts_with(stem)) // nameless ones begin with nothing
-            found.push_back(built[i]);
-    }
-    return found;
-}
-
-template <int D, class Real>
-std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::string_view path) {
-    const auto [figure, name] = split(world, path);
-    if (!figure) return std::nullopt;
-    const auto id = look_up(name, figure->constraint_names, figure->constraint_numbers, figure->constraints);
-    return id && constraint_state(world, *id) ? id : std::nullopt;
-}
-
 #define SINEW_EDIT(D, Real)                                                                                            \
     template void reserve(World<D, Real>&, Sizes);                                                                     \
     template ParticleId add_particle(World<D, Real>&, const ParticleSpec<D, Real>&);                                   \
@@ -431,11 +363,7 @@ std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::st
     template bool unpin(World<D, Real>&, PinId);                                                                       \
     template FigureIndex add_figure(World<D, Real>&, std::string_view, std::string_view);                              \
     template void teleport(World<D, Real>&, FigureIndex, const Vec<D, Real>&, Momentum);                               \
-    template void release_quarantine(World<D, Real>&, FigureIndex);                                                    \
-    template std::optional<FigureIndex> find_figure(const World<D, Real>&, std::string_view);                          \
-    template std::optional<ParticleId> find_particle(const World<D, Real>&, std::string_view);                         \
-    template std::vector<ParticleId> find_particles(const World<D, Real>&, std::string_view);                          \
-    template std::optional<ConstraintId> find_constraint(const World<D, Real>&, std::string_view);
+    template void release_quarantine(World<D, Real>&, FigureIndex);
 
 SINEW_INSTANTIATE(SINEW_EDIT)
 

@@ -4,15 +4,21 @@
 #include "sinew/solver/kernel.h"
 #include "sinew/solver/kernel_length.h"
 
-/// The text of the kernel for most links of a cloth: of one length, rigid, corrected as they are now, and between
-/// particles that move equally readily. Each takes half of the correction, so neither mobility nor multiplier is
-/// needed.
+/// The text of the kernel for most links of a cloth: rigid, corrected as they are now, and between particles that move
+/// equally readily. Each takes half of the correction, so neither mobility nor multiplier is needed.
 namespace sinew {
 namespace {
 
 using namespace lane;
 
-template <int D, class Real, bool kept> struct EvenLinks {
+/// Lengths that links are held between.
+template <class V> struct Wanted {
+    V low, per_low_square, per_high_square;
+    Wanted(const V& at_least, const V& at_most)
+        : low(at_least), per_low_square(per_square(at_least)), per_high_square(per_square(at_most)) {}
+};
+
+template <int D, class Real, bool exact, bool kept> struct EvenLinks {
     const Real *place_a, *place_b;
     Real *move_a, *move_b;
     std::size_t apart;
@@ -27,7 +33,7 @@ template <int D, class Real, bool kept> struct EvenLinks {
           multiplier(columns.multiplier + run.row), row_step(run.row_step), pass(in) {}
 
     template <class V, bool all>
-    [[gnu::always_inline]] void project(std::uint32_t i, int count, const V& wanted, const V& per_wanted_square) const {
+    [[gnu::always_inline]] void project(std::uint32_t i, int count, const Wanted<V>& wanted) const {
         V a[D], b[D], e[D], e2{};
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
@@ -36,9 +42,7 @@ template <int D, class Real, bool kept> struct EvenLinks {
             e[k] = (load<V>(place_b + i + k * apart) - load<V>(place_a + i + k * apart)) + (b[k] - a[k]);
             e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
         }
-        V t = e2 * per_wanted_square;
-        if constexpr (!all) t = first_lanes(t, count, Real(1));
-        const V by = lacking(t), half = by * Real(0.5);
+        const V by = lacking_of<V, all>(e2, count, wanted), half = by * Real(0.5);
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
             const V share = e[k] * half;
@@ -47,8 +51,21 @@ template <int D, class Real, bool kept> struct EvenLinks {
         }
         if constexpr (kept) {
             const V w = load<V>(mobility + i), length = root(e2);
-            note<V, all>(i, count, length * by / (w + w), wanted > V{} ? length : spread<V>(Real(1)));
+            note<V, all>(i, count, length * by / (w + w), wanted.low > V{} ? length : spread<V>(Real(1)));
         }
+    }
+
+    template <class V, bool all>
+    [[gnu::always_inline]] V lacking_of(const V& square, int count, const Wanted<V>& wanted) const {
+        const auto part = [&](const V& per) __attribute__((always_inline)) {
+            if constexpr (all)
+                return square * per;
+            else
+                return first_lanes(square * per, count, Real(1));
+        };
+        const V one = spread<V>(Real(1)), t = part(wanted.per_low_square);
+        if constexpr (exact) return lacking(t);
+        return lacking(least(t, one)) + lacking(most(part(wanted.per_high_square), one));
     }
 
     template <class V, bool all>
@@ -56,27 +73,23 @@ template <int D, class Real, bool kept> struct EvenLinks {
         if (any(length < spread<V>(Real(1e-18)))) [[unlikely]]
             for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, lane_of(length, k));
         if (row_step == 1) return put<all>(multiplier + i, lambda, count);
-        Real* const to = multiplier + std::size_t(i) * row_step;
-        for (int k = 0; k < count; ++k) to[std::size_t(k) * row_step] = lane_of(lambda, k);
+        put_apart(multiplier + std::size_t(i) * row_step, lambda, count, row_step);
     }
 
-    /// Each as long as `wanted` says, or all as long as the first.
-    [[gnu::always_inline]] void solve(std::uint32_t count, const Real* wanted, bool uniform) const {
+    /// Each within its own limits, or all within those of the first.
+    [[gnu::always_inline]] void solve(std::uint32_t count, const Real* low, const Real* high, bool uniform) const {
         constexpr int width = widest<Real>;
         using V = Pack<Real, width>;
         std::uint32_t i = 0;
-        const auto same = spread<V>(*wanted), per_square_of_same = per_square(same);
         if (uniform) {
-            for (; i + width <= count; i += width) project<V, true>(i, width, same, per_square_of_same);
-            if (i < count) project<V, false>(i, int(count - i), same, per_square_of_same);
+            const Wanted<V> same(spread<V>(*low), spread<V>(*high));
+            for (; i + width <= count; i += width) project<V, true>(i, width, same);
+            if (i < count) project<V, false>(i, int(count - i), same);
             return;
         }
-        for (; i + width <= count; i += width) {
-            const V length = load<V>(wanted + i);
-            project<V, true>(i, width, length, per_square(length));
-        }
-        const V length = load<V>(wanted + i);
-        if (i < count) project<V, false>(i, int(count - i), length, per_square(length));
+        for (; i + width <= count; i += width)
+            project<V, true>(i, width, Wanted<V>(load<V>(low + i), load<V>(high + i)));
+        if (i < count) project<V, false>(i, int(count - i), Wanted<V>(load<V>(low + i), load<V>(high + i)));
     }
 };
 

@@ -182,16 +182,26 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
 };
 
 template <int D, class Real>
+[[gnu::always_inline]] inline void project_even(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
+                                                const LinkRun& run) {
+    const Real *const low = columns.low + run.parameters, *const high = columns.high + run.parameters;
+    if (run.exact && pass.kept)
+        EvenLinks<D, Real, true, true>(columns, pass, run).solve(run.count, low, high, run.uniform);
+    else if (run.exact)
+        EvenLinks<D, Real, true, false>(columns, pass, run).solve(run.count, low, high, run.uniform);
+    else if (pass.kept)
+        EvenLinks<D, Real, false, true>(columns, pass, run).solve(run.count, low, high, run.uniform);
+    else
+        EvenLinks<D, Real, false, false>(columns, pass, run).solve(run.count, low, high, run.uniform);
+}
+
+template <int D, class Real>
 void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, const LinkRun* first,
                   const LinkRun* last) {
     for (; first != last; ++first) {
         const auto& run = *first;
-        if (run.even && run.exact && !run.soft && !run.swings && !run.scattered && (pass.first || !pass.kept)) {
-            const Real* const wanted = columns.low + run.parameters;
-            if (pass.kept)
-                EvenLinks<D, Real, true>(columns, pass, run).solve(run.count, wanted, run.uniform);
-            else
-                EvenLinks<D, Real, false>(columns, pass, run).solve(run.count, wanted, run.uniform);
+        if (run.even && !run.soft && !run.swings && !run.scattered && (pass.first || !pass.kept)) {
+            project_even(columns, pass, run);
             continue;
         }
         constexpr Rules all{}, unkept{.kept = false}, swinging{false, false, false, true};

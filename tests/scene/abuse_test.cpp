@@ -177,7 +177,7 @@ void abuse(const std::string& name, const std::string& mode, const std::string& 
     abuser.let_go();
     double strain = 1;
     while (strain >= 0.01 && session->seconds() < abused + 4.5) strain = strain_of_a_second(*session);
-    EXPECT_LT(strain, 0.1); // of twenty hands, five leave a cloth that still swings with 2 to 5 %
+    EXPECT_LT(strain, 0.1); // of eighteen hands, ten leave a cloth that still swings with 1 to 5 %
 }
 
 TEST_P(Abuse, LeavesItWhole) {

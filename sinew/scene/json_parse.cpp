@@ -1,0 +1,331 @@
+#include "sinew/scene/json.h"
+#include "sinew/scene/json_cursor.h"
+#include "sinew/scene/utf8.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#define JSON_NO_IO 1
+#include <nlohmann/json.hpp>
+
+namespace sinew::json {
+namespace {
+
+using detail::Condensed, detail::Cursor, detail::in_word, detail::is_digit;
+
+/// Of a JSON pointer in a message, in bytes: keys can be long.
+constexpr std::size_t longest_path = 500;
+
+/// Builds the tree from the parser's events (nlohmann's SAX interface, whose names the methods have).
+class Builder {
+  public:
+    Builder(std::uint32_t source, std::size_t begin, Diagnostics& diagnostics, const Limits& limits)
+        : source_(source), diagnostics_(diagnostics), limits_(limits), text_(diagnostics.source(source).text),
+          cursor_(text_, begin) {}
+
+    bool null() { return leaf({}); }
+    bool boolean(bool truth) { return leaf(truth); }
+    bool number_integer(std::int64_t number) { return leaf(number); }
+    bool number_unsigned(std::uint64_t number) {
+        return number <= std::uint64_t(INT64_MAX) ? leaf(std::int64_t(number)) : leaf(Number{double(number), {}});
+    }
+    bool number_float(double number, const std::string&) { return leaf(number); }
+    bool string(std::string& text) { return short_enough(text) && leaf(std::move(text)); }
+    template <class Binary> bool binary(Binary&) { return false; } // JSON text has none
+
+    bool start_object(std::size_t) { return open(Object{}); }
+    bool start_array(std::size_t) { return open(Array{}); }
+
+    bool key(std::string& text) {
+        const Span span = next_token();
+        open_.back().key = std::move(text);
+        open_.back().key_span = span;
+        after_key_ = true;
+        return short_enough(open_.back().key, span);
+    }
+
+    bool end_object() {
+        close();
+        remove_duplicates(*open_.back().container.as<Object>());
+        return attach_container();
+    }
+
+    bool end_array() {
+        close();
+        return attach_container();
+    }
+
+    template <class Exception> bool parse_error(std::size_t, const std::string&, const Exception& exception) {
+        report_syntax(exception.id == 406, exception.what());
+        return false;
+    }
+
+    /// After the last event: nothing may follow the document.
+    std::optional<Value> result() {
+        cursor_.skip_space();
+        if (cursor_.open_comment()) return report_open_comment(), std::nullopt;
+        if (cursor_.at_end()) return std::move(root_);
+        const Span rest = cursor_.token(source_); // the parser takes a zero byte for the end
+        error(rest, concat("expected the end of the file, found ", found(diagnostics_.text(rest))));
+        return {};
+    }
+
+  private:
+    struct Open {
+        Value container;
+        std::string key; ///< of the member being read
+        Span key_span;
+        bool empty = true;
+    };
+
+    bool fail(Span span, std::string message, std::string help = {}) {
+        error(span, std::move(message), std::move(help));
+        return false;
+    }
+    void error(Span span, std::string message, std::string help = {}) {
+        diagnostics_.error(span, path(), std::move(message), std::move(help));
+    }
+
+    /// The JSON pointer of the value being read.
+    std::string path() const {
+        std::string path;
+        for (std::size_t i = 0; i < open_.size() && path.size() < longest_path; ++i) {
+            const auto* items = open_[i].container.as<Array>();
+            const bool inside = i + 1 < open_.size() || items || after_key_;
+            if (inside) path += items ? concat("/", items->size()) : pointer_step(open_[i].key);
+        }
+        return path;
+    }
+
+    void skip_separator() {
+        cursor_.skip_space();
+        const char separator = after_key_ ? ':' : ',';
+        const bool expected = after_key_ || (!open_.empty() && !open_.back().empty);
+        if (expected && cursor_.skip(separator)) cursor_.skip_space();
+    }
+
+    Span next_token() {
+        skip_separator();
+        const Span span = cursor_.token(source_);
+        cursor_.move_to(span.end);
+        return span;
+    }
+
+    bool count(Span span) {
+        if (++values_ <= limits_.values) return true;
+        return fail(span, concat("more than ", limits_.values, " values"), "limits.values=N allows more");
+    }
+
+    bool short_enough(const std::string& text, Span span) {
+        if (std::int64_t(text.size()) <= limits_.string_bytes) return true;
+        return fail(span, concat("a string of ", text.size(), " bytes, at most ", limits_.string_bytes, " are allowed"),
+                    "limits.string_bytes=N allows more");
+    }
+    bool short_enough(const std::string& text) {
+        skip_separator();
+        return short_enough(text, cursor_.token(source_));
+    }
+
+    bool leaf(Value value) {
+        value.span = next_token();
+        return count(value.span) && attach(std::move(value));
+    }
+
+    bool open(Value container) {
+        container.span = next_token();
+        after_key_ = false;
+        if (std::int64_t(open_.size()) >= limits_.depth)
+            return fail(container.span, concat("objects and arrays more than ", limits_.depth, " deep"),
+                        "limits.depth=N allows more");
+        const Span span = container.span;
+        open_.push_back({.container = std::move(container), .key = {}, .key_span = {}});
+        return count(span);
+    }
+
+    void close() {
+        cursor_.skip_space();
+        cursor_.move_to(cursor_.at() + 1);
+        open_.back().container.span.end = std::uint32_t(cursor_.at());
+    }
+
+    bool attach_container() {
+        Value container = std::move(open_.back().container);
+        open_.pop_back();
+        return attach(std::move(container));
+    }
+
+    bool attach(Value value) {
+        after_key_ = false;
+        if (open_.empty()) {
+            root_ = std::move(value);
+            return true;
+        }
+        Open& parent = open_.back();
+        parent.empty = false;
+        if (auto* items = parent.container.as<Array>())
+            items->push_back(std::move(value));
+        else
+            parent.container.as<Object>()->push_back({std::move(parent.key), std::move(value), parent.key_span});
+        return true;
+    }
+
+    /// Of members with one name the first stays; the others are errors.
+    void remove_duplicates(Object& members) {
+        std::vector<std::uint32_t> order(members.size());
+        for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+        std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return members[a].key < members[b].key; });
+        std::vector<std::uint32_t> repeated;
+        for (std::size_t i = 1; i < order.size(); ++i)
+            if (members[order[i]].key == members[order[i - 1]].key) repeated.push_back(order[i]);
+        for (const auto i : repeated) {
+            if (diagnostics_.full())
+                diagnostics_.count_one_more();
+            else
+                error(members[i].key_span, concat("duplicate property ", in_quotes(members[i].key)));
+        }
+        std::sort(repeated.begin(), repeated.end(), std::greater<>());
+        if (repeated.empty()) return;
+        Object kept;
+        for (std::uint32_t i = 0; i < members.size(); ++i) {
+            if (!repeated.empty() && repeated.back() == i)
+                repeated.pop_back();
+            else
+                kept.push_back(std::move(members[i]));
+        }
+        members = std::move(kept);
+    }
+
+    // --- what a wrong text says instead -------------------------------------------------------------------------
+
+    void report_syntax(bool overflow, std::string_view reason) {
+        cursor_.skip_space();
+        const bool in_object = !open_.empty() && open_.back().container.as<Object>();
+        const bool first = open_.empty() || open_.back().empty;
+        const char separator = after_key_ ? ':' : ',';
+        const auto before_separator = cursor_.at();
+        const bool separated = (after_key_ || !first) && cursor_.skip(separator);
+        cursor_.skip_space();
+        const Span span = cursor_.token(source_);
+        const std::string_view token = diagnostics_.text(span);
+
+        if (overflow) return error(span, concat("the number ", shortened(token), " is too large"));
+        if (cursor_.open_comment()) return report_open_comment();
+        if (cursor_.at_end()) return report_end();
+        if (const Span word = cursor_.whole_word(source_); word.begin < span.begin && !separated)
+            return report_value(word, false);
+        if (root_) return error(span, concat("expected the end of the file, found ", found(token)));
+        if (after_key_ && !separated) return error(span, concat("expected \":\" after the key, found ", found(token)));
+        if (!after_key_ && !first && !separated)
+            return error(span, concat("expected \",\" or \"", in_object ? "}" : "]", "\", found ", found(token)));
+        if (separated && !after_key_ && (token == "}" || token == "]")) {
+            const Span comma{source_, std::uint32_t(before_separator), std::uint32_t(before_separator + 1)};
+            return error(comma, concat("a comma before ", in_quotes(token)), "remove it");
+        }
+        if (token.starts_with('"')) return report_string(span, reason);
+        report_value(span, in_object && !after_key_);
+    }
+
+    void report_value(Span span, bool want_key) {
+        const auto token = diagnostics_.text(span);
+        error(span, concat("expected ", want_key ? "a key in double quotes" : "a value", ", found ", found(token)),
+              hint(token, want_key));
+    }
+
+    void report_open_comment() {
+        const auto begin = std::uint32_t(*cursor_.open_comment());
+        error({source_, begin, begin + 2}, "the comment is not closed", "it ends with */");
+    }
+
+    void report_end() {
+        const Span end{source_, std::uint32_t(text_.size()), std::uint32_t(text_.size())};
+        if (open_.empty()) return error(end, "the file is empty", "the smallest scene is {\"sinew\": 1}");
+        const Span opened = open_.back().container.span;
+        const Place place = place_of(diagnostics_, opened);
+        error(end, "the file ends too early",
+              concat(in_quotes(text_.substr(opened.begin, 1)), " of line ", place.line, ", column ", place.column,
+                     " is not closed"));
+    }
+
+    /// Points at the character that does not belong into the string.
+    void report_string(Span span, std::string_view reason) {
+        constexpr std::string_view escapes = "\"\\/bfnrtu";
+        for (std::uint32_t i = span.begin + 1; i < span.end; ++i) {
+            const char c = text_[i];
+            if (static_cast<unsigned char>(c) < 0x20)
+                return error({source_, i, i + 1}, "a control character inside a string",
+                             c == '\t' ? "a tab is written \\t" : "");
+            if (c != '\\') continue;
+            if (i + 1 >= text_.size() || escapes.find(text_[i + 1]) == std::string_view::npos)
+                return error({source_, i, std::min(i + 2, span.end)}, "unknown escape in a string",
+                             "allowed: \\\" \\\\ \\/ \\b \\f \\n \\r \\t and \\u with four hexadecimal digits");
+            ++i;
+        }
+        const auto token = diagnostics_.text(span);
+        if (token.size() < 2 || !token.ends_with('"')) return error(span, "the string is not closed on its line");
+        const auto begin = reason.find("invalid string: ");
+        const auto end = reason.find("; last read");
+        error(span, begin == std::string_view::npos ? concat("expected a value, found the string ", shortened(token))
+                                                    : std::string(reason.substr(begin, end - begin)));
+    }
+
+    static std::string shortened(std::string_view token) { return printable(token, 40); }
+    static std::string found(std::string_view token) {
+        return token.starts_with('"') ? concat("the string ", shortened(token)) : in_quotes(token, 40);
+    }
+
+    static std::string hint(std::string_view token, bool want_key) {
+        if (token == "'") return "strings are in double quotes";
+        if (want_key) return in_word(token[0]) ? concat("write ", in_quotes(token, 40)) : "";
+        constexpr std::array<std::string_view, 7> not_finite = {"NaN",      "nan", "Infinity", "-Infinity",
+                                                                "infinity", "inf", "-inf"};
+        if (std::ranges::find(not_finite, token) != not_finite.end()) return "numbers are finite";
+        if (is_digit(token[0]) || token[0] == '-' || token[0] == '+' || token[0] == '.')
+            return "a number looks like 12, -0.5 or 1e-3";
+        constexpr std::array<std::string_view, 3> words = {"true", "false", "null"};
+        if (const auto word = nearest(token, words); !word.empty()) return concat("did you mean ", word, "?");
+        return in_word(token[0]) ? "strings are in double quotes" : "";
+    }
+
+    std::uint32_t source_;
+    Diagnostics& diagnostics_;
+    const Limits& limits_;
+    std::string_view text_;
+    Cursor cursor_;
+    std::vector<Open> open_;
+    std::optional<Value> root_;
+    std::int64_t values_ = 0;
+    bool after_key_ = false;
+};
+
+std::string hexadecimal(unsigned char byte) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    return {'0', 'x', digits[byte >> 4], digits[byte & 15]};
+}
+
+} // namespace
+
+std::optional<Value> parse(std::uint32_t source, Diagnostics& diagnostics, const Limits& limits) {
+    const std::string_view text = diagnostics.source(source).text;
+    if (std::int64_t(text.size()) > limits.bytes) {
+        diagnostics.error({source, 0, 0}, "",
+                          concat("a file of ", text.size(), " bytes, at most ", limits.bytes, " are allowed"),
+                          "limits.bytes=N allows more");
+        return {};
+    }
+    if (const auto broken = utf8::first_broken(text); broken != text.size()) {
+        const auto at = std::uint32_t(broken);
+        diagnostics.error({source, at, at + 1}, "",
+                          concat("the byte ", hexadecimal(static_cast<unsigned char>(text[at])), " is not UTF-8"),
+                          "save the file as UTF-8");
+        return {};
+    }
+
+    const std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    Builder builder(source, begin, diagnostics, limits);
+    const bool read = nlohmann::json::sax_parse(Condensed(text, begin), Condensed(text, text.size()), &builder);
+    return read ? builder.result() : std::nullopt;
+}
+
+} // namespace sinew::json
