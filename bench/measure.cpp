@@ -61,7 +61,7 @@ Measured measure_as(const Case& chosen, const Work& work, int threads, int steps
     constexpr std::size_t enough = 50'000; // constraints: below it pages and what the heap keeps are what is told
     if (const auto bytes = memory.risen(); bytes > 0 && work.constraints() >= enough)
         measured.bytes_per_constraint = (double(bytes) - particles) / double(work.constraints());
-    constexpr double patience = 3; // seconds
+    constexpr double patience = 1.5; // seconds
     static_cast<Timing&>(measured) = time(run, work, {.steps = steps, .seconds = patience}, watch);
     return measured;
 }

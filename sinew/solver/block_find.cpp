@@ -179,8 +179,8 @@ template <int D, class Real> class Finder {
     }
 
     void build_parts() {
-        for (const auto& [kind, row] : room_.constraints)
-            visit_table(world_, kind, [&, row = row](auto& table) { table.in_block[row] = 0; });
+        for (const auto& seen : room_.constraints)
+            visit_table(world_, seen.kind, [&](auto& table) { table.in_block[seen.row] = 0; });
         for (const auto& part : room_.parts) {
             const auto members = members_of(part);
             const bool built = worthwhile(part) && build(members, members.front(), blocks_.list, false);
