@@ -86,6 +86,9 @@ template <class V> [[gnu::always_inline]] inline V least(V a, V b) {
 template <class V> [[gnu::always_inline]] inline V most(V a, V b) {
     return a < b ? b : a;
 }
+template <class V> [[gnu::always_inline]] inline V within(const V& x, const V& limit) {
+    return least(limit, most(-limit, x));
+}
 
 [[gnu::always_inline]] inline float lane_of(const float& x, int) {
     return x;

@@ -11,6 +11,9 @@ namespace {
 
 using namespace lane;
 
+/// The most a link may pull with, as everywhere (limit::multiplier): what hardly moves would take more than there is.
+template <class Real> inline constexpr Real strongest = Real(1e25);
+
 /// Lengths that links are held between.
 template <class V> struct Wanted {
     V low, per_low_square, per_high_square;
@@ -51,7 +54,8 @@ template <int D, class Real, bool exact, bool kept> struct EvenLinks {
         }
         if constexpr (kept) {
             const V w = load<V>(mobility + i), length = root(e2);
-            note<V, all>(i, count, length * by / (w + w), wanted.low > V{} ? length : spread<V>(Real(1)));
+            const V lambda = within(length * by / (w + w), spread<V>(strongest<Real>));
+            note<V, all>(i, count, lambda, wanted.low > V{} ? length : spread<V>(Real(1)));
         }
     }
 

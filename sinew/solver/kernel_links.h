@@ -102,7 +102,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             const V slack = limits.alpha * lambda, gain = w_a + w_b > zero ? length * per * d_length : zero;
             const V pushing = lambda + (limits.low - length - slack) * gain;
             const V pulling = lambda + (limits.high - length - slack) * gain;
-            const V next = most(pushing, zero) + least(pulling, zero);
+            const V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(strongest<Real>));
             s = d_length > zero ? (next - lambda) / d_length : zero;
             note(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
             move<V, all>(a, b, move_a, move_b, d, s * w_a, s * w_b, count);

@@ -10,10 +10,6 @@ namespace {
 
 using namespace lane;
 
-template <class V> [[gnu::always_inline]] inline V within(const V& x, const V& limit) {
-    return least(limit, most(-limit, x));
-}
-
 /// Calls f(at, count) with V and whether all lanes count, for slots [first, last).
 template <class Real, class F> [[gnu::always_inline]] inline void over(std::uint32_t first, std::uint32_t last, F&& f) {
     constexpr int width = widest<Real>;
