@@ -2,7 +2,10 @@
 
 #include "sinew/solver/block.h"
 #include "sinew/solver/kernel.h"
+#include "sinew/solver/levels.h"
 
+#include <algorithm>
+#include <compare>
 #include <utility>
 #include <vector>
 
@@ -66,6 +69,18 @@ struct PlanRoom {
     std::vector<std::uint32_t> directions;
     std::vector<unsigned char> chained, colour;
     std::vector<std::uint64_t> used; ///< colours, a bit each
+    struct Link {
+        std::uint32_t band = 0, apart = 0, lower = 0; ///< slots of its ends
+        Row number = 0;
+        auto operator<=>(const Link&) const = default;
+    };
+    struct Sequence {
+        std::uint32_t first = 0, end = 0; ///< of `sorted`
+        std::uint32_t family = 0;
+    };
+    std::vector<Link> sorted, left_over;
+    std::vector<Sequence> sequences;
+    Levels levels;
 
     void reserve(std::size_t particles, std::size_t distances) {
         parts.reserve(particles + 1);
@@ -77,6 +92,10 @@ struct PlanRoom {
         chained.reserve(particles);
         colour.reserve(distances);
         used.reserve(particles);
+        sorted.reserve(distances);
+        left_over.reserve(distances);
+        sequences.reserve(distances);
+        levels.reserve(particles);
     }
 };
 
@@ -86,13 +105,25 @@ template <class Real> struct Plan {
     std::vector<Family> families;
     std::vector<std::uint32_t> first_run;
     std::vector<LinkRun> runs;
-    std::vector<Real> low, high, compliance;         ///< one of each for a uniform run, else for each distance
-    std::vector<std::uint32_t> ends_a, ends_b, rows; ///< of what is scattered
-    std::vector<PinnedSlot> pins;                    ///< by slot
+    std::vector<Real> low, high, compliance;   ///< one of each for a uniform run, else for each distance
+    std::vector<std::uint32_t> ends_a, ends_b; ///< of what is scattered
+    std::vector<std::uint32_t> rows;           ///< of runs without a step
+    std::vector<PinnedSlot> pins;              ///< by slot
     std::vector<Tether> tethers;
     std::vector<Real> per_reach_square; ///< of each tether, by slot; 0 where it reaches anywhere
     bool may_tear = true;               ///< something in the world
     std::vector<SweepRun> others;       ///< constraints that are not plain, in the order of the sweep
+
+    /// That of link i of a run.
+    Row row_of(const LinkRun& run, std::uint32_t i) const {
+        return run.row_step == 0 ? rows[run.row + i] : run.row + i * run.row_step;
+    }
+    /// The band that a slot lies in, from that band on.
+    std::uint32_t band_of(std::uint32_t first_band, std::uint32_t slot) const {
+        const auto found = std::upper_bound(bands.begin() + first_band, bands.end(), slot,
+                                            [](std::uint32_t value, const Band& band) { return value < band.last; });
+        return std::uint32_t(found - bands.begin());
+    }
 
     void reserve(std::size_t particles, std::size_t distances, std::size_t constraints) {
         sheets.reserve(particles + 1);

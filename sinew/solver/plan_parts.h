@@ -1,0 +1,170 @@
+#pragma once
+
+#include "sinew/solver/world.h"
+
+#include <algorithm>
+
+/// What plain distances join: parts of a world that do not touch each other. Each becomes a sheet of the plan, or
+/// shares one with others of the same shape.
+namespace sinew::detail {
+
+template <int D, class Real> class PlanParts {
+  public:
+    static constexpr Row none = ~Row(0);
+    using Links = std::span<const Row>;
+
+    explicit PlanParts(World<D, Real>& world)
+        : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), swept_(world.swept),
+          plan_(world.swept.plan), room_(world.swept.room) {}
+
+    void find() {
+        take_plain();
+        join();
+        sort_into_parts();
+    }
+    std::size_t size() const { return room_.parts.size(); }
+
+    std::span<const Row> members(std::size_t part) const {
+        return std::span(room_.members).subspan(room_.parts[part].first_member, room_.parts[part].members);
+    }
+    Links links(std::size_t part) const {
+        return std::span(room_.link_at).subspan(room_.parts[part].first_link, room_.parts[part].links);
+    }
+    Row rank(Row link, std::size_t i) const { return room_.rank[end(link, i)]; }
+    Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
+
+    /// How many parts from this one on are like it.
+    std::size_t count_alike(std::size_t part) const {
+        std::size_t count = 1;
+        while (part + count < room_.parts.size() && are_alike(part, part + count)) ++count;
+        return count;
+    }
+
+    void list_neighbours(std::size_t part) const {
+        const auto all = members(part);
+        auto& first = room_.first_near;
+        first.assign(all.size() + 1, 0);
+        for (const Row link : links(part)) ++first[rank(link, 0) + 1], ++first[rank(link, 1) + 1];
+        for (std::size_t i = 0; i < all.size(); ++i) first[i + 1] += first[i];
+        room_.near.resize(first[all.size()]);
+        room_.near_link.resize(first[all.size()]);
+        auto& next = room_.at;
+        next.assign(first.begin(), first.end());
+        for (const Row link : links(part))
+            for (std::size_t i = 0; i < 2; ++i) {
+                auto& at = next[rank(link, i)];
+                room_.near[at] = rank(link, 1 - i);
+                room_.near_link[at++] = link;
+            }
+    }
+
+  private:
+    World<D, Real>& world_;
+    const Constraints<Distance<D>, Real>& distances_;
+    Swept<D, Real>& swept_;
+    Plan<Real>& plan_;
+    PlanRoom& room_;
+
+    std::size_t particles() const { return world_.particles.size(); }
+
+    template <class Visit> void each_swept(Visit&& visit) const {
+        const std::span<const char> in_block = world_.particles.in_block;
+        for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)
+            for (end = next_flag(in_block, row, 1); row < end; ++row) visit(Row(row));
+    }
+
+    /// Larger limits are none, or too large for products of three of them.
+    bool is_plain(Row link) const {
+        constexpr Real far = limit::coordinate<Real>;
+        return distances_.split[link] == Real(0.5) && distances_.relaxation[link] == Real(1) &&
+               !distances_.gives(link) && distances_.lead[link] == Real(0) && !distances_.driven[link] &&
+               distances_.low[link] <= far && distances_.high[link] >= Real(0);
+    }
+
+    void take_plain() {
+        room_.links.clear();
+        for (const auto& run : world_.blocks.runs) {
+            const bool distances = run.kind == kind_number<Distance, D>;
+            for (Row row = run.rows.first; row < run.rows.last; ++row) {
+                if (distances && is_plain(row)) {
+                    room_.links.push_back(row);
+                    continue;
+                }
+                auto* last = plan_.others.empty() ? nullptr : &plan_.others.back();
+                if (!last || last->kind != run.kind || last->rows.last != row)
+                    plan_.others.push_back({run.kind, {row, row}});
+                plan_.others.back().rows.last = row + 1;
+            }
+        }
+    }
+
+    Row first_of(Row row) {
+        auto& parent = room_.parent;
+        while (parent[row] != row) row = parent[row] = parent[parent[row]];
+        return row;
+    }
+
+    void join() {
+        room_.parent.resize(particles());
+        each_swept([&](Row row) { room_.parent[row] = row; });
+        for (const Row link : room_.links) {
+            const Row a = first_of(end(link, 0)), b = first_of(end(link, 1));
+            room_.parent[std::max(a, b)] = std::min(a, b);
+        }
+    }
+
+    /// Particles and links by the part they are in, both in their order; parts by their first particle. Particles
+    /// without links are one part.
+    void sort_into_parts() {
+        auto& parts = room_.parts;
+        parts.clear();
+        room_.part_of.resize(particles());
+        each_swept([&](Row row) { room_.part_of[row] = none; });
+        for (const Row link : room_.links) room_.part_of[end(link, 0)] = room_.part_of[end(link, 1)] = 0;
+        bool any_alone = false;
+        each_swept([&](Row row) {
+            if (room_.part_of[row] == none) {
+                any_alone = true;
+            } else if (const Row first = first_of(row); first == row) {
+                room_.part_of[row] = Row(parts.size());
+                parts.push_back({});
+            } else {
+                room_.part_of[row] = room_.part_of[first];
+            }
+        });
+        if (any_alone) parts.push_back({});
+        each_swept([&](Row row) {
+            if (room_.part_of[row] == none) room_.part_of[row] = Row(parts.size() - 1);
+            ++parts[room_.part_of[row]].members;
+        });
+        for (const Row link : room_.links) ++parts[room_.part_of[end(link, 0)]].links;
+        std::uint32_t member = 0, link = 0;
+        for (auto& part : parts) {
+            part.first_member = member, part.first_link = link;
+            member += part.members, link += part.links;
+            part.members = part.links = 0;
+        }
+        room_.members.resize(member);
+        room_.link_at.resize(link);
+        room_.rank.resize(particles());
+        each_swept([&](Row row) {
+            auto& part = parts[room_.part_of[row]];
+            room_.rank[row] = part.members;
+            room_.members[part.first_member + part.members++] = row;
+        });
+        for (const Row row : room_.links) {
+            auto& part = parts[room_.part_of[end(row, 0)]];
+            room_.link_at[part.first_link + part.links++] = row;
+        }
+    }
+
+    bool are_alike(std::size_t a, std::size_t b) const {
+        const auto first = links(a), second = links(b);
+        if (first.empty() || first.size() != second.size() || members(a).size() != members(b).size()) return false;
+        for (std::size_t i = 0; i < first.size(); ++i)
+            if (rank(first[i], 0) != rank(second[i], 0) || rank(first[i], 1) != rank(second[i], 1)) return false;
+        return true;
+    }
+};
+
+} // namespace sinew::detail

@@ -1,0 +1,154 @@
+#pragma once
+
+#include "sinew/solver/world.h"
+
+/// Writing the runs of a plan, link by link: what follows on the last one continues its run.
+namespace sinew::detail {
+
+template <int D, class Real> class RunWriter {
+  public:
+    explicit RunWriter(World<D, Real>& world)
+        : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), plan_(world.swept.plan) {}
+
+    /// Of the sheet that is written now: whether its links are corrected along where they were.
+    void begin_sheet(bool swings) { swings_ = swings; }
+
+    void begin_family(std::uint32_t reach = 0) {
+        plan_.families.push_back({.first_run = std::uint32_t(plan_.first_run.size()), .reach = reach});
+    }
+    void begin_band() {
+        plan_.first_run.push_back(std::uint32_t(plan_.runs.size()));
+        fresh_ = true;
+    }
+    void break_run() { fresh_ = true; }
+
+    /// The next link of the family: it continues the run if it can.
+    void add(Row link, Row a, Row b) {
+        constexpr std::uint32_t most_lanes = 32; // in two packs
+        if (!fresh_) {
+            auto& run = plan_.runs.back();
+            const auto apart = run.a < run.b ? run.b - run.a : run.a - run.b;
+            const bool follows = a == run.a + run.count && b == run.b + run.count && !run.scattered &&
+                                 (apart >= most_lanes || run.count < apart) &&
+                                 (run.count == 1 ? link > run.row : link == run.row + run.count * run.row_step);
+            if (follows) {
+                if (run.count == 1) run.row_step = link - run.row;
+                extend(run, link);
+                return;
+            }
+        }
+        begin_run(link, a, b);
+    }
+
+    void begin_run(Row link, Row a, Row b) {
+        std::uint32_t parameters = std::uint32_t(plan_.low.size());
+        add_parameters(link);
+        // one like the last needs no room of its own
+        if (parameters > 0 && plan_.low[parameters] == plan_.low[parameters - 1] &&
+            plan_.high[parameters] == plan_.high[parameters - 1] &&
+            plan_.compliance[parameters] == plan_.compliance[parameters - 1]) {
+            for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->pop_back();
+            --parameters;
+        }
+        plan_.runs.push_back({.a = a,
+                              .b = b,
+                              .count = 1,
+                              .row = link,
+                              .row_step = 1,
+                              .parameters = parameters,
+                              .uniform = true,
+                              .soft = distances_.compliance[link] > Real(0),
+                              .exact = is_exact(link),
+                              .swings = swings_,
+                              .even = is_even(link)});
+        fresh_ = false;
+    }
+
+    /// The next link of a run whose rows come in no order.
+    void add_listed(Row link, Row a, Row b, bool begins) {
+        if (begins) {
+            begin_run(link, a, b);
+            plan_.runs.back().row = std::uint32_t(plan_.rows.size());
+            plan_.runs.back().row_step = 0;
+        } else {
+            extend(plan_.runs.back(), link);
+        }
+        plan_.rows.push_back(link);
+    }
+
+    void add_scattered(Row link, Row a, Row b) {
+        if (fresh_ || !plan_.runs.back().scattered) {
+            plan_.runs.push_back({.a = std::uint32_t(plan_.ends_a.size()),
+                                  .row = std::uint32_t(plan_.rows.size()),
+                                  .parameters = std::uint32_t(plan_.low.size()),
+                                  .swings = swings_,
+                                  .scattered = true});
+            fresh_ = false;
+        }
+        plan_.ends_a.push_back(a);
+        plan_.ends_b.push_back(b);
+        plan_.rows.push_back(link);
+        add_parameters(link);
+        note(plan_.runs.back(), link);
+    }
+
+  private:
+    World<D, Real>& world_;
+    const Constraints<Distance<D>, Real>& distances_;
+    Plan<Real>& plan_;
+    bool fresh_ = true; ///< the next link begins a run
+    bool swings_ = true;
+
+    void add_parameters(Row link) {
+        // squares and products of limits have to be finite
+        constexpr Real far = limit::coordinate<Real> * Real(100);
+        plan_.low.push_back(maximum(distances_.low[link], Real(0)));
+        plan_.high.push_back(minimum(distances_.high[link], far));
+        plan_.compliance.push_back(distances_.compliance[link]);
+    }
+
+    void copy_parameters(std::uint32_t of) {
+        for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) {
+            const Real value = (*column)[of];
+            column->push_back(value);
+        }
+    }
+
+    /// Its ends can move, and equally readily whatever slows them down.
+    bool is_even(Row link) const {
+        const auto& p = world_.particles;
+        const Row a = end(link, 0), b = end(link, 1);
+        return p.mobility[a] > Real(0) && p.mobility[b] > Real(0) && p.inverse_mass[a] == p.inverse_mass[b];
+    }
+
+    Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
+    bool is_exact(Row link) const { return distances_.low[link] == distances_.high[link]; }
+
+    void extend(LinkRun& run, Row link) {
+        if (run.uniform) {
+            const auto size = plan_.low.size();
+            add_parameters(link);
+            const bool alike = plan_.low.back() == plan_.low[run.parameters] &&
+                               plan_.high.back() == plan_.high[run.parameters] &&
+                               plan_.compliance.back() == plan_.compliance[run.parameters];
+            for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->resize(size);
+            if (!alike) {
+                const auto of = run.parameters;
+                run.uniform = false;
+                run.parameters = std::uint32_t(size);
+                for (std::uint32_t i = 0; i < run.count; ++i) copy_parameters(of);
+            }
+        }
+        if (!run.uniform) add_parameters(link);
+        note(run, link);
+    }
+
+    void note(LinkRun& run, Row link) {
+        run.soft = run.soft || distances_.compliance[link] > Real(0);
+        run.exact = run.exact && is_exact(link);
+        run.even = run.even && is_even(link);
+        ++run.count;
+    }
+};
+
+} // namespace sinew::detail

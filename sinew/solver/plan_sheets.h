@@ -1,0 +1,197 @@
+#pragma once
+
+#include "sinew/solver/plan_mesh.h"
+
+/// In which order a sheet's particles lie and its links are solved. Where they lead in few directions - a cloth, as it
+/// is built - each direction is a family: all of one direction and then all of the next leaves a quarter of the stretch
+/// of a random order, and cell by cell can grow without bound. Any other mesh is coloured. What comes many times in the
+/// same shape lies copy by copy, and each copy is solved in its own order.
+namespace sinew::detail {
+
+template <int D, class Real> class SheetMaker {
+  public:
+    SheetMaker(World<D, Real>& world, PlanParts<D, Real>& parts)
+        : swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), parts_(parts), runs_(world),
+          mesh_(world, parts, runs_) {}
+
+    void lay_out(std::size_t part) {
+        begin_sheet(part);
+        constexpr std::size_t few = 64; // links: in their own order
+        if (find_directions(part))
+            lay_out_directions(part);
+        else if (links(part).size() < few)
+            lay_out_list(part);
+        else
+            mesh_.lay_out(part);
+        end_sheet();
+    }
+
+    /// Particle i of all copies, then i + 1: as many copies a sheet as stay in the fastest cache.
+    void lay_out_copies(std::size_t part, std::size_t copies) {
+        constexpr std::size_t cached = 2048, least = 64, lanes = 16;
+        const auto fitting = cached / members(part).size() / lanes * lanes;
+        const auto each = std::max(least, fitting);
+        for (std::size_t first = 0; first < copies; first += each) {
+            const auto count = std::min(each, copies - first);
+            const auto begin = Row(swept_.row_of.size());
+            for (std::size_t i = 0; i < members(part).size(); ++i)
+                for (std::size_t copy = 0; copy < count; ++copy) swept_.give_slot(members(part + first + copy)[i]);
+            begin_sheet(part);
+            plan_.bands.push_back({begin, Row(swept_.row_of.size())});
+            runs_.begin_family();
+            runs_.begin_band();
+            for (std::size_t i = 0; i < links(part).size(); ++i) {
+                runs_.break_run();
+                for (std::size_t copy = 0; copy < count; ++copy) {
+                    const Row link = links(part + first + copy)[i];
+                    runs_.add(link, slot(end(link, 0)), slot(end(link, 1)));
+                }
+            }
+            end_sheet();
+        }
+    }
+
+  private:
+    static constexpr Row none = ~Row(0);
+
+    Swept<D, Real>& swept_;
+    Plan<Real>& plan_;
+    PlanRoom& room_;
+    PlanParts<D, Real>& parts_;
+    RunWriter<D, Real> runs_;
+    MeshMaker<D, Real> mesh_;
+
+    std::span<const Row> members(std::size_t part) const { return parts_.members(part); }
+    std::span<const Row> links(std::size_t part) const { return parts_.links(part); }
+    Row rank(Row link, std::size_t i) const { return parts_.rank(link, i); }
+    Row end(Row link, std::size_t i) const { return parts_.end(link, i); }
+    Row slot(Row row) const { return swept_.slot_of[row]; }
+
+    /// Corrections along the links as they were keep the energy of a swing, where a sweep comes near to a solution. In
+    /// a mesh it does not, and they buy nothing (docs/step.md).
+    void begin_sheet(std::size_t part) {
+        runs_.begin_sheet(2 * links(part).size() <= 3 * members(part).size());
+        plan_.sheets.push_back(
+            {.first_band = std::uint32_t(plan_.bands.size()), .first_family = std::uint32_t(plan_.families.size())});
+    }
+
+    void end_sheet() {
+        auto& sheet = plan_.sheets.back();
+        sheet.bands = std::uint32_t(plan_.bands.size()) - sheet.first_band;
+        sheet.families = std::uint32_t(plan_.families.size()) - sheet.first_family;
+        std::uint32_t delay = 0;
+        for (auto f = sheet.first_family; f < plan_.families.size(); ++f)
+            plan_.families[f].delay = delay += plan_.families[f].reach;
+        sheet.lag = delay;
+    }
+
+    void lay_out_list(std::size_t part) {
+        const auto begin = Row(swept_.row_of.size());
+        for (const Row row : members(part)) swept_.give_slot(row);
+        plan_.bands.push_back({begin, Row(swept_.row_of.size())});
+        if (links(part).empty()) return;
+        runs_.begin_family();
+        runs_.begin_band();
+        for (const Row link : links(part)) runs_.add(link, slot(end(link, 0)), slot(end(link, 1)));
+    }
+
+    // --- directions -------------------------------------------------------------------------------------------------
+
+    /// The steps from one end's rank to the other's, in the order in which they come. False where they are too many.
+    bool find_directions(std::size_t part) {
+        constexpr std::size_t most = 24, least_each = 16;
+        auto& directions = room_.directions;
+        directions.clear();
+        std::uint32_t last = 0;
+        for (const Row link : links(part)) {
+            const auto direction = direction_of(link);
+            if (direction == last) continue;
+            last = direction;
+            if (std::find(directions.begin(), directions.end(), direction) == directions.end())
+                directions.push_back(direction);
+            if (directions.size() > most) return false;
+        }
+        return !directions.empty() && links(part).size() / directions.size() >= least_each;
+    }
+
+    Row direction_of(Row link) const {
+        const Row a = rank(link, 0), b = rank(link, 1);
+        return a < b ? b - a : a - b;
+    }
+
+    /// Neighbours in a row share links one after the other; every second of them (or fourth, where links reach
+    /// further) do not. So a row's particles lie by their number modulo that.
+    void lay_out_directions(std::size_t part) {
+        const auto all = members(part);
+        auto& chained = room_.chained; // with the next one
+        chained.assign(all.size(), 0);
+        std::uint32_t classes = 1;
+        for (const Row link : links(part)) {
+            const auto direction = direction_of(link);
+            if (direction > 3) continue;
+            classes = std::max(classes, direction == 1 ? 2U : 4U);
+            if (direction == 1) chained[std::min(rank(link, 0), rank(link, 1))] = 1;
+        }
+        const auto begin = Row(swept_.row_of.size());
+        Row band = begin;
+        constexpr Row least_in_band = 128;
+        for (std::size_t first = 0, last; first < all.size(); first = last) {
+            last = first + 1;
+            while (last < all.size() && chained[last - 1]) ++last;
+            for (std::size_t c = 0; c < classes; ++c)
+                for (std::size_t i = first + c; i < last; i += classes) swept_.give_slot(all[i]);
+            if (Row(swept_.row_of.size()) - band < least_in_band && last < all.size()) continue;
+            plan_.bands.push_back({band, Row(swept_.row_of.size())});
+            band = Row(swept_.row_of.size());
+        }
+        for (const auto direction : room_.directions) add_direction(part, direction);
+    }
+
+    /// The links of a direction by the slot of their first particle. Where two begin at the same, each is of a family
+    /// of its own.
+    void add_direction(std::size_t part, std::uint32_t direction) {
+        auto& at = room_.at;
+        const auto first_band = plan_.sheets.back().first_band;
+        const Row begin = plan_.bands[first_band].first;
+        auto& left = room_.left;
+        left.clear();
+        for (const Row link : links(part))
+            if (direction_of(link) == direction) left.push_back(link);
+        while (!left.empty()) {
+            at.assign(members(part).size(), none);
+            std::size_t kept = 0;
+            for (const Row link : left) {
+                Row& place = at[lower_slot(link) - begin];
+                if (place == none)
+                    place = link;
+                else
+                    left[kept++] = link;
+            }
+            left.resize(kept);
+            add_family(first_band, begin);
+        }
+    }
+    Row lower_end(Row link) const { return rank(link, 0) < rank(link, 1) ? end(link, 0) : end(link, 1); }
+    Row upper_end(Row link) const { return rank(link, 0) < rank(link, 1) ? end(link, 1) : end(link, 0); }
+    Row lower_slot(Row link) const { return slot(lower_end(link)); }
+
+    void add_family(std::uint32_t first_band, Row begin) {
+        runs_.begin_family();
+        std::uint32_t reach = 0;
+        for (auto band = first_band; band < plan_.bands.size(); ++band) {
+            runs_.begin_band();
+            auto furthest = plan_.bands[band].first;
+            for (Row s = plan_.bands[band].first; s < plan_.bands[band].last; ++s) {
+                const Row link = room_.at[s - begin];
+                if (link == none) continue;
+                const Row other = slot(upper_end(link));
+                runs_.add(link, s, other);
+                furthest = std::max(furthest, other);
+            }
+            reach = std::max(reach, plan_.band_of(first_band, furthest) - band);
+        }
+        plan_.families.back().reach = reach;
+    }
+};
+
+} // namespace sinew::detail
