@@ -12,8 +12,8 @@ namespace sinew {
 struct LinkRun {
     std::uint32_t a = 0, b = 0; ///< slots of Swept; where scattered, a is where in the list of ends it begins
     std::uint32_t count = 0;
-    std::uint32_t row = 0;        ///< of the table of distances; where scattered, see `ends`
-    std::uint32_t row_step = 0;   ///< from one to the next
+    std::uint32_t row = 0;        ///< of the table of distances; without a step, where in the list of rows it begins
+    std::uint32_t row_step = 0;   ///< from one to the next; 0: as they are listed
     std::uint32_t parameters = 0; ///< of low, high and compliance
     bool uniform = false;         ///< one set of parameters for all
     bool soft = false;            ///< some have compliance
@@ -30,8 +30,9 @@ template <int D, class Real> struct LinkColumns {
     std::size_t apart; ///< from one component to the next
     const Real* mobility;
     const Real *low, *high, *compliance;
-    const std::uint32_t *ends_a, *ends_b, *rows; ///< of scattered ones
-    Real* multiplier;                            ///< by row
+    const std::uint32_t *ends_a, *ends_b; ///< of scattered ones
+    const std::uint32_t* rows;            ///< of runs without a step
+    Real* multiplier;                     ///< by row
 };
 
 template <class Real> struct LinkPass {

@@ -26,14 +26,13 @@ template <int D, class Real, bool exact, bool kept> struct EvenLinks {
     Real *move_a, *move_b;
     std::size_t apart;
     const Real* mobility;
-    Real* multiplier;
-    std::uint32_t row_step;
+    const LinkColumns<D, Real>& columns;
+    const LinkRun& run;
     LinkPass<Real>& pass;
 
-    EvenLinks(const LinkColumns<D, Real>& columns, LinkPass<Real>& in, const LinkRun& run)
-        : place_a(columns.place + run.a), place_b(columns.place + run.b), move_a(columns.move + run.a),
-          move_b(columns.move + run.b), apart(columns.apart), mobility(columns.mobility + run.a),
-          multiplier(columns.multiplier + run.row), row_step(run.row_step), pass(in) {}
+    EvenLinks(const LinkColumns<D, Real>& from, LinkPass<Real>& in, const LinkRun& of)
+        : place_a(from.place + of.a), place_b(from.place + of.b), move_a(from.move + of.a), move_b(from.move + of.b),
+          apart(from.apart), mobility(from.mobility + of.a), columns(from), run(of), pass(in) {}
 
     template <class V, bool all>
     [[gnu::always_inline]] void project(std::uint32_t i, int count, const Wanted<V>& wanted) const {
@@ -76,8 +75,14 @@ template <int D, class Real, bool exact, bool kept> struct EvenLinks {
     [[gnu::always_inline]] void note(std::uint32_t i, int count, const V& lambda, const V& length) const {
         if (any(length < spread<V>(Real(1e-18)))) [[unlikely]]
             for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, lane_of(length, k));
-        if (row_step == 1) return put<all>(multiplier + i, lambda, count);
-        put_apart(multiplier + std::size_t(i) * row_step, lambda, count, row_step);
+        if (run.row_step == 0) {
+            for (int k = 0; k < count; ++k)
+                columns.multiplier[columns.rows[run.row + i + unsigned(k)]] = lane_of(lambda, k);
+            return;
+        }
+        Real* const to = columns.multiplier + run.row + std::size_t(i) * run.row_step;
+        if (run.row_step == 1) return put<all>(to, lambda, count);
+        put_apart(to, lambda, count, run.row_step);
     }
 
     /// Each within its own limits, or all within those of the first.

@@ -145,10 +145,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             return {Ends{run.a + i}, Ends{run.b + i}};
     }
     [[gnu::always_inline]] std::uint32_t row(std::uint32_t i) const {
-        if constexpr (std::is_same_v<Ends, Scattered>)
-            return columns.rows[run.a + i];
-        else
-            return run.row + i * run.row_step;
+        return run.row_step == 0 ? columns.rows[run.row + i] : run.row + i * run.row_step;
     }
     template <class V> [[gnu::always_inline]] V multipliers(std::uint32_t i, int count) const {
         if (pass.first) return V{};

@@ -2,8 +2,10 @@
 
 #include "sinew/solver/block.h"
 #include "sinew/solver/kernel.h"
+#include "sinew/solver/levels.h"
 
 #include <algorithm>
+#include <compare>
 #include <utility>
 #include <vector>
 
@@ -26,7 +28,7 @@ struct Family {
 
 /// Where each list of a plan begins, for a sheet; or ends.
 struct PlanPlace {
-    std::uint32_t slot = 0, band = 0, family = 0, first_run = 0, run = 0, parameter = 0, scattered = 0;
+    std::uint32_t slot = 0, band = 0, family = 0, first_run = 0, run = 0, parameter = 0, scattered = 0, listed = 0;
 };
 
 /// The rows between the first and the last of something, and by which slots of their ids these two are known: where
@@ -98,6 +100,18 @@ struct PlanRoom {
     };
     std::vector<Piece> order;
     std::vector<char> kept; ///< sheets
+    struct Link {
+        std::uint32_t band = 0, apart = 0, lower = 0; ///< slots of its ends
+        Row number = 0;
+        auto operator<=>(const Link&) const = default;
+    };
+    struct Sequence {
+        std::uint32_t first = 0, end = 0; ///< of `sorted`
+        std::uint32_t family = 0;
+    };
+    std::vector<Link> sorted, left_over;
+    std::vector<Sequence> sequences;
+    Levels levels;
 
     void reserve(std::size_t particles, std::size_t distances) {
         parts.reserve(particles + 1);
@@ -111,6 +125,10 @@ struct PlanRoom {
         chained.reserve(particles);
         colour.reserve(distances);
         used.reserve(particles);
+        sorted.reserve(distances);
+        left_over.reserve(distances);
+        sequences.reserve(distances);
+        levels.reserve(particles);
     }
 };
 
@@ -120,9 +138,10 @@ template <class Real> struct Plan {
     std::vector<Family> families;
     std::vector<std::uint32_t> first_run;
     std::vector<LinkRun> runs;
-    std::vector<Real> low, high, compliance;         ///< one of each for a uniform run, else for each distance
-    std::vector<std::uint32_t> ends_a, ends_b, rows; ///< of what is scattered
-    std::vector<PinnedSlot> pins;                    ///< by slot
+    std::vector<Real> low, high, compliance;   ///< one of each for a uniform run, else for each distance
+    std::vector<std::uint32_t> ends_a, ends_b; ///< of what is scattered
+    std::vector<std::uint32_t> rows;           ///< of runs without a step
+    std::vector<PinnedSlot> pins;              ///< by slot
     std::vector<Tether> tethers;
     std::vector<Real> per_reach_square; ///< of each tether, by slot; 0 where it reaches anywhere
     bool may_tear = true;               ///< something in the world
@@ -137,7 +156,8 @@ template <class Real> struct Plan {
                 .first_run = size(first_run),
                 .run = size(runs),
                 .parameter = size(low),
-                .scattered = size(rows)};
+                .scattered = size(ends_a),
+                .listed = size(rows)};
     }
     /// Behind a sheet.
     PlanPlace end_of(std::size_t sheet) const { return sheet + 1 < sheets.size() ? sheets[sheet + 1].begin : end(); }
@@ -147,9 +167,9 @@ template <class Real> struct Plan {
         each_run(sheet, [&](const LinkRun& run) {
             for (std::uint32_t i = 0; i < run.count; ++i)
                 if (run.scattered)
-                    visit(rows[run.a + i], ends_a[run.a + i], ends_b[run.a + i]);
+                    visit(row_of(run, i), ends_a[run.a + i], ends_b[run.a + i]);
                 else
-                    visit(run.row + i * run.row_step, run.a + i, run.b + i);
+                    visit(row_of(run, i), run.a + i, run.b + i);
         });
     }
     template <class Visit> void each_run(const Sheet& sheet, Visit&& visit) const {
@@ -167,6 +187,17 @@ template <class Real> struct Plan {
         if (first_run.empty()) return;
         first_run.pop_back();
         for (auto* column : {&low, &high, &compliance}) column->resize(column->size() - lanes);
+    }
+
+    /// That of link i of a run.
+    Row row_of(const LinkRun& run, std::uint32_t i) const {
+        return run.row_step == 0 ? rows[run.row + i] : run.row + i * run.row_step;
+    }
+    /// The band that a slot lies in, from that band on.
+    std::uint32_t band_of(std::uint32_t first_band, std::uint32_t slot) const {
+        const auto found = std::upper_bound(bands.begin() + first_band, bands.end(), slot,
+                                            [](std::uint32_t value, const Band& band) { return value < band.last; });
+        return std::uint32_t(found - bands.begin());
     }
 
     void reserve(std::size_t particles, std::size_t distances, std::size_t constraints) {

@@ -25,6 +25,7 @@ template <class Real> struct PlanPieces {
         copy(from.plan.runs, first.run, last.run, plan.runs, [&](LinkRun& run) {
             run.a += run.scattered ? to.scattered - first.scattered : slots;
             run.b += run.scattered ? 0 : slots;
+            run.row += run.row_step == 0 ? to.listed - first.listed : 0;
             run.parameters += to.parameter - first.parameter;
         });
         copy(from.plan.low, first.parameter, last.parameter, plan.low);
@@ -33,7 +34,7 @@ template <class Real> struct PlanPieces {
         const auto move = [&](std::uint32_t& slot) { slot += slots; };
         copy(from.plan.ends_a, first.scattered, last.scattered, plan.ends_a, move);
         copy(from.plan.ends_b, first.scattered, last.scattered, plan.ends_b, move);
-        copy(from.plan.rows, first.scattered, last.scattered, plan.rows);
+        copy(from.plan.rows, first.listed, last.listed, plan.rows);
         sheet.begin = to;
         sheet.first_band = to.band, sheet.first_family = to.family;
         plan.sheets.push_back(sheet);
@@ -49,7 +50,8 @@ template <class Real> struct PlanPieces {
         plan.first_run.resize(end.first_run);
         plan.runs.resize(end.run);
         for (auto* column : {&plan.low, &plan.high, &plan.compliance}) column->resize(end.parameter);
-        for (auto* column : {&plan.ends_a, &plan.ends_b, &plan.rows}) column->resize(end.scattered);
+        for (auto* column : {&plan.ends_a, &plan.ends_b}) column->resize(end.scattered);
+        plan.rows.resize(end.listed);
         plan.sheets.resize(number);
     }
 
@@ -60,8 +62,9 @@ template <class Real> struct PlanPieces {
         for (auto slot = sheet.begin.slot; slot < last.slot; ++slot) row_of[slot] += particles;
         if (links == 0) return;
         sheet.links.shift(links);
-        for (auto run = sheet.begin.run; run < last.run; ++run) plan.runs[run].row += links;
-        for (auto i = sheet.begin.scattered; i < last.scattered; ++i) plan.rows[i] += links;
+        for (auto run = sheet.begin.run; run < last.run; ++run)
+            plan.runs[run].row += plan.runs[run].row_step == 0 ? 0 : links;
+        for (auto i = sheet.begin.listed; i < last.listed; ++i) plan.rows[i] += links;
     }
 
   private:

@@ -75,28 +75,37 @@ template <int D, class Real> class RunWriter {
     /// Once more, what its particles weigh.
     void weigh(LinkRun& run) const {
         run.even = true;
-        for (std::uint32_t i = 0; i < run.count; ++i)
-            run.even = run.even && is_even(run.scattered ? plan_.rows[run.a + i] : run.row + i * run.row_step);
+        for (std::uint32_t i = 0; i < run.count; ++i) run.even = run.even && is_even(plan_.row_of(run, i));
     }
 
-    void add_scattered(Row link) {
+    /// The next link of a run whose rows come in no order.
+    void add_listed(Row link, Row a, Row b, bool begins) {
+        links_.include(link);
+        if (begins) {
+            begin_run(link, a, b);
+            plan_.runs.back().row = std::uint32_t(plan_.rows.size());
+            plan_.runs.back().row_step = 0;
+        } else {
+            extend(plan_.runs.back(), link);
+        }
+        plan_.rows.push_back(link);
+    }
+
+    void add_scattered(Row link, Row a, Row b) {
         links_.include(link);
         if (fresh_ || !plan_.runs.back().scattered) {
             plan_.runs.push_back({.a = std::uint32_t(plan_.ends_a.size()),
+                                  .row = std::uint32_t(plan_.rows.size()),
                                   .parameters = std::uint32_t(plan_.low.size()),
                                   .swings = swings_,
                                   .scattered = true});
             fresh_ = false;
         }
-        plan_.ends_a.push_back(slot(end(link, 0)));
-        plan_.ends_b.push_back(slot(end(link, 1)));
+        plan_.ends_a.push_back(a);
+        plan_.ends_b.push_back(b);
         plan_.rows.push_back(link);
         add_parameters(link);
-        auto& run = plan_.runs.back();
-        run.soft = run.soft || distances_.compliance[link] > Real(0);
-        run.exact = run.exact && is_exact(link);
-        run.even = run.even && is_even(link);
-        ++run.count;
+        note(plan_.runs.back(), link);
     }
 
   private:
@@ -131,7 +140,6 @@ template <int D, class Real> class RunWriter {
     }
 
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
-    Row slot(Row row) const { return world_.swept.slot_of[row]; }
     bool is_exact(Row link) const { return distances_.low[link] == distances_.high[link]; }
 
     void extend(LinkRun& run, Row link) {
@@ -150,6 +158,10 @@ template <int D, class Real> class RunWriter {
             }
         }
         if (!run.uniform) add_parameters(link);
+        note(run, link);
+    }
+
+    void note(LinkRun& run, Row link) {
         run.soft = run.soft || distances_.compliance[link] > Real(0);
         run.exact = run.exact && is_exact(link);
         run.even = run.even && is_even(link);

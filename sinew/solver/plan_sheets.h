@@ -1,9 +1,6 @@
 #pragma once
 
-#include "sinew/solver/plan_parts.h"
-#include "sinew/solver/plan_runs.h"
-
-#include <tuple>
+#include "sinew/solver/plan_mesh.h"
 
 /// In which order a sheet's particles lie and its links are solved. Where they lead in few directions - a cloth, as it
 /// is built - each direction is a family: all of one direction and then all of the next leaves a quarter of the stretch
@@ -15,8 +12,8 @@ template <int D, class Real> class SheetMaker {
   public:
     SheetMaker(World<D, Real>& world, PlanParts<D, Real>& parts)
         : swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), parts_(parts), runs_(world),
-          particle_ids_(world.particles.slots), link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {
-    }
+          mesh_(world, parts, runs_), particle_ids_(world.particles.slots),
+          link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {}
 
     static constexpr std::size_t most_in_copies = 1024; ///< particles
 
@@ -34,6 +31,7 @@ template <int D, class Real> class SheetMaker {
     PlanRoom& room_;
     PlanParts<D, Real>& parts_;
     RunWriter<D, Real> runs_;
+    MeshMaker<D, Real> mesh_;
     const Slots<ParticleTag>& particle_ids_;
     const Slots<ConstraintTag>& link_ids_;
 
@@ -54,7 +52,7 @@ template <int D, class Real> class SheetMaker {
         else if (links(part).size() < few)
             lay_out_list(part);
         else
-            lay_out_colours(part);
+            mesh_.lay_out(part);
         end_sheet();
     }
 
@@ -69,7 +67,7 @@ template <int D, class Real> class SheetMaker {
             begin_sheet(part);
             plan_.sheets.back().copies = true;
             for (std::size_t i = 0; i < members(part).size(); ++i)
-                for (std::size_t copy = 0; copy < count; ++copy) give_slot(members(part + first + copy)[i]);
+                for (std::size_t copy = 0; copy < count; ++copy) swept_.give_slot(members(part + first + copy)[i]);
             plan_.bands.push_back({begin, Row(swept_.row_of.size())});
             runs_.begin_family();
             runs_.begin_band();
@@ -89,11 +87,6 @@ template <int D, class Real> class SheetMaker {
     Row rank(Row link, std::size_t i) const { return parts_.rank(link, i); }
     Row end(Row link, std::size_t i) const { return parts_.end(link, i); }
     Row slot(Row row) const { return swept_.slot_of[row]; }
-
-    void give_slot(Row row) {
-        swept_.slot_of[row] = Row(swept_.row_of.size());
-        swept_.row_of.push_back(row);
-    }
 
     /// Corrections along the links as they were keep the energy of a swing, where a sweep comes near to a solution. In
     /// a mesh it does not, and they buy nothing (docs/step.md).
@@ -127,7 +120,7 @@ template <int D, class Real> class SheetMaker {
 
     void lay_out_list(std::size_t part) {
         const auto begin = Row(swept_.row_of.size());
-        for (const Row row : members(part)) give_slot(row);
+        for (const Row row : members(part)) swept_.give_slot(row);
         plan_.bands.push_back({begin, Row(swept_.row_of.size())});
         if (links(part).empty()) return;
         runs_.begin_family();
@@ -179,18 +172,12 @@ template <int D, class Real> class SheetMaker {
             last = first + 1;
             while (last < all.size() && chained[last - 1]) ++last;
             for (std::size_t c = 0; c < classes; ++c)
-                for (std::size_t i = first + c; i < last; i += classes) give_slot(all[i]);
+                for (std::size_t i = first + c; i < last; i += classes) swept_.give_slot(all[i]);
             if (Row(swept_.row_of.size()) - band < least_in_band && last < all.size()) continue;
             plan_.bands.push_back({band, Row(swept_.row_of.size())});
             band = Row(swept_.row_of.size());
         }
         for (const auto direction : room_.directions) add_direction(part, direction);
-    }
-
-    std::uint32_t band_of(std::uint32_t first_band, Row at) const {
-        const auto found = std::upper_bound(plan_.bands.begin() + first_band, plan_.bands.end(), at,
-                                            [](Row value, const Band& band) { return value < band.last; });
-        return std::uint32_t(found - plan_.bands.begin());
     }
 
     /// The links of a direction by the slot of their first particle. Where two begin at the same, each is of a family
@@ -234,86 +221,9 @@ template <int D, class Real> class SheetMaker {
                 runs_.add(link, s, other);
                 furthest = std::max(furthest, other);
             }
-            reach = std::max(reach, band_of(first_band, furthest) - band);
+            reach = std::max(reach, plan_.band_of(first_band, furthest) - band);
         }
         plan_.families.back().reach = reach;
-    }
-
-    // --- any mesh ---------------------------------------------------------------------------------------------------
-
-    /// Breadth first, so that neighbours lie near each other; then each link gets the first colour that none at its
-    /// ends has.
-    void lay_out_colours(std::size_t part) {
-        const auto begin = Row(swept_.row_of.size());
-        walk(part);
-        constexpr Row in_band = 512;
-        for (Row first = begin; first < swept_.row_of.size(); first += in_band)
-            plan_.bands.push_back({first, std::min(first + in_band, Row(swept_.row_of.size()))});
-
-        auto& sorted = room_.left; // links by their lower slot
-        sorted.assign(links(part).begin(), links(part).end());
-        const auto key = [&](Row link) {
-            const auto ends = std::minmax({slot(end(link, 0)), slot(end(link, 1))});
-            return std::tuple(ends.first, ends.second, link);
-        };
-        std::sort(sorted.begin(), sorted.end(), [&](Row a, Row b) { return key(a) < key(b); });
-
-        constexpr std::uint32_t last_colour = 63; // of those too many; they come one by one
-        auto& used = room_.used;
-        used.assign(members(part).size(), 0);
-        room_.colour.resize(sorted.size());
-        std::uint32_t colours = 0;
-        bool any_last = false;
-        for (std::size_t i = 0; i < sorted.size(); ++i) {
-            auto &a = used[slot(end(sorted[i], 0)) - begin], &b = used[slot(end(sorted[i], 1)) - begin];
-            std::uint32_t colour = 0;
-            while (colour < last_colour && ((a | b) >> colour & 1) != 0) ++colour;
-            room_.colour[i] = (unsigned char)(colour);
-            if (colour == last_colour) any_last = true;
-            if (colour == last_colour) continue;
-            a |= std::uint64_t(1) << colour, b |= std::uint64_t(1) << colour;
-            colours = std::max(colours, colour + 1);
-        }
-        for (std::uint32_t colour = 0; colour < colours; ++colour) add_colour(colour, false);
-        if (any_last) add_colour(last_colour, true);
-    }
-
-    void add_colour(std::uint32_t colour, bool one_by_one) {
-        const auto first_band = plan_.sheets.back().first_band;
-        runs_.begin_family();
-        std::uint32_t reach = 0;
-        std::size_t i = 0;
-        for (auto band = first_band; band < plan_.bands.size(); ++band) {
-            runs_.begin_band();
-            auto furthest = plan_.bands[band].first;
-            for (; i < room_.left.size(); ++i) {
-                const Row link = room_.left[i];
-                const auto ends = std::minmax({slot(end(link, 0)), slot(end(link, 1))});
-                if (ends.first >= plan_.bands[band].last) break;
-                if (room_.colour[i] != colour) continue;
-                if (one_by_one)
-                    runs_.begin_run(link, slot(end(link, 0)), slot(end(link, 1)));
-                else
-                    runs_.add_scattered(link);
-                furthest = std::max(furthest, ends.second);
-            }
-            reach = std::max(reach, band_of(first_band, furthest) - band);
-        }
-        plan_.families.back().reach = reach;
-    }
-
-    void walk(std::size_t part) {
-        const auto all = members(part);
-        const auto& first = room_.first_near;
-        const auto& near = room_.near;
-        parts_.list_neighbours(part);
-        std::size_t visited = swept_.row_of.size();
-        give_slot(all[0]);
-        for (; visited < swept_.row_of.size(); ++visited) {
-            const Row r = room_.rank[swept_.row_of[visited]];
-            for (auto i = first[r]; i < first[r + 1]; ++i)
-                if (slot(all[near[i]]) == none) give_slot(all[near[i]]);
-        }
     }
 };
 

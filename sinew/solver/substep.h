@@ -292,16 +292,13 @@ template <int D, class Real> class Substep {
         auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
         for (auto run = first; run < last; ++run)
             for (std::uint32_t i = 0; i < swept_.plan.runs[run].count; ++i) {
-                const Row row = row_of(swept_.plan.runs[run], i);
+                const Row row = swept_.plan.row_of(swept_.plan.runs[run], i);
                 const auto ends = std::as_const(table.members)[row];
                 if (!(table.low[row] > Real(0)) || norm(mover_.point(ends[1]) - mover_.point(ends[0])) > Real(1e-18))
                     continue;
                 part(mover_, ends, row, clamp(Real(0), table.low[row], table.high[row]));
                 correct_row(world_, table, row, mover_);
             }
-    }
-    Row row_of(const LinkRun& run, std::uint32_t i) const {
-        return run.scattered ? swept_.plan.rows[run.a + i] : run.row + i * run.row_step;
     }
 
     void keep_in(const HalfSpace<D, Real>& plane, Row slot) {

@@ -40,6 +40,11 @@ template <int D, class Real> struct Swept {
 
     std::uint32_t size() const { return std::uint32_t(row_of.size()); }
 
+    void give_slot(Row row) {
+        slot_of[row] = size();
+        row_of.push_back(row);
+    }
+
     void reserve(std::size_t particles) {
         row_of.reserve(particles);
         slot_of.reserve(particles);

@@ -90,7 +90,7 @@ template <class World> void add_chains(World& world, int chains) {
     }
 }
 
-/// What the engine can choose between: directions, colours, copies, and a list as it stands.
+/// What the engine can choose between: directions, rows, colours, copies, and a list as it stands.
 template <class World> World of_every_order(bool mixed = false) {
     World world;
     fall(world, 9.81);
@@ -98,6 +98,7 @@ template <class World> World of_every_order(bool mixed = false) {
     add_cloth(world, {.columns = 37, .mixed = mixed});
     add_cloth(world, {.columns = 9, .rows = 20, .bends = true, .mixed = mixed});
     add_cloth(world, {.shuffled = true, .mixed = mixed});
+    add_cloth(world, {.columns = 25, .rows = 15, .shuffled = true, .mixed = mixed});
     add_cloth(world, {.columns = 3, .rows = 3, .mixed = mixed});
     add_chains(world, 21);
     return world;
@@ -137,7 +138,7 @@ TYPED_TEST(Planned, LinksSolvedTogetherShareNoParticleAndNoneIsLeftOut) {
         std::vector<std::uint32_t> ends;
         long_ones += run.count >= 16;
         for (std::uint32_t i = 0; i < run.count; ++i) {
-            const Row row = run.scattered ? plan.rows[run.a + i] : run.row + i * run.row_step;
+            const Row row = plan.row_of(run, i);
             const Row a = run.scattered ? plan.ends_a[run.a + i] : run.a + i;
             const Row b = run.scattered ? plan.ends_b[run.a + i] : run.b + i;
             ++seen[row];
@@ -182,6 +183,7 @@ TEST(Planned, NoOrderGainsEnergyInTenThousandSubsteps) {
         {"with bends", [](auto& world) { add_cloth(world, {.columns = 9, .rows = 9, .level = true, .bends = true}); }},
         {"tethers", [](auto& world) { add_cloth(world, {.columns = 9, .rows = 9, .level = true, .tethers = true}); }},
         {"colours", [](auto& world) { add_cloth(world, {.columns = 9, .rows = 9, .shuffled = true, .level = true}); }},
+        {"rows", [](auto& world) { add_cloth(world, {.columns = 16, .rows = 16, .shuffled = true, .level = true}); }},
         {"list", [](auto& world) { add_cloth(world, {.columns = 3, .rows = 3, .level = true}); }},
         {"copies", [](auto& world) { add_chains(world, 9); }}};
     for (const auto& [name, add] : orders) {

@@ -1,0 +1,87 @@
+#include "sinew/solver/levels.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace sinew {
+namespace {
+
+constexpr std::uint32_t unknown = ~std::uint32_t(0);
+
+} // namespace
+
+void Levels::find(std::span<const std::uint32_t> first, std::span<const std::uint32_t> near) {
+    first_ = first, near_ = near;
+    const auto count = first.size() - 1;
+    place_.assign(count, unknown);
+    pull_.assign(count, 0);
+    spread_from(least_joined());
+    for (std::size_t i = 0; i < size(); ++i) arrange(std::span(order_).subspan(begin_[i], begin_[i + 1] - begin_[i]));
+}
+
+/// A corner, where there is one: from it rows are longest.
+std::uint32_t Levels::least_joined() const {
+    std::uint32_t found = 0;
+    for (std::uint32_t i = 1; i + 1 < first_.size(); ++i)
+        if (near(i).size() < near(found).size()) found = i;
+    return found;
+}
+
+void Levels::spread_from(std::uint32_t start) {
+    level_.assign(first_.size() - 1, unknown);
+    order_.assign(1, start);
+    begin_.assign(1, 0);
+    level_[start] = 0;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+        const auto at = order_[i], next = level_[at] + 1;
+        if (next > begin_.size()) begin_.push_back(std::uint32_t(i));
+        for (const auto other : near(at)) {
+            if (level_[other] != unknown) continue;
+            level_[other] = next;
+            order_.push_back(other);
+        }
+    }
+    begin_.push_back(std::uint32_t(order_.size()));
+}
+
+/// As the level before it lies; then along links, from where these end.
+void Levels::arrange(std::span<std::uint32_t> level) {
+    for (const auto i : level) {
+        double sum = 0, count = 0;
+        for (const auto other : near(i))
+            if (level_[other] < level_[i]) sum += place_[other], ++count;
+        pull_[i] = count > 0 ? sum / count : 0;
+    }
+    std::sort(level.begin(), level.end(),
+              [&](auto a, auto b) { return std::pair(pull_[a], a) < std::pair(pull_[b], b); });
+    along_.clear();
+    for (const std::uint32_t most : {1U, unknown})
+        for (const auto i : level)
+            if (place_[i] == unknown && ways_on(i) <= most) follow(i);
+    std::copy(along_.begin(), along_.end(), level.begin());
+}
+
+/// Always to the neighbour that leads on least: it would be left out.
+void Levels::follow(std::uint32_t from) {
+    for (auto next = from; next != unknown;) {
+        const auto at = next;
+        place_[at] = std::uint32_t(along_.size());
+        along_.push_back(at);
+        next = unknown;
+        auto least = std::tuple(unknown, 0.0, unknown);
+        for (const auto other : near(at)) {
+            if (level_[other] != level_[at] || place_[other] != unknown) continue;
+            const auto key = std::tuple(ways_on(other), pull_[other], other);
+            if (key < least) least = key, next = other;
+        }
+    }
+}
+
+/// Neighbours in its level that have no place yet.
+std::uint32_t Levels::ways_on(std::uint32_t from) const {
+    std::uint32_t ways = 0;
+    for (const auto other : near(from)) ways += level_[other] == level_[from] && place_[other] == unknown;
+    return ways;
+}
+
+} // namespace sinew

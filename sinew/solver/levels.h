@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// The particles of a mesh in rows, where all that is known of it is who is whose neighbour: a row are those as many
+/// links away from the first particle, in the order in which links lead along it. So neighbours lie near each other,
+/// and where the mesh is regular the links from a row to the next lead from one particle after the other to one after
+/// the other. Breadth first in rows: Cuthill and McKee 1969.
+namespace sinew {
+
+class Levels {
+  public:
+    /// The neighbours of particle i are near[first[i]] to near[first[i + 1] - 1]. From particle 0 every other can be
+    /// reached.
+    void find(std::span<const std::uint32_t> first, std::span<const std::uint32_t> near);
+
+    void reserve(std::size_t particles) {
+        for (auto* column : {&order_, &begin_, &level_, &along_, &place_}) column->reserve(particles + 1);
+        pull_.reserve(particles);
+    }
+
+    std::size_t size() const { return begin_.size() - 1; }
+    std::span<const std::uint32_t> operator[](std::size_t level) const {
+        return std::span(order_).subspan(begin_[level], begin_[level + 1] - begin_[level]);
+    }
+
+  private:
+    std::span<const std::uint32_t> first_, near_;
+    std::vector<std::uint32_t> order_, begin_, level_, along_;
+    std::vector<std::uint32_t> place_; ///< in its level; none of what has none yet
+    std::vector<double> pull_;         ///< the mean place of neighbours in the level before
+
+    std::span<const std::uint32_t> near(std::uint32_t i) const {
+        return near_.subspan(first_[i], first_[i + 1] - first_[i]);
+    }
+    std::uint32_t least_joined() const;
+    void spread_from(std::uint32_t start);
+    void arrange(std::span<std::uint32_t> level);
+    void follow(std::uint32_t from);
+    std::uint32_t ways_on(std::uint32_t from) const;
+};
+
+} // namespace sinew
