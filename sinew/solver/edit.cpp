@@ -151,6 +151,8 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         }
         table.members.append(rows);
         append_row(table, spec, spec.limits.value_or(Interval<Real>{0, 0}));
+        if (table.breaking_strain.back() < limit::measure<Real>) // and what hangs on it goes with it, in a step
+            for_each_table(world, [](auto& any) { any.slots.remember(); });
         added = ConstraintId{kind, table.slots.append()};
         for (const Row member : rows) detail::note_member(world, table, kind, Row(table.size() - 1), member);
         if (!spec.limits) {

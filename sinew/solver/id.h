@@ -20,38 +20,42 @@ template <class Tag> struct Id {
 
 using Row = std::uint32_t;
 
-/// Which row an id stands for. Rows are dense and keep their order when others are removed.
+/// Which row an id stands for. Rows are dense and keep their order when others are removed. Until one is, slots are
+/// rows and nothing has to be remembered.
 template <class Tag> class Slots {
   public:
     /// The id of a new row at the end.
     Id<Tag> append() {
+        if (plain_) return {rows_++, 0};
         if (first_free_ == entries_.size()) entries_.push_back({.row = first_free_ + 1});
         const std::uint32_t slot = first_free_;
         first_free_ = entries_[slot].row;
-        entries_[slot].row = Row(slot_of_row_.size());
+        entries_[slot].row = rows_++;
         slot_of_row_.push_back(slot);
         return {slot, entries_[slot].generation};
     }
 
     std::optional<Row> find(Id<Tag> id) const {
-        if (id.slot >= entries_.size() || entries_[id.slot].generation != id.generation) return std::nullopt;
-        return entries_[id.slot].row;
+        if (id.slot >= slots() || generation(id.slot) != id.generation) return std::nullopt;
+        return row_at(id.slot);
     }
 
-    Id<Tag> id_of(Row row) const { return {slot_of_row_[row], entries_[slot_of_row_[row]].generation}; }
+    Id<Tag> id_of(Row row) const { return {slot_of(row), generation(slot_of(row))}; }
 
-    std::uint32_t slot_of(Row row) const { return slot_of_row_[row]; }
-    Row row_at(std::uint32_t slot) const { return entries_[slot].row; } ///< of a slot that is in use
+    std::uint32_t slot_of(Row row) const { return plain_ ? row : slot_of_row_[row]; }
+    Row row_at(std::uint32_t slot) const { return plain_ ? slot : entries_[slot].row; } ///< of a slot that is in use
     bool in_use(std::uint32_t slot) const {
-        const Row row = entries_[slot].row;
-        return row < slot_of_row_.size() && slot_of_row_[row] == slot;
+        const Row row = row_at(slot);
+        return row < rows_ && slot_of(row) == slot;
     }
-    std::size_t slots() const { return entries_.size(); } ///< in use or free
+    std::size_t slots() const { return plain_ ? rows_ : entries_.size(); } ///< in use or free
 
-    /// Forgets the rows whose flag in `gone` is set; the rest close up in order. Allocates nothing.
+    /// Forgets the rows whose flag in `gone` is set; the rest close up in order.
     void erase(std::span<const char> gone) {
         Row kept = Row(next_flag(gone, 0, 1));
-        for (Row row = kept; row < slot_of_row_.size(); ++row) {
+        if (kept == gone.size()) return;
+        remember();
+        for (Row row = kept; row < rows_; ++row) {
             const std::uint32_t slot = slot_of_row_[row];
             if (gone[row]) {
                 entries_[slot] = {.row = first_free_, .generation = entries_[slot].generation + 1};
@@ -62,9 +66,21 @@ template <class Tag> class Slots {
             }
         }
         slot_of_row_.resize(kept);
+        rows_ = kept;
+    }
+
+    /// From now on erasing allocates nothing.
+    void remember() {
+        if (!plain_) return;
+        plain_ = false;
+        slot_of_row_.resize(rows_);
+        entries_.resize(rows_);
+        for (Row row = 0; row < rows_; ++row) slot_of_row_[row] = entries_[row].row = row;
+        first_free_ = rows_;
     }
 
     void reserve(std::size_t rows) {
+        if (plain_) return;
         slot_of_row_.reserve(rows);
         entries_.reserve(rows);
     }
@@ -74,9 +90,13 @@ template <class Tag> class Slots {
         Row row = 0; ///< of a slot that is free: the next free slot
         std::uint32_t generation = 0;
     };
+    Row rows_ = 0;
+    bool plain_ = true; ///< slots are rows, and the rest is empty
     std::vector<std::uint32_t> slot_of_row_;
     std::vector<Entry> entries_;
     std::uint32_t first_free_ = 0; ///< entries_.size(): none is
+
+    std::uint32_t generation(std::uint32_t slot) const { return plain_ ? 0 : entries_[slot].generation; }
 };
 
 struct ParticleTag;
