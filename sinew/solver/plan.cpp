@@ -35,6 +35,7 @@ template <int D, class Real> class Planner {
         plan_.first_run.push_back(std::uint32_t(plan_.runs.size()));
         constexpr std::size_t lanes = 16; // a pack reads on behind the last
         for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->resize(column->size() + lanes);
+        square_lengths();
         list_pins();
         if (!plan_.may_tear)
             for (auto& sheet : plan_.sheets) tethers_.add_tethers(sheet);
@@ -69,6 +70,13 @@ template <int D, class Real> class Planner {
                       constraints);
         room_.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size());
         swept_.reserve(world_.particles.size());
+    }
+
+    /// As the kernels would (kernel_length.h), which divide more slowly than they read.
+    void square_lengths() {
+        plan_.per_square.resize(plan_.low.size());
+        for (std::size_t i = 0; i < plan_.low.size(); ++i)
+            plan_.per_square[i] = minimum(Real(1) / (plan_.low[i] * plan_.low[i]), Real(1e30));
     }
 
     void list_pins() {
