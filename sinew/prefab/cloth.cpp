@@ -22,6 +22,7 @@ struct Thread {
     std::string_view stem;
     std::size_t across, down;
     bool rising = false;
+    double shortest = 1; ///< it may become, as part of its length
 };
 
 /// A particle's share of one direction's length: half at the ends.
@@ -65,7 +66,8 @@ void weave(Builder<D, Real>& figure, const Grid& grid, const Thread& thread, Con
     if (grid.columns <= thread.across || grid.rows <= thread.down) return;
     const auto columns = grid.columns - thread.across, rows = grid.rows - thread.down;
     const std::size_t from = thread.rising ? thread.across : 0, to = thread.across - from;
-    spec.limits = exactly(spacing * square_root(double(thread.across * thread.across + thread.down * thread.down)));
+    const double length = spacing * square_root(double(thread.across * thread.across + thread.down * thread.down));
+    spec.limits = between(thread.shortest * length, length);
     figure.number_constraints(thread.stem, columns * rows, columns);
     const double weakest = spec.breaking_strain;
     for (std::size_t r = 0; r < rows; ++r)
@@ -84,10 +86,11 @@ template <int D, class Real> void weave(Builder<D, Real>& figure, const Grid& gr
                .toughness = cloth.toughness},
               cloth.spacing, cloth.uneven);
     };
-    threads({"across", 1, 0}, cloth.compliance);
-    threads({"down", 0, 1}, cloth.compliance);
-    if (cloth.diagonals != "none") threads({"falling", 1, 1}, cloth.shear_compliance);
-    if (cloth.diagonals == "both") threads({"rising", 1, 1, true}, cloth.shear_compliance);
+    const double side = 1 - cloth.buckling, diagonal = cloth.buckling > 0 ? 0 : 1;
+    threads({"across", 1, 0, false, side}, cloth.compliance);
+    threads({"down", 0, 1, false, side}, cloth.compliance);
+    if (cloth.diagonals != "none") threads({"falling", 1, 1, false, diagonal}, cloth.shear_compliance);
+    if (cloth.diagonals == "both") threads({"rising", 1, 1, true, diagonal}, cloth.shear_compliance);
     if (cloth.bend) threads({"bend_across", 2, 0}, cloth.bend_compliance);
     if (cloth.bend) threads({"bend_down", 0, 2}, cloth.bend_compliance);
 }

@@ -32,6 +32,7 @@ struct Cloth {
     std::string pins = "top";
     std::vector<double> pin_list{};
     std::string diagonals = "both";
+    double buckling = 0;
     bool bend = false;
     double mass = 1;
     double compliance = 0;
@@ -68,6 +69,12 @@ struct Cloth {
         visit(self.diagonals, Field{.name = "diagonals",
                                     .help = "Threads across each cell, which resist shear",
                                     .choices = diagonal_rules});
+        visit(self.buckling, Field{.name = "buckling",
+                                   .help = "By what part of its length a thread may become shorter, as in cloth that "
+                                           "buckles between two particles; diagonals then only pull. With 0 all push, "
+                                           "and crumpled cloth can jam",
+                                   .low = 0,
+                                   .high = 1});
         visit(self.bend, Field{.name = "bend", .help = "Springs from each particle to the next but one"});
         visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.compliance, Field{.name = "compliance",

@@ -144,6 +144,13 @@ struct SweepRun {
     Rows rows;
 };
 
+/// What has happened to a particle.
+enum class Touch : char {
+    joined,   ///< it is new, or what it is joined by
+    mobility, ///< it can move, or can no more: all that it is joined to is concerned
+    weight
+};
+
 /// Room for finding the blocks.
 struct BlockRoom {
     /// What hangs together, as far as it matters to whether it becomes a block.
@@ -165,11 +172,13 @@ struct BlockRoom {
     std::vector<Row> node_of;            ///< per particle
     std::vector<Row> bonds, parent, peeled, tree;
     std::vector<std::pair<Row, Row>> trees; ///< particles that hang, behind what they hang on
+    std::vector<Row> hung;                  ///< those of them that are in blocks
 
     void reserve(std::size_t particles) {
         parts.reserve(particles);
         for (auto* column : {&members, &peeled, &tree}) column->reserve(particles);
         trees.reserve(particles);
+        hung.reserve(particles);
     }
 };
 
@@ -198,7 +207,7 @@ template <int D> struct Blocks {
     // What has changed since the blocks were found.
     struct Touched {
         std::uint32_t particle = 0; ///< its slot
-        bool around = false;        ///< and all that it is joined to
+        Touch what = Touch::joined;
     };
     bool stale = true;   ///< everything has to be looked at
     bool changed = true; ///< something has
@@ -220,10 +229,10 @@ template <int D> struct Blocks {
     Blocks& operator=(Blocks&&) = default;
     ~Blocks() = default;
 
-    void touch(std::uint32_t particle, bool around = false) {
+    void touch(std::uint32_t particle, Touch what) {
         changed = true;
         stale = stale || touched.size() == touched.capacity();
-        if (!stale) touched.push_back({particle, around});
+        if (!stale) touched.push_back({particle, what});
     }
 
     void clear() {

@@ -17,13 +17,14 @@ template <int D, class Real> class Finder {
         : world_(world), particles_(world.particles), graph_(world), builder_(world, graph_), blocks_(world.blocks),
           room_(world.blocks.room) {}
 
-    void run() {
+    /// Whether all of it was looked at.
+    bool run() {
         make_room();
         if (!blocks_.stale) find_again();
-        if (blocks_.stale) find_all();
+        const bool all = blocks_.stale;
+        if (all) find_all();
         list_runs();
-        blocks_.touched.clear();
-        blocks_.stale = blocks_.changed = false;
+        return all;
     }
 
   private:
@@ -54,6 +55,7 @@ template <int D, class Real> class Finder {
         room_.parts.clear();
         room_.members.clear();
         room_.constraints.clear();
+        room_.hung.clear();
     }
 
     void find_all() {
@@ -80,11 +82,12 @@ template <int D, class Real> class Finder {
         const auto& slots = particles_.slots;
         for (const auto& touched : blocks_.touched) {
             if (!slots.in_use(touched.particle)) continue;
+            if (touched.what == Touch::weight) continue;
             const Row row = slots.row_at(touched.particle);
             if (!mobile(row)) particles_.in_block[row] = 0;
             if (mobile(row))
                 spread(row);
-            else if (touched.around)
+            else if (touched.what == Touch::mobility)
                 blocks_.bonds.each(touched.particle, [&](int kind, std::uint32_t slot) { spread_over(kind, slot); });
         }
         const auto gone = [&](const Block& block) {
@@ -215,7 +218,9 @@ template <int D, class Real> class Finder {
             room_.tree.clear();
             const Row root = trees[first].first;
             for (; end < trees.size() && trees[end].first == root; ++end) room_.tree.push_back(trees[end].second);
-            if (room_.tree.size() > 2) build(room_.tree, root, blocks_.hanging, true);
+            if (room_.tree.size() <= 2 || !build(room_.tree, root, blocks_.hanging, true)) continue;
+            for (const Row row : room_.tree)
+                if (row != root) room_.hung.push_back(row);
         }
     }
 
@@ -296,9 +301,11 @@ template <int D, class Real> void prepare(World<D, Real>& world) {
     if (!blocks.changed && !blocks.stale) return;
     reserve_for_tears(world);
     Waiting::tell(0);
-    Finder(world).run();
+    const bool anew = Finder(world).run();
     Waiting::tell(0.2);
-    make_plan(world);
+    make_plan(world, anew);
+    blocks.touched.clear();
+    blocks.stale = blocks.changed = false;
     Waiting::tell(1);
 }
 

@@ -13,12 +13,17 @@ template <int D, class Real> void note_particle(World<D, Real>& world) {
     if (blocks.stale) return;
     const auto& slots = world.particles.slots;
     blocks.bonds.make_room(slots.slots());
-    blocks.touch(slots.slot_of(Row(world.particles.size() - 1)));
+    blocks.touch(slots.slot_of(Row(world.particles.size() - 1)), Touch::joined);
 }
 
-/// Whether it can move, or to what it weighs nothing.
+/// Whether it can move.
 template <int D, class Real> void note_mobility(World<D, Real>& world, Row particle) {
-    world.blocks.touch(world.particles.slots.slot_of(particle), true);
+    world.blocks.touch(world.particles.slots.slot_of(particle), Touch::mobility);
+}
+
+/// What it weighs, or that it is pinned hard: the plan of the sweep knows that.
+template <int D, class Real> void note_weight(World<D, Real>& world, Row particle) {
+    world.blocks.touch(world.particles.slots.slot_of(particle), Touch::weight);
 }
 
 /// A particle is part of a constraint from now on.
@@ -29,7 +34,7 @@ void note_member(World<D, Real>& world, const Table& table, int kind, Row row, R
     if (blocks.stale) return;
     const auto particle = world.particles.slots.slot_of(member);
     blocks.bonds.add(particle, kind, table.slots.slot_of(row));
-    blocks.touch(particle);
+    blocks.touch(particle, Touch::joined);
 }
 
 /// It is so no longer.
@@ -40,12 +45,13 @@ void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row r
     if (blocks.stale) return;
     const auto particle = world.particles.slots.slot_of(member);
     blocks.stale = !blocks.bonds.remove(particle, kind, table.slots.slot_of(row));
-    blocks.touch(particle);
+    blocks.touch(particle, Touch::joined);
 }
 
 /// A constraint is solved in another way from now on.
 template <int D, class Real, class Table> void note_feature(World<D, Real>& world, const Table& table, Row row) {
-    for (const Row member : table.members[row]) world.blocks.touch(world.particles.slots.slot_of(member));
+    for (const Row member : table.members[row])
+        world.blocks.touch(world.particles.slots.slot_of(member), Touch::joined);
 }
 
 /// Rows have closed up, or pins have come or gone.

@@ -237,7 +237,7 @@ template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id,
     if (!row) return false;
     world.particles.inverse_mass[*row] = inverse_of_mass(mass);
     refresh_mobility(world, *row);
-    world.blocks.changed = true; // the plan knows which links join equals
+    detail::note_weight(world, *row);
     return true;
 }
 

@@ -40,8 +40,8 @@ template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row fir
 template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last);
 template <int D, class Real> void note_places(World<D, Real>& world, Row first, Row last);
 
-/// plan.cpp: works out how the sweep goes about what is in no block.
-template <int D, class Real> void make_plan(World<D, Real>& world);
+/// plan.cpp: works out how the sweep goes about what is in no block; anew, or what has changed of it.
+template <int D, class Real> void make_plan(World<D, Real>& world, bool anew);
 
 /// block_step.cpp: moves every block over a step; tensions are told as multipliers of a substep of that length.
 template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep);

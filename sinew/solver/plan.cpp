@@ -1,4 +1,5 @@
 #include "sinew/solver/phases.h"
+#include "sinew/solver/plan_keep.h"
 #include "sinew/solver/plan_sheets.h"
 #include "sinew/solver/plan_tethers.h"
 
@@ -12,34 +13,25 @@ template <int D, class Real> class Planner {
   public:
     explicit Planner(World<D, Real>& world)
         : world_(world), swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), parts_(world),
-          sheets_(world, parts_), tethers_(world, parts_) {}
+          sheets_(world, parts_), tethers_(world), keeper_(world) {}
 
-    void run() {
-        plan_.clear();
+    void run(bool anew) {
+        const bool tore = std::exchange(plan_.may_tear, false);
         look_around();
-        swept_.row_of.clear();
-        swept_.slot_of.assign(world_.particles.size(), none);
-        parts_.find();
-        Waiting::tell(0.3);
-        for (std::size_t part = 0; part < parts_.size();) {
-            const auto alike = parts_.count_alike(part);
-            constexpr std::size_t many = 8, small = 1024;
-            if (alike >= many && parts_.members(part).size() <= small) {
-                sheets_.lay_out_copies(part, alike);
-            } else {
-                for (std::size_t i = part; i < part + alike; ++i) sheets_.lay_out(i);
-            }
-            part += alike;
+        if (anew || tore != plan_.may_tear)
+            keeper_.drop_all();
+        else
+            keeper_.look();
+        if (keeper_.rows_moved() || keeper_.any_dropped() || parts_.any()) {
+            find_parts();
+            Waiting::tell(0.3);
+            lay_out();
         }
-        Waiting::tell(tethers_.tethered(0));
-        plan_.first_run.push_back(std::uint32_t(plan_.runs.size()));
-        constexpr std::size_t lanes = 16; // a pack reads on behind the last
-        for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->resize(column->size() + lanes);
+        plan_.close();
         square_lengths();
+        plan_.row_moves = world_.blocks.row_moves;
         list_pins();
-        if (!plan_.may_tear)
-            for (auto& sheet : plan_.sheets) tethers_.add_tethers(sheet);
-        plan_.per_reach_square.resize(plan_.per_reach_square.size() + (plan_.per_reach_square.empty() ? 0 : lanes));
+        tethers_.run();
         swept_.make_room();
     }
 
@@ -53,10 +45,93 @@ template <int D, class Real> class Planner {
     detail::PlanParts<D, Real> parts_;
     detail::SheetMaker<D, Real> sheets_;
     detail::TetherMaker<D, Real> tethers_;
+    detail::PlanKeeper<D, Real> keeper_;
+
+    /// Of what does not stay.
+    void find_parts() {
+        for (bool found = false; !found;) {
+            found = parts_.find([&](Row slot) { keeper_.drop(keeper_.sheet_at(slot)); });
+            if (!found) continue;
+            put_in_order();
+            found = !joins_those_without_links() && !regroups();
+        }
+    }
+
+    /// By their first particle; those without links come last.
+    void put_in_order() {
+        auto& order = room_.order;
+        order.clear();
+        for (std::uint32_t part = 0; part < parts_.size(); ++part)
+            order.push_back({parts_.links(part).empty() ? none : parts_.members(part).front(), part, false});
+        for (std::uint32_t i = 0; i < keeper_.count(); ++i)
+            if (keeper_.is_kept(i))
+                order.push_back({plan_.sheets[i].has_links() ? plan_.sheets[i].particles.first : none, i, true});
+        std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    }
+
+    /// Those without links lie together.
+    bool joins_those_without_links() {
+        const auto& order = room_.order;
+        if (order.size() < 2 || order[order.size() - 2].first != none) return false;
+        keeper_.drop(order[order.size() - (order.back().stays ? 1 : 2)].number);
+        return true;
+    }
+
+    /// Small ones of the same shape that follow each other are laid out together. Where one of them has come, gone or
+    /// changed, or others between them, none stays.
+    bool regroups() {
+        const auto is_small = [&](const PlanRoom::Piece& piece) {
+            if (piece.stays) return plan_.sheets[piece.number].small && plan_.sheets[piece.number].has_links();
+            return !parts_.links(piece.number).empty() && parts_.members(piece.number).size() <= sheets_.most_in_copies;
+        };
+        bool any_stays = false, changed = false;
+        for (std::size_t i = 0; i < keeper_.count(); ++i)
+            changed = changed || (!keeper_.is_kept(i) && plan_.sheets[i].small && plan_.sheets[i].has_links());
+        Row last = 0; // of those before
+        for (std::size_t i = 0; i < room_.order.size(); ++i) {
+            const auto& piece = room_.order[i];
+            if (piece.stays && is_small(piece)) {
+                any_stays = true;
+                changed = changed || piece.number != i;
+                last = std::max(last, plan_.sheets[piece.number].particles.last);
+            } else if (!piece.stays) {
+                changed = changed || is_small(piece) || (piece.first != none && piece.first < last);
+            }
+        }
+        if (!any_stays || !changed) return false;
+        for (std::size_t i = 0; i < keeper_.count(); ++i)
+            if (plan_.sheets[i].small && plan_.sheets[i].has_links()) keeper_.drop(i);
+        return true;
+    }
+
+    /// What stays and has nothing new before it stays where it is.
+    void lay_out() {
+        const auto& order = room_.order;
+        std::size_t in_place = 0;
+        while (in_place < order.size() && order[in_place].stays && order[in_place].number == in_place) ++in_place;
+        detail::PlanPieces<Real> plan{plan_, swept_.row_of}, spare{swept_.spare, swept_.spare_rows};
+        spare.cut_off(0);
+        for (std::size_t i = in_place; i < order.size(); ++i)
+            if (order[i].stays) spare.append(plan, order[i].number);
+        plan.cut_off(in_place);
+        std::size_t taken = 0;
+        for (std::size_t i = in_place; i < order.size();) {
+            if (order[i].stays) {
+                plan.append(spare, taken++);
+                for (Row slot = plan_.sheets.back().begin.slot; slot < swept_.row_of.size(); ++slot)
+                    swept_.slot_of[swept_.row_of[slot]] = slot;
+                ++i;
+                continue;
+            }
+            auto parts = i;
+            while (parts < order.size() && !order[parts].stays) ++parts;
+            sheets_.lay_out(order[i].number, parts - i);
+            i = parts;
+        }
+    }
 
     /// What tears must not make a step allocate: room for all that could be, where that is no waste.
     void look_around() {
-        plan_.may_tear = false;
         std::size_t constraints = 0;
         for_each_table(world_, [&](const auto& table) {
             constraints += table.size();
@@ -69,6 +144,7 @@ template <int D, class Real> class Planner {
         plan_.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size(),
                       constraints);
         room_.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size());
+        swept_.spare.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size(), 0);
         swept_.reserve(world_.particles.size());
     }
 
@@ -98,11 +174,11 @@ template <int D, class Real> class Planner {
 
 } // namespace
 
-template <int D, class Real> void make_plan(World<D, Real>& world) {
-    Planner<D, Real>(world).run();
+template <int D, class Real> void make_plan(World<D, Real>& world, bool anew) {
+    Planner<D, Real>(world).run(anew);
 }
 
-#define SINEW_PLAN(D, Real) template void make_plan(World<D, Real>&);
+#define SINEW_PLAN(D, Real) template void make_plan(World<D, Real>&, bool);
 SINEW_INSTANTIATE(SINEW_PLAN)
 
 } // namespace sinew

@@ -26,12 +26,34 @@ struct Family {
     std::uint32_t delay = 0; ///< what it and those before it reach together
 };
 
+/// Where each list of a plan begins, for a sheet; or ends.
+struct PlanPlace {
+    std::uint32_t slot = 0, band = 0, family = 0, first_run = 0, run = 0, parameter = 0, scattered = 0, listed = 0;
+};
+
+/// The rows between the first and the last of something, and by which slots of their ids these two are known: where
+/// others have gone, both are as far apart as before only if nothing in between has.
+struct Extent {
+    Row first = ~Row(0), last = 0;
+    std::uint32_t first_id = 0, last_id = 0;
+
+    bool empty() const { return first > last; }
+    void include(Row row) { first = std::min(first, row), last = std::max(last, row); }
+    void shift(Row by) { first += by, last += by; }
+};
+
 /// Particles that plain distances join, or several such heaps. Nothing in one sheet depends on another.
 struct Sheet {
     std::uint32_t first_band = 0, bands = 0;
     std::uint32_t first_family = 0, families = 0;
     std::uint32_t lag = 0; ///< the delay of its last family
     std::uint32_t first_tether = 0, tethers = 0;
+    PlanPlace begin{}; ///< of what is its own
+    Extent particles{}, links{};
+    bool small = false; ///< it may lie with others of its shape (plan_sheets.h)
+    bool copies = false;
+
+    bool has_links() const { return families > 0; }
 };
 
 /// A pin of the world, and where its particle is.
@@ -46,6 +68,7 @@ inline constexpr std::size_t most_tethers = 4;
 /// (long-range attachments: Kim, Chentanez and Mueller 2012).
 struct Tether {
     std::uint32_t pin = 0;   ///< of the world
+    std::uint32_t at = 0;    ///< its particle, from the sheet's first slot on
     std::uint32_t first = 0; ///< of Plan::per_reach_square: that of the sheet's first slot
 };
 
@@ -57,7 +80,7 @@ struct PlanRoom {
     std::vector<Part> parts;
     std::vector<Row> links, link_at, left; ///< rows of distances
     std::vector<Row> parent, part_of, members, rank, at, first_near, near, near_link;
-    std::vector<std::uint32_t> anchors; ///< pins
+    std::vector<PinnedSlot> anchors;
     struct RigidLink {
         Row other;
         double length;
@@ -69,6 +92,14 @@ struct PlanRoom {
     std::vector<std::uint32_t> directions;
     std::vector<unsigned char> chained, colour;
     std::vector<std::uint64_t> used; ///< colours, a bit each
+    /// What comes after what in the plan: a part, or a sheet that stays.
+    struct Piece {
+        Row first = 0; ///< of its particles
+        std::uint32_t number = 0;
+        bool stays = false;
+    };
+    std::vector<Piece> order;
+    std::vector<char> kept; ///< sheets
     struct Link {
         std::uint32_t band = 0, apart = 0, lower = 0; ///< slots of its ends
         Row number = 0;
@@ -84,6 +115,8 @@ struct PlanRoom {
 
     void reserve(std::size_t particles, std::size_t distances) {
         parts.reserve(particles + 1);
+        order.reserve(particles + 1);
+        kept.reserve(particles + 1);
         for (auto* column : {&links, &link_at, &left}) column->reserve(distances);
         for (auto* column : {&parent, &part_of, &members, &rank, &at, &first_near}) column->reserve(particles + 1);
         near.reserve(2 * distances);
@@ -114,6 +147,48 @@ template <class Real> struct Plan {
     std::vector<Real> per_reach_square; ///< of each tether, by slot; 0 where it reaches anywhere
     bool may_tear = true;               ///< something in the world
     std::vector<SweepRun> others;       ///< constraints that are not plain, in the order of the sweep
+    std::uint32_t row_moves = 0;        ///< how often rows had moved (Blocks)
+
+    PlanPlace end() const {
+        const auto size = [](const auto& column) { return std::uint32_t(column.size()); };
+        return {.slot = bands.empty() ? 0 : bands.back().last,
+                .band = size(bands),
+                .family = size(families),
+                .first_run = size(first_run),
+                .run = size(runs),
+                .parameter = size(low),
+                .scattered = size(ends_a),
+                .listed = size(rows)};
+    }
+    /// Behind a sheet.
+    PlanPlace end_of(std::size_t sheet) const { return sheet + 1 < sheets.size() ? sheets[sheet + 1].begin : end(); }
+
+    /// Calls visit(row, slot a, slot b) for the links of a sheet.
+    template <class Visit> void each_link(const Sheet& sheet, Visit&& visit) const {
+        each_run(sheet, [&](const LinkRun& run) {
+            for (std::uint32_t i = 0; i < run.count; ++i)
+                if (run.scattered)
+                    visit(row_of(run, i), ends_a[run.a + i], ends_b[run.a + i]);
+                else
+                    visit(row_of(run, i), run.a + i, run.b + i);
+        });
+    }
+    template <class Visit> void each_run(const Sheet& sheet, Visit&& visit) const {
+        const auto end = end_of(std::size_t(&sheet - sheets.data()));
+        for (auto run = sheet.begin.run; run < std::min(std::size_t(end.run), runs.size()); ++run) visit(runs[run]);
+    }
+
+    static constexpr std::size_t lanes = 16; ///< a pack reads on behind the last
+
+    void close() {
+        first_run.push_back(std::uint32_t(runs.size()));
+        for (auto* column : {&low, &high, &compliance}) column->resize(column->size() + lanes);
+    }
+    void open() {
+        if (first_run.empty()) return;
+        first_run.pop_back();
+        for (auto* column : {&low, &high, &compliance}) column->resize(column->size() - lanes);
+    }
 
     /// That of link i of a run.
     Row row_of(const LinkRun& run, std::uint32_t i) const {

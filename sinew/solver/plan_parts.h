@@ -17,10 +17,17 @@ template <int D, class Real> class PlanParts {
         : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), swept_(world.swept),
           plan_(world.swept.plan), room_(world.swept.room) {}
 
-    void find() {
-        take_plain();
+    /// Of what is in no sheet that stays. Where a link leads to one, meet(slot) is called instead, and it is false.
+    template <class Meet> bool find(Meet&& meet) {
+        if (!take_plain(meet)) return false;
         join();
         sort_into_parts();
+        return true;
+    }
+    bool any() const {
+        bool any = false;
+        each_swept([&](Row) { any = true; });
+        return any;
     }
     std::size_t size() const { return room_.parts.size(); }
 
@@ -67,10 +74,12 @@ template <int D, class Real> class PlanParts {
 
     std::size_t particles() const { return world_.particles.size(); }
 
+    /// Of the sweep, and not in a sheet that stays.
     template <class Visit> void each_swept(Visit&& visit) const {
         const std::span<const char> in_block = world_.particles.in_block;
         for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)
-            for (end = next_flag(in_block, row, 1); row < end; ++row) visit(Row(row));
+            for (end = next_flag(in_block, row, 1); row < end; ++row)
+                if (swept_.slot_of[row] == none) visit(Row(row));
     }
 
     /// Larger limits are none, or too large for products of three of them.
@@ -81,13 +90,20 @@ template <int D, class Real> class PlanParts {
                distances_.low[link] <= far && distances_.high[link] >= Real(0);
     }
 
-    void take_plain() {
+    template <class Meet> bool take_plain(Meet&& meet) {
+        bool apart = true;
         room_.links.clear();
+        plan_.others.clear();
         for (const auto& run : world_.blocks.runs) {
             const bool distances = run.kind == kind_number<Distance, D>;
             for (Row row = run.rows.first; row < run.rows.last; ++row) {
                 if (distances && is_plain(row)) {
+                    const Row a = swept_.slot_of[end(row, 0)], b = swept_.slot_of[end(row, 1)];
+                    if (a != none && b != none) continue;
                     room_.links.push_back(row);
+                    if (a == none && b == none) continue;
+                    meet(std::min(a, b));
+                    apart = false;
                     continue;
                 }
                 auto* last = plan_.others.empty() ? nullptr : &plan_.others.back();
@@ -96,6 +112,7 @@ template <int D, class Real> class PlanParts {
                 plan_.others.back().rows.last = row + 1;
             }
         }
+        return apart;
     }
 
     Row first_of(Row row) {

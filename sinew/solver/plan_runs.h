@@ -11,7 +11,13 @@ template <int D, class Real> class RunWriter {
         : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), plan_(world.swept.plan) {}
 
     /// Of the sheet that is written now: whether its links are corrected along where they were.
-    void begin_sheet(bool swings) { swings_ = swings; }
+    void begin_sheet(bool swings) {
+        swings_ = swings;
+        first_parameter_ = std::uint32_t(plan_.low.size());
+        links_ = {};
+    }
+    /// The rows of its links so far.
+    const Extent& links() const { return links_; }
 
     void begin_family(std::uint32_t reach = 0) {
         plan_.families.push_back({.first_run = std::uint32_t(plan_.first_run.size()), .reach = reach});
@@ -24,6 +30,7 @@ template <int D, class Real> class RunWriter {
 
     /// The next link of the family: it continues the run if it can.
     void add(Row link, Row a, Row b) {
+        links_.include(link);
         constexpr std::uint32_t most_lanes = 32; // in two packs
         if (!fresh_) {
             auto& run = plan_.runs.back();
@@ -41,10 +48,11 @@ template <int D, class Real> class RunWriter {
     }
 
     void begin_run(Row link, Row a, Row b) {
+        links_.include(link);
         std::uint32_t parameters = std::uint32_t(plan_.low.size());
         add_parameters(link);
         // one like the last needs no room of its own
-        if (parameters > 0 && plan_.low[parameters] == plan_.low[parameters - 1] &&
+        if (parameters > first_parameter_ && plan_.low[parameters] == plan_.low[parameters - 1] &&
             plan_.high[parameters] == plan_.high[parameters - 1] &&
             plan_.compliance[parameters] == plan_.compliance[parameters - 1]) {
             for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->pop_back();
@@ -64,8 +72,15 @@ template <int D, class Real> class RunWriter {
         fresh_ = false;
     }
 
+    /// Once more, what its particles weigh.
+    void weigh(LinkRun& run) const {
+        run.even = true;
+        for (std::uint32_t i = 0; i < run.count; ++i) run.even = run.even && is_even(plan_.row_of(run, i));
+    }
+
     /// The next link of a run whose rows come in no order.
     void add_listed(Row link, Row a, Row b, bool begins) {
+        links_.include(link);
         if (begins) {
             begin_run(link, a, b);
             plan_.runs.back().row = std::uint32_t(plan_.rows.size());
@@ -77,6 +92,7 @@ template <int D, class Real> class RunWriter {
     }
 
     void add_scattered(Row link, Row a, Row b) {
+        links_.include(link);
         if (fresh_ || !plan_.runs.back().scattered) {
             plan_.runs.push_back({.a = std::uint32_t(plan_.ends_a.size()),
                                   .row = std::uint32_t(plan_.rows.size()),
@@ -98,6 +114,8 @@ template <int D, class Real> class RunWriter {
     Plan<Real>& plan_;
     bool fresh_ = true; ///< the next link begins a run
     bool swings_ = true;
+    std::uint32_t first_parameter_ = 0; ///< of the sheet
+    Extent links_;
 
     void add_parameters(Row link) {
         // squares and products of limits have to be finite

@@ -12,7 +12,37 @@ template <int D, class Real> class SheetMaker {
   public:
     SheetMaker(World<D, Real>& world, PlanParts<D, Real>& parts)
         : swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), parts_(parts), runs_(world),
-          mesh_(world, parts, runs_) {}
+          mesh_(world, parts, runs_), particle_ids_(world.particles.slots),
+          link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {}
+
+    static constexpr std::size_t most_in_copies = 1024; ///< particles
+
+    /// Those of `parts` parts that are alike lie together where they are many and small.
+    void lay_out(std::size_t part, std::size_t parts) {
+        for (const auto last = part + parts; part < last;)
+            part += lay_out_alike(part, std::min(last - part, parts_.count_alike(part)));
+    }
+
+  private:
+    static constexpr Row none = ~Row(0);
+
+    Swept<D, Real>& swept_;
+    Plan<Real>& plan_;
+    PlanRoom& room_;
+    PlanParts<D, Real>& parts_;
+    RunWriter<D, Real> runs_;
+    MeshMaker<D, Real> mesh_;
+    const Slots<ParticleTag>& particle_ids_;
+    const Slots<ConstraintTag>& link_ids_;
+
+    std::size_t lay_out_alike(std::size_t part, std::size_t alike) {
+        constexpr std::size_t many = 8;
+        if (alike >= many && members(part).size() <= most_in_copies)
+            lay_out_copies(part, alike);
+        else
+            for (std::size_t i = part; i < part + alike; ++i) lay_out(i);
+        return alike;
+    }
 
     void lay_out(std::size_t part) {
         begin_sheet(part);
@@ -34,9 +64,10 @@ template <int D, class Real> class SheetMaker {
         for (std::size_t first = 0; first < copies; first += each) {
             const auto count = std::min(each, copies - first);
             const auto begin = Row(swept_.row_of.size());
+            begin_sheet(part);
+            plan_.sheets.back().copies = true;
             for (std::size_t i = 0; i < members(part).size(); ++i)
                 for (std::size_t copy = 0; copy < count; ++copy) swept_.give_slot(members(part + first + copy)[i]);
-            begin_sheet(part);
             plan_.bands.push_back({begin, Row(swept_.row_of.size())});
             runs_.begin_family();
             runs_.begin_band();
@@ -51,16 +82,6 @@ template <int D, class Real> class SheetMaker {
         }
     }
 
-  private:
-    static constexpr Row none = ~Row(0);
-
-    Swept<D, Real>& swept_;
-    Plan<Real>& plan_;
-    PlanRoom& room_;
-    PlanParts<D, Real>& parts_;
-    RunWriter<D, Real> runs_;
-    MeshMaker<D, Real> mesh_;
-
     std::span<const Row> members(std::size_t part) const { return parts_.members(part); }
     std::span<const Row> links(std::size_t part) const { return parts_.links(part); }
     Row rank(Row link, std::size_t i) const { return parts_.rank(link, i); }
@@ -71,8 +92,11 @@ template <int D, class Real> class SheetMaker {
     /// a mesh it does not, and they buy nothing (docs/step.md).
     void begin_sheet(std::size_t part) {
         runs_.begin_sheet(2 * links(part).size() <= 3 * members(part).size());
-        plan_.sheets.push_back(
-            {.first_band = std::uint32_t(plan_.bands.size()), .first_family = std::uint32_t(plan_.families.size())});
+        const auto begin = plan_.end();
+        plan_.sheets.push_back({.first_band = begin.band,
+                                .first_family = begin.family,
+                                .begin = begin,
+                                .small = members(part).size() <= most_in_copies});
     }
 
     void end_sheet() {
@@ -83,6 +107,15 @@ template <int D, class Real> class SheetMaker {
         for (auto f = sheet.first_family; f < plan_.families.size(); ++f)
             plan_.families[f].delay = delay += plan_.families[f].reach;
         sheet.lag = delay;
+        sheet.links = runs_.links();
+        for (auto slot = sheet.begin.slot; slot < swept_.row_of.size(); ++slot)
+            sheet.particles.include(swept_.row_of[slot]);
+        know(sheet.particles, particle_ids_);
+        if (!sheet.links.empty()) know(sheet.links, link_ids_);
+    }
+    template <class Slots> static void know(Extent& extent, const Slots& ids) {
+        extent.first_id = ids.slot_of(extent.first);
+        extent.last_id = ids.slot_of(extent.last);
     }
 
     void lay_out_list(std::size_t part) {

@@ -1,49 +1,34 @@
 #pragma once
 
-#include "sinew/solver/plan_parts.h"
 #include "sinew/solver/waiting.h"
+#include "sinew/solver/world.h"
 
-/// The tethers of a sheet: how far from its pins each of its particles can get.
+#include <algorithm>
+
+/// The tethers of sheets: how far from its pins each of their particles can get. What is tied to the same particles as
+/// before, and has not been laid out again, keeps them.
 namespace sinew::detail {
 
 template <int D, class Real> class TetherMaker {
   public:
-    explicit TetherMaker(World<D, Real>& world, const PlanParts<D, Real>& parts)
+    explicit TetherMaker(World<D, Real>& world)
         : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), swept_(world.swept),
-          plan_(world.swept.plan), room_(world.swept.room), parts_(parts) {}
+          plan_(world.swept.plan), room_(world.swept.room) {}
 
     /// Of all there is to get ready, when such a share of the sheets has its tethers.
     static double tethered(double share) { return 0.45 + 0.55 * share; }
 
-    /// To a few of its pins: of many those that lie furthest apart. What may tear has none, nor what gives.
-    void add_tethers(Sheet& sheet) {
-        const Row begin = plan_.bands[sheet.first_band].first;
-        const auto part = room_.part_of[swept_.row_of[begin]];
-        const auto slots = plan_.bands[sheet.first_band + sheet.bands - 1].last - begin;
-        sheet.first_tether = std::uint32_t(plan_.tethers.size());
-        if (plan_.pins.empty() || parts_.links(part).empty() || slots != parts_.members(part).size()) return;
-        auto& pins = room_.anchors;
-        pins.clear();
-        for (const auto& pinned : plan_.pins) // where there are several, the last one holds it
-            if (is_anchor(world_.pins[pinned.pin], part)) {
-                if (!pins.empty() && world_.pins[pins.back()].particle == world_.pins[pinned.pin].particle)
-                    pins.pop_back();
-                pins.push_back(pinned.pin);
-            }
-        if (pins.empty()) return;
-        list_rigid_links(part);
-        constexpr std::size_t most = most_tethers;
-        const auto size = parts_.members(part).size();
-        for (std::size_t i = 0; i < std::min(most, pins.size()); ++i) {
-            const auto pin = pins.size() <= most ? pins[i] : pins[i * (pins.size() - 1) / (most - 1)];
-            const auto first = plan_.per_reach_square.size();
-            plan_.tethers.push_back({.pin = pin, .first = std::uint32_t(first)});
-            plan_.per_reach_square.resize(first + size);
-            reach_from(part, *world_.particles.slots.find(world_.pins[pin].particle), begin, first);
-            ++sheet.tethers;
-            const auto share = double(i + 1) / double(std::min(most, pins.size()));
-            Waiting::tell(tethered((double(&sheet - plan_.sheets.data()) + share) / double(plan_.sheets.size())));
+    /// What may tear has none, nor what gives.
+    void run() {
+        Waiting::tell(tethered(0));
+        if (plan_.may_tear) return forget();
+        std::size_t kept = 0;
+        bool all = true;
+        for (auto& sheet : plan_.sheets) {
+            all = all && are_kept(sheet);
+            kept += sheet.tethers;
         }
+        if (!all || kept != plan_.tethers.size()) make_again();
     }
 
   private:
@@ -54,95 +39,192 @@ template <int D, class Real> class TetherMaker {
     Swept<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
-    const PlanParts<D, Real>& parts_;
 
-    Row slot(Row row) const { return swept_.slot_of[row]; }
+    void forget() {
+        plan_.tethers.clear();
+        plan_.per_reach_square.clear();
+        for (auto& sheet : plan_.sheets) sheet.first_tether = sheet.tethers = 0;
+    }
 
-    bool is_anchor(const Pin<D, Real>& pin, std::size_t part) const {
-        const auto row = world_.particles.slots.find(pin.particle);
-        if (!row || !pin.hard() || slot(*row) == Swept<D, Real>::none || room_.part_of[*row] != part) return false;
-        const auto figure = world_.particles.figure[*row];
+    bool is_anchor(const Pin<D, Real>& pin, Row particle) const {
+        if (!pin.hard()) return false;
+        const auto figure = world_.particles.figure[particle];
         return figure < world_.figures.size() && world_.figures[figure].tethers;
+    }
+
+    /// To a few of its pins: of many those that lie furthest apart.
+    std::span<const PinnedSlot> anchors(const Sheet& sheet) const {
+        auto& all = room_.anchors;
+        all.clear();
+        if (!sheet.has_links() || sheet.copies) return {};
+        const auto first = plan_.bands[sheet.first_band].first_pin;
+        const auto last = plan_.bands[sheet.first_band + sheet.bands - 1].last_pin;
+        for (auto i = first; i < last; ++i) { // where there are several, the last one holds it
+            const auto& pinned = plan_.pins[i];
+            if (!is_anchor(world_.pins[pinned.pin], swept_.row_of[pinned.slot])) continue;
+            if (!all.empty() && all.back().slot == pinned.slot) all.pop_back();
+            all.push_back(pinned);
+        }
+        if (all.size() > most_tethers) {
+            for (std::size_t i = 0; i < most_tethers; ++i) all[i] = all[i * (all.size() - 1) / (most_tethers - 1)];
+            all.resize(most_tethers);
+        }
+        return all;
+    }
+
+    /// Pins are numbered anew when others go.
+    bool are_kept(const Sheet& sheet) {
+        const auto pins = anchors(sheet);
+        bool same = pins.size() == sheet.tethers;
+        for (std::size_t i = 0; same && i < pins.size(); ++i) {
+            auto& tether = plan_.tethers[sheet.first_tether + i];
+            same = tether.at == pins[i].slot - sheet.begin.slot;
+            tether.pin = pins[i].pin;
+        }
+        return same;
+    }
+
+    void make_again() {
+        const auto old = std::move(plan_.tethers);
+        const auto old_reaches = std::move(plan_.per_reach_square);
+        plan_.tethers.clear();
+        plan_.per_reach_square.clear();
+        std::size_t number = 0;
+        for (auto& sheet : plan_.sheets) {
+            const auto before = std::span(old).subspan(sheet.first_tether, sheet.tethers);
+            tie(sheet, before, old_reaches, double(number++) / double(plan_.sheets.size()));
+        }
+        if (!plan_.tethers.empty()) plan_.per_reach_square.resize(plan_.per_reach_square.size() + plan_.lanes);
+    }
+
+    void tie(Sheet& sheet, std::span<const Tether> before, const std::vector<Real>& reaches, double share) {
+        const auto pins = anchors(sheet);
+        const auto size = plan_.end_of(std::size_t(&sheet - plan_.sheets.data())).slot - sheet.begin.slot;
+        sheet.first_tether = std::uint32_t(plan_.tethers.size());
+        sheet.tethers = std::uint32_t(pins.size());
+        bool any_new = false;
+        for (std::size_t i = 0; i < pins.size(); ++i) {
+            const auto first = plan_.per_reach_square.size();
+            const auto at = pins[i].slot - sheet.begin.slot;
+            plan_.tethers.push_back({.pin = pins[i].pin, .at = at, .first = std::uint32_t(first)});
+            const auto same = std::find_if(before.begin(), before.end(), [&](const auto& b) { return b.at == at; });
+            if (same != before.end()) {
+                const auto from = reaches.begin() + same->first;
+                plan_.per_reach_square.insert(plan_.per_reach_square.end(), from, from + size);
+                continue;
+            }
+            if (!any_new) list_rigid_links(sheet, size);
+            any_new = true;
+            plan_.per_reach_square.resize(first + size);
+            reach_from(sheet, at, std::span(plan_.per_reach_square).subspan(first));
+            Waiting::tell(tethered(share + double(i + 1) / double(pins.size() * plan_.sheets.size())));
+        }
     }
 
     /// The shortest ways (Dijkstra 1959), along rigid links and across the triangles they span: as from one particle
     /// the others come in the order of their distance, a third corner is reached on the straight line from where the
     /// way to two of them would have begun if all lay flat (Mitchell, Mount and Papadimitriou 1987, of the edges the
-    /// first step only). A trace longer, so that nothing that hangs straight is pulled.
-    void reach_from(std::size_t part, Row anchor, Row begin, std::size_t first) {
-        constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.0001;
-        const auto all = parts_.members(part);
-        auto& way = room_.way;
-        way.assign(all.size(), Real(far));
-        auto& done = room_.chained;
-        done.assign(all.size(), 0);
-        constexpr double apart = -1;
-        auto& length_to = room_.length_to; // of the particle that is looked at
-        length_to.assign(all.size(), apart);
+    /// first step only). A trace longer, so that nothing that hangs straight is pulled. Particles by their number in
+    /// the sheet; of those that are equally far the first row comes first.
+    void reach_from(const Sheet& sheet, std::uint32_t anchor, std::span<Real> per_square) {
+        constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.0001, apart = -1;
+        const Row* const row_of = swept_.row_of.data() + sheet.begin.slot;
+        room_.way.assign(per_square.size(), Real(far));
+        room_.length_to.assign(per_square.size(), apart);
+        room_.chained.assign(per_square.size(), 0);
+        double* const way = room_.way.data();
+        double* const length_to = room_.length_to.data(); // of the particle that is looked at
+        unsigned char* const done = room_.chained.data();
         auto& heap = room_.heap;
-        heap.assign(1, {0, room_.rank[anchor]});
-        way[room_.rank[anchor]] = 0;
+        heap.assign(1, {0, row_of[anchor]});
+        way[anchor] = 0;
         const auto later = [](const auto& a, const auto& b) { return a > b; };
-        const auto shorten = [&](Row r, double length) {
-            if (!(Real(length) < way[r])) return;
-            way[r] = Real(length);
-            heap.push_back({length, r});
+        const auto shorten = [&](std::uint32_t s, double length) {
+            if (!(Real(length) < way[s])) return;
+            way[s] = Real(length);
+            heap.push_back({length, row_of[s]});
             std::push_heap(heap.begin(), heap.end(), later);
         };
         while (!heap.empty()) {
             std::pop_heap(heap.begin(), heap.end(), later);
-            const Row r = heap.back().second;
+            const auto s = swept_.slot_of[heap.back().second] - sheet.begin.slot;
             heap.pop_back();
-            if (done[r]) continue;
-            done[r] = 1;
-            for (const auto& [other, length] : rigid(r)) length_to[other] = length;
-            for (const auto& [other, length] : rigid(r)) {
+            if (done[s]) continue;
+            done[s] = 1;
+            const auto near = rigid(s);
+            for (const auto& [other, length] : near) {
                 if (done[other]) continue;
-                shorten(other, double(way[r]) + length);
-                for (const auto& [third, side] : rigid(other))
-                    if (length_to[third] != apart && done[third])
-                        shorten(other, across(double(way[r]), double(way[third]), length_to[third], length, side));
+                length_to[other] = length;
+                shorten(other, way[s] + length);
             }
-            for (const auto& [other, length] : rigid(r)) length_to[other] = apart;
-        }
-        for (Row r = 0; r < all.size(); ++r) {
-            const double reach = minimum(way[r] * slack, far);
-            plan_.per_reach_square[first + (slot(all[r]) - begin)] = reach > 0 ? Real(1 / square(reach)) : Real(0);
-        }
-    }
-
-    std::span<const RigidLink> rigid(Row r) const {
-        return std::span(room_.rigid).subspan(room_.first_rigid[r], room_.first_rigid[r + 1] - room_.first_rigid[r]);
-    }
-
-    void list_rigid_links(std::size_t part) {
-        parts_.list_neighbours(part);
-        room_.rigid.clear();
-        room_.first_rigid.assign(1, 0);
-        for (Row r = 0; r < parts_.members(part).size(); ++r) {
-            for (auto i = room_.first_near[r]; i < room_.first_near[r + 1]; ++i) {
-                const Row link = room_.near_link[i];
-                if (distances_.compliance[link] == Real(0) && distances_.high[link] < limit::coordinate<Real>)
-                    room_.rigid.push_back({room_.near[i], double(distances_.high[link])});
+            for (const auto& [third, between] : near) {
+                if (!done[third] || !(between > 0)) continue;
+                const auto begun = place(way[s], way[third], between);
+                for (const auto& [other, side] : rigid(third)) {
+                    if (length_to[other] == apart) continue;
+                    const auto to = place_again(length_to[other], side, between);
+                    if (may_be_less(begun, to, way[other])) shorten(other, across(begun, to, between));
+                }
             }
-            room_.first_rigid.push_back(std::uint32_t(room_.rigid.size()));
+            for (const auto& link : near) length_to[link.other] = apart;
+        }
+        for (std::size_t s = 0; s < per_square.size(); ++s) {
+            const double reach = minimum(way[s] * slack, far);
+            per_square[s] = reach > 0 ? Real(1 / square(reach)) : Real(0);
         }
     }
 
-    /// How far c is from where a is `to_a` and b `to_b` away, on the other side of ab and in the plane of abc.
-    static double across(double to_a, double to_b, double ab, double ac, double bc) {
+    std::span<const RigidLink> rigid(std::uint32_t s) const {
+        return std::span(room_.rigid).subspan(room_.first_rigid[s], room_.first_rigid[s + 1] - room_.first_rigid[s]);
+    }
+
+    /// Those of each particle of a sheet, by its number in it.
+    void list_rigid_links(const Sheet& sheet, std::size_t particles) {
+        auto& first = room_.first_rigid;
+        first.assign(particles + 2, 0);
+        each_rigid(sheet, [&](Row, std::uint32_t a, std::uint32_t b) { ++first[a + 2], ++first[b + 2]; });
+        for (std::size_t s = 2; s < first.size(); ++s) first[s] += first[s - 1];
+        room_.rigid.resize(first.back());
+        each_rigid(sheet, [&](Row link, std::uint32_t a, std::uint32_t b) {
+            room_.rigid[first[a + 1]++] = {b, double(distances_.high[link])};
+            room_.rigid[first[b + 1]++] = {a, double(distances_.high[link])};
+        });
+    }
+    template <class Visit> void each_rigid(const Sheet& sheet, Visit&& visit) const {
+        plan_.each_link(sheet, [&](Row link, std::uint32_t a, std::uint32_t b) {
+            if (distances_.compliance[link] == Real(0) && distances_.high[link] < limit::coordinate<Real>)
+                visit(link, a - sheet.begin.slot, b - sheet.begin.slot);
+        });
+    }
+
+    /// Where something is that is so far from both ends of a line: along it, and beside it.
+    struct Place {
+        double along, beside;
+    };
+    static Place place(double to_a, double to_b, double length) {
+        const double along = (to_a * to_a - to_b * to_b + length * length) / (2 * length);
+        return {along, square_root(maximum(to_a * to_a - along * along, 0.0))};
+    }
+    /// Triangles of the same sides follow one another.
+    Place place_again(double to_a, double to_b, double length) {
+        const std::array<double, 3> sides{to_a, to_b, length};
+        if (sides != last_sides_) last_place_ = place(to_a, to_b, length), last_sides_ = sides;
+        return last_place_;
+    }
+    std::array<double, 3> last_sides_{};
+    Place last_place_{};
+
+    /// Without a root or a quotient, and leaving room for rounding.
+    static bool may_be_less(const Place& from, const Place& to, double than) {
+        return square(to.along - from.along) + square(from.beside + to.beside) < than * than * 1.000001;
+    }
+    /// How far the one is from the other, on the other side of the line and in its plane.
+    static double across(const Place& from, const Place& to, double length) {
         constexpr double nowhere = 1e300;
-        if (!(ab > 0)) return nowhere;
-        const auto place = [&](double a, double b) { // along ab, and beside it
-            const double along = (a * a - b * b + ab * ab) / (2 * ab);
-            return std::pair(along, square_root(maximum(a * a - along * along, 0.0)));
-        };
-        const auto [from, below] = place(to_a, to_b);
-        const auto [to, above] = place(ac, bc);
-        if (!(below + above > 0)) return nowhere;
-        const double crossing = from + (to - from) * below / (below + above);
-        if (!(crossing >= 0 && crossing <= ab)) return nowhere;
-        return square_root(square(to - from) + square(below + above));
+        if (!(from.beside + to.beside > 0)) return nowhere;
+        const double crossing = from.along + (to.along - from.along) * from.beside / (from.beside + to.beside);
+        if (!(crossing >= 0 && crossing <= length)) return nowhere;
+        return square_root(square(to.along - from.along) + square(from.beside + to.beside));
     }
 };
 

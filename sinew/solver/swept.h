@@ -4,6 +4,7 @@
 #include "sinew/solver/id.h"
 #include "sinew/solver/plan.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -27,6 +28,8 @@ template <int D, class Real> struct Swept {
     Real largest_radius = 0;
     Plan<Real> plan;
     PlanRoom room;
+    Plan<Real> spare; ///< sheets that are taken out while others are laid out before them
+    std::vector<Row> spare_rows;
 
     Swept() = default;
     Swept(const Swept&) {}
@@ -45,21 +48,24 @@ template <int D, class Real> struct Swept {
     void reserve(std::size_t particles) {
         row_of.reserve(particles);
         slot_of.reserve(particles);
+        spare_rows.reserve(particles);
+        columns_.clear(); // which moves
         columns_.reserve((particles + 2048) * (3 * D + 2));
     }
 
-    /// Room for all slots.
+    /// Room for all slots, behind which there is nothing.
     void make_room() {
-        // Columns a whole number of pages apart would fight for the same lines of the cache; each begins with a line.
-        constexpr std::size_t page = 4096 / sizeof(Real), apart = 576 / sizeof(Real), columns = 3 * D + 2, line = 64;
-        const std::size_t stride = (row_of.size() + page - 1) / page * page + apart;
-        columns_.assign(stride * columns + line / sizeof(Real), Real(0));
+        if (has_room()) return;
+        constexpr std::size_t columns = 3 * D + 2, line = 64;
+        stride_ = stride();
+        used_ = row_of.size();
+        columns_.assign(stride_ * columns + line / sizeof(Real), Real(0));
         Real* next =
             columns_.data() + (line - reinterpret_cast<std::uintptr_t>(columns_.data()) % line) % line / sizeof(Real);
         for (auto* kind : {&place, &move, &residual})
-            for (auto& column : *kind) column = next, next += stride;
+            for (auto& column : *kind) column = next, next += stride_;
         mobility = next;
-        inverse_mass = next + stride;
+        inverse_mass = next + stride_;
     }
 
     /// From one component of a column to the next.
@@ -95,6 +101,23 @@ template <int D, class Real> struct Swept {
 
   private:
     std::vector<Real> columns_;
+    std::size_t stride_ = 0, used_ = 0;
+
+    /// Columns a whole number of pages apart would fight for the same lines of the cache; each begins with a line.
+    std::size_t stride() const {
+        constexpr std::size_t page = 4096 / sizeof(Real), apart = 576 / sizeof(Real);
+        return (row_of.size() + page - 1) / page * page + apart;
+    }
+    bool has_room() {
+        if (columns_.empty() || stride() != stride_) return false;
+        const auto clear = [&](Real* column) {
+            std::fill(column + std::min(row_of.size(), used_), column + used_, Real(0));
+        };
+        for (auto* kind : {&place, &move, &residual}) std::for_each(kind->begin(), kind->end(), clear);
+        clear(mobility), clear(inverse_mass);
+        used_ = row_of.size();
+        return true;
+    }
 };
 
 } // namespace sinew

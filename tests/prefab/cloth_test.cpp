@@ -57,6 +57,16 @@ TEST(Cloth, HasAsManyThreadsAsItsGridHasNeighbours) {
     EXPECT_EQ(count("both", true), straight + 2 * crossing + (c - 2) * r + c * (r - 2));
 }
 
+TEST(Cloth, ThatBucklesLetsItsThreadsBecomeShorter) {
+    const auto made = make(Cloth{.columns = 4, .rows = 3, .spacing = 1, .buckling = 0.25});
+    const auto& all = std::get<kind_number<Distance, 2>>(made.world.constraints);
+    for (Row row = 0; row < all.size(); ++row) {
+        const bool side = all.high[row] == 1;
+        EXPECT_EQ(all.low[row], side ? 0.75 : 0);
+        EXPECT_TRUE(side || all.high[row] == std::sqrt(2.0));
+    }
+}
+
 TEST(Cloth, NamesEachThreadByItsUpperLeftParticle) {
     const auto made = make(Cloth{.columns = 4, .rows = 3, .spacing = 1, .bend = true});
     EXPECT_EQ(made.constraint("across_2_1").measure, 1);

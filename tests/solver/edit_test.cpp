@@ -254,7 +254,7 @@ TYPED_TEST(Edit, TeleportMovesAFigureAndItsPinsAndKeepsOrResetsItsVelocity) {
 }
 
 /// Ropes, one of them of springs and one that tears, a ladder with too many loops and ropes on it, a winch, and figures
-/// with angles; all joined to a nail or two.
+/// with angles; all joined to a nail or two. Or nothing that tears, but cloths with tethers and many things alike.
 template <class World> struct Jumble {
     using Real = typename World::Real;
     using Vector = typename World::Vector;
@@ -262,9 +262,16 @@ template <class World> struct Jumble {
     std::vector<ParticleId> particles;
     std::vector<ConstraintId> constraints;
     std::vector<PinId> pins;
+    bool tears = true;
 
-    Jumble() {
+    explicit Jumble(bool cloths) : tears(!cloths) {
         fall(world, 10);
+        if (cloths) {
+            add_cloth(0, 6, 5);
+            for (int i = 0; i < 9; ++i) add_cloth(i, 3, 3);
+            add_cloth(20, 34, 34);
+            for (int i = 0; i < 3; ++i) add_cloth(40 + i, 2, 2);
+        }
         for (int i = 0; i < 3; ++i) add_rope(i, 3 + 3 * i);
         constexpr int side = 13;
         std::vector<ParticleId> mat;
@@ -301,12 +308,31 @@ template <class World> struct Jumble {
             link(last, next,
                  {.limits = i == 1 ? exactly(Real(0.25)) : at_most(Real(0.25)),
                   .compliance = i == 2 ? Real(1e-3) : Real(0),
-                  .breaking_strain = i == 1 ? Real(0.5) : Real(1e30)});
+                  .breaking_strain = i == 1 && tears ? Real(0.5) : Real(1e30)});
             if (j > 1 && i == 0)
                 if (const auto id = add<Angle>(world, {before, last, next}, {.limits = at_most(Real(2))}))
                     constraints.push_back(*id);
             before = last, last = next;
         }
+    }
+
+    /// Swept, and tied to its first corner and its last.
+    void add_cloth(int x, int columns, int rows) {
+        const auto figure = add_figure(world, "cloth" + std::to_string(world.figures.size()));
+        world.figures[figure].direct = Direct::off;
+        world.figures[figure].tethers = true;
+        const auto first = particles.size();
+        for (int i = 0; i < columns * rows; ++i) {
+            particle(Real(x + 0.05 * (i % columns)), Real(-0.05 * (i / columns)));
+            world.particles.figure.back() = figure;
+        }
+        const auto at = [&](int i) { return particles[first + std::size_t(i)]; };
+        for (int i = 0; i < columns * rows; ++i)
+            if (i % columns + 1 < columns) link(at(i), at(i + 1));
+        for (int i = 0; i + columns < columns * rows; ++i) link(at(i), at(i + columns));
+        for (int i = 0; i + columns + 1 < columns * rows; ++i)
+            if (i % columns + 1 < columns) link(at(i), at(i + columns + 1));
+        hold(at(0)), hold(at(columns - 1));
     }
 
     /// One of many small changes.
@@ -316,7 +342,7 @@ template <class World> struct Jumble {
         };
         const auto one = [&](const auto& list, std::uint64_t which) { return list[below(list.size(), which)]; };
         const auto p = one(particles, 1), q = one(particles, 2);
-        switch (below(10, 0)) {
+        switch (below(11, 0)) {
         case 0:
         case 1:
             return remove_constraints(world, std::vector{one(constraints, 3)});
@@ -335,6 +361,8 @@ template <class World> struct Jumble {
         case 8:
             drive(world, one(constraints, 3), Real(-0.1));
             return;
+        case 9:
+            return add_cloth(int(below(9, 3)), int(2 + below(3, 4)), 3);
         default:
             set_mass(world, p, below(4, 3) == 0 ? std::numeric_limits<Real>::infinity() : Real(2));
             return;
@@ -342,11 +370,12 @@ template <class World> struct Jumble {
     }
 };
 
-// What is rebuilt of the blocks after a change is what would be built of the whole world.
+// What is rebuilt of blocks and plan after a change is what would be built of the whole world.
 TYPED_TEST(Edit, AWorldThatIsChangedMovesAsOneBuiltSo) {
     constexpr double dt = 1e-4; // what is tangled is not to be pulled tight
-    for (std::uint64_t seed = 0; seed < 2; ++seed) {
-        Jumble<typename TypeParam::World> jumble;
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        Jumble<typename TypeParam::World> jumble(seed >= 2);
+        jumble.world.settings.substeps = 2;
         for (std::uint64_t i = 0; i < 20; ++i) {
             step(jumble.world, typename TypeParam::Real(dt));
             for (std::uint64_t k = 0; k <= i % 3; ++k) jumble.change(seed, 3 * i + k);
@@ -357,6 +386,9 @@ TYPED_TEST(Edit, AWorldThatIsChangedMovesAsOneBuiltSo) {
             ASSERT_EQ(state_hash(fresh), state_hash(changed)) << "after change " << i << ", seed " << seed;
             ASSERT_EQ(fresh.blocks.list.size(), changed.blocks.list.size());
             ASSERT_EQ(fresh.blocks.hanging.size(), changed.blocks.hanging.size());
+            ASSERT_EQ(fresh.swept.row_of, changed.swept.row_of) << "after change " << i << ", seed " << seed;
+            ASSERT_EQ(fresh.swept.plan.runs.size(), changed.swept.plan.runs.size());
+            ASSERT_EQ(fresh.swept.plan.tethers.size(), changed.swept.plan.tethers.size());
             jumble.world = std::move(changed);
         }
     }

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "sinew/solver/plan.h"
+
+/// Sheets of a plan as pieces, which can be taken out and put in again elsewhere.
+namespace sinew::detail {
+
+/// A plan, and the rows of what is in its slots.
+template <class Real> struct PlanPieces {
+    Plan<Real>& plan;
+    std::vector<Row>& row_of;
+
+    /// Puts a sheet of another plan behind all there is. Tethers stay where they are.
+    void append(const PlanPieces& from, std::size_t number) {
+        Sheet sheet = from.plan.sheets[number];
+        const auto first = sheet.begin, last = from.plan.end_of(number), to = plan.end();
+        const auto slots = to.slot - first.slot;
+        copy(from.row_of, first.slot, last.slot, row_of);
+        copy(from.plan.bands, first.band, last.band, plan.bands,
+             [&](Band& band) { band.first += slots, band.last += slots; });
+        copy(from.plan.families, first.family, last.family, plan.families,
+             [&](Family& family) { family.first_run += to.first_run - first.first_run; });
+        copy(from.plan.first_run, first.first_run, last.first_run, plan.first_run,
+             [&](std::uint32_t& run) { run += to.run - first.run; });
+        copy(from.plan.runs, first.run, last.run, plan.runs, [&](LinkRun& run) {
+            run.a += run.scattered ? to.scattered - first.scattered : slots;
+            run.b += run.scattered ? 0 : slots;
+            run.row += run.row_step == 0 ? to.listed - first.listed : 0;
+            run.parameters += to.parameter - first.parameter;
+        });
+        copy(from.plan.low, first.parameter, last.parameter, plan.low);
+        copy(from.plan.high, first.parameter, last.parameter, plan.high);
+        copy(from.plan.compliance, first.parameter, last.parameter, plan.compliance);
+        const auto move = [&](std::uint32_t& slot) { slot += slots; };
+        copy(from.plan.ends_a, first.scattered, last.scattered, plan.ends_a, move);
+        copy(from.plan.ends_b, first.scattered, last.scattered, plan.ends_b, move);
+        copy(from.plan.rows, first.listed, last.listed, plan.rows);
+        sheet.begin = to;
+        sheet.first_band = to.band, sheet.first_family = to.family;
+        plan.sheets.push_back(sheet);
+    }
+
+    /// Takes away all sheets from this one on.
+    void cut_off(std::size_t number) {
+        if (number == plan.sheets.size()) return;
+        const auto end = plan.sheets[number].begin;
+        row_of.resize(end.slot);
+        plan.bands.resize(end.band);
+        plan.families.resize(end.family);
+        plan.first_run.resize(end.first_run);
+        plan.runs.resize(end.run);
+        for (auto* column : {&plan.low, &plan.high, &plan.compliance}) column->resize(end.parameter);
+        for (auto* column : {&plan.ends_a, &plan.ends_b}) column->resize(end.scattered);
+        plan.rows.resize(end.listed);
+        plan.sheets.resize(number);
+    }
+
+    /// The rows of a sheet's particles and links are so much further on.
+    void shift(Sheet& sheet, Row particles, Row links) {
+        const auto last = plan.end_of(std::size_t(&sheet - plan.sheets.data()));
+        sheet.particles.shift(particles);
+        for (auto slot = sheet.begin.slot; slot < last.slot; ++slot) row_of[slot] += particles;
+        if (links == 0) return;
+        sheet.links.shift(links);
+        for (auto run = sheet.begin.run; run < last.run; ++run)
+            plan.runs[run].row += plan.runs[run].row_step == 0 ? 0 : links;
+        for (auto i = sheet.begin.listed; i < last.listed; ++i) plan.rows[i] += links;
+    }
+
+  private:
+    template <class T, class Change>
+    static void copy(const std::vector<T>& from, std::size_t first, std::size_t last, std::vector<T>& to,
+                     Change&& change) {
+        const auto begin = to.size();
+        copy(from, first, last, to);
+        for (auto i = begin; i < to.size(); ++i) change(to[i]);
+    }
+    template <class T>
+    static void copy(const std::vector<T>& from, std::size_t first, std::size_t last, std::vector<T>& to) {
+        to.insert(to.end(), from.begin() + std::ptrdiff_t(first), from.begin() + std::ptrdiff_t(last));
+    }
+};
+
+} // namespace sinew::detail
