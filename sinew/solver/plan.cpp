@@ -26,6 +26,7 @@ template <int D, class Real> class Planner {
             find_parts();
             Waiting::tell(0.3);
             lay_out();
+            parts_.forget();
         }
         plan_.close();
         square_lengths();
