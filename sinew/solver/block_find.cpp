@@ -73,6 +73,8 @@ template <int D, class Real> class Finder {
         });
         for (Row row = 0; row < particles_.size(); ++row) spread(row);
         build_parts();
+        constexpr std::size_t small = 100'000; // of more, the room is taken again when it is needed
+        if (room_.constraints.size() > small) room_.constraints = {};
         blocks_.leave_room();
     }
 

@@ -3,6 +3,7 @@
 #include "sinew/solver/project.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace sinew {
 namespace {
@@ -61,6 +62,43 @@ ConstraintState state_of(const Table& table, Row row, double measured, Real subs
     return state;
 }
 
+/// Links that can go slack. In a block a spring between two of them bends what is taut (block_bend.h).
+class SlackLinks {
+  public:
+    template <class Distances> explicit SlackLinks(const Distances& distances) {
+        using Real = std::decay_t<decltype(distances.high[0])>;
+        for (Row row = 0; row < distances.size(); ++row)
+            if (distances.low[row] < distances.high[row] && distances.high[row] < limit::coordinate<Real>) {
+                const auto ends = std::minmax({distances.members[row][0], distances.members[row][1]});
+                links_.push_back({ends.first, ends.second, row, double(distances.high[row])});
+            }
+        const auto order = [](const Link& link) { return std::tuple(link.a, link.b, link.row); };
+        std::sort(links_.begin(), links_.end(), [&](const Link& x, const Link& y) { return order(x) < order(y); });
+    }
+
+    /// The share of the spring between two arms that acts.
+    template <class Point> double tautness(std::span<const Row> members, Point&& point) const {
+        double share = 1;
+        for (std::size_t i = 0; i + 1 < members.size(); ++i) {
+            const auto ends = std::minmax({members[i], members[i + 1]});
+            const auto after =
+                std::upper_bound(links_.begin(), links_.end(), ends,
+                                 [](const auto& e, const Link& link) { return e < std::pair(link.a, link.b); });
+            if (after == links_.begin() || (after - 1)->a != ends.first || (after - 1)->b != ends.second) continue;
+            const auto arm = point(ends.second) - point(ends.first);
+            share *= minimum(dot(arm, arm) / square((after - 1)->length), 1.0);
+        }
+        return share;
+    }
+
+  private:
+    struct Link {
+        Row a = 0, b = 0, row = 0;
+        double length = 0;
+    };
+    std::vector<Link> links_;
+};
+
 } // namespace
 
 template <int D, class Real>
@@ -86,12 +124,20 @@ template <int D, class Real> Energy energy(const World<D, Real>& world) {
         for (const auto& force : world.forces)
             sum.potential += std::visit(PotentialOf<D, Real>{mass, place_of_velocity(world, row)}, force);
     }
+    std::optional<SlackLinks> slack;
     for_each_table(world, [&](const auto& table) {
+        using Kind = typename std::decay_t<decltype(table)>::Kind;
         for (Row row = 0; row < table.size(); ++row) {
             if (table.compliance[row] == Real(0)) continue;
             const auto middle = [&](Row particle) { return place_of_velocity(world, particle); };
             const auto state = state_of(table, row, measure_row(table, row, middle), world.last_substep);
-            sum.stored += 0.5 * square(state.error) / double(table.compliance[row]);
+            double stored = 0.5 * square(state.error) / double(table.compliance[row]);
+            if constexpr (std::is_same_v<Kind, Angle<D>>)
+                if (stored > 0 && table.in_block[row] && world.settings.mode == Mode::physical) {
+                    if (!slack) slack.emplace(std::get<kind_number<Distance, D>>(world.constraints));
+                    stored *= slack->tautness(table.members[row], middle);
+                }
+            sum.stored += stored;
         }
     });
     for (const auto& pin : world.pins) {

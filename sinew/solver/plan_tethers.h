@@ -32,13 +32,17 @@ template <int D, class Real> class TetherMaker {
     }
 
   private:
-    using RigidLink = PlanRoom::RigidLink;
+    struct RigidLink {
+        std::uint32_t other;
+        Real length;
+    };
 
     World<D, Real>& world_;
     const Constraints<Distance<D>, Real>& distances_;
     Swept<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
+    std::vector<RigidLink> rigid_; ///< of each particle, from first_rigid on
 
     void forget() {
         plan_.tethers.clear();
@@ -154,15 +158,16 @@ template <int D, class Real> class TetherMaker {
             const auto near = rigid(s);
             for (const auto& [other, length] : near) {
                 if (done[other]) continue;
-                length_to[other] = length;
-                shorten(other, way[s] + length);
+                length_to[other] = double(length);
+                shorten(other, way[s] + double(length));
             }
-            for (const auto& [third, between] : near) {
-                if (!done[third] || !(between > 0)) continue;
-                const auto begun = place(way[s], way[third], between);
-                for (const auto& [other, side] : rigid(third)) {
+            for (const auto& link : near) {
+                const double between = double(link.length);
+                if (!done[link.other] || !(between > 0)) continue;
+                const auto begun = place(way[s], way[link.other], between);
+                for (const auto& [other, side] : rigid(link.other)) {
                     if (length_to[other] == apart) continue;
-                    const auto to = place_again(length_to[other], side, between);
+                    const auto to = place_again(length_to[other], double(side), between);
                     if (may_be_less(begun, to, way[other])) shorten(other, across(begun, to, between));
                 }
             }
@@ -175,7 +180,7 @@ template <int D, class Real> class TetherMaker {
     }
 
     std::span<const RigidLink> rigid(std::uint32_t s) const {
-        return std::span(room_.rigid).subspan(room_.first_rigid[s], room_.first_rigid[s + 1] - room_.first_rigid[s]);
+        return std::span(rigid_).subspan(room_.first_rigid[s], room_.first_rigid[s + 1] - room_.first_rigid[s]);
     }
 
     /// Those of each particle of a sheet, by its number in it.
@@ -184,10 +189,10 @@ template <int D, class Real> class TetherMaker {
         first.assign(particles + 2, 0);
         each_rigid(sheet, [&](Row, std::uint32_t a, std::uint32_t b) { ++first[a + 2], ++first[b + 2]; });
         for (std::size_t s = 2; s < first.size(); ++s) first[s] += first[s - 1];
-        room_.rigid.resize(first.back());
+        rigid_.resize(first.back());
         each_rigid(sheet, [&](Row link, std::uint32_t a, std::uint32_t b) {
-            room_.rigid[first[a + 1]++] = {b, double(distances_.high[link])};
-            room_.rigid[first[b + 1]++] = {a, double(distances_.high[link])};
+            rigid_[first[a + 1]++] = {b, distances_.high[link]};
+            rigid_[first[b + 1]++] = {a, distances_.high[link]};
         });
     }
     template <class Visit> void each_rigid(const Sheet& sheet, Visit&& visit) const {

@@ -269,7 +269,8 @@ template <class World> struct Jumble {
         if (cloths) {
             add_cloth(0, 6, 5);
             for (int i = 0; i < 9; ++i) add_cloth(i, 3, 3);
-            add_cloth(20, 34, 34);
+            add_cloth(20, 34, 34, 37);
+            add_cloth(30, 9, 9, 37);
             for (int i = 0; i < 3; ++i) add_cloth(40 + i, 2, 2);
         }
         for (int i = 0; i < 3; ++i) add_rope(i, 3 + 3 * i);
@@ -316,17 +317,19 @@ template <class World> struct Jumble {
         }
     }
 
-    /// Swept, and tied to its first corner and its last.
-    void add_cloth(int x, int columns, int rows) {
+    /// Swept, and tied to its first corner and its last. Particles are added this far on each time, which must have no
+    /// divisor in common with their number: in no order that leads anywhere.
+    void add_cloth(int x, int columns, int rows, int step = 1) {
         const auto figure = add_figure(world, "cloth" + std::to_string(world.figures.size()));
         world.figures[figure].direct = Direct::off;
         world.figures[figure].tethers = true;
-        const auto first = particles.size();
-        for (int i = 0; i < columns * rows; ++i) {
-            particle(Real(x + 0.05 * (i % columns)), Real(-0.05 * (i / columns)));
+        std::vector<ParticleId> spots(std::size_t(columns * rows));
+        for (int k = 0; k < columns * rows; ++k) {
+            const int i = k * step % (columns * rows);
+            spots[std::size_t(i)] = particle(Real(x + 0.05 * (i % columns)), Real(-0.05 * (i / columns)));
             world.particles.figure.back() = figure;
         }
-        const auto at = [&](int i) { return particles[first + std::size_t(i)]; };
+        const auto at = [&](int i) { return spots[std::size_t(i)]; };
         for (int i = 0; i < columns * rows; ++i)
             if (i % columns + 1 < columns) link(at(i), at(i + 1));
         for (int i = 0; i + columns < columns * rows; ++i) link(at(i), at(i + columns));

@@ -197,6 +197,26 @@ TYPED_TEST(Limited, ATornLinkIsReportedOnceAndGone) {
     EXPECT_EQ(energy(pair.world).stored, 0);
 }
 
+// Solved at once, a spring between links bends what is taut of them: the square of how much that is, of each arm.
+TYPED_TEST(Limited, ASpringBetweenSlackLinksStoresWhatItCanGiveBack) {
+    using Real = typename TypeParam::Real;
+    using Vector = typename TypeParam::Vector;
+    typename TypeParam::World world;
+    const auto a = add_particle(world, {.position = at<Vector>(0.5, 0)}), b = add_particle(world, {});
+    const auto c = add_particle(world, {.position = at<Vector>(0, 2)});
+    add<Distance>(world, {b, a}, {.limits = at_most(Real(1))});
+    add<Distance>(world, {b, c}, {.limits = at_most(Real(1))});
+    add<Angle>(world, {a, b, c}, {.limits = between(-pi<Real> / 4, pi<Real> / 4), .compliance = Real(0.5)});
+    prepare(world);
+    ASSERT_EQ(world.blocks.list.size(), 1U);
+    const double bent = square(pi<double> / 4); // a right angle; one arm is half as long as when taut
+    for (int i = 0; i < 3; ++i) world.particles.previous[Row(i)] = world.particles.position[Row(i)];
+    EXPECT_NEAR(energy(world).stored, 0.5 * bent / 0.5 / 4, 1e-5);
+    auto swept = world;
+    swept.settings.mode = Mode::classic;
+    EXPECT_NEAR(energy(swept).stored, 0.5 * bent / 0.5, 1e-5);
+}
+
 TYPED_TEST(Limited, IdsStayWithTheirLinksWhereOthersTear) {
     using World = typename TypeParam::World;
     using Vector = typename TypeParam::Vector;
