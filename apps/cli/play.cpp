@@ -15,7 +15,6 @@
 #include "apps/window/window.h"
 #endif
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace sinew::cli {

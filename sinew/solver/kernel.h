@@ -30,6 +30,7 @@ template <int D, class Real> struct LinkColumns {
     std::size_t apart; ///< from one component to the next
     const Real* mobility;
     const Real *low, *high, *compliance;
+    const Real* per_square;               ///< 1 / low^2
     const std::uint32_t *ends_a, *ends_b; ///< of scattered ones
     const std::uint32_t* rows;            ///< of runs without a step
     Real* multiplier;                     ///< by row

@@ -19,6 +19,11 @@ template <class V> struct Wanted {
     V low, per_low_square, per_high_square;
     Wanted(const V& at_least, const V& at_most)
         : low(at_least), per_low_square(per_square(at_least)), per_high_square(per_square(at_most)) {}
+    /// Just that length, of which 1 / length^2 is known.
+    struct Exactly {
+        V length, per_square;
+    };
+    Wanted(const Exactly& to) : low(to.length), per_low_square(to.per_square), per_high_square(to.per_square) {}
 };
 
 template <int D, class Real, bool exact, bool kept> struct EvenLinks {
@@ -96,9 +101,15 @@ template <int D, class Real, bool exact, bool kept> struct EvenLinks {
             if (i < count) project<V, false>(i, int(count - i), same);
             return;
         }
-        for (; i + width <= count; i += width)
-            project<V, true>(i, width, Wanted<V>(load<V>(low + i), load<V>(high + i)));
-        if (i < count) project<V, false>(i, int(count - i), Wanted<V>(load<V>(low + i), load<V>(high + i)));
+        const auto own = [&](std::uint32_t k) __attribute__((always_inline)) {
+            if constexpr (exact)
+                return Wanted<V>(
+                    typename Wanted<V>::Exactly{load<V>(low + k), load<V>(columns.per_square + run.parameters + k)});
+            else
+                return Wanted<V>(load<V>(low + k), load<V>(high + k));
+        };
+        for (; i + width <= count; i += width) project<V, true>(i, width, own(i));
+        if (i < count) project<V, false>(i, int(count - i), own(i));
     }
 };
 

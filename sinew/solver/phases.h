@@ -34,10 +34,11 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 template <int D, class Real> void tear(World<D, Real>& world, Real dt);
 
 /// swept.cpp: what holds for all particles of the sweep in substeps of length h; those of slots [first, last) into
-/// their columns, and back.
+/// their columns, and back; where they were one substep ago.
 template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h);
 template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row first, Row last);
 template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last);
+template <int D, class Real> void note_places(World<D, Real>& world, Row first, Row last);
 
 /// plan.cpp: works out how the sweep goes about what is in no block; anew, or what has changed of it.
 template <int D, class Real> void make_plan(World<D, Real>& world, bool anew);

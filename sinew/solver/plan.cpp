@@ -29,6 +29,7 @@ template <int D, class Real> class Planner {
             parts_.forget();
         }
         plan_.close();
+        square_lengths();
         plan_.row_moves = world_.blocks.row_moves;
         list_pins();
         tethers_.run();
@@ -146,6 +147,13 @@ template <int D, class Real> class Planner {
         room_.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size());
         swept_.spare.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size(), 0);
         swept_.reserve(world_.particles.size());
+    }
+
+    /// As the kernels would (kernel_length.h), which divide more slowly than they read.
+    void square_lengths() {
+        plan_.per_square.resize(plan_.low.size());
+        for (std::size_t i = 0; i < plan_.low.size(); ++i)
+            plan_.per_square[i] = minimum(Real(1) / (plan_.low[i] * plan_.low[i]), Real(1e30));
     }
 
     void list_pins() {

@@ -4,6 +4,7 @@
 #include "sinew/solver/plan_runs.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <tuple>
 
@@ -39,6 +40,7 @@ template <int D, class Real> class MeshMaker {
     RunWriter<D, Real>& runs_;
     Row begin_ = 0; ///< the sheet's first slot
     std::uint32_t families_ = 0;
+    std::array<std::uint32_t, most_families> reaches_{}; ///< of each, in bands
 
     std::uint32_t first_band() const { return plan_.sheets.back().first_band; }
 
@@ -82,7 +84,7 @@ template <int D, class Real> class MeshMaker {
         for (std::size_t i = 0, end; i < sorted.size(); i = end) {
             end = sequence_end(i);
             if (i == 0 || sorted[i].band != sorted[i - 1].band) forget(of_band), of_band = sequences.size();
-            const auto family = end - i < least_in_sequence ? most_families : free_family(i, end);
+            const auto family = end - i < least_in_sequence ? most_families : family_for(i, end);
             if (family == most_families) {
                 left.insert(left.end(), sorted.begin() + std::ptrdiff_t(i), sorted.begin() + std::ptrdiff_t(end));
                 continue;
@@ -99,9 +101,11 @@ template <int D, class Real> class MeshMaker {
         const auto& sorted = room_.sorted;
         const auto& begun = sorted[first];
         const auto most = begun.apart < most_lanes ? begun.apart : std::uint32_t(sorted.size());
+        const auto into = plan_.bands[plan_.band_of(begun.band, begun.lower + begun.apart)].last;
         auto end = first + 1;
         while (end < sorted.size() && end - first < most && sorted[end].band == begun.band &&
-               sorted[end].apart == begun.apart && sorted[end].lower == sorted[end - 1].lower + 1)
+               sorted[end].apart == begun.apart && sorted[end].lower == sorted[end - 1].lower + 1 &&
+               sorted[end].lower + sorted[end].apart < into)
             ++end;
         return end;
     }
@@ -109,10 +113,18 @@ template <int D, class Real> class MeshMaker {
     std::uint64_t used(const Link& link) const {
         return room_.used[link.lower - begin_] | room_.used[link.lower + link.apart - begin_];
     }
-    std::uint32_t free_family(std::size_t first, std::size_t end) const {
-        std::uint64_t taken = 0;
-        for (auto i = first; i < end; ++i) taken |= used(room_.sorted[i]);
-        return std::min(std::uint32_t(std::countr_one(taken)), most_families);
+    /// The first that reaches as far and has hardly any of its particles yet. What reaches nowhere holds up nothing.
+    std::uint32_t family_for(std::size_t first, std::size_t end) {
+        constexpr std::size_t shared = 8; // at most one of so many
+        const auto& begun = room_.sorted[first];
+        const auto reach = plan_.band_of(begun.band, begun.lower + begun.apart) - begun.band;
+        for (std::uint32_t family = 0; family < families_; ++family) {
+            std::size_t taken = 0;
+            for (auto i = first; i < end; ++i) taken += used(room_.sorted[i]) >> family & 1;
+            if (reaches_[family] == reach && taken * shared <= end - first) return family;
+        }
+        if (families_ < most_families) reaches_[families_] = reach;
+        return families_;
     }
     void use(std::size_t first, std::size_t end, std::uint64_t families) {
         for (auto i = first; i < end; ++i) {
@@ -148,6 +160,7 @@ template <int D, class Real> class MeshMaker {
 
     void colour() {
         auto& left = room_.left_over;
+        if (left.empty()) return;
         std::sort(left.begin(), left.end(), [](const Link& a, const Link& b) {
             return std::tuple(a.lower, a.apart, a.number) < std::tuple(b.lower, b.apart, b.number);
         });
@@ -166,21 +179,28 @@ template <int D, class Real> class MeshMaker {
             room_.used[link.lower + link.apart - begin_] |= std::uint64_t(1) << colour;
             colours = std::max(colours, colour + 1);
         }
-        for (std::uint32_t colour = 0; colour < colours; ++colour) add_colour(colour, false);
-        if (any_last) add_colour(last_colour, true);
+        constexpr std::size_t few = 8; // one of so many: band by band, which holds up less
+        if (left.size() * few < room_.sorted.size()) return add_colours(0, any_last ? last_colour : colours - 1);
+        for (std::uint32_t colour = 0; colour < colours; ++colour) add_colours(colour, colour);
+        if (any_last) add_colours(last_colour, last_colour);
     }
 
-    void add_colour(std::uint32_t colour, bool one_by_one) {
-        std::size_t next = 0;
+    /// Colours [first, last] as one family, in each band one after the other.
+    void add_colours(std::uint32_t first, std::uint32_t last) {
+        const auto& left = room_.left_over;
+        std::size_t begin = 0, end = 0;
         add_family([&](std::uint32_t band, auto&& note) {
-            for (; next < room_.left_over.size() && room_.left_over[next].band == band; ++next) {
-                const auto& link = room_.left_over[next];
-                if (room_.colour[next] != colour) continue;
-                if (one_by_one)
-                    runs_.begin_run(link.number, link.lower, link.lower + link.apart);
-                else
-                    runs_.add_scattered(link.number, link.lower, link.lower + link.apart);
-                note(link);
+            for (begin = end; end < left.size() && left[end].band == band;) ++end;
+            for (auto colour = first; colour <= last; ++colour) {
+                runs_.break_run();
+                for (auto i = begin; i < end; ++i) {
+                    if (room_.colour[i] != colour) continue;
+                    if (colour == most_families)
+                        runs_.begin_run(left[i].number, left[i].lower, left[i].lower + left[i].apart);
+                    else
+                        runs_.add_scattered(left[i].number, left[i].lower, left[i].lower + left[i].apart);
+                    note(left[i]);
+                }
             }
         });
     }

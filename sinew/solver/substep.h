@@ -3,7 +3,6 @@
 #include "sinew/solver/decay.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
-#include "sinew/solver/swept_rows.h"
 
 #include <algorithm>
 
@@ -259,8 +258,7 @@ template <int D, class Real> class Substep {
     }
 
     void note_previous(const Band& band) {
-        if (!last_) return;
-        for (Row slot = band.first; slot < band.last; ++slot) p_.previous[swept_.row_of[slot]] = swept_.place_at(slot);
+        if (last_) note_places(world_, band.first, band.last);
     }
 
     void predict(Row slot) {

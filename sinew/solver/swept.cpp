@@ -1,5 +1,8 @@
 #include "sinew/solver/phases.h"
-#include "sinew/solver/swept_rows.h"
+#include "sinew/solver/turn.h"
+#include "sinew/solver/world.h"
+
+#include <algorithm>
 
 namespace sinew {
 
@@ -37,31 +40,47 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h) {
 template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row first, Row last) {
     const auto& p = world.particles;
     auto& swept = world.swept;
+    if (first == last) return;
+    const SlotRows slots{swept.row_of.data(), swept.slot_of.back()};
+    const auto as_it_is = [](const auto& numbers) { return numbers; };
     const Real furthest = furthest_move(h);
-    each_row(swept, first, last, [&](Row row, Row slot) {
-        swept.put(swept.place, slot, p.position[row]);
-        swept.put(swept.move, slot, clamp_components(p.velocity[row] * h, furthest));
-        swept.put(swept.residual, slot, p.residual[row]);
-        swept.mobility[slot] = p.mobility[row] > Real(0) ? p.inverse_mass[row] : Real(0);
-        swept.inverse_mass[slot] = swept.mobility[slot];
+    to_columns<D, Real>(p.position, slots, first, last, swept.place, as_it_is);
+    to_columns<D, Real>(p.residual, slots, first, last, swept.residual, as_it_is);
+    to_columns<D, Real>(p.velocity, slots, first, last, swept.move, [&]<class V>(const V& velocity) {
+        return lane::within(V(velocity * h), lane::spread<V>(furthest));
     });
+    for (Row slot = first; slot < last; ++slot) {
+        const Row row = swept.row_of[slot];
+        const Real mobility = p.mobility[row] > Real(0) ? p.inverse_mass[row] : Real(0);
+        swept.mobility[slot] = swept.inverse_mass[slot] = mobility;
+    }
 }
 
 template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last) {
     auto& p = world.particles;
     const auto& swept = world.swept;
-    each_row(swept, first, last, [&](Row row, Row slot) {
-        p.position[row] = swept.place_at(slot);
-        p.velocity[row] = swept.velocity_at(slot);
-        p.residual[row] = swept.residual_at(slot);
-        if (p.mobility[row] != swept.mobility[slot]) p.mobility[row] = swept.mobility[slot];
-    });
+    const Row* const row_of = swept.row_of.data();
+    const auto as_it_is = [](const auto& numbers) { return numbers; };
+    const auto per_h = swept.per_h;
+    to_rows<D, Real>(swept.place, row_of, first, last, p.position, as_it_is);
+    to_rows<D, Real>(swept.residual, row_of, first, last, p.residual, as_it_is);
+    to_rows<D, Real>(swept.move, row_of, first, last, p.velocity,
+                     [&]<class V>(const V& move) -> V { return move * per_h; });
+    for (Row slot = first; slot < last; ++slot)
+        if (Real& mobility = p.mobility[row_of[slot]]; mobility != swept.mobility[slot])
+            mobility = swept.mobility[slot];
+}
+
+template <int D, class Real> void note_places(World<D, Real>& world, Row first, Row last) {
+    to_rows<D, Real>(world.swept.place, world.swept.row_of.data(), first, last, world.particles.previous,
+                     [](const auto& numbers) { return numbers; });
 }
 
 #define SINEW_SWEPT(D, Real)                                                                                           \
     template void begin_sweep(World<D, Real>&, Real);                                                                  \
     template void take_up(World<D, Real>&, Real, Row, Row);                                                            \
-    template void put_back(World<D, Real>&, Row, Row);
+    template void put_back(World<D, Real>&, Row, Row);                                                                 \
+    template void note_places(World<D, Real>&, Row, Row);
 SINEW_INSTANTIATE(SINEW_SWEPT)
 
 } // namespace sinew
