@@ -18,9 +18,6 @@ using detail::Condensed, detail::Cursor, detail::in_word, detail::is_digit;
 /// Of a JSON pointer in a message, in bytes: keys can be long.
 constexpr std::size_t longest_path = 500;
 
-/// In bytes; a double that is written out has fewer than 800 digits.
-constexpr std::uint32_t longest_number = 1000;
-
 /// Builds the tree from the parser's events (nlohmann's SAX interface, whose names the methods have).
 class Builder {
   public:
@@ -307,13 +304,14 @@ std::string hexadecimal(unsigned char byte) {
     return {'0', 'x', digits[byte >> 4], digits[byte & 15]};
 }
 
-/// A number, or what stands for one, that is longer than any has reason to be: the parser would copy and convert it
+/// A number, or what stands for one, that is longer than a string may be: the parser would copy and convert it
 /// first.
-std::optional<Span> overlong_word(std::uint32_t source, std::string_view text, std::size_t begin) {
+std::optional<Span> overlong_word(std::uint32_t source, std::string_view text, std::size_t begin,
+                                  const Limits& limits) {
     Cursor cursor(text, begin);
     for (cursor.skip_space(); !cursor.at_end(); cursor.skip_space()) {
         const Span token = cursor.token(source);
-        if (token.end - token.begin > longest_number && text[token.begin] != '"') return token;
+        if (std::int64_t(token.end - token.begin) > limits.string_bytes && text[token.begin] != '"') return token;
         cursor.move_to(token.end);
     }
     return {};
@@ -338,10 +336,11 @@ std::optional<Value> parse(std::uint32_t source, Diagnostics& diagnostics, const
     }
 
     const std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    if (const auto word = overlong_word(source, text, begin)) {
+    if (const auto word = overlong_word(source, text, begin, limits)) {
         diagnostics.error(*word, "",
-                          concat("a word or number of ", word->end - word->begin, " bytes, at most ", longest_number,
-                                 " are allowed"));
+                          concat("a word or number of ", word->end - word->begin, " bytes, at most ",
+                                 limits.string_bytes, " are allowed"),
+                          "limits.string_bytes=N allows more");
         return {};
     }
     Builder builder(source, begin, diagnostics, limits);
