@@ -65,7 +65,7 @@ template <int D, class Real> class Finder {
         blocks_.bonds.reset(particles_.slots.slots());
         int kind = 0;
         for_each_table(world_, [&](auto& table) {
-            std::fill(table.in_block.begin(), table.in_block.end(), char(0));
+            table.in_block.fill(0);
             for (Row row = 0; row < table.size(); ++row)
                 for (const Row member : std::as_const(table).members[row])
                     blocks_.bonds.add(particles_.slots.slot_of(member), kind, table.slots.slot_of(row));
@@ -129,7 +129,7 @@ template <int D, class Real> class Finder {
     }
     template <class Table> void reach(Table& table, int kind, Row row) {
         if (table.in_block[row] == met) return;
-        table.in_block[row] = met;
+        table.in_block.set(row, met);
         room_.constraints.push_back({kind, row});
         std::uint32_t moving = 0;
         for (const Row member : std::as_const(table).members[row])
@@ -185,7 +185,7 @@ template <int D, class Real> class Finder {
 
     void build_parts() {
         for (const auto& seen : room_.constraints)
-            visit_table(world_, seen.kind, [&](auto& table) { table.in_block[seen.row] = 0; });
+            visit_table(world_, seen.kind, [&](auto& table) { table.in_block.set(seen.row, 0); });
         for (const auto& part : room_.parts) {
             const auto members = members_of(part);
             const bool built = worthwhile(part) && build(members, members.front(), blocks_.list, false);
@@ -289,9 +289,7 @@ template <int D, class Real> class Finder {
 template <int D, class Real> void reserve_for_tears(World<D, Real>& world) {
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     constexpr std::size_t small = 100'000; // distances; of more, the room would be waste
-    const bool may_tear = std::any_of(distances.breaking_strain.begin(), distances.breaking_strain.end(),
-                                      [](Real strain) { return strain < limit::measure<Real>; });
-    if (!may_tear || distances.size() > small) return;
+    if (!distances.may_tear() || distances.size() > small) return;
     world.blocks.reserve(world.particles.size(), distances.size(),
                          std::get<kind_number<Angle, D>>(world.constraints).size());
 }
