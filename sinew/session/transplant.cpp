@@ -81,6 +81,7 @@ template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, co
     fresh.time = old.time;
     fresh.steps = old.steps;
     fresh.last_substep = old.last_substep;
+    fresh.restless = old.restless;
     std::vector<ParticleId> gone;
     std::vector<ConstraintId> cut;
     for (std::size_t i = 0; i < fresh.figures.size(); ++i) {

@@ -38,9 +38,11 @@ template <int D, class Real> struct LinkColumns {
 
 template <class Real> struct LinkPass {
     Real per_h2 = 0;   ///< 1 / h^2
-    Real shortest = 1; ///< found: no length that should be some was less
-    bool kept = false; ///< multipliers are wanted
-    bool first = true; ///< they begin at zero
+    Real shortest = 1;     ///< found: no length that should be some was less
+    bool kept = false;     ///< multipliers are wanted
+    bool first = true;     ///< they begin at zero
+    bool again = false;    ///< of this iteration: what has compliance has given way
+    bool strained = false; ///< found: a link without was much too long
 };
 
 /// Where particles are tied to: each no further from it than it reaches.

@@ -72,8 +72,8 @@ template <int D, class Real, bool exact, bool kept> struct EvenLinks {
                 return first_lanes(square * per, count, Real(1));
         };
         const V one = spread<V>(Real(1)), t = part(wanted.per_low_square);
-        if constexpr (exact) return lacking(t);
-        return lacking(least(t, one)) + lacking(most(part(wanted.per_high_square), one));
+        if constexpr (exact) return lacking(t, pass.strained);
+        return lacking(least(t, one)) + lacking(most(part(wanted.per_high_square), one), pass.strained);
     }
 
     template <class V, bool all>

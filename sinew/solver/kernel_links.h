@@ -3,6 +3,7 @@
 #include "sinew/math/lane.h"
 #include "sinew/solver/kernel.h"
 #include "sinew/solver/kernel_even.h"
+#include "sinew/solver/kernel_length.h"
 
 #include <type_traits>
 #include <utility>
@@ -89,6 +90,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d[k] = e[k];
         }
+        if (!run.soft) look_at<V, all>(e2, rules.range || rules.kept ? limits.high : limits.low, count);
         const V length = root(e2);
         const V w_a = a.template get<V>(columns.mobility, count), w_b = b.template get<V>(columns.mobility, count);
         V resistance = (w_a + w_b) * d_e, d_length{}, s;
@@ -102,7 +104,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             const V slack = limits.alpha * lambda, gain = w_a + w_b > zero ? length * per * d_length : zero;
             const V pushing = lambda + (limits.low - length - slack) * gain;
             const V pulling = lambda + (limits.high - length - slack) * gain;
-            const V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(strongest<Real>));
+            V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(strongest<Real>));
+            if (pass.again) next = least(next, lambda); // what is seen of a step is not to be too long
             s = d_length > zero ? (next - lambda) / d_length : zero;
             note(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
             move<V, all>(a, b, move_a, move_b, d, s * w_a, s * w_b, count);
@@ -113,6 +116,13 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
                 s = (limits.low - length) * length;
             move<V, all>(a, b, move_a, move_b, d, s * (per * w_a), s * (per * w_b), count);
         }
+    }
+
+    template <class V, bool all>
+    [[gnu::always_inline]] void look_at(const V& square, const V& longest, int count) const {
+        const V meant = all ? square : first_lanes(square, count, Real(0));
+        if (any(meant > longest * longest * strained<Real>)) [[unlikely]]
+            pass.strained = true;
     }
 
     template <class V, bool all>
@@ -197,6 +207,7 @@ void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, con
                   const LinkRun* last) {
     for (; first != last; ++first) {
         const auto& run = *first;
+        if (run.soft && pass.again) continue;
         if (run.even && !run.soft && !run.swings && !run.scattered && (pass.first || !pass.kept)) {
             project_even(columns, pass, run);
             continue;

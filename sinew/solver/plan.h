@@ -17,6 +17,8 @@ namespace sinew {
 struct Band {
     std::uint32_t first = 0, last = 0;
     std::uint32_t first_pin = 0, last_pin = 0; ///< of Plan::pins
+    bool strained = false;                     ///< links that begin in it were found much too long
+    bool was_strained = false;                 ///< before, in this step
 };
 
 /// Distances of one direction, or of one colour. Those of band j touch the bands j to j + reach.
@@ -46,7 +48,8 @@ struct Extent {
 struct Sheet {
     std::uint32_t first_band = 0, bands = 0;
     std::uint32_t first_family = 0, families = 0;
-    std::uint32_t lag = 0; ///< the delay of its last family
+    std::uint32_t lag = 0;   ///< the delay of its last family
+    std::uint32_t reach = 0; ///< the most that one of them has
     std::uint32_t first_tether = 0, tethers = 0;
     PlanPlace begin{}; ///< of what is its own
     Extent particles{}, links{};

@@ -104,8 +104,11 @@ template <int D, class Real> class SheetMaker {
         sheet.bands = std::uint32_t(plan_.bands.size()) - sheet.first_band;
         sheet.families = std::uint32_t(plan_.families.size()) - sheet.first_family;
         std::uint32_t delay = 0;
-        for (auto f = sheet.first_family; f < plan_.families.size(); ++f)
-            plan_.families[f].delay = delay += plan_.families[f].reach;
+        for (auto f = sheet.first_family; f < plan_.families.size(); ++f) {
+            auto& family = plan_.families[f];
+            family.delay = delay += family.reach;
+            sheet.reach = std::max(sheet.reach, family.reach);
+        }
         sheet.lag = delay;
         sheet.links = runs_.links();
         for (auto slot = sheet.begin.slot; slot < swept_.row_of.size(); ++slot)

@@ -131,7 +131,7 @@ template <int D, class Real> class TetherMaker {
     /// first step only). A trace longer, so that nothing that hangs straight is pulled. Particles by their number in
     /// the sheet; of those that are equally far the first row comes first.
     void reach_from(const Sheet& sheet, std::uint32_t anchor, std::span<Real> per_square) {
-        constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.0001, apart = -1;
+        constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.00001, apart = -1;
         const Row* const row_of = swept_.row_of.data() + sheet.begin.slot;
         room_.way.assign(per_square.size(), Real(far));
         room_.length_to.assign(per_square.size(), apart);

@@ -45,6 +45,7 @@ template <int D, class Real> class Sweep {
                          [&](int i) { run_through(plan_.sheets[std::size_t(i)]); });
         else
             for (const auto& sheet : plan_.sheets) share_out(sheet);
+        note_strain();
     }
 
   private:
@@ -80,10 +81,13 @@ template <int D, class Real> class Sweep {
         note_energy(world_);
         for (int i = 0; i < world_.settings.iterations; ++i) {
             mover.first_iteration = i == 0;
-            for (const auto& sheet : plan_.sheets)
+            for (const auto& sheet : plan_.sheets) {
                 for (std::uint32_t f = 0; f < sheet.families; ++f)
-                    for (std::uint32_t band = 0; band < sheet.bands; ++band)
-                        substep.project(plan_.families[sheet.first_family + f], band);
+                    for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project(sheet, f, band);
+                substep.tie(sheet);
+                if (world_.restless)
+                    for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project_again(sheet, band);
+            }
             for (const auto& run : plan_.others) detail::project_run(world_, run, mover);
             correct_hanging(world_, h_, mover.first_iteration);
             for (const auto& sheet : plan_.sheets) {
@@ -123,7 +127,7 @@ template <int D, class Real> class Sweep {
     /// it touches allows, so that a band is worked on while it is near. The result is the same to the last bit.
     void run_through(const Sheet& sheet, int first, int end, const Progress* ahead, Progress* own) {
         const int iterations = world_.settings.iterations;
-        const auto last = sheet.bands + std::uint32_t(substeps_ * iterations) * sheet.lag;
+        const auto last = sheet.bands + std::uint32_t(substeps_ * iterations) * lag(sheet);
         constexpr std::uint32_t at_once = 8; // times, of one substep after the other: what it touches is near
         for (std::uint32_t time = 0; time < last; time += at_once) {
             if (ahead) ahead->await(std::min(time + at_once, last));
@@ -141,13 +145,19 @@ template <int D, class Real> class Sweep {
     /// there are iterations, the last time with what ends the substep and begins the next.
     int parts_of(const Sheet& sheet) const { return 1 + world_.settings.iterations * (int(sheet.families) + 1); }
 
+    /// How many bands an iteration follows the one before it behind.
+    std::uint32_t lag(const Sheet& sheet) const {
+        const bool again = world_.restless && sheet.tethers > 0;
+        return sheet.lag + (again ? Substep::most_again - 1 + sheet.reach : 0);
+    }
+
     /// What of a substep there is to do at that time, from part `first` to `end` of all.
     void run_at(const Sheet& sheet, Substep& substep, Substep& next, int number, std::uint32_t time, int first,
                 int end) {
         const int iterations = world_.settings.iterations;
         int part = number * parts_of(sheet);
-        const auto begun = std::uint32_t(number * iterations) * sheet.lag;
-        if (time < begun || time - begun >= sheet.bands + std::uint32_t(iterations) * sheet.lag) return;
+        const auto begun = std::uint32_t(number * iterations) * lag(sheet);
+        if (time < begun || time - begun >= sheet.bands + std::uint32_t(iterations) * lag(sheet)) return;
         const auto at = [&](std::uint32_t delay, auto&& work) {
             if (part >= first && part < end && time >= delay && time - delay < sheet.bands) work(time - delay);
             ++part;
@@ -161,15 +171,25 @@ template <int D, class Real> class Sweep {
         auto delay = begun;
         for (int n = 0; n < iterations; ++n) {
             substep.mover().first_iteration = n == 0;
-            for (auto f = sheet.first_family; f < sheet.first_family + sheet.families; ++f)
-                at(delay + plan_.families[f].delay, [&](std::uint32_t i) { substep.project(plan_.families[f], i); });
-            delay += sheet.lag;
+            for (std::uint32_t f = 0; f < sheet.families; ++f)
+                at(delay + plan_.families[sheet.first_family + f].delay,
+                   [&](std::uint32_t i) { substep.project(sheet, f, i); });
+            delay += lag(sheet);
             at(delay, [&](std::uint32_t i) {
+                if (world_.restless) substep.project_again(sheet, i);
                 if (n + 1 < iterations) return substep.hold(band(i));
                 const bool over = number + 1 == substeps_;
                 substep.go_on(band(i), over ? nullptr : &next);
                 if (over) put_back(world_, band(i).first, band(i).last);
             });
+        }
+    }
+
+    void note_strain() {
+        world_.restless = false;
+        for (auto& band : world_.swept.plan.bands) {
+            world_.restless = world_.restless || band.strained || band.was_strained;
+            band.strained = band.was_strained = false;
         }
     }
 

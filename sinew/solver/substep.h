@@ -93,17 +93,43 @@ template <int D, class Real> class Substep {
         move_pins(band);
     }
 
-    /// Plain distances of a family that begin in that band of a sheet.
-    void project(const Family& family, std::uint32_t band) {
-        const auto& plan = swept_.plan;
+    /// Plain distances of a sheet's family that begin in one of its bands.
+    void project(const Sheet& sheet, std::uint32_t number, std::uint32_t band, bool again = false) {
+        auto& plan = swept_.plan;
+        const auto& family = plan.families[sheet.first_family + number];
         const auto* runs = plan.runs.data();
         const auto first = plan.first_run[family.first_run + band], last = plan.first_run[family.first_run + band + 1];
         if (first == last) return;
         LinkPass<Real> pass{.per_h2 = mover_.per_h * mover_.per_h,
                             .kept = last_ || world_.settings.iterations > 1,
-                            .first = mover_.first_iteration};
+                            .first = mover_.first_iteration && !again,
+                            .again = again};
         kernels_.project(links_, pass, runs + first, runs + last);
+        if (pass.strained && sheet.tethers > 0) plan.bands[sheet.first_band + band].strained = true;
         if (pass.shortest < Real(1e-18)) part_heaps(first, last);
+    }
+
+    /// How many bands are swept again at once.
+    static constexpr std::uint32_t most_again = 16;
+
+    /// Where a sweep finds links of a tethered sheet much too long (it snaps taut, its hem cracks like a whip) it is
+    /// repeated: from this band to a few beyond the last such one, and so once for each band, which hands on what is too
+    /// long as far as it has to go. The families in reverse: otherwise the first always suffers from all others.
+    void project_again(const Sheet& sheet, std::uint32_t band) {
+        constexpr std::uint32_t beyond = 1;
+        const auto bands = std::span(swept_.plan.bands).subspan(sheet.first_band, sheet.bands);
+        const auto end = std::min(band + most_again, sheet.bands);
+        auto last = end;
+        while (last > band && !bands[last - 1].strained) --last;
+        if (last == band) return;
+        last = std::min(last + beyond, end);
+        for (auto i = band; i < last; ++i) {
+            tether(bands[i]);
+            bands[i].was_strained = bands[i].was_strained || bands[i].strained;
+            bands[i].strained = false;
+        }
+        for (auto family = sheet.families; family-- > 0;)
+            for (auto i = band; i < last; ++i) project(sheet, family, i, true);
     }
 
     /// A compliant pin is a damped spring to its target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) +
