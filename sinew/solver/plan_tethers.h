@@ -99,6 +99,7 @@ template <int D, class Real> class TetherMaker {
             tie(sheet, before, old_reaches, double(number++) / double(plan_.sheets.size()));
         }
         if (!plan_.tethers.empty()) plan_.per_reach_square.resize(plan_.per_reach_square.size() + plan_.lanes);
+        rigid_ = decltype(rigid_)();
     }
 
     void tie(Sheet& sheet, std::span<const Tether> before, const std::vector<Real>& reaches, double share) {
