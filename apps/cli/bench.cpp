@@ -19,7 +19,7 @@ class BenchCommand final : public Command {
             .usage = "[CASE...] [--threads N] [--precision P] [--steps N] [--json | --markdown]\n"
                      "sinew bench quality [CASE] [--plot FILE] [--json]\n"
                      "sinew bench weights [--plot FILE] [--json]\n"
-                     "sinew bench rope [--case C] [--links N] [--weight W] [--start hang|level] [--threads N] [--json]",
+                     "sinew bench rope [CASE] [--links N] [--weight W] [--start hang|level] [--threads N] [--json]",
             .about = "measures how well and how fast the engine is",
             .details = details,
             .examples = "sinew bench\n"
@@ -35,7 +35,7 @@ class BenchCommand final : public Command {
         declare_text(parser, "--precision", options.precision, "P", "float or double; else both, of rope double");
         declare_number(parser, "--steps", options.steps, {2, 1e6}, "N",
                        "how many steps a case; else a few seconds' worth");
-        declare_text(parser, "--case", options.only, "C", "of rope: one case; else all");
+        declare_text(parser, "--case", options.only, "C", "of rope: the case, said in another way");
         declare_number(parser, "--links", options.links, {1, 1e6}, "N", "of rope: how many; else 10, 100 and 1000");
         declare_number(parser, "--weight", options.weight, {0, 1e9}, "W",
                        "of rope: mass on the end, in links; else 1, 100, 1000 and 100000");
@@ -54,8 +54,8 @@ class BenchCommand final : public Command {
         canvas::catch_interrupts();
         const auto& plain = words.plain;
         const std::string first = plain.empty() ? "" : plain[0];
-        if (first == "rope" && plain.size() == 1)
-            bench_ropes(options);
+        if (first == "rope" && plain.size() <= 2)
+            bench_ropes(plain.size() == 2 ? options.with_case(plain[1]) : options);
         else if (first == "weights" && plain.size() == 1)
             bench_weights(options);
         else if (first == "quality" && plain.size() <= 2)

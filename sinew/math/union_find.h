@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -20,12 +21,12 @@ class UnionFind {
     bool join(std::size_t a, std::size_t b) {
         a = first_of(a);
         b = first_of(b);
-        parent_[a < b ? b : a] = a < b ? a : b;
+        parent_[a < b ? b : a] = std::uint32_t(a < b ? a : b);
         return a != b;
     }
 
   private:
-    std::vector<std::size_t> parent_;
+    std::vector<std::uint32_t> parent_;
 };
 
 } // namespace sinew

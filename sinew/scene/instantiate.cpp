@@ -134,7 +134,7 @@ template <int D, class Real> class Maker {
         if (!value) return;
         for_each_table(world_, [&](auto& table) {
             for (Row row = 0; row < table.size(); ++row)
-                if (table.figure[row] == figure) column(table)[row] = Real(*value);
+                if (table.figure[row] == figure) column(table).set(row, Real(*value));
         });
     }
 

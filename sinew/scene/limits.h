@@ -33,7 +33,8 @@ struct Limits {
               Field{.name = "depth", .help = "Objects and arrays inside each other", .low = 1, .high = 1000});
         visit(self.values,
               Field{.name = "values", .help = "Values in the scene file, of any type", .low = 1, .high = most});
-        visit(self.string_bytes, Field{.name = "string_bytes", .help = "Length of one string", .low = 1, .high = most});
+        visit(self.string_bytes,
+              Field{.name = "string_bytes", .help = "Length of one string, word or number", .low = 1, .high = most});
         visit(self.memory, Field{.name = "memory",
                                  .help = "Bytes that the lists of the scene take once read",
                                  .low = 1,

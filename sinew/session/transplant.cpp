@@ -57,11 +57,14 @@ template <class WorldT> class Transplant {
         for (std::size_t i = 0; i < is_.particles.size(); ++i)
             if (const auto row = row_of(old_, was_.particles[i])) becomes[*row] = is_.particles[i];
         is_.pieces = was_.pieces;
-        for (auto& piece : is_.pieces)
-            for (auto& id : piece.particles) {
+        for (auto& piece : is_.pieces) {
+            IdList<ParticleId> follow;
+            for (const auto id : piece.particles) {
                 const auto row = row_of(old_, id);
-                id = row ? becomes[*row] : ParticleId{};
+                follow.push_back(row ? becomes[*row] : ParticleId{});
             }
+            piece.particles = std::move(follow);
+        }
     }
 };
 

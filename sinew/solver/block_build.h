@@ -146,7 +146,7 @@ template <int D, class Real> class BlockBuilder {
             added.length = added.high < far ? added.high : maximum(added.low, 1e-6);
             added.per_length2 = 1 / square(added.length);
             blocks_.links.push_back(added);
-            distances_.in_block[link] = 1;
+            distances_.in_block.set(link, 1);
         });
     }
 
@@ -200,7 +200,7 @@ template <int D, class Real> class BlockBuilder {
                                                                                        : Blocks<D>::none);
             }
         blocks_.ways.push_back(added);
-        table.in_block[row] = 1;
+        table.in_block.set(row, 1);
     }
 
     bool is_motored(const Block& block) const {
@@ -247,7 +247,7 @@ template <int D, class Real> class BlockBuilder {
             }
             for (std::size_t i = 0; i < 2; ++i) added.arms[i] = slack_arm(members[i], members[i + 1]);
             blocks_.bends.push_back(added);
-            angles_.in_block[bend] = 1;
+            angles_.in_block.set(bend, 1);
         });
     }
 };

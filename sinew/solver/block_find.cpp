@@ -1,4 +1,6 @@
 #include "sinew/solver/block_build.h"
+#include "sinew/solver/block_glance.h"
+#include "sinew/solver/changes.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/step.h"
 #include "sinew/solver/waiting.h"
@@ -14,12 +16,11 @@ namespace {
 template <int D, class Real> class Finder {
   public:
     explicit Finder(World<D, Real>& world)
-        : world_(world), particles_(world.particles), graph_(world), builder_(world, graph_), blocks_(world.blocks),
-          room_(world.blocks.room) {}
+        : world_(world), particles_(world.particles), graph_(world), worth_(graph_), builder_(world, graph_),
+          blocks_(world.blocks), room_(world.blocks.room) {}
 
     /// Whether all of it was looked at.
     bool run() {
-        make_room();
         if (!blocks_.stale) find_again();
         const bool all = blocks_.stale;
         if (all) find_all();
@@ -29,11 +30,11 @@ template <int D, class Real> class Finder {
 
   private:
     using Part = BlockRoom::Part;
-    using Graph = detail::BlockGraph<D, Real>;
 
     World<D, Real>& world_;
     Particles<D, Real>& particles_;
     detail::BlockGraph<D, Real> graph_;
+    detail::BlockWorth<D, Real> worth_;
     detail::BlockBuilder<D, Real> builder_;
     Blocks<D>& blocks_;
     BlockRoom& room_;
@@ -43,6 +44,7 @@ template <int D, class Real> class Finder {
     bool mobile(Row particle) const { return graph_.mobile(particle); }
 
     void make_room() {
+        detail::list_bonds(world_);
         const auto count = particles_.size();
         for (auto* column : {&room_.part_of, &room_.node_of, &room_.bonds, &room_.parent}) column->resize(count);
         room_.met.resize(count, 0);
@@ -62,25 +64,30 @@ template <int D, class Real> class Finder {
         begin_look();
         blocks_.clear();
         std::fill(particles_.in_block.begin(), particles_.in_block.end(), char(0));
-        blocks_.bonds.reset(particles_.slots.slots());
-        int kind = 0;
+        blocks_.bonds.forget();
+        std::size_t constraints = 0;
+        bool may_tear = false; // then everything has to be at hand
         for_each_table(world_, [&](auto& table) {
-            std::fill(table.in_block.begin(), table.in_block.end(), char(0));
-            for (Row row = 0; row < table.size(); ++row)
-                for (const Row member : std::as_const(table).members[row])
-                    blocks_.bonds.add(particles_.slots.slot_of(member), kind, table.slots.slot_of(row));
-            ++kind;
+            table.in_block.fill(0);
+            constraints += table.size();
+            may_tear = may_tear || table.may_tear();
         });
-        for (Row row = 0; row < particles_.size(); ++row) spread(row);
+        constexpr std::size_t small = 100'000;
+        const bool large = constraints > small;
+        if (!large || may_tear || !detail::BlockGlance(world_, graph_).sees_no_blocks()) spread();
         build_parts();
-        constexpr std::size_t small = 100'000; // of more, the room is taken again when it is needed
-        if (room_.constraints.size() > small) room_.constraints = {};
+        if (large) room_.constraints = {}; // which is room that is taken again when it is needed
         blocks_.leave_room();
+    }
+    void spread() {
+        make_room();
+        for (Row row = 0; row < particles_.size(); ++row) spread(row);
     }
 
     /// What hangs together with what has changed. Where there is no room for more, everything is stale.
     void find_again() {
         begin_look();
+        make_room();
         const auto& slots = particles_.slots;
         for (const auto& touched : blocks_.touched) {
             if (!slots.in_use(touched.particle)) continue;
@@ -112,13 +119,12 @@ template <int D, class Real> class Finder {
         room_.parts.push_back({.first = std::uint32_t(first)});
         for (auto next = first; next < room_.members.size(); ++next) {
             const Row row = room_.members[next];
-            take_stock(row);
+            worth_.take_stock(room_.parts.back(), row);
             blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
                 visit_table(world_, kind, [&](auto& table) { reach(table, kind, table.slots.row_at(slot)); });
             });
         }
         const auto part = room_.members.begin() + std::ptrdiff_t(first);
-        room_.parts.back().particles = std::uint32_t(room_.members.end() - part);
         std::sort(part, room_.members.end());
     }
     bool meet(Row particle) {
@@ -129,12 +135,12 @@ template <int D, class Real> class Finder {
     }
     template <class Table> void reach(Table& table, int kind, Row row) {
         if (table.in_block[row] == met) return;
-        table.in_block[row] = met;
+        table.in_block.set(row, met);
         room_.constraints.push_back({kind, row});
         std::uint32_t moving = 0;
         for (const Row member : std::as_const(table).members[row])
             if (mobile(member)) meet(member), ++moving;
-        take_stock(table, row, moving);
+        worth_.take_stock(room_.parts.back(), table, row, moving);
     }
 
     /// Over all that a constraint joins, from one of its particles that cannot move.
@@ -146,49 +152,18 @@ template <int D, class Real> class Finder {
         });
     }
 
-    void take_stock(Row particle) {
-        auto& part = room_.parts.back();
-        const auto direct = graph_.direct_of(particle);
-        part.suits = part.suits && direct != Direct::off;
-        part.wanted = part.wanted || direct == Direct::on;
-    }
-    template <class Table> void take_stock(const Table& table, Row row, std::uint32_t moving) {
-        using Kind = typename Table::Kind;
-        auto& part = room_.parts.back();
-        if constexpr (std::is_same_v<Kind, Distance<D>>) {
-            ++part.links;
-            part.inner_links += moving == 2;
-            part.suits = part.suits && Graph::natural(table, row) && graph_.has_length(row);
-        } else if constexpr (std::is_same_v<Kind, Pulley<D>>) {
-            part.links += 2;
-            part.inner_links += moving - 1;
-            part.suits = part.suits && Graph::natural(table, row);
-        } else if constexpr (std::is_same_v<Kind, Angle<D>>) {
-            part.suits = part.suits && Graph::natural(table, row) && !Graph::opens(table, row);
-        } else {
-            part.suits = false;
-        }
-    }
-
     // --- blocks -----------------------------------------------------------------------------------------------------
 
     std::span<const Row> members_of(const Part& part) const {
         return std::span(std::as_const(room_.members)).subspan(part.first, part.particles);
     }
 
-    /// A single link is as well solved in the sweep, whose one step is then exact. With many loops the factors fill in.
-    static bool worthwhile(const Part& part) {
-        const auto loops = part.inner_links + 1 > part.particles ? part.inner_links + 1 - part.particles : 0;
-        if (part.wanted) return part.suits && part.links >= 1;
-        return part.suits && part.links >= 2 && loops <= part.particles / 2 + 32;
-    }
-
     void build_parts() {
         for (const auto& seen : room_.constraints)
-            visit_table(world_, seen.kind, [&](auto& table) { table.in_block[seen.row] = 0; });
+            visit_table(world_, seen.kind, [&](auto& table) { table.in_block.set(seen.row, 0); });
         for (const auto& part : room_.parts) {
             const auto members = members_of(part);
-            const bool built = worthwhile(part) && build(members, members.front(), blocks_.list, false);
+            const bool built = worth_.worthwhile(part) && build(members, members.front(), blocks_.list, false);
             for (const Row row : members) particles_.in_block[row] = built;
             if (!built) hang_trees(members);
         }
@@ -236,7 +211,7 @@ template <int D, class Real> class Finder {
             bonds[row] = 0;
             graph_.each(graph_.distances(), row, [&](Row link) {
                 const Row other = graph_.other_end(link, row);
-                if (mobile(other)) bonds[row] += graph_.is_stick(link) && !is_off(row) && !is_off(other) ? 1 : never;
+                if (mobile(other)) bonds[row] += graph_.may_hang(link) ? 1 : never;
             });
             if (bonds[row] == 1) peeled.push_back(row);
         }
@@ -252,8 +227,6 @@ template <int D, class Real> class Finder {
         }
         peeled.resize(kept);
     }
-
-    bool is_off(Row particle) const { return graph_.direct_of(particle) == Direct::off; }
 
     Row neighbour_left(Row row) const {
         Row left = no_row;
@@ -289,9 +262,7 @@ template <int D, class Real> class Finder {
 template <int D, class Real> void reserve_for_tears(World<D, Real>& world) {
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     constexpr std::size_t small = 100'000; // distances; of more, the room would be waste
-    const bool may_tear = std::any_of(distances.breaking_strain.begin(), distances.breaking_strain.end(),
-                                      [](Real strain) { return strain < limit::measure<Real>; });
-    if (!may_tear || distances.size() > small) return;
+    if (!distances.may_tear() || distances.size() > small) return;
     world.blocks.reserve(world.particles.size(), distances.size(),
                          std::get<kind_number<Angle, D>>(world.constraints).size());
 }

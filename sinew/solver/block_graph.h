@@ -48,6 +48,11 @@ template <int D, class Real> class BlockGraph {
                !is_driven(distances_, link);
     }
 
+    /// A link between particles that move, by which a tree hangs on the rest of the world.
+    bool may_hang(Row link) const {
+        return is_stick(link) && direct_of(end(link, 0)) != Direct::off && direct_of(end(link, 1)) != Direct::off;
+    }
+
     Direct direct_of(Row particle) const {
         const auto figure = particles_.figure[particle];
         return figure < world_.figures.size() ? world_.figures[figure].direct : Direct::automatic;

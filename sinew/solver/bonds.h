@@ -15,7 +15,11 @@ class Bonds {
         last_.assign(particles, none);
         all_.clear();
         free_ = none;
+        listed_ = true;
     }
+    /// From now on nothing is told of them, until they are listed anew.
+    void forget() { listed_ = false; }
+    bool listed() const { return listed_; }
     void make_room(std::size_t particles) {
         if (last_.size() < particles) last_.resize(particles, none);
     }
@@ -68,6 +72,7 @@ class Bonds {
     std::vector<Bond> all_;
     std::vector<std::uint32_t> last_; ///< of each particle
     std::uint32_t free_ = none;
+    bool listed_ = false;
 
     static std::uint32_t packed(int kind, std::uint32_t constraint) {
         return std::uint32_t(kind) << slot_bits | constraint;

@@ -6,13 +6,28 @@
 /// changed (block_find.cpp). Nothing of this is kept of a world that has not moved yet: all of it is new to them.
 namespace sinew::detail {
 
+/// What joins each particle, where that is not known: in a large world nobody may have asked yet.
+template <int D, class Real> void list_bonds(World<D, Real>& world) {
+    auto& bonds = world.blocks.bonds;
+    if (bonds.listed()) return;
+    const auto& particles = world.particles.slots;
+    bonds.reset(particles.slots());
+    int kind = 0;
+    for_each_table(world, [&](const auto& table) {
+        for (Row row = 0; row < table.size(); ++row)
+            for (const Row member : table.members[row])
+                bonds.add(particles.slot_of(member), kind, table.slots.slot_of(row));
+        ++kind;
+    });
+}
+
 /// A particle was added, the last.
 template <int D, class Real> void note_particle(World<D, Real>& world) {
     auto& blocks = world.blocks;
     blocks.changed = true;
     if (blocks.stale) return;
     const auto& slots = world.particles.slots;
-    blocks.bonds.make_room(slots.slots());
+    if (blocks.bonds.listed()) blocks.bonds.make_room(slots.slots());
     blocks.touch(slots.slot_of(Row(world.particles.size() - 1)), Touch::joined);
 }
 
@@ -33,7 +48,7 @@ void note_member(World<D, Real>& world, const Table& table, int kind, Row row, R
     blocks.changed = true;
     if (blocks.stale) return;
     const auto particle = world.particles.slots.slot_of(member);
-    blocks.bonds.add(particle, kind, table.slots.slot_of(row));
+    if (blocks.bonds.listed()) blocks.bonds.add(particle, kind, table.slots.slot_of(row));
     blocks.touch(particle, Touch::joined);
 }
 
@@ -44,7 +59,7 @@ void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row r
     blocks.changed = true;
     if (blocks.stale) return;
     const auto particle = world.particles.slots.slot_of(member);
-    blocks.stale = !blocks.bonds.remove(particle, kind, table.slots.slot_of(row));
+    blocks.stale = blocks.bonds.listed() && !blocks.bonds.remove(particle, kind, table.slots.slot_of(row));
     blocks.touch(particle, Touch::joined);
 }
 

@@ -1,5 +1,6 @@
 #include "sinew/solver/cut.h"
 
+#include "sinew/solver/changes.h"
 #include "sinew/solver/split.h"
 #include "sinew/solver/step.h"
 
@@ -66,6 +67,7 @@ template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const Cons
     Cut done;
     if (ids.empty()) return done;
     if (world.blocks.stale) prepare(world); // finds what hangs together
+    detail::list_bonds(world);
     std::vector<Ends> gone;
     std::vector<ConstraintId> all(ids.begin(), ids.end());
     for (const auto& id : ids) {

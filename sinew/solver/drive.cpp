@@ -23,9 +23,7 @@ template <class Table, int D, class Real> Real slipped(World<D, Real>& world, co
 }
 
 template <class Table> bool is_driven(const Table& table) {
-    int found = 0; // most tables have none, and are looked through quickly
-    for (Row row = 0; row < table.size(); ++row) found |= int(table.driven[row]) | int(table.gives(row));
-    return found != 0;
+    return table.driven.any_of([](char driven) { return driven != 0; }) || table.any_gives();
 }
 
 template <int D, class Real> bool is_in_block(const World<D, Real>& world, std::span<const Row> members) {

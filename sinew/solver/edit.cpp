@@ -34,6 +34,7 @@ void append_row(Table& table, const ConstraintSpec<Real>& spec, Interval<Real> l
     constexpr auto most = limit::measure<Real>;
     table.low.push_back(clamp(limits.low, -most, most));
     table.high.push_back(clamp(limits.high, table.low.back(), most));
+    table.multiplier.push_back(Real(0));
     table.compliance.push_back(clamp(spec.compliance, Real(0), most));
     table.relaxation.push_back(clamp(spec.relaxation, Real(0), Real(1)));
     table.split.push_back(clamp(spec.split, Real(0), Real(1)));
@@ -44,7 +45,6 @@ void append_row(Table& table, const ConstraintSpec<Real>& spec, Interval<Real> l
     table.breaking_strain.push_back(clamp(spec.breaking_strain, Real(0), most));
     table.toughness.push_back(clamp(spec.toughness, Real(0), most));
     table.fatigue.push_back(Real(0));
-    table.multiplier.push_back(Real(0));
     table.figure.push_back(spec.figure);
     table.in_block.push_back(0);
     table.torn.push_back(0);
@@ -152,7 +152,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         table.members.append(rows);
         append_row(table, spec, spec.limits.value_or(Interval<Real>{0, 0}));
         if (table.breaking_strain.back() < limit::measure<Real>) // and what hangs on it goes with it, in a step
-            for_each_table(world, [](auto& any) { any.slots.remember(); });
+            for_each_table(world, [](auto& any) { any.expect_tears(); });
         added = ConstraintId{kind, table.slots.append()};
         for (const Row member : rows) detail::note_member(world, table, kind, Row(table.size() - 1), member);
         if (!spec.limits) {
@@ -169,12 +169,11 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
 template <int D, class Real> void remove_constraints(World<D, Real>& world, std::span<const ConstraintId> ids) {
     int kind = 0;
     for_each_table(world, [&](auto& table) {
-        auto& gone = table.torn;
         bool any = false;
         for (const auto& id : ids)
             if (id.kind == kind)
-                if (const auto row = table.slots.find(id.id)) gone[*row] = 1, any = true;
-        if (any) detail::erase_constraints(world, table, kind, gone);
+                if (const auto row = table.slots.find(id.id)) table.torn.set(*row, 1), any = true;
+        if (any) detail::erase_constraints(world, table, kind, table.torn.each());
         ++kind;
     });
     detail::forget_constraints(world);
@@ -187,8 +186,8 @@ template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintI
         if (!row) return;
         found = true;
         if (!table.driven[*row]) detail::note_feature(world, table, *row);
-        table.driven[*row] = 1;
-        table.rate[*row] = clamp(rate, -limit::speed<Real>, limit::speed<Real>);
+        table.driven.set(*row, 1);
+        table.rate.set(*row, clamp(rate, -limit::speed<Real>, limit::speed<Real>));
     });
     return found;
 }
@@ -200,7 +199,7 @@ template <int D, class Real> bool set_max_force(World<D, Real>& world, const Con
         if (!row) return;
         found = true;
         if (!table.gives(*row)) detail::note_feature(world, table, *row);
-        table.max_force[*row] = clamp(max_force, Real(0), limit::measure<Real>);
+        table.max_force.set(*row, clamp(max_force, Real(0), limit::measure<Real>));
     });
     return found;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/solver/id.h"
+#include "sinew/solver/id_list.h"
 #include "sinew/solver/name_table.h"
 
 #include <optional>
@@ -30,7 +30,7 @@ enum class Mark : std::uint8_t {
 struct Piece {
     Mark mark = Mark::stroke;
     std::string part{};
-    std::vector<ParticleId> particles{};
+    IdList<ParticleId> particles{};
     double width = 0;     ///< in world units: line thickness or disc diameter; 0 leaves it to the looks
     double end_width = 0; ///< of a stroke or limb that tapers: its width at the last particle
     bool hidden = false;  ///< a support that is only drawn when asked for
@@ -70,8 +70,8 @@ inline constexpr std::array<std::string_view, 3> direct_names = {"auto", "on", "
 struct Figure {
     std::string name{};
     std::string prefab{};
-    std::vector<ParticleId> particles{}; ///< as they were built; what is removed leaves its id, which finds nothing
-    std::vector<ConstraintId> constraints{};
+    IdList<ParticleId> particles{}; ///< as they were built; what is removed leaves its id, which finds nothing
+    IdList<ConstraintId> constraints{};
     NameTable<ParticleId> particle_names{};
     NameTable<ConstraintId> constraint_names{};
     std::vector<Numbered> particle_numbers{}; ///< further names

@@ -28,7 +28,7 @@ template <int D, class Real> Path split(const World<D, Real>& world, std::string
 /// What a name stands for: one that was given, or one by number.
 template <class Id>
 std::optional<Id> look_up(std::string_view name, const NameTable<Id>& given, const std::vector<Numbered>& numbered,
-                          const std::vector<Id>& built) {
+                          const IdList<Id>& built) {
     if (const auto id = given.find(name)) return id;
     const auto number = number_called(name, numbered);
     return number && *number < built.size() ? std::optional(built[*number]) : std::nullopt;

@@ -136,9 +136,7 @@ template <int D, class Real> class Planner {
         std::size_t constraints = 0;
         for_each_table(world_, [&](const auto& table) {
             constraints += table.size();
-            for (Row row = 0; row < table.size(); ++row) {
-                plan_.may_tear = plan_.may_tear || table.breaking_strain[row] < limit::measure<Real>;
-            }
+            plan_.may_tear = plan_.may_tear || table.may_tear();
         });
         constexpr std::size_t small = 100'000;
         if (!plan_.may_tear || constraints > small) return;

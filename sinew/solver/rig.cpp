@@ -40,7 +40,7 @@ template <int D, class Real> class Inspector {
 
     template <class Id>
     static std::string name_in(const NameTable<Id>& given, const std::vector<Numbered>& numbered,
-                               const std::vector<Id>& built, const Id& id) {
+                               const IdList<Id>& built, const Id& id) {
         for (const auto& [name, named] : given)
             if (named == id) return name;
         const auto found = std::find(built.begin(), built.end(), id);

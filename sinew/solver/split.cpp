@@ -261,7 +261,7 @@ template <int D, class Real> class Splitter {
             part.particles.push_back(from ? *from : on ? *on : ids[i]);
             if (closed || !from || !on || *from == *on) continue;
             pieces.push_back(part);
-            part.particles.assign(1, *on);
+            part.particles = {*on};
         }
         pieces.push_back(std::move(part));
     }

@@ -22,6 +22,7 @@ class Digest {
         hash_.add(column.size());
         hash_.add(column);
     }
+    template <class T> void add_one(const Column<T>& column) { add_one(column.rows()); }
 
     template <class Real> void add_one(const Settings<Real>& settings) {
         const auto& [mode, substeps, iterations, damping, frame, classic] = settings;

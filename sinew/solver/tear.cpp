@@ -19,7 +19,7 @@ template <class Table, int D, class Real> Real strain_of(World<D, Real>& world, 
 /// Whether a constraint that was overstrained for a step has had enough.
 template <class Table, class Real> bool wears_out(Table& table, Row row, Real strain_times_time) {
     if (table.toughness[row] == Real(0)) return true;
-    table.fatigue[row] = minimum(table.fatigue[row] + strain_times_time, limit::measure<Real>);
+    table.fatigue.set(row, minimum(table.fatigue[row] + strain_times_time, limit::measure<Real>));
     return table.fatigue[row] > table.toughness[row];
 }
 
@@ -62,10 +62,10 @@ template <int D, class Real> void tear(World<D, Real>& world, Real dt) {
             const bool hangs = kind > 0 && any_link && lost_a_link(world, table.members[row]);
             if (!hangs && !tears(world, table, row, dt)) continue;
             if (!hangs) report(world, table, kind, row);
-            table.torn[row] = 1;
+            table.torn.set(row, 1);
             torn = true;
         }
-        if (torn) detail::erase_constraints(world, table, kind, table.torn);
+        if (torn) detail::erase_constraints(world, table, kind, table.torn.each());
         any = any || torn;
         if (kind++ == 0) any_link = torn;
     });

@@ -2,7 +2,7 @@
 
 #include "sinew/constraint/kinds.h"
 #include "sinew/solver/block.h"
-#include "sinew/solver/columns.h"
+#include "sinew/solver/column.h"
 #include "sinew/solver/figure.h"
 #include "sinew/solver/force.h"
 #include "sinew/solver/id.h"
@@ -124,30 +124,44 @@ template <> struct Members<any_arity> {
 template <class KindT, class Real> struct Constraints {
     using Kind = KindT;
     Members<Kind::arity> members;
-    std::vector<Real> low, high;       ///< the measure is held within [low, high]; equal for an exact constraint
-    std::vector<Real> compliance;      ///< 1/stiffness; 0 is rigid
-    std::vector<Real> relaxation;      ///< share of the error removed at once, (0, 1]
-    std::vector<Real> split;           ///< share of the correction that the first member takes, 0..1; 1/2 is fair
-    std::vector<Real> max_force;       ///< most it pulls or pushes with; limit::measure and more has no end
-    std::vector<Real> lead;            ///< a compliant one aims where the measure will be so much later: a damper
-    std::vector<Real> rate;            ///< at which the limits move: a winch, a motor
-    std::vector<char> driven;          ///< its limits were made to move once
-    std::vector<Real> breaking_strain; ///< torn beyond it; limit::measure and more never tears
-    std::vector<Real> toughness;       ///< strain beyond that, times time, which it bears before it tears; 0: none
-    std::vector<Real> fatigue;         ///< what it has borne of it
-    std::vector<Real> multiplier;      ///< of the last substep; tension = -multiplier / h^2
-    std::vector<FigureIndex> figure;
-    std::vector<char> in_block; ///< scratch: a block solves it, not the sweep
-    std::vector<char> torn;     ///< scratch: to be removed when the step ends; the last of the columns (remove.h)
+    std::vector<Real> low, high;  ///< the measure is held within [low, high]; equal for an exact constraint
+    std::vector<Real> multiplier; ///< of the last substep; tension = -multiplier / h^2
+    Column<Real> compliance;      ///< 1/stiffness; 0 is rigid
+    Column<Real> relaxation;      ///< share of the error removed at once, (0, 1]
+    Column<Real> split;           ///< share of the correction that the first member takes, 0..1; 1/2 is fair
+    Column<Real> max_force;       ///< most it pulls or pushes with; limit::measure and more has no end
+    Column<Real> lead;            ///< a compliant one aims where the measure will be so much later: a damper
+    Column<Real> rate;            ///< at which the limits move: a winch, a motor
+    Column<char> driven;          ///< its limits were made to move once
+    Column<Real> breaking_strain; ///< torn beyond it; limit::measure and more never tears
+    Column<Real> toughness;       ///< strain beyond that, times time, which it bears before it tears; 0: none
+    Column<Real> fatigue;         ///< what it has borne of it
+    Column<FigureIndex> figure;
+    Column<char> in_block; ///< scratch: a block solves it, not the sweep
+    Column<char> torn;     ///< scratch: to be removed when the step ends; the last of the columns (remove.h)
     Slots<ConstraintTag> slots;
 
     std::size_t size() const { return low.size(); }
     /// It gives way: it does not pull harder than that.
     bool gives(Row row) const { return max_force[row] < limit::measure<Real>; }
+    bool any_gives() const {
+        return max_force.any_of([](Real force) { return force < limit::measure<Real>; });
+    }
+    bool may_tear() const {
+        return breaking_strain.any_of([](Real strain) { return strain < limit::measure<Real>; });
+    }
+    /// From now on tearing allocates nothing.
+    void expect_tears() {
+        slots.remember();
+        fatigue.set_apart();
+        in_block.set_apart();
+        torn.set_apart();
+    }
 
     template <class Self, class Visit> static void columns(Self& self, Visit&& visit) {
         visit(self.low);
         visit(self.high);
+        visit(self.multiplier);
         visit(self.compliance);
         visit(self.relaxation);
         visit(self.split);
@@ -158,7 +172,6 @@ template <class KindT, class Real> struct Constraints {
         visit(self.breaking_strain);
         visit(self.toughness);
         visit(self.fatigue);
-        visit(self.multiplier);
         visit(self.figure);
         visit(self.in_block);
         visit(self.torn);

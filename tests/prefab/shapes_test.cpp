@@ -115,10 +115,10 @@ TEST(Tire, HasTreadBracesAndSpokesAsTheOriginals) {
 TEST(Tire, HasItsRelaxationsInClassicModeOnly) {
     const Tire tire{.segments = 7, .spoke_relaxation = 0.025, .tread_relaxation = 0.05};
     const auto classic = make(tire, Mode::classic), physical = make(tire);
-    const auto& shares = std::get<kind_number<Distance, 2>>(classic.world.constraints).relaxation;
+    const auto shares = std::get<kind_number<Distance, 2>>(classic.world.constraints).relaxation.rows();
     EXPECT_EQ(shares.front(), 0.05);
     EXPECT_EQ(shares.back(), 0.025);
-    for (const auto share : std::get<kind_number<Distance, 2>>(physical.world.constraints).relaxation)
+    for (const auto share : std::get<kind_number<Distance, 2>>(physical.world.constraints).relaxation.rows())
         EXPECT_EQ(share, 1);
 }
 

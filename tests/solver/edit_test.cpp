@@ -411,5 +411,30 @@ TEST(Edit, ACutFindsNoMoreThanItsOwnRopeAgain) {
     EXPECT_LE(world.blocks.nodes.size(), nodes + 12);
 }
 
+// What joins each particle of a large cloth is only listed when something of it changes.
+TEST(Edit, ALargeClothHasNoBlocksUntilARopeHangsFromIt) {
+    constexpr std::size_t side = 230; // 105,340 links
+    World<2, float> world;
+    world.settings.substeps = 1;
+    std::vector<ParticleId> ids;
+    for (std::size_t i = 0; i < side * side; ++i)
+        ids.push_back(add_particle(world, {.position = {{float(i % side), float(i / side)}}}));
+    for (std::size_t i = 0; i < side * side; ++i) {
+        if (i % side + 1 < side) add<Distance>(world, {ids[i], ids[i + 1]});
+        if (i / side + 1 < side) add<Distance>(world, {ids[i], ids[i + side]});
+    }
+    prepare(world);
+    EXPECT_FALSE(world.blocks.bonds.listed());
+    EXPECT_TRUE(world.blocks.list.empty());
+    const auto rope = chain(world, 5, {{0, -1}}, {{0, -1}});
+    add<Distance>(world, {ids[0], rope[0]});
+    auto fresh = world; // a copy finds its blocks itself
+    step(fresh, 0.01F);
+    step(world, 0.01F);
+    EXPECT_EQ(world.blocks.hanging.size(), 1U);
+    EXPECT_EQ(fresh.blocks.hanging.size(), 1U);
+    EXPECT_EQ(state_hash(world), state_hash(fresh));
+}
+
 } // namespace
 } // namespace sinew

@@ -217,7 +217,7 @@ TEST(Tethers, FollowThePinsAndAreNotWhereThingsTearOrGive) {
     World<3, float> tearing;
     add_cloth(tearing, {.tethers = true});
     add_cloth(tearing, {});
-    std::get<0>(tearing.constraints).breaking_strain[0] = 0.5F;
+    std::get<0>(tearing.constraints).breaking_strain.set(0, 0.5F);
     prepare(tearing);
     EXPECT_TRUE(tearing.swept.plan.tethers.empty());
 }

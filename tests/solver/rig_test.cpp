@@ -26,7 +26,7 @@ struct Rig {
         return remember(*add<Distance>(world, {p[a], p[b]}, spec), name);
     }
     ConstraintId remember(ConstraintId id, std::string_view name) {
-        visit_table(world, id.kind, [&](auto& table) { table.figure.back() = 0; });
+        visit_table(world, id.kind, [&](auto& table) { table.figure.set(table.size() - 1, 0); });
         world.figures[0].constraints.push_back(id);
         if (!name.empty()) world.figures[0].constraint_names.emplace_back(name, id);
         return id;
@@ -87,7 +87,7 @@ TEST(RigCheck, FindsATriangleThatCannotClose) {
     const auto faults = rig.faults();
     ASSERT_EQ(faults.size(), 2U);
     EXPECT_EQ(faults[1], "rig/long is at least 3, but other links join its ends within 2");
-    std::get<0>(rig.world.constraints).compliance[1] = 1e-3; // what gives is no hindrance
+    std::get<0>(rig.world.constraints).compliance.set(1, 1e-3); // what gives is no hindrance
     EXPECT_EQ(rig.faults().size(), 1U);
 }
 

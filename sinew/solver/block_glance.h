@@ -1,0 +1,69 @@
+#pragma once
+
+#include "sinew/math/union_find.h"
+#include "sinew/solver/block_worth.h"
+
+#include <algorithm>
+
+/// A glance at a large world, which mostly is cloth: that nothing in it is worth a block, and no end hangs from it, is
+/// seen from its constraints one after the other. What joins each particle need not be listed then.
+namespace sinew::detail {
+
+template <int D, class Real> class BlockGlance {
+  public:
+    BlockGlance(const World<D, Real>& world, const BlockGraph<D, Real>& graph)
+        : world_(world), graph_(graph), worth_(graph) {}
+
+    bool sees_no_blocks() const { return !any_end() && !any_worthwhile(); }
+
+  private:
+    const World<D, Real>& world_;
+    const BlockGraph<D, Real>& graph_;
+    BlockWorth<D, Real> worth_;
+
+    std::size_t particles() const { return world_.particles.size(); }
+
+    /// Where a tree could hang on the rest.
+    bool any_end() const {
+        constexpr unsigned char many = 2;
+        const auto& links = graph_.distances();
+        std::vector<unsigned char> bonds(particles());
+        for (Row link = 0; link < links.size(); ++link) {
+            const Row a = graph_.end(link, 0), b = graph_.end(link, 1);
+            if (!graph_.mobile(a) || !graph_.mobile(b)) continue;
+            const bool is_first = graph_.may_hang(link);
+            for (const Row end : {a, b}) bonds[end] = is_first && bonds[end] == 0 ? 1 : many;
+        }
+        return std::find(bonds.begin(), bonds.end(), 1) != bonds.end();
+    }
+
+    bool any_worthwhile() const {
+        std::vector<BlockRoom::Part> parts(particles()); // each by its first particle
+        UnionFind joined(particles());
+        each_moving([&](const auto&, Row, std::span<const Row> members, Row first) {
+            for (const Row member : members)
+                if (graph_.mobile(member)) joined.join(first, member);
+        });
+        for (Row row = 0; row < particles(); ++row)
+            if (graph_.mobile(row)) worth_.take_stock(parts[joined.first_of(row)], row);
+        each_moving([&](const auto& table, Row row, std::span<const Row> members, Row first) {
+            const auto moving = std::count_if(members.begin(), members.end(), [&](Row m) { return graph_.mobile(m); });
+            worth_.take_stock(parts[joined.first_of(first)], table, row, std::uint32_t(moving));
+        });
+        return std::any_of(parts.begin(), parts.end(), worth_.worthwhile);
+    }
+
+    /// Calls visit(table, row, members, the first of them that can move) for what moves something.
+    template <class Visit> void each_moving(Visit&& visit) const {
+        for_each_table(world_, [&](const auto& table) {
+            for (Row row = 0; row < table.size(); ++row) {
+                const auto members = table.members[row];
+                const auto first =
+                    std::find_if(members.begin(), members.end(), [&](Row member) { return graph_.mobile(member); });
+                if (first != members.end()) visit(table, row, members, *first);
+            }
+        });
+    }
+};
+
+} // namespace sinew::detail

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "sinew/solver/columns.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace sinew {
+
+/// A column of a table in which rows seldom differ: while all are the same to the last bit it holds one for all of
+/// them, from the first that differs on each by itself.
+template <class T> class Column {
+    static_assert(std::is_trivially_copyable_v<T>);
+
+  public:
+    std::size_t size() const { return size_; }
+    const T& operator[](std::size_t row) const { return apart_ ? each_[row] : all_; }
+    const T& back() const { return (*this)[size_ - 1]; }
+
+    template <class Is> bool any_of(Is&& is) const {
+        return apart_ ? std::any_of(each_.begin(), each_.end(), is) : size_ > 0 && is(all_);
+    }
+
+    void set(std::size_t row, const T& value) {
+        if (is_like_all(value)) return;
+        set_apart();
+        each_[row] = value;
+    }
+    void fill(const T& value) {
+        all_ = value;
+        std::fill(each_.begin(), each_.end(), value);
+    }
+    void push_back(const T& value) {
+        if (size_ == 0) all_ = value;
+        if (!is_like_all(value)) set_apart();
+        if (apart_) each_.push_back(value);
+        ++size_;
+    }
+    /// From now on setting a row allocates nothing.
+    void set_apart() {
+        if (apart_) return;
+        each_.assign(size_, all_);
+        apart_ = true;
+    }
+    void reserve(std::size_t rows) {
+        if (apart_) each_.reserve(rows);
+    }
+    void erase(std::span<const char> gone) {
+        size_ -= std::size_t(std::count(gone.begin(), gone.end(), char(1)));
+        if (apart_) erase_rows(each_, gone);
+    }
+
+    /// Each row by itself, of one that was set apart.
+    std::span<const T> each() const { return each_; }
+    /// All rows, one after the other.
+    std::vector<T> rows() const { return apart_ ? each_ : std::vector<T>(size_, all_); }
+
+  private:
+    T all_{};
+    bool apart_ = false;
+    std::size_t size_ = 0;
+    std::vector<T> each_;
+
+    bool is_like_all(const T& value) const { return !apart_ && std::memcmp(&value, &all_, sizeof(T)) == 0; }
+};
+
+inline std::size_t next_flag(const Column<char>& flags, std::size_t from, char flag) {
+    if (!flags.each().empty()) return next_flag(flags.each(), from, flag);
+    return from < flags.size() && flags[from] == flag ? from : flags.size();
+}
+
+template <class T> void erase_rows(Column<T>& column, std::span<const char> gone) {
+    column.erase(gone);
+}
+
+} // namespace sinew
