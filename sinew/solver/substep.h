@@ -200,17 +200,13 @@ template <int D, class Real> class Substep {
             advance(band);
             rebound(band);
             if (next) next->predict(band);
-        } else if (next) {
-            auto motion = next->motion_;
-            motion.anchors = motion_.anchors;
-            motion.anchor_count = motion_.anchor_count;
-            kernels_.go_on(motion, band.first, band.last);
-            next->weigh(band);
-            next->move_pins(band);
-        } else {
-            note_previous(band);
-            kernels_.settle(motion_, band.first, band.last);
+            return;
         }
+        tether(band);
+        if (!next) return advance(band);
+        kernels_.go_on(next->motion_, band.first, band.last);
+        next->weigh(band);
+        next->move_pins(band);
     }
 
   private:
