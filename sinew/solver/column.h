@@ -35,8 +35,7 @@ template <class T> class Column {
     }
     void push_back(const T& value) {
         if (size_ == 0) all_ = value;
-        if (!is_like_all(value)) set_apart();
-        if (apart_) each_.push_back(value);
+        if (!is_like_all(value)) set_apart(), each_.push_back(value);
         ++size_;
     }
     /// From now on setting a row allocates nothing.

@@ -54,7 +54,11 @@ template <int D, class Real> class Spokes {
             if (spokes[i].apart == apart) return &spokes[i];
         return nullptr;
     }
-    std::span<const Spoke> of(std::uint32_t s) const { return spokes(list_of_[s]); }
+    std::span<const Spoke> of(std::uint32_t s) const { return spokes(list_of(s)); }
+    std::uint32_t list_of(std::uint32_t s) const { return list_of_[s]; }
+    /// Of the spokes of all lists.
+    std::size_t size() const { return all_.size(); }
+    std::size_t number_of(const Spoke& spoke) const { return std::size_t(&spoke - all_.data()); }
     double longest() const {
         double longest = 0;
         for (const auto& spoke : all_) longest = maximum(longest, double(spoke.length));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sinew/solver/nearest_first.h"
-#include "sinew/solver/plan_spokes.h"
+#include "sinew/solver/plan_corners.h"
 #include "sinew/solver/waiting.h"
 #include "sinew/solver/world.h"
 
@@ -14,7 +14,8 @@ namespace sinew::detail {
 template <int D, class Real> class TetherMaker {
   public:
     explicit TetherMaker(World<D, Real>& world)
-        : world_(world), swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), spokes_(world) {}
+        : world_(world), swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), spokes_(world),
+          corners_(spokes_) {}
 
     /// Of all there is to get ready, when such a share of the sheets has its tethers.
     static double tethered(double share) { return 0.45 + 0.55 * share; }
@@ -38,6 +39,7 @@ template <int D, class Real> class TetherMaker {
     Plan<Real>& plan_;
     PlanRoom& room_;
     Spokes<D, Real> spokes_;
+    Corners<D, Real> corners_;
 
     void forget() {
         plan_.tethers.clear();
@@ -113,7 +115,7 @@ template <int D, class Real> class TetherMaker {
                 plan_.per_reach_square.insert(plan_.per_reach_square.end(), from, from + size);
                 continue;
             }
-            if (!any_new) spokes_.list(sheet, size);
+            if (!any_new) spokes_.list(sheet, size), corners_.begin();
             any_new = true;
             plan_.per_reach_square.resize(first + size);
             reach_from(sheet, at, std::span(plan_.per_reach_square).subspan(first));
@@ -145,54 +147,20 @@ template <int D, class Real> class TetherMaker {
             const auto near = spokes_.of(s);
             for (const auto& [apart, length] : near)
                 if (!done[s + apart]) shorten(s + apart, double(way[s]) + double(length));
-            for (const auto& [apart, length] : near) {
-                const auto edge = s + apart;
-                const double between = double(length);
+            for (std::size_t i = 0; i < near.size(); ++i) {
+                const auto edge = s + near[i].apart;
+                const double between = double(near[i].length);
                 if (!done[edge] || !(between > 0)) continue;
-                const auto begun = place(double(way[s]), double(way[edge]), between);
-                for (const auto& [further, side] : spokes_.of(edge)) {
-                    const auto* const third = Spokes<D, Real>::find(near, apart + further);
-                    const auto corner = edge + further;
-                    if (!third || done[corner]) continue;
-                    const auto to = place_again(double(third->length), double(side), between);
-                    if (may_be_less(begun, to, double(way[corner]))) shorten(corner, across(begun, to, between));
-                }
+                const auto begun = Beside::of(double(way[s]), double(way[edge]), between);
+                for (const auto& [apart, to] : corners_.beyond(s, i))
+                    if (!done[s + apart] && begun.may_be_nearer(to, double(way[s + apart])))
+                        shorten(s + apart, begun.across(to, between));
             }
         }
         for (auto& number : per_square) {
             const double reach = minimum(double(number) * slack, far);
             number = reach > 0 ? Real(1 / square(reach)) : Real(0);
         }
-    }
-
-    /// Where something is that is so far from both ends of a line: along it, and beside it.
-    struct Place {
-        double along, beside;
-    };
-    static Place place(double to_a, double to_b, double length) {
-        const double along = (to_a * to_a - to_b * to_b + length * length) / (2 * length);
-        return {along, square_root(maximum(to_a * to_a - along * along, 0.0))};
-    }
-    /// Triangles of the same sides follow one another.
-    Place place_again(double to_a, double to_b, double length) {
-        const std::array<double, 3> sides{to_a, to_b, length};
-        if (sides != last_sides_) last_place_ = place(to_a, to_b, length), last_sides_ = sides;
-        return last_place_;
-    }
-    std::array<double, 3> last_sides_{};
-    Place last_place_{};
-
-    /// Without a root or a quotient, and leaving room for rounding.
-    static bool may_be_less(const Place& from, const Place& to, double than) {
-        return square(to.along - from.along) + square(from.beside + to.beside) < than * than * 1.000001;
-    }
-    /// How far the one is from the other, on the other side of the line and in its plane.
-    static double across(const Place& from, const Place& to, double length) {
-        constexpr double nowhere = 1e300;
-        if (!(from.beside + to.beside > 0)) return nowhere;
-        const double crossing = from.along + (to.along - from.along) * from.beside / (from.beside + to.beside);
-        if (!(crossing >= 0 && crossing <= length)) return nowhere;
-        return square_root(square(to.along - from.along) + square(from.beside + to.beside));
     }
 };
 
