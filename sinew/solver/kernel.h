@@ -76,8 +76,8 @@ template <int D, class Real> struct Kernels {
     Moving<D, Real> advance;
     /// move <- keep move + add of what can move, 0 of the rest.
     Moving<D, Real> drift;
-    /// All three, one after the other; and the first two.
-    Moving<D, Real> go_on, settle;
+    /// Both, one after the other.
+    Moving<D, Real> go_on;
     /// The least of normal . (place + move).
     Real (*lowest)(const Motion<D, Real>&, const Real* normal, std::uint32_t first, std::uint32_t last);
 };

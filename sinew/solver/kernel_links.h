@@ -191,15 +191,14 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
 template <int D, class Real>
 [[gnu::always_inline]] inline void project_even(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
                                                 const LinkRun& run) {
-    const Real *const low = columns.low + run.parameters, *const high = columns.high + run.parameters;
     if (run.exact && pass.kept)
-        EvenLinks<D, Real, true, true>(columns, pass, run).solve(run.count, low, high, run.uniform);
+        EvenLinks<D, Real, true, true>(columns, pass, run).solve();
     else if (run.exact)
-        EvenLinks<D, Real, true, false>(columns, pass, run).solve(run.count, low, high, run.uniform);
+        EvenLinks<D, Real, true, false>(columns, pass, run).solve();
     else if (pass.kept)
-        EvenLinks<D, Real, false, true>(columns, pass, run).solve(run.count, low, high, run.uniform);
+        EvenLinks<D, Real, false, true>(columns, pass, run).solve();
     else
-        EvenLinks<D, Real, false, false>(columns, pass, run).solve(run.count, low, high, run.uniform);
+        EvenLinks<D, Real, false, false>(columns, pass, run).solve();
 }
 
 template <int D, class Real>

@@ -9,11 +9,10 @@ namespace {
 
 template <int D, class Real>
 inline constexpr Kernels<D, Real> kernels_here{.project = project_runs<D, Real>,
-                                               .tether = move_all<D, Real, Doing{.tethers = true}>,
+                                               .tether = tether_all<D, Real>,
                                                .advance = move_all<D, Real, Doing{.advances = true}>,
                                                .drift = move_all<D, Real, Doing{.drifts = true}>,
-                                               .go_on = move_all<D, Real, Doing{true, true, true}>,
-                                               .settle = move_all<D, Real, Doing{true, true, false}>,
+                                               .go_on = move_all<D, Real, Doing{true, true}>,
                                                .lowest = lowest_of<D, Real>};
 
 } // namespace

@@ -113,16 +113,15 @@ template <int D, class Real> class Substep {
     static constexpr std::uint32_t most_again = 16;
 
     /// Where a sweep finds links of a tethered sheet much too long (it snaps taut, its hem cracks like a whip) it is
-    /// repeated: from this band to a few beyond the last such one, and so once for each band, which hands on what is too
-    /// long as far as it has to go. The families in reverse: otherwise the first always suffers from all others.
+    /// repeated, from this band to one beyond the last such. As each band does so, what is too long is handed on as far
+    /// as it has to go. The families in reverse: otherwise the first would always suffer from all others.
     void project_again(const Sheet& sheet, std::uint32_t band) {
-        constexpr std::uint32_t beyond = 1;
         const auto bands = std::span(swept_.plan.bands).subspan(sheet.first_band, sheet.bands);
         const auto end = std::min(band + most_again, sheet.bands);
         auto last = end;
         while (last > band && !bands[last - 1].strained) --last;
         if (last == band) return;
-        last = std::min(last + beyond, end);
+        last = std::min(last + 1, end);
         for (auto i = band; i < last; ++i) {
             tether(bands[i]);
             bands[i].was_strained = bands[i].was_strained || bands[i].strained;
@@ -226,17 +225,13 @@ template <int D, class Real> class Substep {
             advance(band);
             rebound(band);
             if (next) next->predict(band);
-        } else if (next) {
-            auto motion = next->motion_;
-            motion.anchors = motion_.anchors;
-            motion.anchor_count = motion_.anchor_count;
-            kernels_.go_on(motion, band.first, band.last);
-            next->weigh(band);
-            next->move_pins(band);
-        } else {
-            note_previous(band);
-            kernels_.settle(motion_, band.first, band.last);
+            return;
         }
+        tether(band);
+        if (!next) return advance(band);
+        kernels_.go_on(next->motion_, band.first, band.last);
+        next->weigh(band);
+        next->move_pins(band);
     }
 
   private:
