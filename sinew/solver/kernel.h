@@ -37,7 +37,7 @@ template <int D, class Real> struct LinkColumns {
 };
 
 template <class Real> struct LinkPass {
-    Real per_h2 = 0;   ///< 1 / h^2
+    Real per_h2 = 0;       ///< 1 / h^2
     Real shortest = 1;     ///< found: no length that should be some was less
     bool kept = false;     ///< multipliers are wanted
     bool first = true;     ///< they begin at zero

@@ -110,7 +110,7 @@ template <int D, class Real> class Substep {
     }
 
     /// How many bands are swept again at once.
-    static constexpr std::uint32_t most_again = 16;
+    static constexpr std::uint32_t most_again = 20;
 
     /// Where a sweep finds links of a tethered sheet much too long (it snaps taut, its hem cracks like a whip) it is
     /// repeated, from this band to one beyond the last such. As each band does so, what is too long is handed on as far

@@ -306,7 +306,7 @@ template <int D, class RealT> struct World {
     std::uint64_t steps = 0;
     double energy_lost = 0;      ///< where blocks were struck, cracked or snapped taut; decides nothing
     Real last_substep = 0;       ///< its length; a change of it corrects the Verlet step
-    bool restless = false;       ///< the last step found links of tethered sheets much too long (Substep::project_again)
+    bool restless = false;       ///< links of tethered sheets were found much too long in the last step
     std::vector<Event> events;   ///< of the last step
     Blocks<D> blocks;            ///< what is solved at once instead of in the sweep
     Swept<D, Real> swept;        ///< room for the sweep, and its plan
