@@ -186,6 +186,9 @@ requires(Prefab::dimensions.include(D)) FigureIndex
     build(World<D, Real>& world, const Prefab& prefab, std::string_view name,
           const Placement<D, Real>& placement = {}) {
     const auto figure = add_figure(world, name, Prefab::name);
+    const auto sizes = prefab.sizes();
+    if (sizes.particles > world.particles.size())
+        reserve(world, sizes); // of many small ones each would move all before
     Builder<D, Real> builder(world, figure, placement, world.settings.mode);
     prefab.build(builder);
     return figure;

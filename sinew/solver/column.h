@@ -35,7 +35,7 @@ template <class T> class Column {
     }
     void push_back(const T& value) {
         if (size_ == 0) all_ = value;
-        if (!is_like_all(value)) set_apart(), each_.push_back(value);
+        if (!is_like_all(value)) push_apart(value);
         ++size_;
     }
     /// From now on setting a row allocates nothing.
@@ -63,6 +63,10 @@ template <class T> class Column {
     std::size_t size_ = 0;
     std::vector<T> each_;
 
+    [[gnu::noinline]] void push_apart(T value) {
+        set_apart();
+        each_.push_back(value);
+    }
     bool is_like_all(T value) const {
         if constexpr (std::is_floating_point_v<T>)
             return !apart_ && value == all_ && std::signbit(value) == std::signbit(all_);

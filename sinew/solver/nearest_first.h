@@ -42,7 +42,7 @@ class NearestFirst {
     }
 
   private:
-    static constexpr std::size_t rounds = 256;
+    static constexpr std::size_t rounds = 1024;
 
     double per_length_;
     std::uint64_t now_ = 0; ///< the bucket that is open

@@ -84,7 +84,11 @@ struct PlanRoom {
     std::vector<Row> links, link_at, left; ///< rows of distances
     std::vector<Row> parent, part_of, members, rank, at, first_near, near, near_link;
     std::vector<PinnedSlot> anchors;
-    std::vector<std::uint32_t> directions;
+    struct Direction {
+        std::uint32_t step = 0;
+        std::size_t first = 0, last = 0; ///< of a part's links: all of them lie in between
+    };
+    std::vector<Direction> directions;
     std::vector<unsigned char> chained, colour;
     std::vector<std::uint64_t> used; ///< colours, a bit each
     /// What comes after what in the plan: a part, or a sheet that stays.
