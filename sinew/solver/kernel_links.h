@@ -91,7 +91,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         }
         const V w_a = a.template get<V>(columns.mobility, count), w_b = b.template get<V>(columns.mobility, count);
         V resistance = (w_a + w_b) * d_e, length{}, d_length{};
-        if constexpr (rules.soft || rules.kept) length = root(e2), d_length = root(d2);
+        if constexpr (rules.soft || rules.kept) d_length = root(d2);
+        if constexpr (rules.range || rules.kept) length = root(e2);
         if constexpr (rules.soft) resistance = resistance + limits.alpha * (length * d_length);
         // what has no length or no weight has no resistance: then the products below are zero
         constexpr Real least_resistance = sizeof(Real) == 4 ? Real(1e-26) : Real(1e-200);
@@ -106,25 +107,23 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             note(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
             move<V, all>(a, b, move_a, move_b, d, s * w_a, s * w_b, count);
         } else {
-            const V s = rules.soft ? exactly(limits, length) : lacking_of(limits, e2);
+            V s;
+            if constexpr (rules.range)
+                s = (most(limits.low - length, zero) + least(limits.high - length, zero)) * length;
+            else
+                s = lacking_of(limits.low, e2);
             move<V, all>(a, b, move_a, move_b, d, s * (per * w_a), s * (per * w_b), count);
         }
     }
 
-    /// (limit - length) length
-    template <class V> [[gnu::always_inline]] static V exactly(const Limits<V>& limits, const V& length) {
-        if constexpr (!rules.range) return (limits.low - length) * length;
-        return (most(limits.low - length, V{}) + least(limits.high - length, V{})) * length;
-    }
-
-    /// The same. Near the limit half of the difference of their squares is as good, and needs no root.
-    template <class V> [[gnu::always_inline]] static V lacking_of(const Limits<V>& limits, const V& e2) {
-        V twice = limits.low * limits.low - e2;
-        if constexpr (rules.range) twice = most(twice, V{}) + least(limits.high * limits.high - e2, V{});
-        const V lack = Real(0.5) * twice, near = e2 * Real(1.0 / 64);
-        const V size = most(lack, -lack);
-        if (any_less(near, size)) [[unlikely]]
-            return near < size ? exactly(limits, root(e2)) : lack;
+    /// (limit - length) length. Near the limit half of the difference of their squares is as good, and needs no root;
+    /// of what may also be shorter that would make it bounce.
+    template <class V> [[gnu::always_inline]] static V lacking_of(const V& limit, const V& e2) {
+        const V lack = Real(0.5) * (limit * limit - e2), near = e2 * Real(1.0 / 64), size = most(lack, -lack);
+        if (any_less(near, size)) [[unlikely]] {
+            const V length = root(e2);
+            return near < size ? (limit - length) * length : lack;
+        }
         return lack;
     }
 
