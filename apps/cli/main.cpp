@@ -13,6 +13,10 @@
 #include <fmt/format.h>
 #include <new>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace sinew::cli {
 
 #define SINEW_MAKE(name) all.push_back(command::name());
@@ -66,6 +70,14 @@ int run(Arguments arguments) {
     return run_command(*command_of(first), rest);
 }
 
+/// What is large is taken from the system by itself, and given back as soon as it is not needed: else a large world
+/// keeps all that it was once worked out with.
+void give_back_at_once() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 4 << 20);
+#endif
+}
+
 int run_or_explain(Arguments arguments) {
     try {
         return run(arguments);
@@ -84,6 +96,7 @@ int run_or_explain(Arguments arguments) {
 } // namespace sinew::cli
 
 int main(int count, char** words) {
+    sinew::cli::give_back_at_once();
     std::signal(SIGPIPE, SIG_IGN); // a write into a closed pipe returns an error instead
     const std::vector<std::string> arguments(words + std::min(count, 1), words + count);
     return sinew::cli::close_output(sinew::cli::run_or_explain(arguments));

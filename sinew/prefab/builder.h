@@ -18,21 +18,32 @@ template <int D, class Real> struct Placement {
     double turn = 0; ///< radians, counter-clockwise as seen on screen; about z in 3D
     int up = 1;
 
-    Vec<D, Real> place(const Vec<D, double>& local) const { return at + cast<Real>(turned(local)); }
+    Vec<D, Real> place(const Vec<D, double>& local) const { return Frame(*this).place(local); }
 
-    /// What rounding takes from it: links shorter than a float's grain is fine would begin slack or stretched.
-    Vec<D, Real> residual(const Vec<D, double>& local) const {
-        return cast<Real>(cast<double>(at) + turned(local) - cast<double>(place(local)));
-    }
+    /// The same, for many places.
+    class Frame {
+      public:
+        explicit Frame(const Placement& placement)
+            : at_(placement.at), cosine_(cosine(placement.turn)), sine_(sine(placement.turn)), up_(placement.up) {}
 
-  private:
-    Vec<D, double> turned(const Vec<D, double>& local) const {
-        const double c = cosine(turn), s = sine(turn);
-        auto place = local;
-        place[0] = c * local[0] - s * local[1];
-        place[1] = (s * local[0] + c * local[1]) * up;
-        return place;
-    }
+        Vec<D, Real> place(const Vec<D, double>& local) const { return at_ + cast<Real>(turned(local)); }
+        /// What rounding takes from it: links shorter than a float's grain is fine would begin slack or stretched.
+        Vec<D, Real> residual(const Vec<D, double>& local) const {
+            return cast<Real>(cast<double>(at_) + turned(local) - cast<double>(place(local)));
+        }
+
+      private:
+        Vec<D, Real> at_;
+        double cosine_, sine_;
+        int up_;
+
+        Vec<D, double> turned(const Vec<D, double>& local) const {
+            auto place = local;
+            place[0] = cosine_ * local[0] - sine_ * local[1];
+            place[1] = (sine_ * local[0] + cosine_ * local[1]) * up_;
+            return place;
+        }
+    };
 };
 
 /// A place in the plane of the screen, in any dimension.
@@ -69,7 +80,8 @@ template <int D, class RealT> class Builder {
     static constexpr int dimension = D;
 
     Builder(World<D, Real>& world, FigureIndex figure, const Placement<D, Real>& placement, Mode mode)
-        : world_(world), figure_(figure), placement_(placement), mode_(mode), first_(Row(world.particles.size())) {}
+        : world_(world), figure_(figure), placement_(placement), frame_(placement), mode_(mode),
+          first_(Row(world.particles.size())) {}
 
     /// Prefabs may build a classic rig (equal masses, hidden beams) and a physical one.
     Mode mode() const { return mode_; }
@@ -85,9 +97,8 @@ template <int D, class RealT> class Builder {
     /// The same for the few originals that did weigh their points, and gave them a size.
     ParticleId weighed_particle(std::string_view name, const Local& local, double mass, double radius = 0) {
         const auto id = add_particle(
-            world_,
-            {.position = placement_.place(local), .mass = Real(mass), .radius = Real(radius), .figure = figure_});
-        if (mode_ == Mode::physical) world_.particles.residual.back() = placement_.residual(local);
+            world_, {.position = frame_.place(local), .mass = Real(mass), .radius = Real(radius), .figure = figure_});
+        if (mode_ == Mode::physical) world_.particles.residual.back() = frame_.residual(local);
         locals_.push_back(local);
         figure().particles.push_back(id);
         if (!name.empty()) figure().particle_names.emplace_back(name, id);
@@ -163,6 +174,7 @@ template <int D, class RealT> class Builder {
     World<D, Real>& world_;
     FigureIndex figure_;
     Placement<D, Real> placement_;
+    typename Placement<D, Real>::Frame frame_;
     Mode mode_;
     Row first_;
     std::vector<Local> locals_;
@@ -174,6 +186,9 @@ requires(Prefab::dimensions.include(D)) FigureIndex
     build(World<D, Real>& world, const Prefab& prefab, std::string_view name,
           const Placement<D, Real>& placement = {}) {
     const auto figure = add_figure(world, name, Prefab::name);
+    const auto sizes = prefab.sizes();
+    if (sizes.particles > world.particles.size())
+        reserve(world, sizes); // of many small ones each would move all before
     Builder<D, Real> builder(world, figure, placement, world.settings.mode);
     prefab.build(builder);
     return figure;

@@ -72,8 +72,10 @@ void weave(Builder<D, Real>& figure, const Grid& grid, const Thread& thread, Con
     const double weakest = spec.breaking_strain;
     for (std::size_t r = 0; r < rows; ++r)
         for (std::size_t c = 0; c < columns; ++c) {
-            const auto number = figure.figure().constraints.size();
-            spec.breaking_strain = weakest * (1 + uneven * random::uniform(0, number, 0));
+            if (uneven > 0) {
+                const auto number = figure.figure().constraints.size();
+                spec.breaking_strain = weakest * (1 + uneven * random::uniform(0, number, 0));
+            }
             figure.template constrain<Distance>("", {grid.at(c + from, r), grid.at(c + to, r + thread.down)}, spec);
         }
 }

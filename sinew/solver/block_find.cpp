@@ -76,7 +76,8 @@ template <int D, class Real> class Finder {
         const bool large = constraints > small;
         if (!large || may_tear || !detail::BlockGlance(world_, graph_).sees_no_blocks()) spread();
         build_parts();
-        if (large) room_.constraints = {}; // which is room that is taken again when it is needed
+        if (large)
+            room_.constraints = decltype(room_.constraints)(); // which is room that is taken again when it is needed
         blocks_.leave_room();
     }
     void spread() {

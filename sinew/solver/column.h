@@ -3,7 +3,7 @@
 #include "sinew/solver/columns.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -35,8 +35,7 @@ template <class T> class Column {
     }
     void push_back(const T& value) {
         if (size_ == 0) all_ = value;
-        if (!is_like_all(value)) set_apart();
-        if (apart_) each_.push_back(value);
+        if (!is_like_all(value)) push_apart(value);
         ++size_;
     }
     /// From now on setting a row allocates nothing.
@@ -64,7 +63,16 @@ template <class T> class Column {
     std::size_t size_ = 0;
     std::vector<T> each_;
 
-    bool is_like_all(const T& value) const { return !apart_ && std::memcmp(&value, &all_, sizeof(T)) == 0; }
+    [[gnu::noinline]] void push_apart(T value) {
+        set_apart();
+        each_.push_back(value);
+    }
+    bool is_like_all(T value) const {
+        if constexpr (std::is_floating_point_v<T>)
+            return !apart_ && value == all_ && std::signbit(value) == std::signbit(all_);
+        else
+            return !apart_ && value == all_;
+    }
 };
 
 inline std::size_t next_flag(const Column<char>& flags, std::size_t from, char flag) {

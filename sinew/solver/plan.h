@@ -81,15 +81,11 @@ struct PlanRoom {
     std::vector<Row> links, link_at, left; ///< rows of distances
     std::vector<Row> parent, part_of, members, rank, at, first_near, near, near_link;
     std::vector<PinnedSlot> anchors;
-    struct RigidLink {
-        Row other;
-        double length;
+    struct Direction {
+        std::uint32_t step = 0;
+        std::size_t first = 0, last = 0; ///< of a part's links: all of them lie in between
     };
-    std::vector<RigidLink> rigid; ///< of each particle by its rank, from first_rigid on
-    std::vector<std::uint32_t> first_rigid;
-    std::vector<double> way, length_to;
-    std::vector<std::pair<double, Row>> heap;
-    std::vector<std::uint32_t> directions;
+    std::vector<Direction> directions;
     std::vector<unsigned char> chained, colour;
     std::vector<std::uint64_t> used; ///< colours, a bit each
     /// What comes after what in the plan: a part, or a sheet that stays.

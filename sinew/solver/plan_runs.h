@@ -49,15 +49,11 @@ template <int D, class Real> class RunWriter {
 
     void begin_run(Row link, Row a, Row b) {
         links_.include(link);
-        std::uint32_t parameters = std::uint32_t(plan_.low.size());
-        add_parameters(link);
-        // one like the last needs no room of its own
-        if (parameters > first_parameter_ && plan_.low[parameters] == plan_.low[parameters - 1] &&
-            plan_.high[parameters] == plan_.high[parameters - 1] &&
-            plan_.compliance[parameters] == plan_.compliance[parameters - 1]) {
-            for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->pop_back();
-            --parameters;
-        }
+        auto parameters = std::uint32_t(plan_.low.size());
+        if (parameters > first_parameter_ && has_parameters(link, parameters - 1))
+            --parameters; // one like the last needs no room of its own
+        else
+            add_parameters(link);
         plan_.runs.push_back({.a = a,
                               .b = b,
                               .count = 1,
@@ -118,12 +114,17 @@ template <int D, class Real> class RunWriter {
     Extent links_;
 
     void add_parameters(Row link) {
-        // squares and products of limits have to be finite
-        constexpr Real far = limit::coordinate<Real> * Real(100);
-        plan_.low.push_back(maximum(distances_.low[link], Real(0)));
-        plan_.high.push_back(minimum(distances_.high[link], far));
+        plan_.low.push_back(low(link));
+        plan_.high.push_back(high(link));
         plan_.compliance.push_back(distances_.compliance[link]);
     }
+    bool has_parameters(Row link, std::uint32_t number) const {
+        return plan_.low[number] == low(link) && plan_.high[number] == high(link) &&
+               plan_.compliance[number] == distances_.compliance[link];
+    }
+    Real low(Row link) const { return maximum(distances_.low[link], Real(0)); }
+    /// Squares and products of limits have to be finite.
+    Real high(Row link) const { return minimum(distances_.high[link], limit::coordinate<Real> * Real(100)); }
 
     void copy_parameters(std::uint32_t of) {
         for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) {
@@ -143,19 +144,11 @@ template <int D, class Real> class RunWriter {
     bool is_exact(Row link) const { return distances_.low[link] == distances_.high[link]; }
 
     void extend(LinkRun& run, Row link) {
-        if (run.uniform) {
-            const auto size = plan_.low.size();
-            add_parameters(link);
-            const bool alike = plan_.low.back() == plan_.low[run.parameters] &&
-                               plan_.high.back() == plan_.high[run.parameters] &&
-                               plan_.compliance.back() == plan_.compliance[run.parameters];
-            for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) column->resize(size);
-            if (!alike) {
-                const auto of = run.parameters;
-                run.uniform = false;
-                run.parameters = std::uint32_t(size);
-                for (std::uint32_t i = 0; i < run.count; ++i) copy_parameters(of);
-            }
+        if (run.uniform && !has_parameters(link, run.parameters)) {
+            const auto of = run.parameters;
+            run.uniform = false;
+            run.parameters = std::uint32_t(plan_.low.size());
+            for (std::uint32_t i = 0; i < run.count; ++i) copy_parameters(of);
         }
         if (!run.uniform) add_parameters(link);
         note(run, link);

@@ -135,16 +135,18 @@ template <int D, class Real> class SheetMaker {
         constexpr std::size_t most = 24, least_each = 16;
         auto& directions = room_.directions;
         directions.clear();
-        std::uint32_t last = 0;
-        for (const Row link : links(part)) {
-            const auto direction = direction_of(link);
-            if (direction == last) continue;
-            last = direction;
-            if (std::find(directions.begin(), directions.end(), direction) == directions.end())
-                directions.push_back(direction);
-            if (directions.size() > most) return false;
+        const auto all = links(part);
+        auto at = directions.end();
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const auto step = direction_of(all[i]);
+            if (at == directions.end() || at->step != step) {
+                at = std::find_if(directions.begin(), directions.end(), [&](const auto& d) { return d.step == step; });
+                if (at == directions.end()) at = directions.insert(at, {.step = step, .first = i});
+                if (directions.size() > most) return false;
+            }
+            at->last = i + 1;
         }
-        return !directions.empty() && links(part).size() / directions.size() >= least_each;
+        return !directions.empty() && all.size() / directions.size() >= least_each;
     }
 
     Row direction_of(Row link) const {
@@ -177,19 +179,19 @@ template <int D, class Real> class SheetMaker {
             plan_.bands.push_back({band, Row(swept_.row_of.size())});
             band = Row(swept_.row_of.size());
         }
-        for (const auto direction : room_.directions) add_direction(part, direction);
+        for (const auto& direction : room_.directions) add_direction(part, direction);
     }
 
     /// The links of a direction by the slot of their first particle. Where two begin at the same, each is of a family
     /// of its own.
-    void add_direction(std::size_t part, std::uint32_t direction) {
+    void add_direction(std::size_t part, const PlanRoom::Direction& direction) {
         auto& at = room_.at;
         const auto first_band = plan_.sheets.back().first_band;
         const Row begin = plan_.bands[first_band].first;
         auto& left = room_.left;
         left.clear();
-        for (const Row link : links(part))
-            if (direction_of(link) == direction) left.push_back(link);
+        for (const Row link : links(part).subspan(direction.first, direction.last - direction.first))
+            if (direction_of(link) == direction.step) left.push_back(link);
         while (!left.empty()) {
             at.assign(members(part).size(), none);
             std::size_t kept = 0;

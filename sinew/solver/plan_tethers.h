@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/solver/nearest_first.h"
+#include "sinew/solver/plan_corners.h"
 #include "sinew/solver/waiting.h"
 #include "sinew/solver/world.h"
 
@@ -12,8 +14,8 @@ namespace sinew::detail {
 template <int D, class Real> class TetherMaker {
   public:
     explicit TetherMaker(World<D, Real>& world)
-        : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), swept_(world.swept),
-          plan_(world.swept.plan), room_(world.swept.room) {}
+        : world_(world), swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), spokes_(world),
+          corners_(spokes_) {}
 
     /// Of all there is to get ready, when such a share of the sheets has its tethers.
     static double tethered(double share) { return 0.45 + 0.55 * share; }
@@ -32,17 +34,12 @@ template <int D, class Real> class TetherMaker {
     }
 
   private:
-    struct RigidLink {
-        std::uint32_t other;
-        Real length;
-    };
-
     World<D, Real>& world_;
-    const Constraints<Distance<D>, Real>& distances_;
     Swept<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
-    std::vector<RigidLink> rigid_; ///< of each particle, from first_rigid on
+    Spokes<D, Real> spokes_;
+    Corners<D, Real> corners_;
 
     void forget() {
         plan_.tethers.clear();
@@ -99,6 +96,7 @@ template <int D, class Real> class TetherMaker {
             tie(sheet, before, old_reaches, double(number++) / double(plan_.sheets.size()));
         }
         if (!plan_.tethers.empty()) plan_.per_reach_square.resize(plan_.per_reach_square.size() + plan_.lanes);
+        spokes_.forget();
     }
 
     void tie(Sheet& sheet, std::span<const Tether> before, const std::vector<Real>& reaches, double share) {
@@ -117,7 +115,7 @@ template <int D, class Real> class TetherMaker {
                 plan_.per_reach_square.insert(plan_.per_reach_square.end(), from, from + size);
                 continue;
             }
-            if (!any_new) list_rigid_links(sheet, size);
+            if (!any_new) spokes_.list(sheet, size), corners_.begin();
             any_new = true;
             plan_.per_reach_square.resize(first + size);
             reach_from(sheet, at, std::span(plan_.per_reach_square).subspan(first));
@@ -131,105 +129,38 @@ template <int D, class Real> class TetherMaker {
     /// first step only). A trace longer, so that nothing that hangs straight is pulled. Particles by their number in
     /// the sheet; of those that are equally far the first row comes first.
     void reach_from(const Sheet& sheet, std::uint32_t anchor, std::span<Real> per_square) {
-        constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.0001, apart = -1;
+        constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.0001;
         const Row* const row_of = swept_.row_of.data() + sheet.begin.slot;
-        room_.way.assign(per_square.size(), Real(far));
-        room_.length_to.assign(per_square.size(), apart);
-        room_.chained.assign(per_square.size(), 0);
-        double* const way = room_.way.data();
-        double* const length_to = room_.length_to.data(); // of the particle that is looked at
-        unsigned char* const done = room_.chained.data();
-        auto& heap = room_.heap;
-        heap.assign(1, {0, row_of[anchor]});
-        way[anchor] = 0;
-        const auto later = [](const auto& a, const auto& b) { return a > b; };
+        const auto way = per_square; // until all are known
+        std::fill(way.begin(), way.end(), Real(far));
+        std::vector<char> done(way.size());
+        NearestFirst next(spokes_.longest());
         const auto shorten = [&](std::uint32_t s, double length) {
             if (!(Real(length) < way[s])) return;
             way[s] = Real(length);
-            heap.push_back({length, row_of[s]});
-            std::push_heap(heap.begin(), heap.end(), later);
+            next.put({length, row_of[s], s});
         };
-        while (!heap.empty()) {
-            std::pop_heap(heap.begin(), heap.end(), later);
-            const auto s = swept_.slot_of[heap.back().second] - sheet.begin.slot;
-            heap.pop_back();
-            if (done[s]) continue;
-            done[s] = 1;
-            const auto near = rigid(s);
-            for (const auto& [other, length] : near) {
-                if (done[other]) continue;
-                length_to[other] = double(length);
-                shorten(other, way[s] + double(length));
+        shorten(anchor, 0);
+        while (!next.empty()) {
+            const auto s = next.take().number;
+            if (std::exchange(done[s], 1)) continue;
+            const auto near = spokes_.of(s);
+            for (const auto& [apart, length] : near)
+                if (!done[s + apart]) shorten(s + apart, double(way[s]) + double(length));
+            for (std::size_t i = 0; i < near.size(); ++i) {
+                const auto edge = s + near[i].apart;
+                const double between = double(near[i].length);
+                if (!done[edge] || !(between > 0)) continue;
+                const auto begun = Beside::of(double(way[s]), double(way[edge]), between);
+                for (const auto& [apart, to] : corners_.beyond(s, i))
+                    if (!done[s + apart] && begun.may_be_nearer(to, double(way[s + apart])))
+                        shorten(s + apart, begun.across(to, between));
             }
-            for (const auto& link : near) {
-                const double between = double(link.length);
-                if (!done[link.other] || !(between > 0)) continue;
-                const auto begun = place(way[s], way[link.other], between);
-                for (const auto& [other, side] : rigid(link.other)) {
-                    if (length_to[other] == apart) continue;
-                    const auto to = place_again(length_to[other], double(side), between);
-                    if (may_be_less(begun, to, way[other])) shorten(other, across(begun, to, between));
-                }
-            }
-            for (const auto& link : near) length_to[link.other] = apart;
         }
-        for (std::size_t s = 0; s < per_square.size(); ++s) {
-            const double reach = minimum(way[s] * slack, far);
-            per_square[s] = reach > 0 ? Real(1 / square(reach)) : Real(0);
+        for (auto& number : per_square) {
+            const double reach = minimum(double(number) * slack, far);
+            number = reach > 0 ? Real(1 / square(reach)) : Real(0);
         }
-    }
-
-    std::span<const RigidLink> rigid(std::uint32_t s) const {
-        return std::span(rigid_).subspan(room_.first_rigid[s], room_.first_rigid[s + 1] - room_.first_rigid[s]);
-    }
-
-    /// Those of each particle of a sheet, by its number in it.
-    void list_rigid_links(const Sheet& sheet, std::size_t particles) {
-        auto& first = room_.first_rigid;
-        first.assign(particles + 2, 0);
-        each_rigid(sheet, [&](Row, std::uint32_t a, std::uint32_t b) { ++first[a + 2], ++first[b + 2]; });
-        for (std::size_t s = 2; s < first.size(); ++s) first[s] += first[s - 1];
-        rigid_.resize(first.back());
-        each_rigid(sheet, [&](Row link, std::uint32_t a, std::uint32_t b) {
-            rigid_[first[a + 1]++] = {b, distances_.high[link]};
-            rigid_[first[b + 1]++] = {a, distances_.high[link]};
-        });
-    }
-    template <class Visit> void each_rigid(const Sheet& sheet, Visit&& visit) const {
-        plan_.each_link(sheet, [&](Row link, std::uint32_t a, std::uint32_t b) {
-            if (distances_.compliance[link] == Real(0) && distances_.high[link] < limit::coordinate<Real>)
-                visit(link, a - sheet.begin.slot, b - sheet.begin.slot);
-        });
-    }
-
-    /// Where something is that is so far from both ends of a line: along it, and beside it.
-    struct Place {
-        double along, beside;
-    };
-    static Place place(double to_a, double to_b, double length) {
-        const double along = (to_a * to_a - to_b * to_b + length * length) / (2 * length);
-        return {along, square_root(maximum(to_a * to_a - along * along, 0.0))};
-    }
-    /// Triangles of the same sides follow one another.
-    Place place_again(double to_a, double to_b, double length) {
-        const std::array<double, 3> sides{to_a, to_b, length};
-        if (sides != last_sides_) last_place_ = place(to_a, to_b, length), last_sides_ = sides;
-        return last_place_;
-    }
-    std::array<double, 3> last_sides_{};
-    Place last_place_{};
-
-    /// Without a root or a quotient, and leaving room for rounding.
-    static bool may_be_less(const Place& from, const Place& to, double than) {
-        return square(to.along - from.along) + square(from.beside + to.beside) < than * than * 1.000001;
-    }
-    /// How far the one is from the other, on the other side of the line and in its plane.
-    static double across(const Place& from, const Place& to, double length) {
-        constexpr double nowhere = 1e300;
-        if (!(from.beside + to.beside > 0)) return nowhere;
-        const double crossing = from.along + (to.along - from.along) * from.beside / (from.beside + to.beside);
-        if (!(crossing >= 0 && crossing <= length)) return nowhere;
-        return square_root(square(to.along - from.along) + square(from.beside + to.beside));
     }
 };
 

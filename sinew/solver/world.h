@@ -314,6 +314,18 @@ template <int D, class RealT> struct World {
     std::vector<Vector> scratch; ///< room for the points and gradients of the widest constraint
 };
 
+/// As particles have it.
+template <class Real> constexpr Real inverse_of_mass(Real mass) {
+    if (mass == std::numeric_limits<Real>::infinity() || mass <= Real(0)) return Real(0);
+    if (!is_finite(mass)) return mass; // not a number: the next step puts its figure in quarantine
+    return Real(1) / clamp(mass, Real(1) / limit::mass<Real>, limit::mass<Real>);
+}
+
+/// The time between `previous` and `position`: the last substep, a frame before there was one.
+template <int D, class Real> Real verlet_interval(const World<D, Real>& world) {
+    return world.last_substep > Real(0) ? world.last_substep : world.settings.frame;
+}
+
 /// Calls visit(table) for every kind's table, in the order of the list of kinds.
 template <class WorldT, class Visit> void for_each_table(WorldT& world, Visit&& visit) {
     std::apply([&](auto&... table) { (visit(table), ...); }, world.constraints);
