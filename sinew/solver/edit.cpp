@@ -130,8 +130,9 @@ template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id,
 
 template <int D, class Real> bool apply_force(World<D, Real>& world, ParticleId id, const Vec<D, Real>& force) {
     const auto row = world.particles.slots.find(id);
-    if (row) world.particles.force[*row] += force;
-    return row.has_value();
+    if (!row) return false;
+    world.particles.force[*row] += force;
+    return world.particles.any_force = true;
 }
 
 template <int D, class Real> bool apply_impulse(World<D, Real>& world, ParticleId id, const Vec<D, Real>& impulse) {

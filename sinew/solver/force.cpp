@@ -1,7 +1,6 @@
 #include "sinew/math/random.h"
 #include "sinew/solver/phases.h"
 
-#include <bit>
 #include <cmath>
 #include <type_traits>
 
@@ -70,14 +69,6 @@ template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, 
     return push;
 }
 
-template <int D, class Real> bool any_strikes(const std::vector<Vec<D, Real>>& forces) {
-    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-    Bits found = 0; // of all; the highest is the sign
-    for (const auto& force : forces)
-        for (int i = 0; i < D; ++i) found |= std::bit_cast<Bits>(force[i]) << 1;
-    return found != 0;
-}
-
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world) {
     auto& p = world.particles;
     if (p.size() == 0) return;
@@ -85,6 +76,7 @@ template <int D, class Real> void apply_random_pushes(World<D, Real>& world) {
         const auto* random_push = std::get_if<RandomPush<D, Real>>(&force);
         if (!random_push) continue;
         const auto row = std::size_t(random::whole(0, std::int64_t(p.size()) - 1, random_push->seed, D, world.steps));
+        p.any_force = true;
         p.force[row] += Vec<D, Real>::map([&](int i) {
             constexpr Real most = Real(1e9); // whole() draws from fewer than 2^32 numbers
             const auto low = std::int64_t(clamp(random_push->low[i], -most, most));
@@ -96,7 +88,6 @@ template <int D, class Real> void apply_random_pushes(World<D, Real>& world) {
 
 #define SINEW_FORCE(D, Real)                                                                                           \
     template Push<D, Real> push_on(const World<D, Real>&, Row, const Vec<D, Real>&);                                   \
-    template bool any_strikes(const std::vector<Vec<D, Real>>&);                                                       \
     template void apply_random_pushes(World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_FORCE)
 

@@ -91,10 +91,10 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             for (unsigned k = 0; k < D; ++k) d[k] = e[k];
         }
         if (!run.soft) look_at<V, all>(e2, rules.range || rules.kept ? limits.high : limits.low, count);
-        const V length = root(e2);
         const V w_a = a.template get<V>(columns.mobility, count), w_b = b.template get<V>(columns.mobility, count);
-        V resistance = (w_a + w_b) * d_e, d_length{}, s;
+        V resistance = (w_a + w_b) * d_e, length{}, d_length{};
         if constexpr (rules.soft || rules.kept) d_length = root(d2);
+        if constexpr (rules.range || rules.kept) length = root(e2);
         if constexpr (rules.soft) resistance = resistance + limits.alpha * (length * d_length);
         // what has no length or no weight has no resistance: then the products below are zero
         constexpr Real least_resistance = sizeof(Real) == 4 ? Real(1e-26) : Real(1e-200);
@@ -106,16 +106,28 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             const V pulling = lambda + (limits.high - length - slack) * gain;
             V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(strongest<Real>));
             if (pass.again) next = least(next, lambda); // what is seen of a step is not to be too long
-            s = d_length > zero ? (next - lambda) / d_length : zero;
+            const V s = d_length > zero ? (next - lambda) / d_length : zero;
             note(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
             move<V, all>(a, b, move_a, move_b, d, s * w_a, s * w_b, count);
         } else {
+            V s;
             if constexpr (rules.range)
                 s = (most(limits.low - length, zero) + least(limits.high - length, zero)) * length;
             else
-                s = (limits.low - length) * length;
+                s = lacking_of(limits.low, e2);
             move<V, all>(a, b, move_a, move_b, d, s * (per * w_a), s * (per * w_b), count);
         }
+    }
+
+    /// (limit - length) length. Near the limit half of the difference of their squares is as good, and needs no root;
+    /// of what may also be shorter that would make it bounce.
+    template <class V> [[gnu::always_inline]] static V lacking_of(const V& limit, const V& e2) {
+        const V lack = Real(0.5) * (limit * limit - e2), near = e2 * Real(1.0 / 64), size = most(lack, -lack);
+        if (any_less(near, size)) [[unlikely]] {
+            const V length = root(e2);
+            return near < size ? (limit - length) * length : lack;
+        }
+        return lack;
     }
 
     template <class V, bool all>
@@ -212,7 +224,7 @@ void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, con
             continue;
         }
         constexpr Rules all{}, unkept{.kept = false}, swinging{false, false, false, true};
-        constexpr Rules simple{false, false, false, false};
+        constexpr Rules simple{false, false, false, false}, rigid{false, false, true, true};
         if (run.scattered && pass.kept)
             Projection<D, Real, all, Scattered>{columns, pass, run}.all();
         else if (run.scattered && (run.soft || !run.exact || run.swings))
@@ -221,8 +233,10 @@ void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, con
             Projection<D, Real, simple, Scattered>{columns, pass, run}.all();
         else if (pass.kept)
             Projection<D, Real, all, SideBySide>{columns, pass, run}.all();
-        else if (run.soft || !run.exact)
+        else if (run.soft)
             Projection<D, Real, unkept, SideBySide>{columns, pass, run}.all();
+        else if (!run.exact)
+            Projection<D, Real, rigid, SideBySide>{columns, pass, run}.all();
         else if (run.swings)
             Projection<D, Real, swinging, SideBySide>{columns, pass, run}.all();
         else

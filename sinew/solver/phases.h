@@ -19,9 +19,6 @@ template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, 
     return push_on(world, row, world.particles.position[row]);
 }
 
-/// force.cpp: whether any force is one. Most worlds have none, and are looked through quickly.
-template <int D, class Real> bool any_strikes(const std::vector<Vec<D, Real>>& forces);
-
 /// force.cpp: hands out the forces that strike one particle a step, into particles.force.
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
 

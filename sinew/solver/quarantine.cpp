@@ -21,11 +21,13 @@ template <int D, class Real> bool all_within(const std::vector<Vec<D, Real>>& co
     return column.empty() || all_within<Real>({column[0].component.data(), column.size() * D}, limit);
 }
 
-/// Most worlds are, and are looked through quickly.
-template <int D, class Real> bool all_in_limits(const Particles<D, Real>& p) {
+/// Most worlds are, and are looked through quickly. Where a particle was counts in classic mode alone.
+template <int D, class Real> bool all_in_limits(const World<D, Real>& world) {
+    const auto& p = world.particles;
     const auto& radius = p.radius;
-    return all_within(p.position, limit::coordinate<Real>) && all_within(p.previous, limit::coordinate<Real>) &&
-           all_within(p.velocity, limit::speed<Real>) && all_within(p.force, limit::force<Real>) &&
+    return all_within(p.position, limit::coordinate<Real>) &&
+           (world.settings.mode == Mode::physical || all_within(p.previous, limit::coordinate<Real>)) &&
+           all_within(p.velocity, limit::speed<Real>) && (!p.any_force || all_within(p.force, limit::force<Real>)) &&
            all_within<Real>(p.inverse_mass, limit::mass<Real>) && all_within<Real>(radius, limit::coordinate<Real>) &&
            std::none_of(radius.begin(), radius.end(), [](Real r) { return r < Real(0); });
 }
@@ -79,7 +81,7 @@ template <int D, class Real> void hold(Particles<D, Real>& p) {
 } // namespace
 
 template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
-    if (!all_in_limits(world.particles)) {
+    if (!all_in_limits(world)) {
         quarantine_non_finite(world);
         hold(world.particles);
     }

@@ -4,6 +4,8 @@
 #include "sinew/solver/substep.h"
 #include "sinew/solver/workers.h"
 
+#include <utility>
+
 namespace sinew {
 namespace {
 
@@ -13,16 +15,16 @@ template <int D, class Real> void begin(World<D, Real>& world) {
     apply_random_pushes(world);
 }
 
-template <int D, class Real> void forget_forces(std::vector<Vec<D, Real>>& forces) {
-    if (!any_strikes(forces)) return;
-    for (auto& force : forces)
+template <int D, class Real> void forget_forces(Particles<D, Real>& particles) {
+    if (!std::exchange(particles.any_force, false)) return;
+    for (auto& force : particles.force)
         if (force != Vec<D, Real>{}) force = {};
 }
 
 template <int D, class Real> void end(World<D, Real>& world, Real dt) {
     tear(world, dt);
     for (auto& pin : world.pins) pin.from = pin.target;
-    forget_forces(world.particles.force);
+    forget_forces(world.particles);
     world.time += double(dt);
     ++world.steps;
 }

@@ -268,8 +268,9 @@ template <int D, class Real> class Substep {
     }
 
     void weigh(Row slot, Real yield) {
-        if (swept_.inverse_mass[slot] > Real(0))
-            swept_.mobility[slot] = maximum(swept_.inverse_mass[slot] * yield, std::numeric_limits<Real>::min());
+        if (swept_.mobility[slot] > Real(0))
+            swept_.mobility[slot] =
+                maximum(p_.inverse_mass[swept_.row_of[slot]] * yield, std::numeric_limits<Real>::min());
     }
 
     bool has_soft_pins(const Band& band) const {

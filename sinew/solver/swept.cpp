@@ -10,10 +10,9 @@ namespace {
 
 /// Whether a force acts on one of the particles of the sweep.
 template <int D, class Real> bool any_force(const World<D, Real>& world) {
-    const auto& forces = world.particles.force;
-    if (!any_strikes(forces)) return false;
-    return std::any_of(world.swept.row_of.begin(), world.swept.row_of.end(),
-                       [&](Row row) { return forces[row] != Vec<D, Real>{}; });
+    const auto& p = world.particles;
+    return p.any_force && std::any_of(world.swept.row_of.begin(), world.swept.row_of.end(),
+                                      [&](Row row) { return p.force[row] != Vec<D, Real>{}; });
 }
 
 } // namespace
@@ -51,8 +50,7 @@ template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row fir
     });
     for (Row slot = first; slot < last; ++slot) {
         const Row row = swept.row_of[slot];
-        const Real mobility = p.mobility[row] > Real(0) ? p.inverse_mass[row] : Real(0);
-        swept.mobility[slot] = swept.inverse_mass[slot] = mobility;
+        swept.mobility[slot] = p.mobility[row] > Real(0) ? p.inverse_mass[row] : Real(0);
     }
 }
 

@@ -18,9 +18,8 @@ template <int D, class Real> struct Swept {
     std::vector<Row> row_of;  ///< by slot
     std::vector<Row> slot_of; ///< by row; none of what a block moves
     std::array<Real*, D> place{}, move{},
-        residual{}; ///< move: where it will be when the substep ends, less where it is
-    Real* mobility = nullptr;
-    Real* inverse_mass = nullptr; ///< 0 while nothing moves it
+        residual{};           ///< move: where it will be when the substep ends, less where it is
+    Real* mobility = nullptr; ///< 0 while nothing moves it
     Real per_h = 0;
     bool any_force = false;      ///< acts on a single particle in this step
     bool everyone_alike = false; ///< in this step only gravity acts, which is
@@ -50,13 +49,13 @@ template <int D, class Real> struct Swept {
         slot_of.reserve(particles);
         spare_rows.reserve(particles);
         columns_.clear(); // which moves
-        columns_.reserve((particles + 2048) * (3 * D + 2));
+        columns_.reserve((particles + 2048) * (3 * D + 1));
     }
 
     /// Room for all slots, behind which there is nothing.
     void make_room() {
         if (has_room()) return;
-        constexpr std::size_t columns = 3 * D + 2, line = 64;
+        constexpr std::size_t columns = 3 * D + 1, line = 64;
         stride_ = stride();
         used_ = row_of.size();
         columns_.assign(stride_ * columns + line / sizeof(Real), Real(0));
@@ -65,7 +64,6 @@ template <int D, class Real> struct Swept {
         for (auto* kind : {&place, &move, &residual})
             for (auto& column : *kind) column = next, next += stride_;
         mobility = next;
-        inverse_mass = next + stride_;
     }
 
     /// From one component of a column to the next.
@@ -114,7 +112,7 @@ template <int D, class Real> struct Swept {
             std::fill(column + std::min(row_of.size(), used_), column + used_, Real(0));
         };
         for (auto* kind : {&place, &move, &residual}) std::for_each(kind->begin(), kind->end(), clear);
-        clear(mobility), clear(inverse_mass);
+        clear(mobility);
         used_ = row_of.size();
         return true;
     }
