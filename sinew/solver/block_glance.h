@@ -42,7 +42,7 @@ template <int D, class Real> class BlockGlance {
         UnionFind joined(particles());
         each_moving([&](const auto&, Row, std::span<const Row> members, Row first) {
             for (const Row member : members)
-                if (graph_.mobile(member)) joined.join(first, member);
+                if (member != first && graph_.mobile(member)) joined.join(first, member);
         });
         for (Row row = 0; row < particles(); ++row)
             if (graph_.mobile(row)) worth_.take_stock(parts[joined.first_of(row)], row);

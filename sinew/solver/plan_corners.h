@@ -2,8 +2,6 @@
 
 #include "sinew/solver/plan_spokes.h"
 
-#include <array>
-
 /// The triangles of a sheet's rigid links, laid flat: what lies beyond an edge of two particles. Where particles share
 /// lists of their links they share these, too, up to a certain number.
 namespace sinew::detail {

@@ -24,12 +24,11 @@ template <int D, class Real> class PlanParts {
         sort_into_parts();
         return true;
     }
-    /// What took much room is taken again when it is needed. What is small stays: things may tear.
+    /// Of a large world the room is taken again when it is needed. Of a small one it stays: things may tear.
     void forget() {
         constexpr std::size_t small = 100'000;
-        const auto give_back = [&](auto&... columns) {
-            ((columns.capacity() > small ? void(columns = std::decay_t<decltype(columns)>{}) : void()), ...);
-        };
+        if (distances_.size() <= small) return;
+        const auto give_back = [](auto&... columns) { ((columns = std::decay_t<decltype(columns)>()), ...); };
         give_back(room_.links, room_.link_at, room_.left, room_.parent, room_.part_of, room_.members, room_.rank,
                   room_.at, room_.first_near, room_.near, room_.near_link, room_.chained, room_.used, room_.sorted,
                   room_.left_over);
