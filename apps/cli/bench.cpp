@@ -54,9 +54,10 @@ class BenchCommand final : public Command {
         canvas::catch_interrupts();
         const auto& plain = words.plain;
         const std::string first = plain.empty() ? "" : plain[0];
-        if (first == "rope" && plain.size() <= 2)
-            bench_ropes(plain.size() == 2 ? options.with_case(plain[1]) : options);
-        else if (first == "weights" && plain.size() == 1)
+        if (first == "rope" && plain.size() <= 2) {
+            if (plain.size() == 2) options.only = plain[1];
+            bench_ropes(options);
+        } else if (first == "weights" && plain.size() == 1)
             bench_weights(options);
         else if (first == "quality" && plain.size() <= 2)
             bench_quality(options, plain.size() == 2 ? cases({plain[1]}).front() : *bench::find_case("swing-64"));

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace sinew::cli {
@@ -17,12 +16,6 @@ struct BenchOptions {
     std::string precision;                        ///< float or double; empty: the usual one
     std::string plot;                             ///< of quality and weights: an SVG file
     bool as_json = false, as_markdown = false;
-
-    BenchOptions with_case(std::string name) const {
-        auto options = *this;
-        options.only = std::move(name);
-        return options;
-    }
 };
 
 /// What it can measure; each prints its own table, or its lines of JSON.

@@ -86,9 +86,9 @@ template <int D, class Real> class Sweep {
             for (const auto& sheet : plan_.sheets) {
                 for (std::uint32_t f = 0; f < sheet.families; ++f)
                     for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project(sheet, f, band);
+                if (!world_.restless) continue;
                 substep.tie(sheet);
-                if (world_.restless)
-                    for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project_again(sheet, band);
+                for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project_again(sheet, band);
             }
             for (const auto& run : plan_.others) detail::project_run(world_, run, mover);
             correct_hanging(world_, h_, mover.first_iteration);

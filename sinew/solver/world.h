@@ -45,7 +45,7 @@ template <int D, class Real> struct Particles {
     std::vector<Vec<D, Real>> velocity; ///< mean over the last substep, (position - previous) / h
     std::vector<Vec<D, Real>> residual; ///< what rounding took from position (Kahan 1965)
     std::vector<Vec<D, Real>> force;    ///< applied for one step, then cleared
-    bool any_force = false;             ///< some of them may be one
+    bool any_force = false;             ///< who writes a force says so: else none is looked for
     std::vector<Vec<D, Real>> rebound;  ///< scratch: the velocity with which it leaves what it struck
     std::vector<Real> inverse_mass;     ///< 0: nothing moves it
     std::vector<Real> mobility; ///< the inverse mass the solver sees, less by drag; 0 while pinned or quarantined
