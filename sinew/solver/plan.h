@@ -18,7 +18,7 @@ struct Band {
     std::uint32_t first = 0, last = 0;
     std::uint32_t first_pin = 0, last_pin = 0; ///< of Plan::pins
     bool strained = false;                     ///< links that begin in it were found much too long
-    bool was_strained = false;                 ///< before, in this step
+    std::uint32_t again = 0;                   ///< the most bands that were swept again at its turn, in this step
 };
 
 /// Distances of one direction, or of one colour. Those of band j touch the bands j to j + reach.

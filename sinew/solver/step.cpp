@@ -4,6 +4,7 @@
 #include "sinew/solver/substep.h"
 #include "sinew/solver/workers.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sinew {
@@ -149,8 +150,8 @@ template <int D, class Real> class Sweep {
 
     /// How many bands an iteration follows the one before it behind.
     std::uint32_t lag(const Sheet& sheet) const {
-        const bool again = world_.restless && sheet.tethers > 0;
-        return sheet.lag + (again ? Substep::most_again - 1 + sheet.reach : 0);
+        const bool again = world_.restless > 0 && sheet.tethers > 0;
+        return sheet.lag + (again ? world_.restless - 1 + sheet.reach : 0);
     }
 
     /// What of a substep there is to do at that time, from part `first` to `end` of all.
@@ -187,12 +188,16 @@ template <int D, class Real> class Sweep {
         }
     }
 
+    /// Twice as many bands as were swept again at once: so what spreads is met, and what rests holds up little.
     void note_strain() {
-        world_.restless = false;
+        constexpr std::uint32_t least = 4, most = 20;
+        std::uint32_t longest = 0;
         for (auto& band : world_.swept.plan.bands) {
-            world_.restless = world_.restless || band.strained || band.was_strained;
-            band.strained = band.was_strained = false;
+            longest = std::max({longest, std::uint32_t(band.strained), band.again});
+            band.strained = false;
+            band.again = 0;
         }
+        world_.restless = longest > 0 ? std::clamp(2 * longest, least, most) : 0;
     }
 
     std::span<const Band> bands_of(const Sheet& sheet) const {

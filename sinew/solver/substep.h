@@ -109,26 +109,29 @@ template <int D, class Real> class Substep {
         if (pass.shortest < Real(1e-18)) part_heaps(first, last);
     }
 
-    /// How many bands are swept again at once.
-    static constexpr std::uint32_t most_again = 20;
-
     /// Where a sweep finds links of a tethered sheet much too long (it snaps taut, its hem cracks like a whip) it is
-    /// repeated, from this band to one beyond the last such. As each band does so, what is too long is handed on as far
-    /// as it has to go. The families in reverse: otherwise the first would always suffer from all others.
+    /// repeated, of a few bands from this one on: those and what lies around them, the more the more there are. As each
+    /// band does so, what is too long is handed on as far as it has to go. The families in reverse: otherwise the first
+    /// would always suffer from all others.
     void project_again(const Sheet& sheet, std::uint32_t band) {
         const auto bands = std::span(swept_.plan.bands).subspan(sheet.first_band, sheet.bands);
-        const auto end = std::min(band + most_again, sheet.bands);
-        auto last = end;
-        while (last > band && !bands[last - 1].strained) --last;
-        if (last == band) return;
-        last = std::min(last + 1, end);
-        for (auto i = band; i < last; ++i) {
+        const auto end = std::min(band + world_.restless, sheet.bands);
+        std::uint32_t first = end, last = band, strained = 0;
+        for (auto i = band; i < end; ++i) {
+            if (!bands[i].strained) continue;
+            first = std::min(first, i);
+            last = std::min(i + 2, end);
+            ++strained;
+        }
+        if (strained == 0) return;
+        first -= std::min(first - band, 2 * strained);
+        bands[band].again = std::max(bands[band].again, last - first);
+        for (auto i = first; i < last; ++i) {
             tether(bands[i]);
-            bands[i].was_strained = bands[i].was_strained || bands[i].strained;
             bands[i].strained = false;
         }
         for (auto family = sheet.families; family-- > 0;)
-            for (auto i = band; i < last; ++i) project(sheet, family, i, true);
+            for (auto i = first; i < last; ++i) project(sheet, family, i, true);
     }
 
     /// A compliant pin is a damped spring to its target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) +

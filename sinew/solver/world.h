@@ -307,7 +307,7 @@ template <int D, class RealT> struct World {
     std::uint64_t steps = 0;
     double energy_lost = 0;      ///< where blocks were struck, cracked or snapped taut; decides nothing
     Real last_substep = 0;       ///< its length; a change of it corrects the Verlet step
-    bool restless = false;       ///< links of tethered sheets were found much too long in the last step
+    std::uint32_t restless = 0;  ///< bands swept again at once where links of tethered sheets are much too long
     std::vector<Event> events;   ///< of the last step
     Blocks<D> blocks;            ///< what is solved at once instead of in the sweep
     Swept<D, Real> swept;        ///< room for the sweep, and its plan
