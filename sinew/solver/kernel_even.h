@@ -57,7 +57,9 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
         }
         if constexpr (kept) {
             const V length = root(e2), along = swings ? root(dot(d, d)) : length;
-            const V lambda = within(along * half / load<V>(columns.mobility + at_a), spread<V>(strongest<Real>));
+            V mobility = load<V>(columns.mobility + at_a);
+            if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
+            const V lambda = within(along * half / mobility, spread<V>(strongest<Real>));
             note<V, all>(i, count, lambda, wanted.low < spread<V>(Real(1e29)) ? length : spread<V>(Real(1)));
         }
     }
