@@ -200,17 +200,15 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     }
 };
 
-template <int D, class Real>
+template <int D, class Real, bool kept>
 [[gnu::always_inline]] inline void project_even(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
                                                 const LinkRun& run) {
-    if (run.exact && pass.kept)
-        EvenLinks<D, Real, true, true>(columns, pass, run).solve();
+    if (run.swings)
+        EvenLinks<D, Real, true, kept, true>(columns, pass, run).solve();
     else if (run.exact)
-        EvenLinks<D, Real, true, false>(columns, pass, run).solve();
-    else if (pass.kept)
-        EvenLinks<D, Real, false, true>(columns, pass, run).solve();
+        EvenLinks<D, Real, true, kept, false>(columns, pass, run).solve();
     else
-        EvenLinks<D, Real, false, false>(columns, pass, run).solve();
+        EvenLinks<D, Real, false, kept, false>(columns, pass, run).solve();
 }
 
 template <int D, class Real>
@@ -219,8 +217,11 @@ void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, con
     for (; first != last; ++first) {
         const auto& run = *first;
         if (run.soft && pass.again) continue;
-        if (run.even && !run.soft && !run.swings && !run.scattered && (pass.first || !pass.kept)) {
-            project_even(columns, pass, run);
+        if (run.even && !run.soft && !run.scattered && (run.exact || !run.swings) && (pass.first || !pass.kept)) {
+            if (pass.kept)
+                project_even<D, Real, true>(columns, pass, run);
+            else
+                project_even<D, Real, false>(columns, pass, run);
             continue;
         }
         constexpr Rules all{}, unkept{.kept = false}, swinging{false, false, false, true};

@@ -277,6 +277,7 @@ template <int D, class Real> class Substep {
     }
 
     bool has_soft_pins(const Band& band) const {
+        if (!swept_.any_pin_soft) return false;
         for (auto i = band.first_pin; i < band.last_pin; ++i)
             if (!world_.pins[swept_.plan.pins[i].pin].hard()) return true;
         return false;
@@ -299,12 +300,14 @@ template <int D, class Real> class Substep {
         weigh(slot, decay_.yield);
     }
 
-    /// Hard pins are where they are told to be; the substep's share of the way gives the particle its velocity.
+    /// Hard pins are where they are told to be; the substep's share of the way gives the particle its velocity. From
+    /// the third on, those that rest have their particles there.
     void move_pins(const Band& band) {
+        if (number_ > 2 && !swept_.any_pin_moves) return;
         for (auto i = band.first_pin; i < band.last_pin; ++i) {
             const auto& pin = world_.pins[swept_.plan.pins[i].pin];
             const Row slot = swept_.plan.pins[i].slot;
-            const bool rests = number_ > 2 && pin.from == pin.target; // and its particle is there
+            const bool rests = number_ > 2 && pin.from == pin.target;
             if (rests || !pin.hard() || p_.quarantined[swept_.row_of[slot]]) continue;
             const auto goal = pin.from + (pin.target - pin.from) * share_;
             swept_.set_move(slot, clamp_components(goal - swept_.place_at(slot), mover_.furthest));

@@ -30,6 +30,11 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h) {
     swept.gravity = clamp_components(swept.gravity, largest_acceleration<Real>);
     swept.any_force = any_force(world);
     swept.everyone_alike = swept.everyone_alike && !swept.any_force;
+    swept.any_pin_moves = swept.any_pin_soft = false;
+    for (const auto& pin : world.pins) {
+        swept.any_pin_moves = swept.any_pin_moves || pin.from != pin.target;
+        swept.any_pin_soft = swept.any_pin_soft || !pin.hard();
+    }
     swept.largest_radius = 0;
     if (world.bounds.empty()) return;
     for (const Row row : swept.row_of)

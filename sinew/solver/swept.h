@@ -25,6 +25,7 @@ template <int D, class Real> struct Swept {
     bool everyone_alike = false; ///< in this step only gravity acts, which is
     Vec<D, Real> gravity{};
     Real largest_radius = 0;
+    bool any_pin_moves = false, any_pin_soft = false; ///< in this step
     Plan<Real> plan;
     PlanRoom room;
     Plan<Real> spare; ///< sheets that are taken out while others are laid out before them
