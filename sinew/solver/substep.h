@@ -124,7 +124,7 @@ template <int D, class Real> class Substep {
             ++strained;
         }
         if (strained == 0) return;
-        first -= std::min(first - band, 2 * strained);
+        first -= std::min(first - band, 4 * strained);
         bands[band].again = std::max(bands[band].again, last - first);
         for (auto i = first; i < last; ++i) {
             tether(bands[i]);
