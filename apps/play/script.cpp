@@ -19,7 +19,7 @@ struct Action {
     std::string_view name;
     std::size_t least, most; ///< words after it
 };
-constexpr std::array actions = {
+constexpr std::array script_actions = {
     Action{"move", 1, 4},  Action{"press", 0, 1}, Action{"release", 0, 1}, Action{"scroll", 1, 1}, Action{"key", 1, 1},
     Action{"where", 1, 1}, Action{"set", 1, 1},   Action{"open", 1, 1},    Action{"drop", 1, 1},   Action{"go", 1, 1},
     Action{"save", 1, 1},  Action{"shot", 1, 1},  Action{"end", 0, 0},     Action{"touch", 3, 5},  Action{"lift", 1, 1},
@@ -68,10 +68,10 @@ std::string read_line(const std::vector<std::string>& words, std::size_t number,
     if (!at || *at < 0) return "expected a second, found " + in_quotes(words[0]);
     if (words.size() < 2) return "nothing to do at that second";
     if (!script.lines.empty() && script.lines.back().at > *at) return "it is earlier than the line before";
-    const auto action = std::ranges::find(actions, words[1], &Action::name);
-    if (action == actions.end()) {
+    const auto action = std::ranges::find(script_actions, words[1], &Action::name);
+    if (action == script_actions.end()) {
         std::vector<std::string_view> names;
-        for (const auto& known : actions) names.push_back(known.name);
+        for (const auto& known : script_actions) names.push_back(known.name);
         return "nobody can " + in_quotes(words[1]) + "; " + suggest(words[1], names);
     }
     const auto count = words.size() - 2;

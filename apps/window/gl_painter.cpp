@@ -58,7 +58,7 @@ void main() {
 
 constexpr Vec2<float> flat{{-1, 0}}, textured{{-2, 0}};
 
-std::uint32_t packed(const Color& color) {
+std::uint32_t rgba_of(const Color& color) {
     const auto byte = [](float channel) { return std::uint32_t(std::clamp(channel, 0.0F, 1.0F) * 255 + 0.5F); };
     return byte(color.red) | byte(color.green) << 8U | byte(color.blue) << 16U | byte(color.alpha) << 24U;
 }
@@ -172,7 +172,7 @@ void GlPainter::gather(const Picture& picture) {
         }
         if (item.color.alpha <= 0) continue;
         const float width = item.width >= 1 ? item.width : 1;
-        const auto color = packed(item.color);
+        const auto color = rgba_of(item.color);
         switch (item.shape) {
         case Shape::disc:
             add_line(outline[0], outline[0], width, color);
@@ -296,7 +296,7 @@ void GlPainter::add_image(const Picture& picture, const Picture::Item& item) {
     const auto across = item.across, down = item.count / across;
     if (down < 2) return;
     use(texture_of(picture.images[item.number]).name);
-    const auto color = packed(item.color);
+    const auto color = rgba_of(item.color);
     const auto first = std::uint32_t(vertices_.size());
     for (std::uint32_t row = 0; row < down; ++row)
         for (std::uint32_t column = 0; column < across; ++column)
@@ -313,9 +313,9 @@ void GlPainter::add_image(const Picture& picture, const Picture::Item& item) {
 
 void GlPainter::add_text(const Picture& picture, const Picture::Item& item) {
     if (item.number >= picture.texts.size() || picture.texts[item.number].empty()) return;
-    const auto color = packed(item.color);
+    const auto color = rgba_of(item.color);
     const auto key = picture.texts[item.number] + '\n' + std::to_string(color) + '\n' + std::to_string(item.width) +
-                     '\n' + std::to_string(packed(picture.background));
+                     '\n' + std::to_string(rgba_of(picture.background));
     const auto& texture = texture_of(key, picture, item);
     use(texture.name);
     const auto middle = picture.points_of(item)[0];

@@ -174,11 +174,12 @@ template <class Mask> [[gnu::always_inline]] inline bool any(const Mask& holds) 
 /// Whether a number is less than the other's in some lane.
 template <class V> [[gnu::always_inline]] inline bool any_less(const V& a, const V& b) {
 #if defined(__AVX512F__)
-    if constexpr (sizeof(V) == 64 && sizeof(a[0]) == 4)
-        return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ) != 0;
-    else if constexpr (sizeof(V) == 64)
-        return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ) != 0;
-    else
+    if constexpr (sizeof(V) == 64) {
+        if constexpr (sizeof(a[0]) == 4)
+            return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ) != 0;
+        else
+            return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ) != 0;
+    } else
 #endif
         return any(a < b);
 }
