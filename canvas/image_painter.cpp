@@ -11,7 +11,7 @@ namespace {
 using Point = Vec2<float>;
 
 /// Cairo counts in fixed point: what reaches further than this is left out.
-constexpr float farthest = 1e6F;
+constexpr float drawn_within = 1e6F;
 
 /// A grid of points with an image over it.
 struct Grid {
@@ -173,7 +173,7 @@ void ImagePainter::paint(const Picture::Item& item) {
     Grid grid{.points = picture_.points_of(item),
               .across = item.across,
               .down = item.across > 0 ? item.count / item.across : 0};
-    const auto is_near = [](const Point& p) { return absolute(p[0]) < farthest && absolute(p[1]) < farthest; };
+    const auto is_near = [](const Point& p) { return absolute(p[0]) < drawn_within && absolute(p[1]) < drawn_within; };
     if (grid.across < 2 || grid.down < 2 || !std::ranges::all_of(grid.points, is_near)) return;
 
     double pixel = 1, unused = 0;

@@ -59,9 +59,9 @@ Failure PartialFile::create(const fs::path& wanted, std::string_view scratch) {
     if (auto failure = check_replaceable(target)) return failure;
     if (auto failure = create_folder(folder_of(target))) return failure;
     const fs::path name = partial_name(target, scratch);
-    const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0) return "the folder " + folder_of(target).string() + " takes no file: " + std::strerror(errno);
-    close(file);
+    ::close(file);
     partial = name;
     doom(partial.c_str());
     return {};

@@ -45,10 +45,6 @@ struct Mount {
     }
 };
 
-void set_color(cairo_t* context, const Color& color) {
-    cairo_set_source_rgb(context, double(color.red), double(color.green), double(color.blue));
-}
-
 void trace_rounded(cairo_t* context, const Region& r, double radius) {
     constexpr double quarter = std::numbers::pi / 2;
     cairo_new_sub_path(context);
@@ -104,7 +100,8 @@ class SheetWriter final : public Writer {
         cairo_text_extents_t extents;
         cairo_text_extents(context, text.c_str(), &extents);
         const Region below = cell();
-        set_color(context, Mount(picture.background).ink);
+        const Color ink = Mount(picture.background).ink;
+        cairo_set_source_rgb(context, double(ink.red), double(ink.green), double(ink.blue));
         cairo_move_to(context, below.x + (below.width - extents.x_advance) / 2, below.y + below.height + 15);
         cairo_show_text(context, text.c_str());
     }

@@ -38,8 +38,12 @@ class Command {
 };
 
 /// The list of sub-commands, in the order of the help. A new one is one new file, NAME.cpp, that defines
-/// `std::unique_ptr<Command> command::NAME()`, and one word here.
+/// `std::unique_ptr<Command> command::NAME()`, and one word here. A build may want but one.
+#ifdef SINEW_ONLY_COMMAND
+#define SINEW_COMMANDS(X) X(SINEW_ONLY_COMMAND)
+#else
 #define SINEW_COMMANDS(X) X(play) X(render) X(gallery) X(run) X(check) X(info) X(list) X(describe) X(bench)
+#endif
 
 namespace command {
 #define SINEW_DECLARE(name) std::unique_ptr<Command> name();

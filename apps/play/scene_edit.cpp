@@ -2,7 +2,6 @@
 
 #include "sinew/scene/check.h"
 #include "sinew/scene/text.h"
-#include "sinew/scene/writer.h"
 
 #include <algorithm>
 
@@ -47,25 +46,21 @@ SnipEvent snipped(const AnyWorld& world) {
 
 } // namespace
 
-json::Value document_of(const Scene& scene) {
-    return write(scene, Writing{.dimension = scene.dimension, .units = scene.measures()});
-}
-
 std::string text_of(const Session& session) {
     auto scene = session.scene();
     if (auto snip = snipped(session.world()); !snip.constraints.empty())
         scene.events.insert(scene.events.begin(), EventSection{.at = 0, .event = std::move(snip)});
-    return json::to_text(document_of(scene)) + "\n";
+    return json::to_text(to_json(scene)) + "\n";
 }
 
 Edited edited(const Scene& scene, const std::function<void(json::Object& root)>& change) {
-    auto root = document_of(scene);
+    auto root = to_json(scene);
     change(*root.as<json::Object>());
     return read_again(load(json::to_text(root), std::string(source)), scene);
 }
 
 Edited edited(const Scene& scene, std::span<const Override> overrides) {
-    return read_again(load(json::to_text(document_of(scene)), std::string(source), overrides), scene);
+    return read_again(load(json::to_text(to_json(scene)), std::string(source), overrides), scene);
 }
 
 std::string free_name(const Scene& scene, const std::string& stem) {

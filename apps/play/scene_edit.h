@@ -17,7 +17,6 @@ struct Edited {
     std::string problem;
 };
 
-json::Value document_of(const Scene& scene);
 /// The text of a file: what has its default is left out. What was cut is said in an event at the start, by name.
 std::string text_of(const Session& session);
 

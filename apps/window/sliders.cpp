@@ -176,7 +176,7 @@ const Layout& layout_of_figures() {
 } // namespace
 
 void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
-    const auto document = play::document_of(play.session().scene());
+    const auto document = to_json(play.session().scene());
     const auto& root = *document.as<json::Object>();
     Form form(play.session().scene(), look, [&](const std::string& path, const json::Value& value, bool goes_on) {
         play.set(path, json::to_text(value), goes_on);

@@ -3,6 +3,7 @@
 #include "sinew/prefab/body.h"
 
 namespace sinew {
+namespace humanoid_rig {
 namespace {
 
 // The GameMaker tutorial's rig at its scale of 2, pixels: a right arm of 40 and 40, all other limbs of 64 and 64.
@@ -57,12 +58,14 @@ constexpr double tallness = 216;
 constexpr double trouser = 24, shoe = 26, sleeve = 20, fist = 20, belly = 48, face = 40;
 
 } // namespace
+} // namespace humanoid_rig
 
 Sizes Humanoid::sizes() const {
-    return body.sizes();
+    return humanoid_rig::body.sizes();
 }
 
 template <int D, class Real> void Humanoid::build(Builder<D, Real>& figure) const {
+    using namespace humanoid_rig;
     const double scale = height / tallness;
     build_body(figure, body, scale, mass);
     const auto limb = [&](std::array<std::string_view, 3> names, std::string_view part, double width,

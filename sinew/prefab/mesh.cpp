@@ -7,12 +7,12 @@
 namespace sinew {
 namespace {
 
-const MeshModel square{.points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, -1, 0}}, {{0, -1, 0}}, {{0.5, -0.5, 0}}},
-                       .corners = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4},
-                       .ends = {3, 6, 9, 12}};
+const MeshModel usual_square{.points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, -1, 0}}, {{0, -1, 0}}, {{0.5, -0.5, 0}}},
+                             .corners = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4},
+                             .ends = {3, 6, 9, 12}};
 
 const MeshModel& shape_of(const Mesh& mesh) {
-    return mesh.model ? *mesh.model : square;
+    return mesh.model ? *mesh.model : usual_square;
 }
 
 /// Two points, the lower number first, and when it was first named.

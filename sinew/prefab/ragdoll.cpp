@@ -3,6 +3,7 @@
 #include "sinew/prefab/ragdoll_rigs.h"
 
 namespace sinew {
+namespace ragdoll_flesh {
 namespace {
 
 constexpr double tallness = 160;
@@ -58,6 +59,7 @@ template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double sc
 }
 
 } // namespace
+} // namespace ragdoll_flesh
 
 Sizes Ragdoll::sizes() const {
     const auto flat = ragdoll_in_plane::body.sizes(), deep = ragdoll_in_space::body.sizes();
@@ -66,6 +68,7 @@ Sizes Ragdoll::sizes() const {
 }
 
 template <int D, class Real> void Ragdoll::build(Builder<D, Real>& figure) const {
+    using namespace ragdoll_flesh;
     const double scale = height / tallness, girth = girth_of(stature);
     const bool classic = figure.mode() == Mode::classic;
     build_body(figure, D == 2 ? ragdoll_in_plane::body : ragdoll_in_space::body, scale, mass, turns_of(pose));

@@ -3,6 +3,7 @@
 #include "sinew/prefab/body.h"
 
 namespace sinew {
+namespace stick_figure_rig {
 namespace {
 
 // Shares: the segments of the body after de Leva 1996, each halved between the joints at its ends.
@@ -50,12 +51,14 @@ constexpr Bone bones[] = {
 constexpr Body body{joints, bones, {}};
 
 } // namespace
+} // namespace stick_figure_rig
 
 Sizes StickFigure::sizes() const {
-    return body.sizes();
+    return stick_figure_rig::body.sizes();
 }
 
 template <int D, class Real> void StickFigure::build(Builder<D, Real>& figure) const {
+    using namespace stick_figure_rig;
     const double scale = height / tallness;
     build_body(figure, body, scale, mass);
     figure.draw(Mark::dot, "head", {figure.named("head")}, scale * head_size);

@@ -186,6 +186,11 @@ struct Opened {
 /// instead; without one of models every mesh is the square it is without a file.
 std::optional<Opened> open_scene(Document& document, const ImageReader& images = {}, const ModelReader& models = {});
 
+/// As a file states it: what has its default is left out.
+json::Value to_json(const Scene& scene);
+/// One of its figures.
+json::Value to_json(const Scene& scene, const FigureSection& figure);
+
 /// How long a step of the scene is, in its own time unit.
 double step_length(const Scene& scene);
 

@@ -1,6 +1,5 @@
 #include "sinew/session/transplant.h"
 
-#include "sinew/scene/writer.h"
 #include "sinew/solver/edit.h"
 
 #include <span>
@@ -73,8 +72,7 @@ const FigureSection* section_of(const Scene& scene, std::size_t figure) {
 }
 
 bool same_words(const Scene& scene, const FigureSection& a, const FigureSection& b) {
-    const Writing plain{.dimension = scene.dimension, .units = scene.measures()};
-    return write(a, plain) == write(b, plain);
+    return to_json(scene, a) == to_json(scene, b);
 }
 
 template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, const Scene& edited, WorldT& fresh) {

@@ -291,7 +291,7 @@ TEST(Play, EveryToolLeavesASceneThatCanBeSavedAndOpened) {
         ASSERT_TRUE(play.save(path)) << play.problem();
         auto again = fetch(path, {});
         ASSERT_TRUE(again.opened) << tool << "\n" << again.problem;
-        EXPECT_EQ(document_of(again.opened->scene), document_of(play.session().scene())) << tool;
+        EXPECT_EQ(to_json(again.opened->scene), to_json(play.session().scene())) << tool;
     }
 }
 

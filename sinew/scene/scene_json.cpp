@@ -1,0 +1,22 @@
+#include "sinew/scene/scene.h"
+#include "sinew/scene/writer.h"
+
+/// Scenes as JSON. Writing every kind of section is compiled here, once.
+namespace sinew {
+namespace {
+
+Writing in_units_of(const Scene& scene) {
+    return {.dimension = scene.dimension, .units = scene.measures()};
+}
+
+} // namespace
+
+json::Value to_json(const Scene& scene) {
+    return write(scene, in_units_of(scene));
+}
+
+json::Value to_json(const Scene& scene, const FigureSection& figure) {
+    return write(figure, in_units_of(scene));
+}
+
+} // namespace sinew
