@@ -106,7 +106,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             const V pulling = lambda + (limits.high - length - slack) * gain;
             V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(strongest<Real>));
             if (pass.again) next = least(next, lambda); // what is seen of a step is not to be too long
-            const V s = d_length > zero ? (next - lambda) / d_length : zero;
+            const V divisor = d_length > zero ? d_length : spread<V>(Real(1)); // not every processor skips a lane
+            const V s = d_length > zero ? (next - lambda) / divisor : zero;
             note(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
             move<V, all>(a, b, move_a, move_b, d, s * w_a, s * w_b, count);
         } else {
