@@ -45,6 +45,7 @@ template <int D, class Real> class TetherMaker {
         plan_.tethers.clear();
         plan_.per_reach_square.clear();
         for (auto& sheet : plan_.sheets) sheet.first_tether = sheet.tethers = 0;
+        for (auto& band : plan_.bands) band.spans = false;
     }
 
     bool is_anchor(const Pin<D, Real>& pin, Row particle) const {
@@ -94,6 +95,7 @@ template <int D, class Real> class TetherMaker {
         for (auto& sheet : plan_.sheets) {
             const auto before = std::span(old).subspan(sheet.first_tether, sheet.tethers);
             tie(sheet, before, old_reaches, double(number++) / double(plan_.sheets.size()));
+            find_spans(sheet);
         }
         if (!plan_.tethers.empty()) plan_.per_reach_square.resize(plan_.per_reach_square.size() + plan_.lanes);
         spokes_.forget();
@@ -121,6 +123,34 @@ template <int D, class Real> class TetherMaker {
             reach_from(sheet, at, std::span(plan_.per_reach_square).subspan(first));
             Waiting::tell(tethered(share + double(i + 1) / double(pins.size() * plan_.sheets.size())));
         }
+    }
+
+    /// Bands of which half or more lies between two pins: from one to the other by way of it is at most half a link
+    /// further than straight on.
+    void find_spans(const Sheet& sheet) {
+        const auto bands = std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
+        const auto tethers = std::span(plan_.tethers).subspan(sheet.first_tether, sheet.tethers);
+        for (auto& band : bands) band.spans = false;
+        for (std::size_t i = 0; i < tethers.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const auto &from = tethers[i], &to = tethers[j];
+                const Real furthest = reach(from, to.at) + Real(0.5) * shortest_reach(sheet, from);
+                for (auto& band : bands) {
+                    std::uint32_t between = 0;
+                    for (auto s = band.first - sheet.begin.slot; s < band.last - sheet.begin.slot; ++s)
+                        between += reach(from, s) + reach(to, s) <= furthest;
+                    band.spans = band.spans || 2 * between >= band.last - band.first;
+                }
+            }
+    }
+    Real reach(const Tether& tether, std::uint32_t s) const {
+        return square_root(inverse_or_zero(plan_.per_reach_square[tether.first + s]));
+    }
+    /// That of the pin's nearest: a link.
+    Real shortest_reach(const Sheet& sheet, const Tether& tether) const {
+        const auto size = plan_.end_of(std::size_t(&sheet - plan_.sheets.data())).slot - sheet.begin.slot;
+        const auto reaches = std::span(plan_.per_reach_square).subspan(tether.first, size);
+        return square_root(inverse_or_zero(*std::max_element(reaches.begin(), reaches.end())));
     }
 
     /// The shortest ways (Dijkstra 1959), along rigid links and across the triangles they span: as from one particle

@@ -87,9 +87,10 @@ template <int D, class Real> class Sweep {
             for (const auto& sheet : plan_.sheets) {
                 for (std::uint32_t f = 0; f < sheet.families; ++f)
                     for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project(sheet, f, band);
-                if (!world_.restless) continue;
                 substep.tie(sheet);
-                for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project_again(sheet, band);
+                if (world_.restless)
+                    for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project_again(sheet, band);
+                for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.tighten(sheet, band);
             }
             for (const auto& run : plan_.others) detail::project_run(world_, run, mover);
             correct_hanging(world_, h_, mover.first_iteration);
@@ -180,6 +181,7 @@ template <int D, class Real> class Sweep {
             delay += lag(sheet);
             at(delay, [&](std::uint32_t i) {
                 if (world_.restless) substep.project_again(sheet, i);
+                substep.tighten(sheet, i);
                 if (n + 1 < iterations) return substep.hold(band(i));
                 const bool over = number + 1 == substeps_;
                 substep.go_on(band(i), over ? nullptr : &next);

@@ -134,6 +134,20 @@ template <int D, class Real> class Substep {
             for (auto i = first; i < last; ++i) project(sheet, family, i, true);
     }
 
+    /// Between two pins tethers are level: they hold a row up only while the links along it are tight. Else it stands
+    /// on the rows below, buckles and flaps for good. So there both follow each other a few times; as such links lead
+    /// from one to another of the same band, no other band is touched.
+    void tighten(const Sheet& sheet, std::uint32_t number) {
+        const auto& band = swept_.plan.bands[sheet.first_band + number];
+        if (!band.spans) return;
+        constexpr int times = 6; // each costs a hanging cloth of 64 x 64 two parts in a hundred, a larger one less
+        for (int i = 0; i < times; ++i) {
+            tether(band);
+            for (std::uint32_t family = 0; family < sheet.families; ++family)
+                if (swept_.plan.families[sheet.first_family + family].reach == 0) project(sheet, family, number, true);
+        }
+    }
+
     /// A compliant pin is a damped spring to its target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) +
     /// alpha), e the way to the target and u how much the substep adds to it; its force never exceeds max_force.
     void pull_pins(const Band& band) {
