@@ -131,10 +131,10 @@ template <int D, class Real> class TetherMaker {
         const auto bands = std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
         const auto tethers = std::span(plan_.tethers).subspan(sheet.first_tether, sheet.tethers);
         for (auto& band : bands) band.spans = false;
-        for (std::size_t i = 0; i < tethers.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) {
-                const auto &from = tethers[i], &to = tethers[j];
-                const Real furthest = reach(from, to.at) + Real(0.5) * shortest_reach(sheet, from);
+        for (const auto& from : tethers) {
+            const Real half_a_link = Real(0.5) * shortest_reach(sheet, from);
+            for (const auto& to : tethers.first(std::size_t(&from - tethers.data()))) {
+                const Real furthest = reach(from, to.at) + half_a_link;
                 for (auto& band : bands) {
                     std::uint32_t between = 0;
                     for (auto s = band.first - sheet.begin.slot; s < band.last - sheet.begin.slot; ++s)
@@ -142,6 +142,7 @@ template <int D, class Real> class TetherMaker {
                     band.spans = band.spans || 2 * between >= band.last - band.first;
                 }
             }
+        }
     }
     Real reach(const Tether& tether, std::uint32_t s) const {
         return square_root(inverse_or_zero(plan_.per_reach_square[tether.first + s]));
