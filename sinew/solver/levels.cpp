@@ -15,11 +15,14 @@ void Levels::find(std::span<const std::uint32_t> first, std::span<const std::uin
     const auto count = first.size() - 1;
     place_.assign(count, unknown);
     pull_.assign(count, 0);
-    spread_from(least_joined());
+    edge_.assign(1, least_joined());
+    spread_from_edge();
+    follow_edge();
+    spread_from_edge();
     for (std::size_t i = 0; i < size(); ++i) arrange(std::span(order_).subspan(begin_[i], begin_[i + 1] - begin_[i]));
 }
 
-/// A corner, where there is one: from it rows are longest.
+/// A corner, where there is one.
 std::uint32_t Levels::least_joined() const {
     std::uint32_t found = 0;
     for (std::uint32_t i = 1; i + 1 < first_.size(); ++i)
@@ -27,11 +30,44 @@ std::uint32_t Levels::least_joined() const {
     return found;
 }
 
-void Levels::spread_from(std::uint32_t start) {
+/// Of the corner's sides the one that ends at the first particle. What has no edge is begun at a single one.
+void Levels::follow_edge() {
+    auto begun = unknown, first = unknown;
+    for (const auto side : near(edge_.front())) {
+        if (!on_edge(side)) continue;
+        auto end = side;
+        along_edge(side, [&](std::uint32_t at) { end = at; });
+        if (end < first) first = end, begun = side;
+    }
+    along_edge(begun, [&](std::uint32_t at) { edge_.push_back(at); });
+}
+
+/// Always further away from where it begins, up to a corner: that has fewer neighbours than the one before it.
+template <class Visit> void Levels::along_edge(std::uint32_t side, Visit&& visit) const {
+    for (auto at = side, before = side; at != unknown; before = at, at = next_along(at)) {
+        visit(at);
+        if (near(at).size() < near(before).size()) return;
+    }
+}
+
+std::uint32_t Levels::next_along(std::uint32_t from) const {
+    auto least = std::pair(near_.size(), unknown);
+    for (const auto other : near(from))
+        if (level_[other] > level_[from] && on_edge(other))
+            least = std::min(least, std::pair(near(other).size(), other));
+    return least.second;
+}
+
+/// It has fewer neighbours than there are on average.
+bool Levels::on_edge(std::uint32_t i) const {
+    return near(i).size() * (first_.size() - 1) < near_.size();
+}
+
+void Levels::spread_from_edge() {
     level_.assign(first_.size() - 1, unknown);
-    order_.assign(1, start);
+    for (const auto i : edge_) level_[i] = 0;
+    order_.assign(edge_.begin(), edge_.end());
     begin_.assign(1, 0);
-    level_[start] = 0;
     for (std::size_t i = 0; i < order_.size(); ++i) {
         const auto at = order_[i], next = level_[at] + 1;
         if (next > begin_.size()) begin_.push_back(std::uint32_t(i));

@@ -4,12 +4,13 @@
 #include <span>
 #include <vector>
 
-/// The particles of a mesh in rows, where all that is known of it is who is whose neighbour: a row are those as many
-/// links away from the first particle, in the order in which links lead along it. So neighbours lie near each other,
-/// and where the mesh is regular the links from a row to the next lead from one particle after the other to one after
-/// the other. Breadth first in rows: Cuthill and McKee 1969.
 namespace sinew {
 
+/// The particles of a mesh in rows, where all that is known of it is who is whose neighbour. The first row leads along
+/// the mesh's edge from one corner to the next; each other is as many links away from it, in the order in which links
+/// lead along it. So neighbours lie near each other, and where the mesh is regular rows are straight and the links from
+/// one to the next lead from one particle after the other to one after the other. Breadth first in rows: Cuthill and
+/// McKee 1969.
 class Levels {
   public:
     /// The neighbours of particle i are near[first[i]] to near[first[i + 1] - 1]. From particle 0 every other can be
@@ -17,7 +18,7 @@ class Levels {
     void find(std::span<const std::uint32_t> first, std::span<const std::uint32_t> near);
 
     void reserve(std::size_t particles) {
-        for (auto* column : {&order_, &begin_, &level_, &along_, &place_}) column->reserve(particles + 1);
+        for (auto* column : {&order_, &begin_, &level_, &along_, &place_, &edge_}) column->reserve(particles + 1);
         pull_.reserve(particles);
     }
 
@@ -29,6 +30,7 @@ class Levels {
   private:
     std::span<const std::uint32_t> first_, near_;
     std::vector<std::uint32_t> order_, begin_, level_, along_;
+    std::vector<std::uint32_t> edge_;  ///< the first row
     std::vector<std::uint32_t> place_; ///< in its level; none of what has none yet
     std::vector<double> pull_;         ///< the mean place of neighbours in the level before
 
@@ -36,7 +38,11 @@ class Levels {
         return near_.subspan(first_[i], first_[i + 1] - first_[i]);
     }
     std::uint32_t least_joined() const;
-    void spread_from(std::uint32_t start);
+    void spread_from_edge();
+    void follow_edge();
+    template <class Visit> void along_edge(std::uint32_t side, Visit&& visit) const;
+    std::uint32_t next_along(std::uint32_t from) const;
+    bool on_edge(std::uint32_t i) const;
     void arrange(std::span<std::uint32_t> level);
     void follow(std::uint32_t from);
     std::uint32_t ways_on(std::uint32_t from) const;
