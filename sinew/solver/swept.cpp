@@ -15,6 +15,22 @@ template <int D, class Real> bool any_force(const World<D, Real>& world) {
                                       [&](Row row) { return p.force[row] != Vec<D, Real>{}; });
 }
 
+/// Copies lie one after the other, but are taken up across all of them, which no processor foresees: what is in memory
+/// comes sooner when it is read as it lies, a number of each cache line.
+template <int D, class Real, class... T>
+void read_through(const Swept<D, Real>& swept, Row first, Row last, const std::vector<T>&... columns) {
+    constexpr Row near = 4;
+    constexpr std::size_t line = 64;
+    if (last - first < 2 || swept.row_of[first + 1] <= swept.row_of[first] + near) return;
+    const Row begin = swept.row_of[first], end = swept.row_of[last - 1] + 1;
+    if (end - begin != last - first) return;
+    const auto read = [&](const auto& column) {
+        const volatile char* const bytes = reinterpret_cast<const char*>(column.data() + begin);
+        for (std::size_t at = 0; at < (end - begin) * sizeof column[0]; at += line) (void)bytes[at];
+    };
+    (read(columns), ...);
+}
+
 } // namespace
 
 template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h) {
@@ -48,6 +64,7 @@ template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row fir
     const SlotRows slots{swept.row_of.data(), swept.slot_of.back()};
     const auto as_it_is = [](const auto& numbers) { return numbers; };
     const Real furthest = furthest_move(h);
+    read_through(swept, first, last, p.position, p.residual, p.velocity, p.mobility, p.inverse_mass);
     to_columns<D, Real>(p.position, slots, first, last, swept.place, as_it_is);
     to_columns<D, Real>(p.residual, slots, first, last, swept.residual, as_it_is);
     to_columns<D, Real>(p.velocity, slots, first, last, swept.move, [&]<class V>(const V& velocity) {
@@ -75,6 +92,7 @@ template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row
 }
 
 template <int D, class Real> void note_places(World<D, Real>& world, Row first, Row last) {
+    read_through(world.swept, first, last, world.particles.previous);
     to_rows<D, Real>(world.swept.place, world.swept.row_of.data(), first, last, world.particles.previous,
                      [](const auto& numbers) { return numbers; });
 }
