@@ -184,6 +184,14 @@ template <class V> [[gnu::always_inline]] inline bool any_less(const V& a, const
         return any(a < b);
 }
 
+template <class V, std::size_t packs> [[gnu::always_inline]] inline bool any_less(const V& a, const V (&b)[packs]) {
+    if constexpr (packs == 1) return any_less(a, b[0]);
+    if constexpr (sizeof(V) == 64) return any_less(a, b[0]) || any_less(a, b[1]);
+    auto less = a < b[0];
+    for (unsigned p = 1; p < packs; ++p) less |= a < b[p];
+    return any(less);
+}
+
 /// Stores the first `count` lanes and touches nothing behind them.
 template <class V, class Real> [[gnu::always_inline]] inline void store_first(Real* to, const V& pack, int count) {
 #if defined(__AVX512F__)

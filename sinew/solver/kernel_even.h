@@ -14,104 +14,189 @@ using namespace lane;
 /// The most a link may pull with, as everywhere (limit::multiplier): what hardly moves would take more than there is.
 template <class Real> inline constexpr Real strongest = Real(1e25);
 
-/// Lengths that links are held between, as a quarter of 1 / length^2.
-template <class V> struct Wanted { V low, high; };
-
 /// Those that swing are corrected along the link as it was when the substep began (kernel_links.h), the rest along the
 /// link as it is.
 template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLinks {
+    using V = Pack<Real, widest<Real>>;
+    static constexpr std::size_t width = std::size_t(widest<Real>);
+
     const LinkColumns<D, Real>& columns;
-    const LinkRun& run;
     LinkPass<Real>& pass;
-    const Real* place[D];
-    Real* move[D];
+    const LinkRun& run;
+    const Real *place_a, *place_b;
+    Real *move_a, *move_b;
+    std::size_t apart;
 
     EvenLinks(const LinkColumns<D, Real>& from, LinkPass<Real>& in, const LinkRun& of)
-        : columns(from), run(of), pass(in) {
-        for (unsigned k = 0; k < D; ++k) place[k] = from.place + k * from.apart, move[k] = from.move + k * from.apart;
+        : columns(from), pass(in), run(of), place_a(from.place + of.a), place_b(from.place + of.b),
+          move_a(from.move + of.a), move_b(from.move + of.b), apart(from.apart) {}
+
+    /// Those of a run.
+    [[gnu::always_inline]] void solve() const {
+        if (kept || run.count < width) return carefully(columns, pass, run, 0, run.count);
+        if (run.uniform) {
+            const Wanted same = uniformly_wanted();
+            solve([&](std::size_t) __attribute__((always_inline))->const Wanted& { return same; });
+        } else {
+            solve([&](std::size_t i) __attribute__((always_inline)) { return wanted_of(i); });
+        }
     }
 
-    /// The links from number i on.
-    template <class V, bool all>
-    [[gnu::always_inline]] void project(std::size_t i, int count, const Wanted<V>& wanted) const {
-        const std::size_t at_a = run.a + i, at_b = run.b + i;
-        V a[D], b[D], d[D], e[D], e2{};
-#pragma GCC unroll 3
-        for (unsigned k = 0; k < D; ++k) {
-            a[k] = load<V>(move[k] + at_a);
-            b[k] = load<V>(move[k] + at_b);
-            d[k] = load<V>(place[k] + at_b) - load<V>(place[k] + at_a);
-            e[k] = d[k] + (b[k] - a[k]);
-            e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
+  private:
+    /// Lengths that links are held between, as a quarter of 1 / length^2.
+    struct Wanted {
+        V low, high;
+    };
+
+    struct Link {
+        V a[D], b[D]; ///< moves
+        V d[D], e[D]; ///< as it was, as it is
+        V e2{};
+    };
+
+    /// The last pack begins so much earlier that it is full. Those that are in it and in the one before are loaded
+    /// before they are stored, and solved twice alike.
+    template <class Limits> [[gnu::always_inline]] void solve(Limits&& wanted) const {
+        const std::size_t end = run.count;
+        std::size_t i = 0;
+        for (; i + 2 * width <= end; i += width)
+            if (!all_near({i}, wanted)) [[unlikely]]
+                carefully(columns, pass, run, i, i + width);
+        if (i + width == end ? !all_near({i}, wanted) : !all_near({i, end - width}, wanted)) [[unlikely]]
+            carefully(columns, pass, run, i, end);
+    }
+
+    /// Solves packs of links from each number i on, if they all need so little that its tangent will do (lacking).
+    template <std::size_t packs, class Limits>
+    [[gnu::always_inline]] bool all_near(const std::size_t (&i)[packs], Limits&& limits) const {
+        Link link[packs];
+        V half[packs], away[packs];
+#pragma GCC unroll 2
+        for (unsigned p = 0; p < packs; ++p) {
+            const Wanted& wanted = limits(i[p]);
+            link[p] = link_at(i[p]);
+            half[p] = half_tangent(link[p].e2, wanted);
+            away[p] = half[p] * half[p];
+            if constexpr (swings) {
+                const V turned = quarter() - dot(link[p].d, link[p].e) * wanted.low;
+                away[p] = most(away[p], turned * turned);
+                half[p] = along_tangent(half[p], turned);
+            }
         }
-        V half;
-        if constexpr (swings)
-            half = half_along<V, all>(d, e, e2, count, wanted);
-        else
-            half = half_lacking<V, all>(e2, count, wanted);
-#pragma GCC unroll 3
-        for (unsigned k = 0; k < D; ++k) {
-            const V share = (swings ? d[k] : e[k]) * half;
-            put<all>(move[k] + at_a, a[k] - share, count);
-            put<all>(move[k] + at_b, b[k] + share, count);
-        }
+        if (any_less(near() * near(), away)) [[unlikely]]
+            return false;
+#pragma GCC unroll 2
+        for (unsigned p = 0; p < packs; ++p) move<true>(i[p], int(width), link[p], half[p]);
+        return true;
+    }
+
+    /// Links from number `first` to `last`, whatever they need.
+    [[gnu::noinline]] static void carefully(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
+                                            const LinkRun& run, std::size_t first, std::size_t last) {
+        const EvenLinks links(columns, pass, run);
+        std::size_t i = first;
+        for (; i + width <= last; i += width) links.template project<true>(i, int(width));
+        if (i < last) links.template project<false>(i, int(last - i));
+    }
+
+    template <bool all> [[gnu::always_inline]] void project(std::size_t i, int count) const {
+        const Wanted wanted = run.uniform ? uniformly_wanted() : wanted_of(i);
+        Link link = link_at(i);
+        const V half = swings ? half_along<all>(link, count, wanted) : half_lacking<all>(link.e2, count, wanted);
+        move<all>(i, count, link, half);
         if constexpr (kept) {
-            const V length = root(e2), along = swings ? root(dot(d, d)) : length;
-            V mobility = load<V>(columns.mobility + at_a);
+            const V length = root(link.e2), along = swings ? root(dot(link.d, link.d)) : length;
+            V mobility = load<V>(columns.mobility + run.a + i);
             if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
             const V lambda = within(along * half / mobility, spread<V>(strongest<Real>));
-            note<V, all>(i, count, lambda, wanted.low < spread<V>(Real(1e29)) ? length : spread<V>(Real(1)));
+            note<all>(i, count, lambda, wanted.low < spread<V>(Real(1e29)) ? length : spread<V>(Real(1)));
         }
     }
 
     /// Half of what they lack: each end takes that.
-    template <class V, bool all>
-    [[gnu::always_inline]] V half_lacking(const V& square, int count, const Wanted<V>& wanted) const {
-        const V quarter = spread<V>(Real(0.25)), zero{};
-        V half = quarter - square * wanted.low;
-        if constexpr (!exact) half = most(half, zero) + least(quarter - square * wanted.high, zero);
+    template <bool all> [[gnu::always_inline]] V half_lacking(const V& e2, int count, const Wanted& wanted) const {
+        V half = half_tangent(e2, wanted);
         if constexpr (!all) half = first_lanes(half, count, Real(0));
         return lacking(
             half, Real(0.5), [&]() __attribute__((always_inline)) {
-                if (any(half < spread<V>(Real(0.25) * (1 - strained<Real>)))) pass.strained = true;
-                if constexpr (exact) return square * wanted.low * Real(4);
-                return square * (half < zero ? wanted.high : wanted.low) * Real(4);
+                look_at(half);
+                if constexpr (exact) return e2 * wanted.low * Real(4);
+                return e2 * (half < V{} ? wanted.high : wanted.low) * Real(4);
             });
     }
 
     /// The part of d, the link as it was, that each end takes; e is the link as it is. With t = e^2 / L^2 and
     /// u = d e / L^2 that is (1/sqrt(t) - 1)/2 t/u, near t = u = 1 about (1 - t)/4 (2 - u). Where the link has turned
     /// by more than 8 degrees or is twice as long as it should be, d becomes e.
-    template <class V, bool all>
-    [[gnu::always_inline]] V half_along(V (&d)[D], const V (&e)[D], const V& e2, int count,
-                                        const Wanted<V>& wanted) const {
-        const V quarter = spread<V>(Real(0.25)), zero{}, d_e = dot(d, e);
-        V half = quarter - e2 * wanted.low, turned = quarter - d_e * wanted.low;
+    template <bool all> [[gnu::always_inline]] V half_along(Link& link, int count, const Wanted& wanted) const {
+        auto& [a, b, d, e, e2] = link;
+        const V d_e = dot(d, e);
+        V half = half_tangent(e2, wanted), turned = quarter() - d_e * wanted.low;
         if constexpr (!all) half = first_lanes(half, count, Real(0)), turned = first_lanes(turned, count, Real(0));
-        const V nearly = half * (turned * Real(4) + Real(1));
-        const V near = spread<V>(Real(1.0 / 128)), away = most(half * half, turned * turned);
-        if (any_less(near * near, away)) [[unlikely]] {
-            if (any(half < spread<V>(Real(0.25) * (1 - strained<Real>)))) pass.strained = true;
-            const V t = e2 * wanted.low * Real(4), one = spread<V>(Real(1));
-            V along = turned * turned < spread<V>(Real(1.0 / 64)) ? d_e : zero; // u from 1/2 to 3/2
-            along = t < spread<V>(Real(4)) ? along : zero;
-            const auto agree = along * along > Real(0.99 * 0.99) * (e2 * dot(d, d));
-            const V lack = Real(0.5) / root(most(t, spread<V>(Real(1e-30)))) - Real(0.5);
-            const V part = lack * ((agree ? e2 : one) / (agree ? along : one));
-            for (unsigned k = 0; k < D; ++k) d[k] = near * near < away ? (agree ? d[k] : e[k]) : d[k];
-            return near * near < away ? part : nearly;
-        }
-        return nearly;
+        const V nearly = along_tangent(half, turned), away = most(half * half, turned * turned);
+        if (!any_less(near() * near(), away)) return nearly;
+        look_at(half);
+        const V t = e2 * wanted.low * Real(4), one = spread<V>(Real(1)), zero{};
+        V along = turned * turned < spread<V>(Real(1.0 / 64)) ? d_e : zero; // u from 1/2 to 3/2
+        along = t < spread<V>(Real(4)) ? along : zero;
+        const auto agree = along * along > Real(0.99 * 0.99) * (e2 * dot(d, d));
+        const V lack = Real(0.5) / root(most(t, spread<V>(Real(1e-30)))) - Real(0.5);
+        const V part = lack * ((agree ? e2 : one) / (agree ? along : one));
+        for (unsigned k = 0; k < D; ++k) d[k] = near() * near() < away ? (agree ? d[k] : e[k]) : d[k];
+        return near() * near() < away ? part : nearly;
     }
 
-    template <class V> [[gnu::always_inline]] static V dot(const V (&a)[D], const V (&b)[D]) {
+    [[gnu::always_inline]] void look_at(const V& half) const {
+        if (any(half < spread<V>(Real(0.25) * (1 - strained<Real>)))) pass.strained = true;
+    }
+
+    [[gnu::always_inline]] static V quarter() {
+        return spread<V>(Real(0.25));
+    }
+    /// What is further away than that takes a root.
+    [[gnu::always_inline]] static V near() {
+        return spread<V>(Real(1.0 / 128));
+    }
+
+    [[gnu::always_inline]] static V half_tangent(const V& e2, const Wanted& wanted) {
+        const V half = quarter() - e2 * wanted.low, zero{};
+        return exact ? half : most(half, zero) + least(quarter() - e2 * wanted.high, zero);
+    }
+    [[gnu::always_inline]] static V along_tangent(const V& half, const V& turned) {
+        return half * (turned * Real(4) + Real(1));
+    }
+    [[gnu::always_inline]] static V dot(const V (&a)[D], const V (&b)[D]) {
         V sum = a[0] * b[0];
 #pragma GCC unroll 3
         for (unsigned k = 1; k < D; ++k) sum = sum + a[k] * b[k];
         return sum;
     }
 
-    template <class V, bool all>
+    [[gnu::always_inline]] Link link_at(std::size_t i) const {
+        Link link;
+#pragma GCC unroll 3
+        for (unsigned k = 0; k < D; ++k) {
+            const std::size_t at = k * apart + i;
+            link.a[k] = load<V>(move_a + at);
+            link.b[k] = load<V>(move_b + at);
+            link.d[k] = load<V>(place_b + at) - load<V>(place_a + at);
+            link.e[k] = link.d[k] + (link.b[k] - link.a[k]);
+        }
+        link.e2 = dot(link.e, link.e);
+        return link;
+    }
+    template <bool all>
+    [[gnu::always_inline]] void move(std::size_t i, int count, const Link& link, const V& half) const {
+#pragma GCC unroll 3
+        for (unsigned k = 0; k < D; ++k) {
+            const std::size_t at = k * apart + i;
+            const V share = (swings ? link.d[k] : link.e[k]) * half;
+            put<all>(move_a + at, link.a[k] - share, count);
+            put<all>(move_b + at, link.b[k] + share, count);
+        }
+    }
+
+    template <bool all>
     [[gnu::always_inline]] void note(std::size_t i, int count, const V& lambda, const V& length) const {
         if (any(length < spread<V>(Real(1e-18)))) [[unlikely]]
             for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, lane_of(length, k));
@@ -125,29 +210,16 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
         put_apart(to, lambda, count, run.row_step);
     }
 
-    /// Those of a run.
-    [[gnu::always_inline]] void solve() const {
-        constexpr int width = widest<Real>;
-        using V = Pack<Real, width>;
-        const std::size_t end = run.count;
-        std::size_t i = 0;
-        if (run.uniform) {
-            const auto same = wanted<V>(
-                run.parameters, [](const Real* from) __attribute__((always_inline)) { return spread<V>(*from); });
-            for (; i + width <= end; i += width) project<V, true>(i, width, same);
-            if (i < end) project<V, false>(i, int(end - i), same);
-            return;
-        }
-        const auto own = [&](std::size_t k) __attribute__((always_inline)) {
-            return wanted<V>(
-                run.parameters + k, [](const Real* from) __attribute__((always_inline)) { return load<V>(from); });
-        };
-        for (; i + width <= end; i += width) project<V, true>(i, width, own(i));
-        if (i < end) project<V, false>(i, int(end - i), own(i));
+    [[gnu::always_inline]] Wanted uniformly_wanted() const {
+        return wanted(
+            run.parameters, [](const Real* from) __attribute__((always_inline)) { return spread<V>(*from); });
     }
-
-    template <class V, class Get> [[gnu::always_inline]] Wanted<V> wanted(std::size_t at, Get&& get) const {
-        Wanted<V> wanted{get(columns.per_square + at) * Real(0.25), V{}};
+    [[gnu::always_inline]] Wanted wanted_of(std::size_t i) const {
+        return wanted(
+            run.parameters + i, [](const Real* from) __attribute__((always_inline)) { return load<V>(from); });
+    }
+    template <class Get> [[gnu::always_inline]] Wanted wanted(std::size_t at, Get&& get) const {
+        Wanted wanted{get(columns.per_square + at) * Real(0.25), V{}};
         if constexpr (!exact) {
             const V high = get(columns.high + at);
             wanted.high = Real(0.25) / (high * high);
