@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <type_traits>
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -201,11 +204,22 @@ template <class V, class Real> [[gnu::always_inline]] inline void store_first(Re
         return _mm512_mask_storeu_pd(to, __mmask8((1U << count) - 1), pack);
     else
 #endif
-        for (int i = 0; i < count; ++i) to[i] = lane_of(pack, i);
+    {
+        constexpr int width = sizeof(V) / sizeof(Real);
+        Real numbers[width];
+        store(numbers, pack);
+        const Real* from = numbers;
+#pragma GCC unroll 8
+        for (int piece = width; piece > 0; piece /= 2)
+            if (count & piece) {
+                __builtin_memcpy(to, from, std::size_t(piece) * sizeof(Real));
+                to += piece, from += piece;
+            }
+    }
 }
 
-/// Stores the first `count` lanes, each `apart` numbers from the one before, and touches nothing in between.
-template <class V, class Real>
+/// Stores all lanes, or the first `count`, each `apart` numbers from the one before, and touches nothing in between.
+template <bool all, class V, class Real>
 [[gnu::always_inline]] inline void put_apart(Real* to, const V& pack, int count, std::size_t apart) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
@@ -218,7 +232,11 @@ template <class V, class Real>
             return;
         }
 #endif
-    for (int i = 0; i < count; ++i) to[std::size_t(i) * apart] = lane_of(pack, i);
+    if constexpr (all)
+#pragma GCC unroll 16
+        for (int i = 0; i < int(sizeof(V) / sizeof(Real)); ++i, to += apart) *to = lane_of(pack, i);
+    else
+        for (int i = 0; i < count; ++i) to[std::size_t(i) * apart] = lane_of(pack, i);
 }
 
 /// The first `count` lanes, and another number in those behind them.
@@ -230,10 +248,17 @@ template <class V, class Real> [[gnu::always_inline]] inline V first_lanes(const
         return _mm512_mask_blend_pd(__mmask8((1U << count) - 1), _mm512_set1_pd(behind), pack);
     else
 #endif
-    {
-        V lanes = pack;
-        for (int i = count; i < int(sizeof(V) / sizeof(Real)); ++i) put_lane(lanes, i, behind);
-        return lanes;
+        if constexpr (sizeof(V) == sizeof(Real)) {
+        return count > 0 ? pack : behind;
+    } else {
+        constexpr std::size_t width = sizeof(V) / sizeof(Real);
+        using Lane = std::conditional_t<sizeof(Real) == 4, int, long long>;
+        static constexpr auto first = [] {
+            std::array<Lane, 2 * width> lanes{};
+            std::fill_n(lanes.begin(), width, Lane(-1));
+            return lanes;
+        }();
+        return load<decltype(pack < pack)>(first.data() + width - std::size_t(count)) ? pack : spread<V>(behind);
     }
 }
 

@@ -33,7 +33,7 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
 
     /// Those of a run.
     [[gnu::always_inline]] void solve() const {
-        if (kept || run.count < width) return carefully(columns, pass, run, 0, run.count);
+        if (run.count < width) return carefully(columns, pass, run, 0, run.count);
         if (run.uniform) {
             const Wanted same = uniformly_wanted();
             solve([&](std::size_t) __attribute__((always_inline))->const Wanted& { return same; });
@@ -66,7 +66,7 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
             carefully(columns, pass, run, i, end);
     }
 
-    /// Solves packs of links from each number i on, if they all need so little that its tangent will do (lacking).
+    /// Solves packs of links from each number i on, if they all need so little that a tangent will do (lacking).
     template <std::size_t packs, class Limits>
     [[gnu::always_inline]] bool all_near(const std::size_t (&i)[packs], Limits&& limits) const {
         Link link[packs];
@@ -86,7 +86,10 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
         if (any_less(near() * near(), away)) [[unlikely]]
             return false;
 #pragma GCC unroll 2
-        for (unsigned p = 0; p < packs; ++p) move<true>(i[p], int(width), link[p], half[p]);
+        for (unsigned p = 0; p < packs; ++p) {
+            move<true>(i[p], int(width), link[p], half[p]);
+            if constexpr (kept) keep<true>(i[p], int(width), link[p], half[p], limits(i[p]));
+        }
         return true;
     }
 
@@ -104,13 +107,18 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
         Link link = link_at(i);
         const V half = swings ? half_along<all>(link, count, wanted) : half_lacking<all>(link.e2, count, wanted);
         move<all>(i, count, link, half);
-        if constexpr (kept) {
-            const V length = root(link.e2), along = swings ? root(dot(link.d, link.d)) : length;
-            V mobility = load<V>(columns.mobility + run.a + i);
-            if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
-            const V lambda = within(along * half / mobility, spread<V>(strongest<Real>));
-            note<all>(i, count, lambda, wanted.low < spread<V>(Real(1e29)) ? length : spread<V>(Real(1)));
-        }
+        if constexpr (kept) keep<all>(i, count, link, half, wanted);
+    }
+
+    /// What they pull with, and how short they were.
+    template <bool all>
+    [[gnu::always_inline]] void keep(std::size_t i, int count, const Link& link, const V& half,
+                                     const Wanted& wanted) const {
+        const V length = root(link.e2), along = swings ? root(dot(link.d, link.d)) : length;
+        V mobility = load<V>(columns.mobility + run.a + i);
+        if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
+        const V lambda = within(along * half / mobility, spread<V>(strongest<Real>));
+        note<all>(i, count, lambda, wanted.low < spread<V>(Real(1e29)) ? length : spread<V>(Real(1)));
     }
 
     /// Half of what they lack: each end takes that.
@@ -207,7 +215,7 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
         }
         Real* const to = columns.multiplier + run.row + i * run.row_step;
         if (run.row_step == 1) return put<all>(to, lambda, count);
-        put_apart(to, lambda, count, run.row_step);
+        put_apart<all>(to, lambda, count, run.row_step);
     }
 
     [[gnu::always_inline]] Wanted uniformly_wanted() const {
