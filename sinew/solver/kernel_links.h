@@ -81,10 +81,12 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         V d2 = e2, d_e = e2;
         if constexpr (rules.swings) {
             d2 = d_e = zero;
+#pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d2 = d2 + d[k] * d[k], d_e = d_e + d[k] * e[k];
             const Real agreement = run.swings ? Real(0.99 * 0.99) : Real(2); // of none
             const auto agree = d_e * most(d_e, zero) > agreement * (e2 * d2);
             d2 = agree ? d2 : e2, d_e = agree ? d_e : e2;
+#pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d[k] = agree ? d[k] : e[k];
         } else {
 #pragma GCC unroll 3
@@ -100,15 +102,16 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         constexpr Real least_resistance = sizeof(Real) == 4 ? Real(1e-26) : Real(1e-200);
         const V per = Real(1) / most(resistance, spread<V>(least_resistance));
         if constexpr (rules.kept) {
-            const V lambda = multipliers<V>(i, count);
-            const V slack = limits.alpha * lambda, gain = w_a + w_b > zero ? length * per * d_length : zero;
+            const V lambda = multipliers<V, all>(i, count);
+            const V slack = rules.soft ? limits.alpha * lambda : zero;
+            const V gain = w_a + w_b > zero ? length * per * d_length : zero;
             const V pushing = lambda + (limits.low - length - slack) * gain;
             const V pulling = lambda + (limits.high - length - slack) * gain;
             V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(strongest<Real>));
             if (pass.again) next = least(next, lambda); // what is seen of a step is not to be too long
             const V divisor = d_length > zero ? d_length : spread<V>(Real(1)); // not every processor skips a lane
             const V s = d_length > zero ? (next - lambda) / divisor : zero;
-            note(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
+            note<V, all>(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
             move<V, all>(a, b, move_a, move_b, d, s * w_a, s * w_b, count);
         } else {
             V s;
@@ -148,17 +151,13 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         }
     }
 
-    template <class V>
+    template <class V, bool all>
     [[gnu::always_inline]] void note(std::uint32_t i, int count, const V& lambda, const V& length) const {
-        Real numbers[sizeof(V) / sizeof(Real)];
-        if (any(length < spread<V>(Real(1e-18)))) {
-            store(numbers, length);
-            for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, numbers[k]);
-        }
-        if (!std::is_same_v<Ends, Scattered> && run.row_step == 1)
-            return lane::put<false>(columns.multiplier + run.row + i, lambda, count);
-        store(numbers, lambda);
-        for (int k = 0; k < count; ++k) columns.multiplier[row(i + unsigned(k))] = numbers[k];
+        if (any(length < spread<V>(Real(1e-18)))) [[unlikely]]
+            for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, lane_of(length, k));
+        if (run.row_step == 1) return lane::put<all>(columns.multiplier + run.row + i, lambda, count);
+        std::uint32_t room[sizeof(V) / sizeof(Real)];
+        rows(room, i).template put<all>(columns.multiplier, lambda, count);
     }
 
     [[gnu::always_inline]] std::pair<Ends, Ends> ends(std::uint32_t i) const {
@@ -167,14 +166,18 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         else
             return {Ends{run.a + i}, Ends{run.b + i}};
     }
-    [[gnu::always_inline]] std::uint32_t row(std::uint32_t i) const {
-        return run.row_step == 0 ? columns.rows[run.row + i] : run.row + i * run.row_step;
+    /// The rows of the links from number i on.
+    template <std::size_t lanes>
+    [[gnu::always_inline]] Scattered rows(std::uint32_t (&room)[lanes], std::uint32_t i) const {
+        if (run.row_step == 0) return {columns.rows + run.row + i};
+        for (std::uint32_t k = 0; k < lanes; ++k) room[k] = run.row + (i + k) * run.row_step;
+        return {room};
     }
-    template <class V> [[gnu::always_inline]] V multipliers(std::uint32_t i, int count) const {
+    template <class V, bool all> [[gnu::always_inline]] V multipliers(std::uint32_t i, int count) const {
         if (pass.first) return V{};
-        Real numbers[sizeof(V) / sizeof(Real)] = {};
-        for (int k = 0; k < count; ++k) numbers[k] = columns.multiplier[row(i + unsigned(k))];
-        return load<V>(numbers);
+        if (all && run.row_step == 1) return load<V>(columns.multiplier + run.row + i);
+        std::uint32_t room[sizeof(V) / sizeof(Real)];
+        return rows(room, i).template get<V>(columns.multiplier, count);
     }
 
     template <class V, class Get> [[gnu::always_inline]] Limits<V> limits(std::uint32_t at, Get&& get) const {
@@ -225,7 +228,8 @@ void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, con
                 project_even<D, Real, false>(columns, pass, run);
             continue;
         }
-        constexpr Rules all{}, unkept{.kept = false}, swinging{false, false, false, true};
+        constexpr Rules all{}, unyielding{true, false, false, false};
+        constexpr Rules unkept{.kept = false}, swinging{false, false, false, true};
         constexpr Rules simple{false, false, false, false}, rigid{false, false, true, true};
         if (run.scattered && pass.kept)
             Projection<D, Real, all, Scattered>{columns, pass, run}.all();
@@ -233,6 +237,8 @@ void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, con
             Projection<D, Real, unkept, Scattered>{columns, pass, run}.all();
         else if (run.scattered)
             Projection<D, Real, simple, Scattered>{columns, pass, run}.all();
+        else if (pass.kept && !run.soft && !run.swings)
+            Projection<D, Real, unyielding, SideBySide>{columns, pass, run}.all();
         else if (pass.kept)
             Projection<D, Real, all, SideBySide>{columns, pass, run}.all();
         else if (run.soft)
