@@ -107,12 +107,7 @@ template <int D, class Real> class Sweep {
         if (driven_) slip(world_, h_);
     }
 
-    /// More help only where there is enough to do (docs/performance.md).
-    int threads() const {
-        constexpr std::uint32_t worth_it = 8192; // particles
-        if (world_.swept.size() < worth_it) return 1;
-        return std::min(most_threads, world_.threads > 0 ? world_.threads : hardware_threads());
-    }
+    int threads() const { return std::min(most_threads, threads_for(world_.swept.size(), world_.threads)); }
     static constexpr int most_threads = 64;
 
     /// A sheet's substeps, one thread after the other: each does some parts of them and follows the one before it.
@@ -120,7 +115,7 @@ template <int D, class Real> class Sweep {
         const int parts = substeps_ * parts_of(sheet);
         const int count = sheet.bands < 8U * unsigned(threads()) ? 1 : std::min(threads(), parts);
         std::array<Progress, most_threads> progress;
-        Workers::run(count, count, [&](int i) {
+        Workers::run_in_order(count, count, [&](int i) {
             const auto* ahead = i > 0 ? &progress[std::size_t(i) - 1] : nullptr;
             run_through(sheet, parts * i / count, parts * (i + 1) / count, ahead, &progress[std::size_t(i)]);
         });

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <deque>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -32,38 +34,45 @@ class Pool {
     }
 
     /// False where others use it already.
-    bool run(int threads, int parts, void (*call)(const void*, int), const void* context) {
+    bool run(const SharedWork& work) {
         const std::unique_lock lock(in_use_, std::try_to_lock);
         if (!lock) return false;
-        start(std::min(threads, parts) - 1);
-        call_ = call, context_ = context, parts_ = parts;
-        next_ = 0;
-        wanted_ = std::min({threads, parts, int(threads_.size()) + 1}) - 1;
-        working_ = int(threads_.size());
+        start(std::min(work.threads, work.parts));
+        work_ = work;
+        work_.threads = std::min({work.threads, work.parts, int(threads_.size()) + 1});
+        for (int i = 0; i < shares(); ++i) next_[std::size_t(i)].part = first_of(i);
+        inside_ = 0;
         call_all();
-        work();
-        while (!soon([&] { return working_ == 0; }))
-            if (const int left = working_; left != 0) working_.wait(left);
+        do_share(0);
+        inside_ |= closed;
+        while (!soon([&] { return inside_ == closed; }))
+            if (const int left = inside_; left != closed) inside_.wait(left);
         return true;
     }
 
   private:
+    /// The first part of a share that nobody does yet.
+    struct alignas(64) Next {
+        std::atomic<int> part = 0;
+    };
+    static constexpr int closed = 1 << 30;
+
     std::mutex in_use_;
     std::vector<std::thread> threads_;
-    void (*call_)(const void*, int) = nullptr;
-    const void* context_ = nullptr;
-    int parts_ = 0, wanted_ = 0;
-    std::atomic<int> next_ = 0;    ///< part nobody does yet
-    std::atomic<int> working_ = 0; ///< threads that have not finished
-    std::atomic<int> calls_ = 0;   ///< rises with each run
+    std::deque<Next> next_; ///< of the caller, and of each of threads_
+    SharedWork work_;
+    std::atomic<int> inside_ = closed; ///< threads that work; who comes when it is closed finds nothing left to do
+    std::atomic<int> calls_ = 0;       ///< rises with each run
     std::atomic<bool> stopping_ = false;
 
-    void start(int count) {
-        threads_.reserve(std::size_t(std::max(count, 0)));
-        while (int(threads_.size()) < count) {
+    /// With the caller.
+    void start(int threads) {
+        threads_.reserve(std::size_t(threads - 1));
+        while (int(next_.size()) < threads) next_.emplace_back();
+        while (int(threads_.size()) < threads - 1) {
             try {
                 threads_.emplace_back(
-                    [this, number = int(threads_.size()), seen = calls_.load()] { serve(number, seen); });
+                    [this, number = int(threads_.size()) + 1, seen = calls_.load()] { serve(number, seen); });
             } catch (const std::system_error&) {
                 return; // the system has no more
             }
@@ -81,13 +90,29 @@ class Pool {
             if (calls_ == seen) continue;
             seen = calls_;
             if (stopping_) return;
-            if (number < wanted_) work();
-            if (--working_ == 0) working_.notify_all();
+            if (!enter()) continue;
+            if (number < work_.threads) do_share(number);
+            if (--inside_ == closed) inside_.notify_all();
         }
     }
 
-    void work() {
-        for (int part = next_++; part < parts_; part = next_++) call_(context_, part);
+    bool enter() {
+        int inside = inside_;
+        while ((inside & closed) == 0)
+            if (inside_.compare_exchange_weak(inside, inside + 1)) return true;
+        return false;
+    }
+
+    int shares() const { return work_.in_order ? 1 : work_.threads; }
+    int first_of(int share) const { return int(std::int64_t(work_.parts) * share / shares()); }
+
+    /// And then those of others that have not done theirs.
+    void do_share(int number) {
+        for (int i = 0; i < shares(); ++i) {
+            const int share = (number + i) % shares();
+            auto& next = next_[std::size_t(share)].part;
+            for (int part = next++; part < first_of(share + 1); part = next++) work_.call(work_.context, part);
+        }
     }
 };
 
@@ -102,10 +127,16 @@ int hardware_threads() {
     return std::max(1, int(std::thread::hardware_concurrency()));
 }
 
-void Workers::share_out(int threads, int parts, void (*call)(const void*, int), const void* context) {
+int threads_for(std::size_t particles, int wanted) {
+    constexpr std::size_t worth_it = 8192;
+    if (particles < worth_it) return 1;
+    return wanted > 0 ? wanted : hardware_threads();
+}
+
+void Workers::share_out(const SharedWork& work) {
     static Pool pool;
-    if (!pool.run(threads, parts, call, context))
-        for (int part = 0; part < parts; ++part) call(context, part);
+    if (!pool.run(work))
+        for (int part = 0; part < work.parts; ++part) work.call(work.context, part);
 }
 
 } // namespace sinew
