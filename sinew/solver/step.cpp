@@ -110,39 +110,40 @@ template <int D, class Real> class Sweep {
     int threads() const { return std::min(most_threads, threads_for(world_.swept.size(), world_.threads)); }
     static constexpr int most_threads = 64;
 
-    /// A sheet's substeps, one thread after the other: each does some parts of them and follows the one before it.
+    /// All substeps of a sheet, a few times after the other. Threads take those in turn: a substep at some times only
+    /// awaits the same one at those before, so that they follow each other closely, and share even what is more work
+    /// in one substep than in another.
     void share_out(const Sheet& sheet) {
-        const int parts = substeps_ * parts_of(sheet);
-        const int count = sheet.bands < 8U * unsigned(threads()) ? 1 : std::min(threads(), parts);
+        const int turns = int((last_time(sheet) + at_once - 1) / at_once);
+        const int count = sheet.bands < 8U * unsigned(threads()) ? 1 : threads();
         std::array<Progress, most_threads> progress;
-        Workers::run_in_order(count, count, [&](int i) {
-            const auto* ahead = i > 0 ? &progress[std::size_t(i) - 1] : nullptr;
-            run_through(sheet, parts * i / count, parts * (i + 1) / count, ahead, &progress[std::size_t(i)]);
+        Workers::run_in_order(count, turns, [&](int turn) {
+            const auto done = [&](int substep) { return unsigned(turn * substeps_ + substep); };
+            for (int number = 0; number < substeps_; ++number) {
+                if (turn > 0) progress[std::size_t((turn - 1) % count)].await(done(number - substeps_ + 1));
+                run_turn(sheet, number, std::uint32_t(turn) * at_once);
+                progress[std::size_t(turn % count)].reach(done(number + 1));
+            }
         });
     }
-    void run_through(const Sheet& sheet) { run_through(sheet, 0, substeps_ * parts_of(sheet), nullptr, nullptr); }
 
-    /// Some of the parts of all substeps of a sheet, band after band: each follows the one before it as closely as what
-    /// it touches allows, so that a band is worked on while it is near. The result is the same to the last bit.
-    void run_through(const Sheet& sheet, int first, int end, const Progress* ahead, Progress* own) {
-        const int iterations = world_.settings.iterations;
-        const auto last = sheet.bands + std::uint32_t(substeps_ * iterations) * lag(sheet);
-        constexpr std::uint32_t at_once = 8; // times, of one substep after the other: what it touches is near
-        for (std::uint32_t time = 0; time < last; time += at_once) {
-            if (ahead) ahead->await(std::min(time + at_once, last));
-            for (int number = first / parts_of(sheet); number < substeps_; ++number) {
-                auto substep = make_substep(number + 1), next = make_substep(number + 2);
-                substep.tie(sheet);
-                for (auto t = time; t < std::min(time + at_once, last); ++t)
-                    run_at(sheet, substep, next, number, t, first, end);
-            }
-            if (own) own->reach(std::min(time + at_once, last));
-        }
+    void run_through(const Sheet& sheet) {
+        for (std::uint32_t time = 0; time < last_time(sheet); time += at_once)
+            for (int number = 0; number < substeps_; ++number) run_turn(sheet, number, time);
     }
 
-    /// Taking up and predicting, which only the first substep does by itself; the families and what holds, as often as
-    /// there are iterations, the last time with what ends the substep and begins the next.
-    int parts_of(const Sheet& sheet) const { return 1 + world_.settings.iterations * (int(sheet.families) + 1); }
+    static constexpr std::uint32_t at_once = 8; // times, of one substep after the other: what it touches is near
+    std::uint32_t last_time(const Sheet& sheet) const {
+        return sheet.bands + std::uint32_t(substeps_ * world_.settings.iterations) * lag(sheet);
+    }
+
+    /// A substep of a sheet at some times, band after band.
+    void run_turn(const Sheet& sheet, int number, std::uint32_t time) {
+        auto substep = make_substep(number + 1), next = make_substep(number + 2);
+        substep.tie(sheet);
+        for (auto t = time; t < std::min(time + at_once, last_time(sheet)); ++t)
+            run_at(sheet, substep, next, number, t);
+    }
 
     /// How many bands an iteration follows the one before it behind.
     std::uint32_t lag(const Sheet& sheet) const {
@@ -150,16 +151,13 @@ template <int D, class Real> class Sweep {
         return sheet.lag + (again ? world_.restless - 1 + sheet.reach : 0);
     }
 
-    /// What of a substep there is to do at that time, from part `first` to `end` of all.
-    void run_at(const Sheet& sheet, Substep& substep, Substep& next, int number, std::uint32_t time, int first,
-                int end) {
+    /// What of a substep there is to do at that time.
+    void run_at(const Sheet& sheet, Substep& substep, Substep& next, int number, std::uint32_t time) {
         const int iterations = world_.settings.iterations;
-        int part = number * parts_of(sheet);
         const auto begun = std::uint32_t(number * iterations) * lag(sheet);
         if (time < begun || time - begun >= sheet.bands + std::uint32_t(iterations) * lag(sheet)) return;
         const auto at = [&](std::uint32_t delay, auto&& work) {
-            if (part >= first && part < end && time >= delay && time - delay < sheet.bands) work(time - delay);
-            ++part;
+            if (time >= delay && time - delay < sheet.bands) work(time - delay);
         };
         const auto band = [&](std::uint32_t i) -> const Band& { return plan_.bands[sheet.first_band + i]; };
         at(begun, [&](std::uint32_t i) {
