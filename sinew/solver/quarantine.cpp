@@ -1,7 +1,9 @@
 #include "sinew/solver/changes.h"
 #include "sinew/solver/phases.h"
+#include "sinew/solver/workers.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 
 namespace sinew {
@@ -16,20 +18,35 @@ template <class Real> bool all_within(std::span<const Real> numbers, Real limit)
     for (const Real number : numbers) beyond |= most - (std::bit_cast<Bits>(number) & no_sign);
     return beyond <= no_sign;
 }
-template <int D, class Real> bool all_within(const std::vector<Vec<D, Real>>& column, Real limit) {
+template <int D, class Real> bool all_within(std::span<const Vec<D, Real>> column, Real limit) {
     static_assert(sizeof(Vec<D, Real>) == D * sizeof(Real));
-    return column.empty() || all_within<Real>({column[0].component.data(), column.size() * D}, limit);
+    return all_within<Real>({column[0].component.data(), column.size() * D}, limit);
 }
 
-/// Most worlds are, and are looked through quickly. Where a particle was counts in classic mode alone.
-template <int D, class Real> bool all_in_limits(const World<D, Real>& world) {
+/// Of rows [first, first + count). Where a particle was counts in classic mode alone.
+template <int D, class Real> bool all_in_limits(const World<D, Real>& world, std::size_t first, std::size_t count) {
     const auto& p = world.particles;
-    const auto& radius = p.radius;
-    return all_within(p.position, limit::coordinate<Real>) &&
-           (world.settings.mode == Mode::physical || all_within(p.previous, limit::coordinate<Real>)) &&
-           all_within(p.velocity, limit::speed<Real>) && (!p.any_force || all_within(p.force, limit::force<Real>)) &&
-           all_within<Real>(p.inverse_mass, limit::mass<Real>) && all_within<Real>(radius, limit::coordinate<Real>) &&
-           std::none_of(radius.begin(), radius.end(), [](Real r) { return r < Real(0); });
+    const auto within = [&]<class T>(const std::vector<T>& column, Real limit) {
+        return all_within(std::span(column).subspan(first, count), limit);
+    };
+    return within(p.position, limit::coordinate<Real>) &&
+           (world.settings.mode == Mode::physical || within(p.previous, limit::coordinate<Real>)) &&
+           within(p.velocity, limit::speed<Real>) && (!p.any_force || within(p.force, limit::force<Real>)) &&
+           within(p.inverse_mass, limit::mass<Real>) && within(p.radius, limit::coordinate<Real>) &&
+           std::none_of(p.radius.begin() + std::ptrdiff_t(first), p.radius.begin() + std::ptrdiff_t(first + count),
+                        [](Real r) { return r < Real(0); });
+}
+
+/// Most worlds are, and are looked through quickly.
+template <int D, class Real> bool all_in_limits(const World<D, Real>& world) {
+    constexpr std::size_t a_part = 4096;
+    const std::size_t size = world.particles.size();
+    std::atomic<bool> all = true;
+    Workers::run(threads_for(size, world.threads), int((size + a_part - 1) / a_part), [&](int part) {
+        const auto first = std::size_t(part) * a_part;
+        if (!all_in_limits(world, first, std::min(a_part, size - first))) all = false;
+    });
+    return all;
 }
 
 template <int D, class Real> bool sound(const Particles<D, Real>& p, Row row) {
