@@ -34,20 +34,19 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 template <int D, class Real> class Sweep {
   public:
     Sweep(World<D, Real>& world, int substeps, Real h)
-        : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps), h_(h),
+        : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps),
+          passes_(substeps * world.settings.iterations), h_(h),
+          threads_(std::min(most_threads, threads_for(world.swept.size(), world.threads))),
           driven_(!(plan_.others.empty() && world.blocks.list.empty()) && any_driven(world)) {}
 
     void run() {
         if (world_.swept.size() == 0 && !driven_) return;
         begin_sweep(world_, h_);
         links_ = world_.swept.link_columns(distances().multiplier.data());
-        if (!all_is_plain())
-            run_substeps();
-        else if (plan_.sheets.size() >= std::size_t(2 * threads()))
-            Workers::run(threads(), int(plan_.sheets.size()),
-                         [&](int i) { run_through(plan_.sheets[std::size_t(i)]); });
+        if (all_is_plain())
+            run_sheets();
         else
-            for (const auto& sheet : plan_.sheets) share_out(sheet);
+            run_substeps();
         note_strain();
     }
 
@@ -55,8 +54,10 @@ template <int D, class Real> class Sweep {
     World<D, Real>& world_;
     const Plan<Real>& plan_;
     const Kernels<D, Real>& kernels_;
-    int substeps_;
+    int substeps_, passes_;
     Real h_;
+    static constexpr int most_threads = 64;
+    int threads_;
     bool driven_;
     LinkColumns<D, Real> links_{};
 
@@ -107,75 +108,77 @@ template <int D, class Real> class Sweep {
         if (driven_) slip(world_, h_);
     }
 
-    int threads() const { return std::min(most_threads, threads_for(world_.swept.size(), world_.threads)); }
-    static constexpr int most_threads = 64;
+    /// Sheets are shared out; one that would keep a thread busy after the others have done theirs, by itself.
+    void run_sheets() {
+        const auto& sheets = plan_.sheets;
+        Workers::run(threads_, int(sheets.size()), [&](int i) {
+            if (const auto& sheet = sheets[std::size_t(i)]; !is_large(sheet)) run_through(sheet, 1);
+        });
+        for (const auto& sheet : sheets)
+            if (is_large(sheet)) run_through(sheet, threads_);
+    }
 
-    /// All substeps of a sheet, a few times after the other. Threads take those in turn: a substep at some times only
-    /// awaits the same one at those before, so that they follow each other closely, and share even what is more work
-    /// in one substep than in another.
-    void share_out(const Sheet& sheet) {
-        const int turns = int((last_time(sheet) + at_once - 1) / at_once);
-        const int count = sheet.bands < 8U * unsigned(threads()) ? 1 : threads();
+    bool is_large(const Sheet& sheet) const {
+        const auto bands = bands_of(sheet);
+        const auto most = world_.swept.size() / std::uint32_t(2 * threads_);
+        return bands.size() >= 8 * std::size_t(threads_) && bands.back().last - bands.front().first > most;
+    }
+
+    /// Threads take turns of a few times, in which they make all passes: each only awaits the same pass at the times
+    /// before. So they follow each other closely, and share what is more work in one pass than in another.
+    void run_through(const Sheet& sheet, int threads) {
         std::array<Progress, most_threads> progress;
-        Workers::run_in_order(count, turns, [&](int turn) {
-            const auto done = [&](int substep) { return unsigned(turn * substeps_ + substep); };
-            for (int number = 0; number < substeps_; ++number) {
-                if (turn > 0) progress[std::size_t((turn - 1) % count)].await(done(number - substeps_ + 1));
-                run_turn(sheet, number, std::uint32_t(turn) * at_once);
-                progress[std::size_t(turn % count)].reach(done(number + 1));
+        const auto passes = std::uint64_t(passes_), count = std::uint64_t(threads);
+        Workers::run_in_order(threads, turns_of(sheet), [&](int number) {
+            const auto turn = std::uint64_t(number);
+            for (std::uint64_t pass = 0; pass < passes; ++pass) {
+                if (turn > 0) progress[(turn - 1) % count].await((turn - 1) * passes + pass + 1);
+                run_turn(sheet, number, int(pass));
+                progress[turn % count].reach(turn * passes + pass + 1);
             }
         });
     }
 
-    void run_through(const Sheet& sheet) {
-        for (std::uint32_t time = 0; time < last_time(sheet); time += at_once)
-            for (int number = 0; number < substeps_; ++number) run_turn(sheet, number, time);
-    }
+    /// The result is that of pass after pass, to the last bit: each follows the one before it as closely as what it
+    /// touches allows, so that a band is worked on while it is near.
+    static constexpr std::uint32_t at_once = 8;
+    int turns_of(const Sheet& sheet) const { return int((last_time(sheet) + at_once - 1) / at_once); }
+    std::uint32_t last_time(const Sheet& sheet) const { return sheet.bands + std::uint32_t(passes_) * lag(sheet); }
 
-    static constexpr std::uint32_t at_once = 8; // times, of one substep after the other: what it touches is near
-    std::uint32_t last_time(const Sheet& sheet) const {
-        return sheet.bands + std::uint32_t(substeps_ * world_.settings.iterations) * lag(sheet);
-    }
-
-    /// A substep of a sheet at some times, band after band.
-    void run_turn(const Sheet& sheet, int number, std::uint32_t time) {
-        auto substep = make_substep(number + 1), next = make_substep(number + 2);
-        substep.tie(sheet);
-        for (auto t = time; t < std::min(time + at_once, last_time(sheet)); ++t)
-            run_at(sheet, substep, next, number, t);
-    }
-
-    /// How many bands an iteration follows the one before it behind.
+    /// How many bands a pass follows the one before it behind.
     std::uint32_t lag(const Sheet& sheet) const {
         const bool again = world_.restless > 0 && sheet.tethers > 0;
         return sheet.lag + (again ? world_.restless - 1 + sheet.reach : 0);
     }
 
-    /// What of a substep there is to do at that time.
-    void run_at(const Sheet& sheet, Substep& substep, Substep& next, int number, std::uint32_t time) {
-        const int iterations = world_.settings.iterations;
-        const auto begun = std::uint32_t(number * iterations) * lag(sheet);
-        if (time < begun || time - begun >= sheet.bands + std::uint32_t(iterations) * lag(sheet)) return;
-        const auto at = [&](std::uint32_t delay, auto&& work) {
-            if (time >= delay && time - delay < sheet.bands) work(time - delay);
-        };
+    /// A pass is one iteration of a substep: the first takes up and predicts, which later substeps do as those before
+    /// them end; then each family, and what holds.
+    void run_turn(const Sheet& sheet, int turn, int pass) {
+        const int iterations = world_.settings.iterations, number = pass / iterations, iteration = pass % iterations;
+        const auto begun = std::uint32_t(pass) * lag(sheet), ended = begun + lag(sheet);
+        const auto first = std::max(begun, std::uint32_t(turn) * at_once);
+        const auto last = std::min(ended + sheet.bands, std::uint32_t(turn + 1) * at_once);
+        if (first >= last) return;
+        auto substep = make_substep(number + 1), next = make_substep(number + 2);
+        substep.tie(sheet);
+        substep.mover().first_iteration = iteration == 0;
         const auto band = [&](std::uint32_t i) -> const Band& { return plan_.bands[sheet.first_band + i]; };
-        at(begun, [&](std::uint32_t i) {
-            if (number > 0) return;
-            take_up(world_, h_, band(i).first, band(i).last);
-            substep.predict(band(i));
-        });
-        auto delay = begun;
-        for (int n = 0; n < iterations; ++n) {
-            substep.mover().first_iteration = n == 0;
+        for (auto time = first; time < last; ++time) {
+            const auto at = [&](std::uint32_t delay, auto&& work) {
+                if (time >= delay && time - delay < sheet.bands) work(time - delay);
+            };
+            if (pass == 0)
+                at(0, [&](std::uint32_t i) {
+                    take_up(world_, h_, band(i).first, band(i).last);
+                    substep.predict(band(i));
+                });
             for (std::uint32_t f = 0; f < sheet.families; ++f)
-                at(delay + plan_.families[sheet.first_family + f].delay,
+                at(begun + plan_.families[sheet.first_family + f].delay,
                    [&](std::uint32_t i) { substep.project(sheet, f, i); });
-            delay += lag(sheet);
-            at(delay, [&](std::uint32_t i) {
+            at(ended, [&](std::uint32_t i) {
                 if (world_.restless) substep.project_again(sheet, i);
                 substep.tighten(sheet, i);
-                if (n + 1 < iterations) return substep.hold(band(i));
+                if (iteration + 1 < iterations) return substep.hold(band(i));
                 const bool over = number + 1 == substeps_;
                 substep.go_on(band(i), over ? nullptr : &next);
                 if (over) put_back(world_, band(i).first, band(i).last);

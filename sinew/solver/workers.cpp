@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdint>
 #include <deque>
 #include <mutex>
 #include <system_error>
@@ -118,7 +117,7 @@ class Pool {
 
 } // namespace
 
-void Progress::wait(unsigned time) const {
+void Progress::wait(std::uint64_t time) const {
     while (!soon([&] { return reached_.load(std::memory_order_acquire) >= time; })) {
     }
 }

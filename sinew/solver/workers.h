@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 
 /// The one place that knows threads. Work is cut into parts that touch nothing in common, so that who does which part,
 /// and when, changes no bit of the result.
@@ -15,15 +16,15 @@ int threads_for(std::size_t particles, int wanted);
 /// How far a part has come, for another that follows it.
 class Progress {
   public:
-    void reach(unsigned time) { reached_.store(time, std::memory_order_release); }
+    void reach(std::uint64_t time) { reached_.store(time, std::memory_order_release); }
     /// Returns when it is there.
-    void await(unsigned time) const {
+    void await(std::uint64_t time) const {
         if (reached_.load(std::memory_order_acquire) < time) wait(time);
     }
 
   private:
-    alignas(64) std::atomic<unsigned> reached_ = 0;
-    void wait(unsigned time) const;
+    alignas(64) std::atomic<std::uint64_t> reached_ = 0;
+    void wait(std::uint64_t time) const;
 };
 
 struct SharedWork {

@@ -19,6 +19,16 @@ TEST(Workers, DoEveryPartOnce) {
         }
 }
 
+TEST(Workers, BeginPartsInTheirOrderWhereThatIsAsked) {
+    constexpr int parts = 500;
+    std::vector<Progress> done(parts);
+    Workers::run_in_order(4, parts, [&](int part) {
+        if (part > 0) done[std::size_t(part) - 1].await(1); // forever, were that part still to be begun
+        done[std::size_t(part)].reach(1);
+    });
+    for (const auto& each : done) each.await(1);
+}
+
 TEST(Workers, ServeSeveralCallersAtOnce) {
     constexpr int callers = 4, calls = 200, parts = 16;
     std::atomic<int> done = 0;
