@@ -127,7 +127,7 @@ int hardware_threads() {
 }
 
 int threads_for(std::size_t particles, int wanted) {
-    constexpr std::size_t worth_it = 8192;
+    constexpr std::size_t worth_it = 4096;
     if (particles < worth_it) return 1;
     return wanted > 0 ? wanted : hardware_threads();
 }
