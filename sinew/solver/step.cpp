@@ -36,7 +36,7 @@ template <int D, class Real> class Sweep {
     Sweep(World<D, Real>& world, int substeps, Real h)
         : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps),
           passes_(substeps * world.settings.iterations), h_(h),
-          threads_(std::min(most_threads, threads_for(world.swept.size(), world.threads))),
+          threads_(threads_for(world.swept.size(), world.threads)),
           driven_(!(plan_.others.empty() && world.blocks.list.empty()) && any_driven(world)) {}
 
     void run() {
@@ -56,7 +56,6 @@ template <int D, class Real> class Sweep {
     const Kernels<D, Real>& kernels_;
     int substeps_, passes_;
     Real h_;
-    static constexpr int most_threads = 64;
     int threads_;
     bool driven_;
     LinkColumns<D, Real> links_{};
@@ -124,18 +123,16 @@ template <int D, class Real> class Sweep {
         return bands.size() >= 8 * std::size_t(threads_) && bands.back().last - bands.front().first > most;
     }
 
-    /// Threads take turns of a few times, in which they make all passes: each only awaits the same pass at the times
-    /// before. So they follow each other closely, and share what is more work in one pass than in another.
+    /// Turn after turn, of a few times each, through all passes.
     void run_through(const Sheet& sheet, int threads) {
-        std::array<Progress, most_threads> progress;
-        const auto passes = std::uint64_t(passes_), count = std::uint64_t(threads);
-        Workers::run_in_order(threads, turns_of(sheet), [&](int number) {
-            const auto turn = std::uint64_t(number);
-            for (std::uint64_t pass = 0; pass < passes; ++pass) {
-                if (turn > 0) progress[(turn - 1) % count].await((turn - 1) * passes + pass + 1);
-                run_turn(sheet, number, int(pass));
-                progress[turn % count].reach(turn * passes + pass + 1);
-            }
+        const int stages = std::min(passes_, Relay::most_stages);
+        if (stages < 1) return;
+        Relay relay(stages, turns_of(sheet));
+        Workers::run(threads, threads, [&](int) {
+            relay.help([&](int stage, int turn) {
+                for (int pass = passes_ * stage / stages; pass < passes_ * (stage + 1) / stages; ++pass)
+                    run_turn(sheet, turn, pass);
+            });
         });
     }
 

@@ -102,7 +102,7 @@ class Pool {
         return false;
     }
 
-    int shares() const { return work_.in_order ? 1 : work_.threads; }
+    int shares() const { return work_.threads; }
     int first_of(int share) const { return int(std::int64_t(work_.parts) * share / shares()); }
 
     /// And then those of others that have not done theirs.
@@ -117,9 +117,26 @@ class Pool {
 
 } // namespace
 
-void Progress::wait(std::uint64_t time) const {
-    while (!soon([&] { return reached_.load(std::memory_order_acquire) >= time; })) {
+bool Relay::begin(int stage) {
+    auto& done = stages_[std::size_t(stage)].done;
+    auto seen = done.load();
+    const bool ready = seen % 2 == 0 && seen / 2 < turns_ && (stage == 0 || turn_of(stage - 1) > seen / 2);
+    return ready && done.compare_exchange_strong(seen, seen + 1);
+}
+
+int Relay::next_from(int stage) {
+    int found = count_;
+    const auto ready = [&] {
+        for (int i = 0; i < count_; ++i)
+            if (const int other = (stage + i) % count_; begin(other)) {
+                found = other;
+                return true;
+            }
+        return over();
+    };
+    while (!soon(ready)) {
     }
+    return found;
 }
 
 int hardware_threads() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -13,50 +14,61 @@ int hardware_threads();
 /// As many of those that are wanted (0: all) as help where so many particles are moved (docs/performance.md).
 int threads_for(std::size_t particles, int wanted);
 
-/// How far a part has come, for another that follows it.
-class Progress {
+/// Stages that work goes through in turns: a stage does one turn after the other, each when the stage before has done
+/// it. Threads that help each do whatever is ready, so that none waits for one that is slow, or has lost its core.
+class Relay {
   public:
-    void reach(std::uint64_t time) { reached_.store(time, std::memory_order_release); }
-    /// Returns when it is there.
-    void await(std::uint64_t time) const {
-        if (reached_.load(std::memory_order_acquire) < time) wait(time);
+    static constexpr int most_stages = 64;
+    Relay(int stages, int turns) : count_(stages), turns_(std::uint64_t(turns)) {}
+
+    /// Calls work(stage, turn) for what is ready, until all is done; with others who do the same.
+    template <class Work> void help(const Work& work) {
+        for (int stage = next_from(0); stage < count_; stage = next_from(stage + 1)) {
+            work(stage, int(turn_of(stage)));
+            finish(stage);
+        }
     }
 
   private:
-    alignas(64) std::atomic<std::uint64_t> reached_ = 0;
-    void wait(std::uint64_t time) const;
+    struct alignas(64) Stage {
+        std::atomic<std::uint64_t> done = 0; ///< turns, twice; and one more while the next is being done
+    };
+    int count_;
+    std::uint64_t turns_;
+    std::array<Stage, most_stages> stages_;
+
+    /// That it does, or does next.
+    std::uint64_t turn_of(int stage) const { return stages_[std::size_t(stage)].done / 2; }
+    void finish(int stage) { ++stages_[std::size_t(stage)].done; }
+    bool begin(int stage);
+    bool over() const { return turn_of(count_ - 1) == turns_; }
+    /// Waits until some stage's next turn is ready, and begins it: of this one rather than of another, for what it
+    /// touches is near. When all is done, the number of stages.
+    int next_from(int stage);
 };
 
 struct SharedWork {
     int threads = 0, parts = 0;
-    bool in_order = false;
     void (*call)(const void* context, int part) = nullptr;
     const void* context = nullptr;
 };
 
 /// Calls work(part) for every part in [0, parts), on up to that many threads, the caller's among them. Returns when all
-/// are done. Threads are started once and kept; while another caller uses them, and where the system gives no more,
-/// fewer work. Allocates only when it is asked for more threads than ever before.
+/// are done. Each thread begins with the same share of the parts each time, which is near to it, and then helps others.
+/// Threads are started once and kept; while another caller uses them, and where the system gives no more, fewer work.
+/// Allocates only when it is asked for more threads than ever before.
 class Workers {
   public:
-    /// Each thread begins with the same share of the parts each time: what they touch is still near to it.
     template <class Work> static void run(int threads, int parts, const Work& work) {
-        run(threads, parts, false, work);
-    }
-    /// Parts are begun in their order, so that one may await an earlier one.
-    template <class Work> static void run_in_order(int threads, int parts, const Work& work) {
-        run(threads, parts, true, work);
-    }
-
-  private:
-    template <class Work> static void run(int threads, int parts, bool in_order, const Work& work) {
         if (threads < 2 || parts < 2) {
             for (int part = 0; part < parts; ++part) work(part);
             return;
         }
         const auto call = [](const void* context, int part) { (*static_cast<const Work*>(context))(part); };
-        share_out({threads, parts, in_order, call, &work});
+        share_out({threads, parts, call, &work});
     }
+
+  private:
     static void share_out(const SharedWork& work);
 };
 

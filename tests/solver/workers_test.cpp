@@ -19,14 +19,22 @@ TEST(Workers, DoEveryPartOnce) {
         }
 }
 
-TEST(Workers, BeginPartsInTheirOrderWhereThatIsAsked) {
-    constexpr int parts = 500;
-    std::vector<Progress> done(parts);
-    Workers::run_in_order(4, parts, [&](int part) {
-        if (part > 0) done[std::size_t(part) - 1].await(1); // forever, were that part still to be begun
-        done[std::size_t(part)].reach(1);
-    });
-    for (const auto& each : done) each.await(1);
+TEST(Relay, DoesEachTurnOnceAndAfterThoseItFollows) {
+    constexpr int stages = 7, turns = 300;
+    for (const int threads : {1, 2, 5}) {
+        Relay relay(stages, turns);
+        std::vector<std::atomic<int>> done(stages);
+        std::atomic<int> wrong = 0;
+        Workers::run(threads, threads, [&](int) {
+            relay.help([&](int stage, int turn) {
+                const auto at = std::size_t(stage);
+                wrong += done[at] != turn || (stage > 0 && done[at - 1] <= turn);
+                ++done[at];
+            });
+        });
+        EXPECT_EQ(wrong, 0);
+        for (const auto& each : done) EXPECT_EQ(each, turns);
+    }
 }
 
 TEST(Workers, ServeSeveralCallersAtOnce) {
