@@ -4,6 +4,7 @@
 #include "sinew/math/trig.h"
 #include "sinew/solver/edit.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -130,19 +131,16 @@ template <int D, class RealT> class Builder {
     }
     template <template <int> class Kind>
     void constrain(std::string_view name, std::span<const ParticleId> members, ConstraintSpec<double> spec = {}) {
-        auto limits = spec.limits ? *spec.limits : exactly(measure<Kind>(members));
-        if (mirrors<Kind<D>, D> && placement_.up < 0) limits = {-limits.high, -limits.low};
-        const auto id = add_constraint(world_, kind_number<Kind, D>, members,
-                                       {.limits = Interval<Real>{Real(limits.low), Real(limits.high)},
-                                        .compliance = Real(spec.compliance),
-                                        .relaxation = Real(spec.relaxation),
-                                        .split = Real(spec.split),
-                                        .breaking_strain = Real(spec.breaking_strain),
-                                        .toughness = Real(spec.toughness),
-                                        .figure = figure_});
+        const auto limits = spec.limits ? *spec.limits : exactly(measure<Kind>(members));
+        const auto id = add_constraint(world_, kind_number<Kind, D>, members, in_world<Kind>(spec, limits));
         if (!id) return;
         figure().constraints.push_back(*id);
         if (!name.empty()) figure().constraint_names.emplace_back(name, *id);
+    }
+
+    /// Many distances of the same limits, all nameless.
+    void link(std::span<const std::array<ParticleId, 2>> ends, const ConstraintSpec<double>& spec) {
+        add_distances(world_, ends, in_world<Distance>(spec, *spec.limits), figure().constraints);
     }
 
     /// The next `count` particles are called stem_0, stem_1, ...; in rows of `columns`, stem_COLUMN_ROW.
@@ -168,6 +166,18 @@ template <int D, class RealT> class Builder {
     }
 
   private:
+    template <template <int> class Kind>
+    ConstraintSpec<Real> in_world(const ConstraintSpec<double>& spec, Interval<double> limits) const {
+        if (mirrors<Kind<D>, D> && placement_.up < 0) limits = {-limits.high, -limits.low};
+        return {.limits = Interval<Real>{Real(limits.low), Real(limits.high)},
+                .compliance = Real(spec.compliance),
+                .relaxation = Real(spec.relaxation),
+                .split = Real(spec.split),
+                .breaking_strain = Real(spec.breaking_strain),
+                .toughness = Real(spec.toughness),
+                .figure = figure_};
+    }
+
     /// Rows are given out in order, and nothing is removed while a figure is built.
     const Local& local(ParticleId id) const { return locals_[row_of(world_, id).value_or(first_) - first_]; }
 

@@ -70,14 +70,18 @@ void weave(Builder<D, Real>& figure, const Grid& grid, const Thread& thread, Con
     spec.limits = between(thread.shortest * length, length);
     figure.number_constraints(thread.stem, columns * rows, columns);
     const double weakest = spec.breaking_strain;
-    for (std::size_t r = 0; r < rows; ++r)
+    std::vector<std::array<ParticleId, 2>> links; // that are alike
+    const auto link = [&] { figure.link(links, spec), links.clear(); };
+    for (std::size_t r = 0; r < rows; ++r) {
         for (std::size_t c = 0; c < columns; ++c) {
-            if (uneven > 0) {
-                const auto number = figure.figure().constraints.size();
-                spec.breaking_strain = weakest * (1 + uneven * random::uniform(0, number, 0));
-            }
-            figure.template constrain<Distance>("", {grid.at(c + from, r), grid.at(c + to, r + thread.down)}, spec);
+            links.push_back({grid.at(c + from, r), grid.at(c + to, r + thread.down)});
+            if (!(uneven > 0)) continue;
+            const auto number = figure.figure().constraints.size();
+            spec.breaking_strain = weakest * (1 + uneven * random::uniform(0, number, 0));
+            link();
         }
+        link();
+    }
 }
 
 template <int D, class Real> void weave(Builder<D, Real>& figure, const Grid& grid, const Cloth& cloth) {

@@ -7,25 +7,28 @@
 namespace sinew {
 namespace {
 
+/// So many alike.
 template <class Table, class Real>
-void append_row(Table& table, const ConstraintSpec<Real>& spec, Interval<Real> limits) {
+void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& spec, Interval<Real> limits) {
     constexpr auto most = limit::measure<Real>;
-    table.low.push_back(clamp(limits.low, -most, most));
-    table.high.push_back(clamp(limits.high, table.low.back(), most));
-    table.multiplier.push_back(Real(0));
-    table.compliance.push_back(clamp(spec.compliance, Real(0), most));
-    table.relaxation.push_back(clamp(spec.relaxation, Real(0), Real(1)));
-    table.split.push_back(clamp(spec.split, Real(0), Real(1)));
-    table.max_force.push_back(clamp(spec.max_force, Real(0), most));
-    table.lead.push_back(clamp(spec.lead, Real(0), limit::step<Real>));
-    table.rate.push_back(Real(0));
-    table.driven.push_back(0);
-    table.breaking_strain.push_back(clamp(spec.breaking_strain, Real(0), most));
-    table.toughness.push_back(clamp(spec.toughness, Real(0), most));
-    table.fatigue.push_back(Real(0));
-    table.figure.push_back(spec.figure);
-    table.in_block.push_back(0);
-    table.torn.push_back(0);
+    const Real low = clamp(limits.low, -most, most);
+    const auto append = [&](std::vector<Real>& column, Real value) { column.resize(column.size() + count, value); };
+    append(table.low, low);
+    append(table.high, clamp(limits.high, low, most));
+    append(table.multiplier, Real(0));
+    table.compliance.append(count, clamp(spec.compliance, Real(0), most));
+    table.relaxation.append(count, clamp(spec.relaxation, Real(0), Real(1)));
+    table.split.append(count, clamp(spec.split, Real(0), Real(1)));
+    table.max_force.append(count, clamp(spec.max_force, Real(0), most));
+    table.lead.append(count, clamp(spec.lead, Real(0), limit::step<Real>));
+    table.rate.append(count, Real(0));
+    table.driven.append(count, 0);
+    table.breaking_strain.append(count, clamp(spec.breaking_strain, Real(0), most));
+    table.toughness.append(count, clamp(spec.toughness, Real(0), most));
+    table.fatigue.append(count, Real(0));
+    table.figure.append(count, spec.figure);
+    table.in_block.append(count, 0);
+    table.torn.append(count, 0);
 }
 
 constexpr std::size_t few = 8; // members, as most constraints have: no list is made for them
@@ -39,6 +42,28 @@ bool any_twice(std::span<const Row> rows) {
     std::vector<Row> sorted(rows.begin(), rows.end());
     std::sort(sorted.begin(), sorted.end());
     return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+/// The rows of a table of which only the members are there become constraints, all alike. Calls named(id) for each.
+template <int D, class Real, class Table, class Named>
+void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& spec, Named&& named) {
+    constexpr int kind = Kinds<D>::template index_of<typename Table::Kind>;
+    const auto first = Row(table.size()), last = Row(table.members.size());
+    if (first == last) return;
+    append_rows(table, last - first, spec, spec.limits.value_or(Interval<Real>{0, 0}));
+    if (table.breaking_strain.back() < limit::measure<Real>) // and what hangs on it goes with it, in a step
+        for_each_table(world, [](auto& any) { any.expect_tears(); });
+    for (Row row = first; row < last; ++row) {
+        const ConstraintId id{kind, table.slots.append()};
+        for (const Row member : std::as_const(table).members[row]) detail::note_member(world, table, kind, row, member);
+        if (!spec.limits) {
+            constexpr double most = limit::measure<double>;
+            table.low[row] = table.high[row] = Real(clamp(constraint_state(world, id)->measure, -most, most));
+        }
+        named(id);
+    }
+    if (world.sweep.empty() || world.sweep.back().kind != kind) world.sweep.push_back({kind, 0});
+    world.sweep.back().count += last - first;
 }
 
 } // namespace
@@ -98,27 +123,29 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
             return;
         }
         table.members.append(rows);
-        append_row(table, spec, spec.limits.value_or(Interval<Real>{0, 0}));
-        if (table.breaking_strain.back() < limit::measure<Real>) // and what hangs on it goes with it, in a step
-            for_each_table(world, [](auto& any) { any.expect_tears(); });
-        added = ConstraintId{kind, table.slots.append()};
-        for (const Row member : rows) detail::note_member(world, table, kind, Row(table.size() - 1), member);
-        if (!spec.limits) {
-            constexpr double most = limit::measure<double>;
-            const Real rest = Real(clamp(constraint_state(world, *added)->measure, -most, most));
-            table.low.back() = table.high.back() = rest;
-        }
-        if (world.sweep.empty() || world.sweep.back().kind != kind) world.sweep.push_back({kind, 0});
-        ++world.sweep.back().count;
+        complete(world, table, spec, [&](const ConstraintId& id) { added = id; });
     });
     return added;
+}
+
+template <int D, class Real>
+void add_distances(World<D, Real>& world, std::span<const std::array<ParticleId, 2>> ends,
+                   const ConstraintSpec<Real>& spec, IdList<ConstraintId>& added) {
+    auto& table = std::get<kind_number<Distance, D>>(world.constraints);
+    const auto& slots = world.particles.slots;
+    for (const auto& [a, b] : ends)
+        if (const auto from = slots.find(a), to = slots.find(b); from && to && from != to)
+            table.members.rows.push_back({*from, *to});
+    complete(world, table, spec, [&](const ConstraintId& id) { added.push_back(id); });
 }
 
 #define SINEW_ADD(D, Real)                                                                                             \
     template void reserve(World<D, Real>&, Sizes);                                                                     \
     template ParticleId add_particle(World<D, Real>&, const ParticleSpec<D, Real>&);                                   \
     template std::optional<ConstraintId> add_constraint(World<D, Real>&, int, std::span<const ParticleId>,             \
-                                                        const ConstraintSpec<Real>&);
+                                                        const ConstraintSpec<Real>&);                                  \
+    template void add_distances(World<D, Real>&, std::span<const std::array<ParticleId, 2>>,                           \
+                                const ConstraintSpec<Real>&, IdList<ConstraintId>&);
 
 SINEW_INSTANTIATE(SINEW_ADD)
 

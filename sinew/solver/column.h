@@ -33,10 +33,12 @@ template <class T> class Column {
         all_ = value;
         std::fill(each_.begin(), each_.end(), value);
     }
-    void push_back(const T& value) {
+    /// So many more rows of one value.
+    void append(std::size_t count, const T& value) {
+        if (count == 0) return;
         if (size_ == 0) all_ = value;
-        if (!is_like_all(value)) push_apart(value);
-        ++size_;
+        if (!is_like_all(value)) append_apart(count, value);
+        size_ += count;
     }
     /// From now on setting a row allocates nothing.
     void set_apart() {
@@ -63,9 +65,9 @@ template <class T> class Column {
     std::size_t size_ = 0;
     std::vector<T> each_;
 
-    [[gnu::noinline]] void push_apart(T value) {
+    [[gnu::noinline]] void append_apart(std::size_t count, T value) {
         set_apart();
-        each_.push_back(value);
+        each_.insert(each_.end(), count, value);
     }
     bool is_like_all(T value) const {
         if constexpr (std::is_floating_point_v<T>)

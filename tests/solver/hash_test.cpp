@@ -85,11 +85,11 @@ TYPED_TEST(StateHash, IsTheSameHoweverColumnsAreHeld) {
 
 TEST(Column, HoldsOneValueUntilARowDiffers) {
     Column<double> column;
-    for (int i = 0; i < 4; ++i) column.push_back(2);
+    column.append(4, 2);
     column.set(1, 2);
     EXPECT_TRUE(column.each().empty());
     column.set(1, 3);
-    column.push_back(4);
+    column.append(1, 4);
     EXPECT_EQ(column.rows(), (std::vector<double>{2, 3, 2, 2, 4}));
     erase_rows(column, std::vector<char>{1, 0, 0, 1, 0});
     EXPECT_EQ(column.rows(), (std::vector<double>{3, 2, 4}));
@@ -97,10 +97,10 @@ TEST(Column, HoldsOneValueUntilARowDiffers) {
     EXPECT_EQ(column.rows(), (std::vector<double>{5, 5, 5}));
 
     Column<double> zeros;
-    for (const double zero : {0.0, 0.0, -0.0}) zeros.push_back(zero);
+    for (const double zero : {0.0, 0.0, -0.0}) zeros.append(1, zero);
     EXPECT_TRUE(std::signbit(zeros[2])) << "the same to the last bit";
     Column<double> alike;
-    for (int i = 0; i < 3; ++i) alike.push_back(7);
+    alike.append(3, 7);
     erase_rows(alike, std::vector<char>{0, 1, 0});
     EXPECT_EQ(alike.size(), 2U);
     EXPECT_FALSE(alike.any_of([](double value) { return value != 7; }));
