@@ -14,11 +14,6 @@ struct Beside {
         const double along = (to_a * to_a - to_b * to_b + length * length) / (2 * length);
         return {along, square_root(maximum(to_a * to_a - along * along, 0.0))};
     }
-    /// Whether it is nearer than that to what is on the other side: without a root or a quotient, and leaving room for
-    /// rounding.
-    bool may_be_nearer(const Beside& other, double than) const {
-        return square(other.along - along) + square(beside + other.beside) < than * than * 1.000001;
-    }
     /// How far it is from what is on the other side of the edge, and in its plane.
     double across(const Beside& other, double length) const {
         constexpr double nowhere = 1e300;
@@ -32,7 +27,7 @@ struct Beside {
 template <int D, class Real> class Corners {
   public:
     struct Corner {
-        std::uint32_t apart; ///< from the first end of the edge
+        std::uint32_t spoke; ///< to it, of the first end of the edge
         Beside place;
     };
 
@@ -56,7 +51,7 @@ template <int D, class Real> class Corners {
         found_.clear();
         for (const auto& [further, side] : spokes_.of(edge))
             if (const auto* third = Spokes<D, Real>::find(near, near[spoke].apart + further))
-                found_.push_back({near[spoke].apart + further,
+                found_.push_back({std::uint32_t(third - near.data()),
                                   Beside::of(double(third->length), double(side), double(near[spoke].length))});
         if (at >= first_.size() || shared_.size() + found_.size() > most) return found_;
         known_.push_back({.other = other,

@@ -6,6 +6,7 @@
 #include "sinew/solver/world.h"
 
 #include <algorithm>
+#include <cmath>
 
 /// The tethers of sheets: how far from its pins each of their particles can get. What is tied to the same particles as
 /// before, and has not been laid out again, keeps them.
@@ -162,9 +163,11 @@ template <int D, class Real> class TetherMaker {
     void reach_from(const Sheet& sheet, std::uint32_t anchor, std::span<Real> per_square) {
         constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.00001;
         const Row* const row_of = swept_.row_of.data() + sheet.begin.slot;
-        const auto way = per_square; // until all are known
+        const auto way = per_square; // until all are known; negative of what is done with
         std::fill(way.begin(), way.end(), Real(far));
-        std::vector<char> done(way.size());
+        const auto done = [&](std::uint32_t s) { return std::signbit(way[s]); };
+        const auto way_to = [&](std::uint32_t s) { return double(absolute(way[s])); };
+        std::vector<double> lengths; // of the ways on
         NearestFirst next(spokes_.longest());
         const auto shorten = [&](std::uint32_t s, double length) {
             if (!(Real(length) < way[s])) return;
@@ -174,22 +177,27 @@ template <int D, class Real> class TetherMaker {
         shorten(anchor, 0);
         while (!next.empty()) {
             const auto s = next.take().number;
-            if (std::exchange(done[s], 1)) continue;
+            if (done(s)) continue;
+            const double here = double(way[s]);
+            way[s] = -way[s];
             const auto near = spokes_.of(s);
-            for (const auto& [apart, length] : near)
-                if (!done[s + apart]) shorten(s + apart, double(way[s]) + double(length));
+            lengths.resize(near.size());
+            for (std::size_t i = 0; i < near.size(); ++i) lengths[i] = here + double(near[i].length);
             for (std::size_t i = 0; i < near.size(); ++i) {
                 const auto edge = s + near[i].apart;
                 const double between = double(near[i].length);
-                if (!done[edge] || !(between > 0)) continue;
-                const auto begun = Beside::of(double(way[s]), double(way[edge]), between);
-                for (const auto& [apart, to] : corners_.beyond(s, i))
-                    if (!done[s + apart] && begun.may_be_nearer(to, double(way[s + apart])))
-                        shorten(s + apart, begun.across(to, between));
+                if (!done(edge) || !(between > 0)) continue;
+                const auto begun = Beside::of(here, way_to(edge), between);
+                for (const auto& [third, to] : corners_.beyond(s, i)) {
+                    if (done(s + near[third].apart)) continue;
+                    const double across = begun.across(to, between);
+                    if (Real(across) < Real(lengths[third])) lengths[third] = across;
+                }
             }
+            for (std::size_t i = 0; i < near.size(); ++i) shorten(s + near[i].apart, lengths[i]);
         }
         for (auto& number : per_square) {
-            const double reach = minimum(double(number) * slack, far);
+            const double reach = minimum(double(absolute(number)) * slack, far);
             number = reach > 0 ? Real(1 / square(reach)) : Real(0);
         }
     }
