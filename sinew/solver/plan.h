@@ -163,19 +163,13 @@ template <class Real> struct Plan {
     /// Behind a sheet.
     PlanPlace end_of(std::size_t sheet) const { return sheet + 1 < sheets.size() ? sheets[sheet + 1].begin : end(); }
 
-    /// Calls visit(row, slot a, slot b) for the links of a sheet.
-    template <class Visit> void each_link(const Sheet& sheet, Visit&& visit) const {
-        each_run(sheet, [&](const LinkRun& run) {
-            for (std::uint32_t i = 0; i < run.count; ++i)
-                if (run.scattered)
-                    visit(row_of(run, i), ends_a[run.a + i], ends_b[run.a + i]);
-                else
-                    visit(row_of(run, i), run.a + i, run.b + i);
-        });
-    }
-    template <class Visit> void each_run(const Sheet& sheet, Visit&& visit) const {
-        const auto end = end_of(std::size_t(&sheet - sheets.data()));
-        for (auto run = sheet.begin.run; run < std::min(std::size_t(end.run), runs.size()); ++run) visit(runs[run]);
+    /// Calls visit(row, slot a, slot b) for the links of a run.
+    template <class Visit> void each_link(const LinkRun& run, Visit&& visit) const {
+        for (std::uint32_t i = 0; i < run.count; ++i)
+            if (run.scattered)
+                visit(row_of(run, i), ends_a[run.a + i], ends_b[run.a + i]);
+            else
+                visit(row_of(run, i), run.a + i, run.b + i);
     }
 
     static constexpr std::size_t lanes = 16; ///< a pack reads on behind the last

@@ -19,33 +19,24 @@ template <int D, class Real> class Spokes {
     };
 
     explicit Spokes(const World<D, Real>& world)
-        : distances_(std::get<kind_number<Distance, D>>(world.constraints)), swept_(world.swept),
-          plan_(world.swept.plan) {}
+        : distances_(std::get<kind_number<Distance, D>>(world.constraints)), plan_(world.swept.plan) {}
 
     /// Of a sheet's particles, by their number in it: in the order of the plan.
     void list(const Sheet& sheet, std::size_t particles) {
-        std::vector<std::uint32_t> first(particles + 2);
-        each_rigid(sheet, [&](Row, std::uint32_t a, std::uint32_t b) { ++first[a + 2], ++first[b + 2]; });
-        for (std::size_t s = 2; s < first.size(); ++s) first[s] += first[s - 1];
-        std::vector<Row> links(first.back());
-        each_rigid(sheet, [&](Row link, std::uint32_t a, std::uint32_t b) {
-            links[first[a + 1]++] = links[first[b + 1]++] = link;
-        });
+        constexpr std::uint32_t cached = 1 << 12; // particles, with what is listed for them
         all_.clear();
         begin_.assign(1, 0);
         list_of_.resize(particles);
-        for (std::uint32_t s = 0; s < particles; ++s) {
-            for (auto i = first[s]; i < first[s + 1]; ++i) {
-                const Row link = links[i];
-                const auto a = number_of(sheet, link, 0), b = number_of(sheet, link, 1);
-                all_.push_back({(a == s ? b : a) - s, distances_.high[link]});
-            }
-            list_of_[s] = share_last_list(s);
+        const auto bands = std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
+        for (std::uint32_t first = 0, last; first < bands.size(); first = last) {
+            for (last = first + 1; last < bands.size() && bands[last].last - bands[first].first < cached;) ++last;
+            list_bands(sheet, first, last);
         }
     }
     void forget() {
         all_ = std::vector<Spoke>();
-        begin_ = list_of_ = std::vector<std::uint32_t>();
+        begin_ = list_of_ = first_ = std::vector<std::uint32_t>();
+        near_ = std::vector<Spoke>();
     }
 
     /// The last one to there.
@@ -67,17 +58,37 @@ template <int D, class Real> class Spokes {
 
   private:
     const Constraints<Distance<D>, Real>& distances_;
-    const Swept<D, Real>& swept_;
     const Plan<Real>& plan_;
     std::vector<Spoke> all_;           ///< of one list after the other
     std::vector<std::uint32_t> begin_; ///< of each list, and one more
     std::vector<std::uint32_t> list_of_;
+    std::vector<std::uint32_t> first_; ///< of each particle in some bands: of `near_`
+    std::vector<Spoke> near_;
 
     std::span<const Spoke> spokes(std::size_t list) const {
         return std::span(all_).subspan(begin_[list], begin_[list + 1] - begin_[list]);
     }
-    std::uint32_t number_of(const Sheet& sheet, Row link, std::size_t end) const {
-        return swept_.slot_of[distances_.members.rows[link][end]] - sheet.begin.slot;
+
+    /// Of the particles in bands [first, last) of the sheet.
+    void list_bands(const Sheet& sheet, std::uint32_t first, std::uint32_t last) {
+        const auto begin = plan_.bands[sheet.first_band + first].first - sheet.begin.slot;
+        const auto count = plan_.bands[sheet.first_band + last - 1].last - sheet.begin.slot - begin;
+        first_.assign(count + 2, 0);
+        each_rigid(sheet, first, last, [&](Row, std::uint32_t a, std::uint32_t b) {
+            if (a - begin < count) ++first_[a - begin + 2];
+            if (b - begin < count) ++first_[b - begin + 2];
+        });
+        for (std::size_t s = 2; s < first_.size(); ++s) first_[s] += first_[s - 1];
+        near_.resize(first_.back());
+        each_rigid(sheet, first, last, [&](Row link, std::uint32_t a, std::uint32_t b) {
+            const Real length = distances_.high[link];
+            if (a - begin < count) near_[first_[a - begin + 1]++] = {b - a, length};
+            if (b - begin < count) near_[first_[b - begin + 1]++] = {a - b, length};
+        });
+        for (std::uint32_t s = 0; s < count; ++s) {
+            all_.insert(all_.end(), near_.begin() + first_[s], near_.begin() + first_[s + 1]);
+            list_of_[begin + s] = share_last_list(begin + s);
+        }
     }
 
     /// What is behind the last list is that of particle s: the list of the one before it, or one of the last ones, or
@@ -100,11 +111,18 @@ template <int D, class Real> class Spokes {
         return std::uint32_t(found);
     }
 
-    template <class Visit> void each_rigid(const Sheet& sheet, Visit&& visit) const {
-        plan_.each_link(sheet, [&](Row link, std::uint32_t a, std::uint32_t b) {
-            if (distances_.compliance[link] == Real(0) && distances_.high[link] < limit::coordinate<Real>)
-                visit(link, a - sheet.begin.slot, b - sheet.begin.slot);
-        });
+    /// Calls visit(row, a, b) for what may end in these bands of the sheet, in the order of the plan.
+    template <class Visit>
+    void each_rigid(const Sheet& sheet, std::uint32_t first, std::uint32_t last, Visit&& visit) const {
+        for (auto f = sheet.first_family; f < sheet.first_family + sheet.families; ++f) {
+            const auto* const first_run = plan_.first_run.data() + plan_.families[f].first_run;
+            const auto from = first - std::min(first, plan_.families[f].reach);
+            for (auto run = first_run[from]; run < first_run[last]; ++run)
+                plan_.each_link(plan_.runs[run], [&](Row link, std::uint32_t a, std::uint32_t b) {
+                    if (distances_.compliance[link] == Real(0) && distances_.high[link] < limit::coordinate<Real>)
+                        visit(link, a - sheet.begin.slot, b - sheet.begin.slot);
+                });
+        }
     }
 };
 
