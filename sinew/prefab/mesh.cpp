@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <fmt/format.h>
 
 namespace sinew {
@@ -15,19 +16,31 @@ const MeshModel& shape_of(const Mesh& mesh) {
     return mesh.model ? *mesh.model : usual_square;
 }
 
-/// Two points, the lower number first, and when it was first named.
+/// Two points, the lower number first.
 struct Edge {
     std::uint32_t a, b;
-    std::size_t turn;
 };
 
-/// Each once, in the order in which they are first named.
-std::vector<Edge> each_once(std::vector<Edge> edges) {
-    const auto ends = [](const Edge& edge) { return std::pair(edge.a, edge.b); };
-    std::ranges::sort(edges, {}, [&](const Edge& edge) { return std::pair(ends(edge), edge.turn); });
-    const auto repeated = std::ranges::unique(edges, {}, ends);
-    edges.erase(repeated.begin(), repeated.end());
-    std::ranges::sort(edges, {}, &Edge::turn);
+/// Each once, in the order in which they are first named. Those of each lower point are sorted by themselves.
+std::vector<Edge> each_once(const std::vector<Edge>& named, std::size_t points) {
+    struct Turn {
+        std::uint32_t b, turn;
+        auto operator<=>(const Turn&) const = default;
+    };
+    std::vector<Turn> turns(named.size());
+    std::vector<std::uint32_t> end(points + 1); // of what is there of each point, one further on until all are
+    for (const auto& [a, b] : named) ++end[a + 1];
+    for (std::size_t a = 1; a < end.size(); ++a) end[a] += end[a - 1];
+    for (std::uint32_t turn = 0; const auto& [a, b] : named) turns[end[a]++] = {b, turn++};
+    std::vector<char> repeats(named.size());
+    for (std::uint32_t a = 0, first = 0; a < points; first = end[a++]) {
+        std::sort(turns.begin() + first, turns.begin() + end[a]);
+        for (auto i = first + 1; i < end[a]; ++i) repeats[turns[i].turn] = turns[i].b == turns[i - 1].b;
+    }
+    std::vector<Edge> edges;
+    edges.reserve(std::size_t(std::count(repeats.begin(), repeats.end(), char(0))));
+    for (std::size_t turn = 0; turn < named.size(); ++turn)
+        if (!repeats[turn]) edges.push_back(named[turn]);
     return edges;
 }
 
@@ -41,10 +54,10 @@ std::vector<Edge> edges_of(const MeshModel& model, bool diagonals) {
             if (face.size() < 2 + apart) continue;
             for (std::size_t k = 0; k < face.size(); ++k) {
                 const auto a = face[k], b = face[(k + apart) % face.size()];
-                edges.push_back({std::min(a, b), std::max(a, b), edges.size()});
+                edges.push_back({std::min(a, b), std::max(a, b)});
             }
         }
-    return each_once(std::move(edges));
+    return each_once(edges, model.points.size());
 }
 
 } // namespace
