@@ -140,12 +140,20 @@ std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLim
 
 std::string to_obj(const MeshModel& model) {
     std::string text;
-    auto out = std::back_inserter(text);
-    for (const auto& point : model.points) fmt::format_to(out, "v {} {} {}\n", point[0], point[1], point[2]);
+    fmt::memory_buffer line;
+    const auto end_line = [&] {
+        line.push_back('\n');
+        text.append(line.data(), line.size());
+        line.clear();
+    };
+    for (const auto& point : model.points) {
+        fmt::format_to(fmt::appender(line), "v {} {} {}", point[0], point[1], point[2]);
+        end_line();
+    }
     for (std::size_t i = 0; i < model.faces(); ++i) {
-        text += 'f';
-        for (const auto corner : model.face(i)) fmt::format_to(out, " {}", corner + 1);
-        text += '\n';
+        line.push_back('f');
+        for (const auto corner : model.face(i)) fmt::format_to(fmt::appender(line), " {}", corner + 1);
+        end_line();
     }
     return text;
 }
