@@ -30,6 +30,7 @@ template <int D, class Real> class BlockGlance {
         std::vector<unsigned char> bonds(particles());
         for (Row link = 0; link < links.size(); ++link) {
             const Row a = graph_.end(link, 0), b = graph_.end(link, 1);
+            if (bonds[a] == many && bonds[b] == many) continue;
             if (!graph_.mobile(a) || !graph_.mobile(b)) continue;
             const bool is_first = graph_.may_hang(link);
             for (const Row end : {a, b}) bonds[end] = is_first && bonds[end] == 0 ? 1 : many;
