@@ -58,7 +58,7 @@ template <int D, class Real> class SheetMaker {
 
     /// Particle i of all copies, then i + 1: as many copies a sheet as stay in the fastest cache.
     void lay_out_copies(std::size_t part, std::size_t copies) {
-        constexpr std::size_t cached = 2048, least = 64, lanes = 16;
+        constexpr std::size_t cached = 1024, least = 64, lanes = 16;
         const auto fitting = cached / members(part).size() / lanes * lanes;
         const auto each = std::max(least, fitting);
         for (std::size_t first = 0; first < copies; first += each) {
