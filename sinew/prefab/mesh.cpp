@@ -89,10 +89,14 @@ template <int D, class Real> void Mesh::build(Builder<D, Real>& figure) const {
     }
     const auto edges = edges_of(shape, diagonals);
     figure.number_constraints("edge", edges.size());
-    for (const auto& edge : edges)
-        figure.template constrain<Distance>(
-            "", {particles[edge.a], particles[edge.b]},
-            {.compliance = compliance, .breaking_strain = tears_beyond(breaking_strain), .toughness = toughness});
+    ConstraintSpec<double> spec{
+        .compliance = compliance, .breaking_strain = tears_beyond(breaking_strain), .toughness = toughness};
+    for (const auto& edge : edges) {
+        const std::array ends{particles[edge.a], particles[edge.b]};
+        const double length = figure.template measure<Distance>(ends);
+        spec.limits = between((1 - buckling) * length, length);
+        figure.template constrain<Distance>("", ends, spec);
+    }
     for (const double number : pin_list) figure.hold(particles[std::size_t(number)]);
     for (std::size_t i = 0; i < shape.faces() && !unseen; ++i) {
         std::vector<ParticleId> corners;

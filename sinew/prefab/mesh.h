@@ -23,6 +23,7 @@ struct Mesh {
     std::string file{};
     double size = 1;
     bool diagonals = true;
+    double buckling = 0;
     std::vector<double> pin_list{};
     bool tethers = true;
     double mass = 1;
@@ -44,6 +45,11 @@ struct Mesh {
         visit(self.diagonals,
               Field{.name = "diagonals",
                     .help = "Faces of four corners and more are also tied from each corner to the next but one"});
+        visit(self.buckling, Field{.name = "buckling",
+                                   .help = "By what part of its length an edge may become shorter, as in cloth that "
+                                           "buckles between two points. With 0 all push, and crumpled cloth can jam",
+                                   .low = 0,
+                                   .high = 1});
         visit(self.pin_list,
               Field{.name = "pin_list", .help = "Points that are held, counted from 0", .low = 0, .high = 4e9});
         visit(self.tethers, Field{.name = "tethers",
