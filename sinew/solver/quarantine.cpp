@@ -3,15 +3,17 @@
 #include "sinew/solver/workers.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 
 namespace sinew {
 namespace {
 
+enum class Least { negative, zero };
+
 /// Whether all numbers are within [-limit, limit], or [0, limit]; what is no number is not. Compared as whole numbers,
 /// many at once.
-enum class Least { negative, zero };
 template <Least least = Least::negative, class Real> bool all_within(std::span<const Real> numbers, Real limit) {
     using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
     constexpr Bits no_sign = ~(Bits(1) << (8 * sizeof(Bits) - 1));
@@ -19,19 +21,13 @@ template <Least least = Least::negative, class Real> bool all_within(std::span<c
     Bits beyond = 0; // its highest bit
     for (const Real number : numbers) {
         beyond |= most - (std::bit_cast<Bits>(number) & no_sign);
-        if (least == Least::zero) beyond |= std::bit_cast<Bits>(number + Real(0)); // no -0 either
+        if (least == Least::zero) beyond |= std::bit_cast<Bits>(number + Real(0)); // -0 is 0
     }
     return beyond <= no_sign;
 }
 template <int D, class Real> bool all_within(std::span<const Vec<D, Real>> column, Real limit) {
     static_assert(sizeof(Vec<D, Real>) == D * sizeof(Real));
     return all_within(std::span(column[0].component.data(), column.size() * D), limit);
-}
-
-template <int D, class Real> bool is_within(const Vec<D, Real>& point, Real limit) {
-    bool within = true;
-    for (int i = 0; i < D; ++i) within = within && absolute(point[i]) <= limit;
-    return within;
 }
 
 /// Of rows [first, first + count). Where a particle was counts in classic mode alone.
@@ -113,7 +109,8 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
         hold(world.particles);
     }
     for (auto& pin : world.pins) {
-        if (is_within(pin.from, limit::coordinate<Real>) && is_within(pin.target, limit::coordinate<Real>)) continue;
+        const std::array ends{pin.from, pin.target};
+        if (all_within(std::span<const Vec<D, Real>>(ends), limit::coordinate<Real>)) continue;
         if (!is_finite(pin.from)) pin.from = is_finite(pin.target) ? pin.target : Vec<D, Real>{};
         if (!is_finite(pin.target)) pin.target = pin.from;
         pin.from = clamp_components(pin.from, limit::coordinate<Real>);
