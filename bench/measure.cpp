@@ -5,6 +5,7 @@
 #include "sinew/solver/step.h"
 
 #include "bench/memory.h"
+#include "bench/textbook.h"
 
 #include <algorithm>
 #include <chrono>
@@ -24,6 +25,25 @@ double median(std::vector<double> values) {
     const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
+}
+
+double timed_step(Simulation& simulation) {
+    const auto begun = Clock::now();
+    simulation.step();
+    return milliseconds_since(begun);
+}
+
+/// Times of steps that followed each other, without the first, which finds the caches as somebody else left them;
+/// unless there is no other.
+std::vector<double> warm(std::vector<double> times) {
+    if (times.size() > 1) times.erase(times.begin());
+    return times;
+}
+
+/// How many steps a turn has: a tenth of a second at that pace, but in six turns all of them are done.
+int turn_length(double pace, int steps) {
+    constexpr double turn = 100; // milliseconds
+    return std::max(1, std::min(int(turn / pace), steps / 6));
 }
 
 template <class Real> class EngineRun final : public Simulation {
@@ -62,17 +82,17 @@ Measured measure_as(const Case& chosen, const Work& work, int threads, int steps
     if (const auto bytes = memory.risen(); bytes > 0 && work.constraints() >= enough)
         measured.bytes_per_constraint = (double(bytes) - particles) / double(work.constraints());
     constexpr double patience = 1.5; // seconds
-    static_cast<Timing&>(measured) = time(run, work, {.steps = steps, .seconds = patience}, watch);
+    Textbook textbook(work, Effort{});
+    static_cast<Timing&>(measured) = time(run, work, {.steps = steps, .seconds = patience}, watch, &textbook);
     return measured;
 }
 
 } // namespace
 
-Timing time(Simulation& simulation, const Work& work, const Extent& extent, const Watch& watch) {
+Timing time(Simulation& simulation, const Work& work, const Extent& extent, const Watch& watch, Simulation* pace) {
     constexpr double sticks_looked_at = 1e8; // in all; the strain is not looked at more often than that takes
     const int pause = 1 + int(double(extent.steps) * double(work.sticks.size()) / sticks_looked_at);
     Timing timing;
-    std::vector<double> times;
     std::vector<Found> places(work.places.size());
     const auto look = [&] {
         for (std::size_t k = 0; k < places.size(); ++k) places[k] = simulation.place(k);
@@ -80,18 +100,29 @@ Timing time(Simulation& simulation, const Work& work, const Extent& extent, cons
         timing.strain = strain_of(work, places);
         if (before > timing.strain.max || std::isnan(before)) timing.strain.max = before;
     };
-    double spent = 0; // milliseconds
-    while (timing.steps < extent.steps && spent < 1000 * extent.seconds) {
-        const auto begun = Clock::now();
-        simulation.step();
-        times.push_back(milliseconds_since(begun));
-        spent += times.back();
-        if (timing.steps++ % pause == 0) look();
-        if (watch) watch(std::max(double(timing.steps) / extent.steps, spent / (1000 * extent.seconds)));
+    std::vector<double> times, ratios; // of steps; of turns
+    double spent = 0;                  // milliseconds
+    const auto on = [&] { return timing.steps < extent.steps && spent < 1000 * extent.seconds; };
+    int length = pace ? 1 : extent.steps;
+    while (on()) {
+        std::vector<double> paced, turn;
+        for (int i = 0; pace && i < length; ++i) paced.push_back(timed_step(*pace));
+        for (int i = 0; i < length && on(); ++i) {
+            turn.push_back(timed_step(simulation));
+            spent += turn.back();
+            if (timing.steps++ % pause == 0) look();
+            if (watch) watch(std::max(double(timing.steps) / extent.steps, spent / (1000 * extent.seconds)));
+        }
+        turn = warm(std::move(turn));
+        times.insert(times.end(), turn.begin(), turn.end());
+        if (!pace) continue;
+        const double unit = median(warm(std::move(paced)));
+        ratios.push_back(unit / median(std::move(turn)));
+        length = turn_length(unit, extent.steps);
     }
     look();
-    if (times.size() > 1) times.erase(times.begin());
-    timing.milliseconds = median(std::move(times));
+    timing.milliseconds = median(warm(std::move(times)));
+    if (pace) timing.ratio = median(warm(std::move(ratios)));
     return timing;
 }
 

@@ -11,7 +11,8 @@
 namespace sinew::bench {
 
 struct Timing {
-    double milliseconds = 0; ///< median of a step, the first not among them
+    double milliseconds = 0; ///< median of a step, the first of each turn not among them
+    double ratio = 0;        ///< how many times the speed of the pace that is: median of all turns; 0: there is none
     int steps = 0;           ///< that were taken
     Strain strain;           ///< max after any step that was looked at, mean after the last
 };
@@ -24,7 +25,10 @@ struct Extent {
     int steps = 0;
     double seconds = 1e9; ///< after them no further step begins
 };
-Timing time(Simulation& simulation, const Work& work, const Extent& extent, const Watch& watch = {});
+/// With a pace (the textbook, for one) they step by turns, some steps each: the clock of a processor changes under
+/// way, and so it does for both.
+Timing time(Simulation& simulation, const Work& work, const Extent& extent, const Watch& watch = {},
+            Simulation* pace = nullptr);
 
 /// What of the engine was measured.
 struct Engine {
@@ -40,7 +44,7 @@ struct Measured : Timing {
 
 /// What a case asks of every solver.
 Work work_of(const Case& chosen);
-/// The engine on a case, which is that work.
+/// The engine on a case, which is that work; by turns with the textbook.
 Measured measure(const Case& chosen, const Work& work, const Engine& engine, int steps, const Watch& watch = {});
 
 /// How many steps are worth their time: enough for a median, and for small cloth to hang.

@@ -43,16 +43,19 @@ class Watching {
     canvas::Progress progress_;
 };
 
-/// What the rivals do with a case; the first is the textbook in list order, by which speed is told. The others are
-/// stopped where they take long.
+/// What the rivals do with a case; the first is the textbook in list order, by which speed is told. The others step by
+/// turns with it and are stopped where they take long.
 std::vector<Rival> measure_rivals(const Case& chosen, const Work& work, int steps) {
     constexpr double patience = 5; // seconds
     std::vector<Rival> all;
-    for (const auto& rival : bench::rivals(work)) {
+    const auto rivals = bench::rivals(work);
+    for (const auto& rival : rivals) {
         Watching watching(chosen, rival.name);
-        const bench::Extent extent{.steps = steps, .seconds = all.empty() ? 1e9 : patience};
-        all.push_back({rival.name, time(*rival.make(Effort{}), work, extent, watching.watch())});
+        const auto pace = all.empty() ? nullptr : rivals.front().make(Effort{});
+        const bench::Extent extent{.steps = steps, .seconds = pace ? patience : 1e9};
+        all.push_back({rival.name, time(*rival.make(Effort{}), work, extent, watching.watch(), pace.get())});
     }
+    all.front().timing.ratio = 1;
     return all;
 }
 
@@ -75,8 +78,6 @@ struct Line {
     const Measured& measured;
     const std::vector<Rival>& rivals;
 
-    double ratio() const { return rivals.front().timing.milliseconds / measured.milliseconds; }
-
     json::Object in_json() const {
         json::Object line{{"case", chosen.name},
                           {"steps", measured.steps},
@@ -88,7 +89,7 @@ struct Line {
                           {"ms_per_step", measured.milliseconds}};
         // At once there is no telling how often a constraint is projected.
         if (!chosen.direct) line.push_back({"projections_per_s", projections_per_second(work, measured.milliseconds)});
-        for (json::Member& more : json::Object{{"ratio", ratio()},
+        for (json::Member& more : json::Object{{"ratio", measured.ratio},
                                                {"stretch_max", measured.strain.max},
                                                {"stretch_last", measured.strain.last},
                                                {"stretch_mean", measured.strain.mean},
@@ -99,6 +100,7 @@ struct Line {
         json::Object others;
         for (const auto& [name, timing] : rivals)
             others.push_back({key_of(name), json::Object{{"ms_per_step", timing.milliseconds},
+                                                         {"ratio", timing.ratio},
                                                          {"steps", timing.steps},
                                                          {"stretch_max", timing.strain.max},
                                                          {"stretch_mean", timing.strain.mean}}});
@@ -108,22 +110,22 @@ struct Line {
 };
 
 std::vector<std::string> row(const std::string& name, const std::string& who, const Work& work, const Timing& timing,
-                             double unit, bool projects = true) {
+                             bool projects = true) {
     return {name,
             who,
             fmt::format("{:.3f}", timing.milliseconds),
             projects ? fmt::format("{:.3f}", projections_per_second(work, timing.milliseconds) / 1e9) : "",
-            fmt::format("{:.2f}", unit / timing.milliseconds),
+            fmt::format("{:.2f}", timing.ratio),
             stretch_text(timing.strain.max),
             stretch_text(timing.strain.mean),
             "",
             ""};
 }
 
-std::vector<std::string> row(const std::string& name, const bench::Engine& engine, const Line& line, double unit) {
+std::vector<std::string> row(const std::string& name, const bench::Engine& engine, const Line& line) {
     const auto who = fmt::format("sinew, {}, {} thread{}", engine.single ? "float" : "double", engine.threads,
                                  engine.threads == 1 ? "" : "s");
-    auto cells = row(name, who, line.work, line.measured, unit, !line.chosen.direct);
+    auto cells = row(name, who, line.work, line.measured, !line.chosen.direct);
     cells[7] = fmt::format("{:.0f} ms", line.measured.build_ms);
     if (const double bytes = line.measured.bytes_per_constraint; bytes > 0) cells[8] = fmt::format("{:.0f}", bytes);
     return cells;
@@ -154,7 +156,6 @@ void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& ca
         const auto work = work_of(chosen);
         const int steps = options.steps ? int(*options.steps) : bench::usual_steps(work);
         const auto rivals = measure_rivals(chosen, work, steps);
-        const double unit = rivals.front().timing.milliseconds;
         auto name = fmt::format("{} ({})", chosen.name, work.constraints());
         for (const auto& engine : engines(options, work)) {
             Watching watching(chosen, "sinew");
@@ -164,11 +165,11 @@ void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& ca
                 print(to_line(line.in_json()));
                 flush_output();
             }
-            rows.push_back(row(std::exchange(name, ""), engine, line, unit));
+            rows.push_back(row(std::exchange(name, ""), engine, line));
         }
         for (const auto& [who, timing] : rivals)
-            rows.push_back(row("", timing.steps < steps ? fmt::format("{}, {} steps", who, timing.steps) : who, work,
-                               timing, unit));
+            rows.push_back(
+                row("", timing.steps < steps ? fmt::format("{}, {} steps", who, timing.steps) : who, work, timing));
     }
     if (options.as_json) return;
     if (!options.as_markdown) print(fmt::format("On this machine the engine's lanes are: {}\n", bench::simd()));
@@ -179,8 +180,9 @@ std::string case_details() {
     std::string text =
         "Every case is stepped by the engine, by the textbook's solver and by the peers that are built, each with\n"
         "the same particles, constraints, 10 substeps of 1 iteration, and 60 steps a second. Told is the median\n"
-        "time of a whole step; ratio is how many times the textbook's speed that is; the stretch is of the worst\n"
-        "constraint after any step looked at, and the mean after the last one, as fractions of their lengths.\n"
+        "time of a whole step; ratio is how many times the textbook's speed that is, stepped by turns with it, so\n"
+        "that a clock which changes under way changes for both; the stretch is of the worst constraint\n"
+        "after any step looked at, and the mean after the last one, as fractions of their lengths.\n"
         "With --json one line a case and number of threads: case, threads, precision, simd, particles,\n"
         "constraints, ms_per_step, projections_per_s, ratio, stretch_max, stretch_mean, build_ms, prepare_ms,\n"
         "bytes_per_constraint, and what the rivals did. Cases:\n";

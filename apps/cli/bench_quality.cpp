@@ -44,29 +44,29 @@ void measure(Tried& one, const Work& work, int steps) {
 }
 
 json::Object in_json(const Case& chosen, const Tried& one, const bench::Engine& engine, std::size_t i) {
-    const auto& [milliseconds, steps, strain] = one.results[i];
+    const auto& timing = one.results[i];
     const bool ours = one.name == "sinew";
     return {{"case", chosen.name},
             {"by", one.name},
-            {"steps", steps},
+            {"steps", timing.steps},
             {"threads", ours ? engine.threads : 1},
             {"precision", ours && !engine.single ? "double" : "float"},
             {"substeps", efforts[i].substeps},
             {"iterations", efforts[i].iterations},
-            {"ms_per_step", milliseconds},
-            {"stretch_max", strain.max},
-            {"stretch_last", strain.last},
-            {"stretch_mean", strain.mean}};
+            {"ms_per_step", timing.milliseconds},
+            {"stretch_max", timing.strain.max},
+            {"stretch_last", timing.strain.last},
+            {"stretch_mean", timing.strain.mean}};
 }
 
 std::vector<std::string> in_row(const Tried& one, std::size_t i) {
-    const auto& [milliseconds, taken, strain] = one.results[i];
+    const auto& timing = one.results[i];
     return {i == 0 ? one.name : "",
             fmt::format("{} x {}", efforts[i].substeps, efforts[i].iterations),
-            fmt::format("{:.3f}", milliseconds),
-            stretch_text(strain.max),
-            stretch_text(strain.last),
-            stretch_text(strain.mean)};
+            fmt::format("{:.3f}", timing.milliseconds),
+            stretch_text(timing.strain.max),
+            stretch_text(timing.strain.last),
+            stretch_text(timing.strain.mean)};
 }
 
 bench::Curve curve(const Tried& one, double bench::Strain::*what) {

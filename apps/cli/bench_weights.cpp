@@ -72,18 +72,19 @@ void bench_weights(const BenchOptions& options) {
     std::vector<bench::Curve> curves;
     for (const int weight : weights)
         for (const auto& hung : hang_all(weight, int(options.steps.value_or(usual_steps)))) {
-            const auto& [milliseconds, steps, strain] = hung.timing;
+            const auto& timing = hung.timing;
             if (options.as_json)
                 print(to_line(json::Object{{"case", fmt::format("heavy-{}", weight)},
                                            {"by", hung.by},
                                            {"effort", hung.effort},
-                                           {"steps", steps},
-                                           {"ms_per_step", milliseconds},
-                                           {"stretch_max", strain.max},
-                                           {"stretch_last", strain.last}}));
+                                           {"steps", timing.steps},
+                                           {"ms_per_step", timing.milliseconds},
+                                           {"stretch_max", timing.strain.max},
+                                           {"stretch_last", timing.strain.last}}));
             else
-                rows.push_back({std::to_string(weight / 100), hung.by, hung.effort, fmt::format("{:.4f}", milliseconds),
-                                stretch_text(strain.max), stretch_text(strain.last)});
+                rows.push_back({std::to_string(weight / 100), hung.by, hung.effort,
+                                fmt::format("{:.4f}", timing.milliseconds), stretch_text(timing.strain.max),
+                                stretch_text(timing.strain.last)});
             add(curves, hung, weight / 100.0);
         }
     std::ranges::rotate(curves, curves.end() - 1); // the engine first, as in other pictures
