@@ -47,8 +47,8 @@ template <class Real> struct LinkPass {
 
 /// Where particles are tied to: each no further from it than it reaches.
 template <int D, class Real> struct Anchor {
-    Real place[D];
-    const Real* per_reach_square; ///< 1 / reach^2, by slot
+    Real opposite[D];                  ///< of its place: what added to another gives the way to that
+    const Real* half_per_reach_square; ///< 1 / 2 reach^2, by slot
 };
 
 /// What a substep does to each particle by itself.
@@ -62,6 +62,17 @@ template <int D, class Real> struct Motion {
     Real furthest = 0; ///< a particle may be
     Real add[D];       ///< to each move
     Real keep = 1;     ///< of it, before
+};
+
+/// Vectors by row, and columns of their components by slot.
+template <int D, class Real> struct Turning {
+    Real* rows; ///< D numbers each
+    Real* columns;
+    std::size_t apart;           ///< from one component to the next
+    const std::uint32_t* row_of; ///< by slot
+    std::uint32_t slot_of_last;  ///< that holds the last row there is
+    Real by = 1;                 ///< what numbers are multiplied by on their way
+    Real most = 0;               ///< in columns they are at most so large; 0: there they are as in rows
 };
 
 /// Each of particles in slots [first, last).
@@ -80,6 +91,12 @@ template <int D, class Real> struct Kernels {
     Moving<D, Real> go_on;
     /// The least of normal . (place + move).
     Real (*lowest)(const Motion<D, Real>&, const Real* normal, std::uint32_t first, std::uint32_t last);
+    /// Those of slots [first, last).
+    void (*to_columns)(const Turning<D, Real>&, std::uint32_t first, std::uint32_t last);
+    void (*to_rows)(const Turning<D, Real>&, std::uint32_t first, std::uint32_t last);
+    /// Whether all numbers are within [-limit, limit], or [0, limit]; what is no number is not.
+    bool (*all_within)(const Real* numbers, std::size_t count, Real limit);
+    bool (*all_within_and_positive)(const Real* numbers, std::size_t count, Real limit);
 };
 
 /// Those of one kind of processor.

@@ -28,24 +28,26 @@ template <int D, class Real> struct Components {
 };
 
 /// One anchor after the other: so no particle waits for the anchor before.
-template <int D, class Real> void tether_all(const Motion<D, Real>& motion, std::uint32_t first, std::uint32_t last) {
+template <int D, class Real> void tether_all(const Motion<D, Real>& columns, std::uint32_t first, std::uint32_t last) {
+    const Motion<D, Real> motion = columns;
     const Components<D, Real> place(motion.place, motion.apart), moves(motion.move, motion.apart);
     for (std::uint32_t i = 0; i < motion.anchor_count; ++i) {
         const auto anchor = motion.anchors[i];
         over<Real>(
             first, last, [&]<class V, bool all>(std::size_t at, int count) __attribute__((always_inline)) {
                 V move[D], e[D], e2{};
-                const V zero{}, half = spread<V>(Real(0.5));
+                const V zero{};
 #pragma GCC unroll 3
                 for (unsigned k = 0; k < D; ++k) {
                     move[k] = load<V>(moves[k] + at);
-                    e[k] = (load<V>(place[k] + at) - anchor.place[k]) + move[k];
+                    e[k] = (load<V>(place[k] + at) + anchor.opposite[k]) + move[k];
                     e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
                 }
-                const V per = load<V>(motion.mobility + at) > zero ? load<V>(anchor.per_reach_square + at) : zero;
-                const V t = e2 * per;
+                const V can = load<V>(anchor.half_per_reach_square + at);
+                const V half = e2 * (load<V>(motion.mobility + at) > zero ? can : zero);
                 const V back = lacking(
-                    least(half - half * t, zero), Real(1), [&]() __attribute__((always_inline)) { return t; });
+                    least(spread<V>(Real(0.5)) - half, zero),
+                    Real(1), [&]() __attribute__((always_inline)) { return half + half; });
 #pragma GCC unroll 3
                 for (unsigned k = 0; k < D; ++k) put<all>(moves[k] + at, move[k] + e[k] * back, count);
             });

@@ -2,6 +2,8 @@
 
 #include "sinew/solver/kernel_links.h"
 #include "sinew/solver/kernel_motion.h"
+#include "sinew/solver/kernel_turn.h"
+#include "sinew/solver/kernel_within.h"
 
 /// The text of the kernels. A file that includes it is compiled for one kind of processor.
 namespace sinew {
@@ -13,7 +15,11 @@ inline constexpr Kernels<D, Real> kernels_here{.project = project_runs<D, Real>,
                                                .advance = move_all<D, Real, Doing{.advances = true}>,
                                                .drift = move_all<D, Real, Doing{.drifts = true}>,
                                                .go_on = move_all<D, Real, Doing{true, true}>,
-                                               .lowest = lowest_of<D, Real>};
+                                               .lowest = lowest_of<D, Real>,
+                                               .to_columns = to_columns<D, Real>,
+                                               .to_rows = to_rows<D, Real>,
+                                               .all_within = all_within<true, Real>,
+                                               .all_within_and_positive = all_within<false, Real>};
 
 } // namespace
 } // namespace sinew

@@ -73,7 +73,7 @@ inline constexpr std::size_t most_tethers = 4;
 struct Tether {
     std::uint32_t pin = 0;   ///< of the world
     std::uint32_t at = 0;    ///< its particle, from the sheet's first slot on
-    std::uint32_t first = 0; ///< of Plan::per_reach_square: that of the sheet's first slot
+    std::uint32_t first = 0; ///< of Plan::half_per_reach_square: that of the sheet's first slot
 };
 
 /// Room for working out a plan.
@@ -144,10 +144,10 @@ template <class Real> struct Plan {
     std::vector<std::uint32_t> rows;           ///< of runs without a step
     std::vector<PinnedSlot> pins;              ///< by slot
     std::vector<Tether> tethers;
-    std::vector<Real> per_reach_square; ///< of each tether, by slot; 0 where it reaches anywhere
-    bool may_tear = true;               ///< something in the world
-    std::vector<SweepRun> others;       ///< constraints that are not plain, in the order of the sweep
-    std::uint32_t row_moves = 0;        ///< how often rows had moved (Blocks)
+    std::vector<Real> half_per_reach_square; ///< of each tether, by slot; 0 where it reaches anywhere
+    bool may_tear = true;                    ///< something in the world
+    std::vector<SweepRun> others;            ///< constraints that are not plain, in the order of the sweep
+    std::uint32_t row_moves = 0;             ///< how often rows had moved (Blocks)
 
     PlanPlace end() const {
         const auto size = [](const auto& column) { return std::uint32_t(column.size()); };
@@ -214,7 +214,7 @@ template <class Real> struct Plan {
         runs.clear();
         pins.clear();
         tethers.clear();
-        per_reach_square.clear();
+        half_per_reach_square.clear();
         others.clear();
     }
 };

@@ -44,7 +44,7 @@ template <int D, class Real> class TetherMaker {
 
     void forget() {
         plan_.tethers.clear();
-        plan_.per_reach_square.clear();
+        plan_.half_per_reach_square.clear();
         for (auto& sheet : plan_.sheets) sheet.first_tether = sheet.tethers = 0;
         for (auto& band : plan_.bands) band.spans = false;
     }
@@ -89,16 +89,17 @@ template <int D, class Real> class TetherMaker {
 
     void make_again() {
         const auto old = std::move(plan_.tethers);
-        const auto old_reaches = std::move(plan_.per_reach_square);
+        const auto old_reaches = std::move(plan_.half_per_reach_square);
         plan_.tethers.clear();
-        plan_.per_reach_square.clear();
+        plan_.half_per_reach_square.clear();
         std::size_t number = 0;
         for (auto& sheet : plan_.sheets) {
             const auto before = std::span(old).subspan(sheet.first_tether, sheet.tethers);
             tie(sheet, before, old_reaches, double(number++) / double(plan_.sheets.size()));
             find_spans(sheet);
         }
-        if (!plan_.tethers.empty()) plan_.per_reach_square.resize(plan_.per_reach_square.size() + plan_.lanes);
+        if (!plan_.tethers.empty())
+            plan_.half_per_reach_square.resize(plan_.half_per_reach_square.size() + plan_.lanes);
         spokes_.forget();
     }
 
@@ -109,19 +110,19 @@ template <int D, class Real> class TetherMaker {
         sheet.tethers = std::uint32_t(pins.size());
         bool any_new = false;
         for (std::size_t i = 0; i < pins.size(); ++i) {
-            const auto first = plan_.per_reach_square.size();
+            const auto first = plan_.half_per_reach_square.size();
             const auto at = pins[i].slot - sheet.begin.slot;
             plan_.tethers.push_back({.pin = pins[i].pin, .at = at, .first = std::uint32_t(first)});
             const auto same = std::find_if(before.begin(), before.end(), [&](const auto& b) { return b.at == at; });
             if (same != before.end()) {
                 const auto from = reaches.begin() + same->first;
-                plan_.per_reach_square.insert(plan_.per_reach_square.end(), from, from + size);
+                plan_.half_per_reach_square.insert(plan_.half_per_reach_square.end(), from, from + size);
                 continue;
             }
             if (!any_new) spokes_.list(sheet, size), corners_.begin();
             any_new = true;
-            plan_.per_reach_square.resize(first + size);
-            reach_from(sheet, at, std::span(plan_.per_reach_square).subspan(first));
+            plan_.half_per_reach_square.resize(first + size);
+            reach_from(sheet, at, std::span(plan_.half_per_reach_square).subspan(first));
             Waiting::tell(tethered(share + double(i + 1) / double(pins.size() * plan_.sheets.size())));
         }
     }
@@ -146,13 +147,13 @@ template <int D, class Real> class TetherMaker {
         }
     }
     Real reach(const Tether& tether, std::uint32_t s) const {
-        return square_root(inverse_or_zero(plan_.per_reach_square[tether.first + s]));
+        return square_root(inverse_or_zero(2 * plan_.half_per_reach_square[tether.first + s]));
     }
     /// That of the pin's nearest: a link.
     Real shortest_reach(const Sheet& sheet, const Tether& tether) const {
         const auto size = plan_.end_of(std::size_t(&sheet - plan_.sheets.data())).slot - sheet.begin.slot;
-        const auto reaches = std::span(plan_.per_reach_square).subspan(tether.first, size);
-        return square_root(inverse_or_zero(*std::max_element(reaches.begin(), reaches.end())));
+        const auto reaches = std::span(plan_.half_per_reach_square).subspan(tether.first, size);
+        return square_root(inverse_or_zero(2 * *std::max_element(reaches.begin(), reaches.end())));
     }
 
     /// The shortest ways (Dijkstra 1959), along rigid links and across the triangles they span: as from one particle
@@ -160,10 +161,10 @@ template <int D, class Real> class TetherMaker {
     /// way to two of them would have begun if all lay flat (Mitchell, Mount and Papadimitriou 1987, of the edges the
     /// first step only). A trace longer, so that nothing that hangs straight is pulled. Particles by their number in
     /// the sheet; of those that are equally far the first row comes first.
-    void reach_from(const Sheet& sheet, std::uint32_t anchor, std::span<Real> per_square) {
+    void reach_from(const Sheet& sheet, std::uint32_t anchor, std::span<Real> half_per_square) {
         constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.00001;
         const Row* const row_of = swept_.row_of.data() + sheet.begin.slot;
-        const auto way = per_square; // until all are known; negative of what is done with
+        const auto way = half_per_square; // until all are known; negative of what is done with
         std::fill(way.begin(), way.end(), Real(far));
         const auto done = [&](std::uint32_t s) { return std::signbit(way[s]); };
         const auto way_to = [&](std::uint32_t s) { return double(absolute(way[s])); };
@@ -196,9 +197,9 @@ template <int D, class Real> class TetherMaker {
             }
             for (std::size_t i = 0; i < near.size(); ++i) shorten(s + near[i].apart, lengths[i]);
         }
-        for (auto& number : per_square) {
+        for (auto& number : half_per_square) {
             const double reach = minimum(double(absolute(number)) * slack, far);
-            number = reach > 0 ? Real(1 / square(reach)) : Real(0);
+            number = reach > 0 ? Real(0.5 / square(reach)) : Real(0);
         }
     }
 };

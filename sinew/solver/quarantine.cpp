@@ -1,46 +1,27 @@
 #include "sinew/solver/changes.h"
+#include "sinew/solver/kernel.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/workers.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <bit>
 
 namespace sinew {
 namespace {
 
-enum class Least { negative, zero };
-
-/// Whether all numbers are within [-limit, limit], or [0, limit]; what is no number is not. Compared as whole numbers,
-/// many at once.
-template <Least least = Least::negative, class Real> bool all_within(std::span<const Real> numbers, Real limit) {
-    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-    constexpr Bits no_sign = ~(Bits(1) << (8 * sizeof(Bits) - 1));
-    const auto most = std::bit_cast<Bits>(limit);
-    Bits beyond = 0; // its highest bit
-    for (const Real number : numbers) {
-        beyond |= most - (std::bit_cast<Bits>(number) & no_sign);
-        if (least == Least::zero) beyond |= std::bit_cast<Bits>(number + Real(0)); // -0 is 0
-    }
-    return beyond <= no_sign;
-}
-template <int D, class Real> bool all_within(std::span<const Vec<D, Real>> column, Real limit) {
-    static_assert(sizeof(Vec<D, Real>) == D * sizeof(Real));
-    return all_within(std::span(column[0].component.data(), column.size() * D), limit);
-}
-
 /// Of rows [first, first + count). Where a particle was counts in classic mode alone.
 template <int D, class Real> bool all_in_limits(const World<D, Real>& world, std::size_t first, std::size_t count) {
     const auto& p = world.particles;
-    const auto within = [&]<class T>(const std::vector<T>& column, Real limit) {
-        return all_within(std::span(column).subspan(first, count), limit);
+    const auto& look = kernels<D, Real>();
+    const auto vectors = [&](const std::vector<Vec<D, Real>>& column, Real limit) {
+        static_assert(sizeof column[0] == D * sizeof limit);
+        return look.all_within(column[first].component.data(), count * D, limit);
     };
-    return within(p.position, limit::coordinate<Real>) &&
-           (world.settings.mode == Mode::physical || within(p.previous, limit::coordinate<Real>)) &&
-           within(p.velocity, limit::speed<Real>) && (!p.any_force || within(p.force, limit::force<Real>)) &&
-           within(p.inverse_mass, limit::mass<Real>) &&
-           all_within<Least::zero>(std::span(p.radius).subspan(first, count), limit::coordinate<Real>);
+    return vectors(p.position, limit::coordinate<Real>) &&
+           (world.settings.mode == Mode::physical || vectors(p.previous, limit::coordinate<Real>)) &&
+           vectors(p.velocity, limit::speed<Real>) && (!p.any_force || vectors(p.force, limit::force<Real>)) &&
+           look.all_within(p.inverse_mass.data() + first, count, limit::mass<Real>) &&
+           look.all_within_and_positive(p.radius.data() + first, count, limit::coordinate<Real>);
 }
 
 /// Most worlds are, and are looked through quickly.
@@ -109,8 +90,10 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
         hold(world.particles);
     }
     for (auto& pin : world.pins) {
-        const std::array ends{pin.from, pin.target};
-        if (all_within(std::span<const Vec<D, Real>>(ends), limit::coordinate<Real>)) continue;
+        const auto within = [](const Vec<D, Real>& place) {
+            return std::ranges::all_of(place.component, [](Real x) { return absolute(x) <= limit::coordinate<Real>; });
+        };
+        if (within(pin.from) && within(pin.target)) continue;
         if (!is_finite(pin.from)) pin.from = is_finite(pin.target) ? pin.target : Vec<D, Real>{};
         if (!is_finite(pin.target)) pin.target = pin.from;
         pin.from = clamp_components(pin.from, limit::coordinate<Real>);

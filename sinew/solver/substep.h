@@ -186,8 +186,8 @@ template <int D, class Real> class Substep {
             const auto& tether = plan.tethers[sheet.first_tether + i];
             const auto& pin = world_.pins[tether.pin];
             const auto goal = pin.from + (pin.target - pin.from) * share_;
-            for (int k = 0; k < D; ++k) anchors_[i].place[k] = goal[k];
-            anchors_[i].per_reach_square = plan.per_reach_square.data() + tether.first - first;
+            for (int k = 0; k < D; ++k) anchors_[i].opposite[k] = -goal[k];
+            anchors_[i].half_per_reach_square = plan.half_per_reach_square.data() + tether.first - first;
         }
         motion_.anchors = anchors_.data();
         motion_.anchor_count = sheet.tethers;

@@ -1,5 +1,5 @@
+#include "sinew/solver/kernel.h"
 #include "sinew/solver/phases.h"
-#include "sinew/solver/turn.h"
 #include "sinew/solver/world.h"
 
 #include <algorithm>
@@ -31,6 +31,16 @@ void read_through(const Swept<D, Real>& swept, Row first, Row last, const std::v
     (read(columns), ...);
 }
 
+template <int D, class Real>
+Turning<D, Real> turning(const Swept<D, Real>& swept, std::vector<Vec<D, Real>>& rows, Real* columns) {
+    static_assert(sizeof rows[0] == D * sizeof(Real));
+    Turning<D, Real> all{};
+    all.rows = rows.data()->component.data();
+    all.columns = columns, all.apart = swept.apart();
+    all.row_of = swept.row_of.data(), all.slot_of_last = swept.slot_of.back();
+    return all;
+}
+
 } // namespace
 
 template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h) {
@@ -58,43 +68,47 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h) {
 }
 
 template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row first, Row last) {
-    const auto& p = world.particles;
+    auto& p = world.particles;
     auto& swept = world.swept;
     if (first == last) return;
-    const SlotRows slots{swept.row_of.data(), swept.slot_of.back()};
-    const auto as_it_is = [](const auto& numbers) { return numbers; };
-    const Real furthest = furthest_move(h);
+    const auto& kernel = kernels<D, Real>();
     read_through(swept, first, last, p.position, p.residual, p.velocity, p.mobility, p.inverse_mass);
-    to_columns<D, Real>(p.position, slots, first, last, swept.place, as_it_is);
-    to_columns<D, Real>(p.residual, slots, first, last, swept.residual, as_it_is);
-    to_columns<D, Real>(p.velocity, slots, first, last, swept.move, [&]<class V>(const V& velocity) {
-        return lane::within(V(velocity * h), lane::spread<V>(furthest));
-    });
+    kernel.to_columns(turning(swept, p.position, swept.place[0]), first, last);
+    kernel.to_columns(turning(swept, p.residual, swept.residual[0]), first, last);
+    auto moves = turning(swept, p.velocity, swept.move[0]);
+    moves.by = h, moves.most = furthest_move(h);
+    kernel.to_columns(moves, first, last);
+    const Row* const row_of = swept.row_of.data();
+    const Real *const mobility = p.mobility.data(), *const inverse_mass = p.inverse_mass.data();
+    Real* const to = swept.mobility;
+#pragma GCC unroll 4
     for (Row slot = first; slot < last; ++slot) {
-        const Row row = swept.row_of[slot];
-        swept.mobility[slot] = p.mobility[row] > Real(0) ? p.inverse_mass[row] : Real(0);
+        const Real can = mobility[row_of[slot]], most = inverse_mass[row_of[slot]];
+        to[slot] = can > Real(0) ? most : Real(0);
     }
 }
 
 template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last) {
     auto& p = world.particles;
-    const auto& swept = world.swept;
+    auto& swept = world.swept;
+    const auto& kernel = kernels<D, Real>();
+    kernel.to_rows(turning(swept, p.position, swept.place[0]), first, last);
+    kernel.to_rows(turning(swept, p.residual, swept.residual[0]), first, last);
+    auto moves = turning(swept, p.velocity, swept.move[0]);
+    moves.by = swept.per_h;
+    kernel.to_rows(moves, first, last);
     const Row* const row_of = swept.row_of.data();
-    const auto as_it_is = [](const auto& numbers) { return numbers; };
-    const auto per_h = swept.per_h;
-    to_rows<D, Real>(swept.place, row_of, first, last, p.position, as_it_is);
-    to_rows<D, Real>(swept.residual, row_of, first, last, p.residual, as_it_is);
-    to_rows<D, Real>(swept.move, row_of, first, last, p.velocity,
-                     [&]<class V>(const V& move) -> V { return move * per_h; });
+    Real* const mobility = p.mobility.data();
+    const Real* const from = swept.mobility;
+#pragma GCC unroll 4
     for (Row slot = first; slot < last; ++slot)
-        if (Real& mobility = p.mobility[row_of[slot]]; mobility != swept.mobility[slot])
-            mobility = swept.mobility[slot];
+        if (mobility[row_of[slot]] != from[slot]) mobility[row_of[slot]] = from[slot];
 }
 
 template <int D, class Real> void note_places(World<D, Real>& world, Row first, Row last) {
-    read_through(world.swept, first, last, world.particles.previous);
-    to_rows<D, Real>(world.swept.place, world.swept.row_of.data(), first, last, world.particles.previous,
-                     [](const auto& numbers) { return numbers; });
+    auto& previous = world.particles.previous;
+    read_through(world.swept, first, last, previous);
+    kernels<D, Real>().to_rows(turning(world.swept, previous, world.swept.place[0]), first, last);
 }
 
 #define SINEW_SWEPT(D, Real)                                                                                           \

@@ -255,7 +255,7 @@ TEST(Tethers, ReachAsFarAsTheThreads) {
         const Row pinned = *world.particles.slots.find(world.pins[tether.pin].particle);
         for (Row slot = 0; slot < swept.size(); ++slot) {
             const double far = distance(world.particles.position[swept.row_of[slot]], world.particles.position[pinned]);
-            const double per_square = swept.plan.per_reach_square[tether.first + slot];
+            const double per_square = 2 * swept.plan.half_per_reach_square[tether.first + slot];
             const double reach = per_square > 0 ? 1 / std::sqrt(per_square) : 0;
             EXPECT_LE(far, reach + 1e-6);
             EXPECT_GE(far * 1.1 + 1e-3, reach); // eight directions come within 8 %

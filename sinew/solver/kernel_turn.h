@@ -1,0 +1,150 @@
+#pragma once
+
+#include "sinew/math/lane.h"
+#include "sinew/solver/kernel.h"
+
+/// The text of the kernels that turn vectors by row into columns of their components by slot, and back. In space, and
+/// in single precision, four or eight at once.
+namespace sinew {
+namespace {
+
+using namespace lane;
+
+using Four = Pack<float, 4>;
+using Eight = Pack<float, 8>;
+template <int D, class Real>
+inline constexpr int turned_at_once = D != 3 || sizeof(Real) != 4 || bytes < 16 ? 1
+                                      : bytes < 32                              ? 4
+                                                                                : 8;
+
+/// Four numbers from a row on, of the first and the fifth slot: the fourth is the next row's.
+template <class V> [[gnu::always_inline]] inline V four_from(const float* rows, const std::uint32_t* row_of) {
+    const auto first = load<Four>(rows + std::size_t(row_of[0]) * 3);
+    if constexpr (sizeof(V) == sizeof(Four))
+        return first;
+    else
+        return __builtin_shufflevector(first, load<Four>(rows + std::size_t(row_of[4]) * 3), 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+[[gnu::always_inline]] inline void put_three(float* to, const Four& pack) {
+#if defined(__SSE2__)
+    _mm_storel_pi(reinterpret_cast<__m64*>(to), pack);
+#else
+    to[0] = pack[0], to[1] = pack[1];
+#endif
+    to[2] = pack[2];
+}
+template <class V>
+[[gnu::always_inline]] inline void put_three(float* rows, const std::uint32_t* row_of, const V& pack) {
+    if constexpr (sizeof(V) == sizeof(Four)) {
+        put_three(rows + std::size_t(row_of[0]) * 3, pack);
+    } else {
+        put_three(rows + std::size_t(row_of[0]) * 3, __builtin_shufflevector(pack, pack, 0, 1, 2, 3));
+        put_three(rows + std::size_t(row_of[4]) * 3, __builtin_shufflevector(pack, pack, 4, 5, 6, 7));
+    }
+}
+
+/// Of each four lanes of a and b the first two, or the last two, one after the other.
+template <class V> [[gnu::always_inline]] inline V firsts(const V& a, const V& b) {
+    if constexpr (sizeof(V) == sizeof(Four))
+        return __builtin_shufflevector(a, b, 0, 4, 1, 5);
+    else
+        return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+}
+template <class V> [[gnu::always_inline]] inline V lasts(const V& a, const V& b) {
+    if constexpr (sizeof(V) == sizeof(Four))
+        return __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    else
+        return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+}
+/// The first two of a and then those of b, or the last two.
+template <class V> [[gnu::always_inline]] inline V first_pairs(const V& a, const V& b) {
+    if constexpr (sizeof(V) == sizeof(Four))
+        return __builtin_shufflevector(a, b, 0, 1, 4, 5);
+    else
+        return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+}
+template <class V> [[gnu::always_inline]] inline V last_pairs(const V& a, const V& b) {
+    if constexpr (sizeof(V) == sizeof(Four))
+        return __builtin_shufflevector(a, b, 2, 3, 6, 7);
+    else
+        return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+
+/// Four packs of four numbers each become four of the first, the second, the third and the fourth of them.
+template <class V> [[gnu::always_inline]] inline void turn(V& a, V& b, V& c, V& d) {
+    const V ab_first = firsts(a, b), ab_last = lasts(a, b), cd_first = firsts(c, d), cd_last = lasts(c, d);
+    a = first_pairs(ab_first, cd_first);
+    b = last_pairs(ab_first, cd_first);
+    c = first_pairs(ab_last, cd_last);
+    d = last_pairs(ab_last, cd_last);
+}
+
+template <bool changes, class V, class Real>
+[[gnu::always_inline]] inline V into_column(const V& x, Real by, Real most) {
+    if constexpr (changes)
+        return within(V(x * by), spread<V>(most));
+    else
+        return x;
+}
+
+template <int D, class Real, bool changes>
+[[gnu::always_inline]] inline void to_columns_as(const Turning<D, Real>& turning, std::uint32_t first,
+                                                 std::uint32_t last) {
+    const auto [rows, columns, apart, row_of, slot_of_last, by, most] = turning;
+    constexpr std::uint32_t width = turned_at_once<D, Real>;
+    const auto change = [ by, most ]<class V>(const V& x) __attribute__((always_inline)) {
+        return into_column<changes>(x, by, most);
+    };
+    const auto one = [&](std::uint32_t slot) __attribute__((always_inline)) {
+        for (unsigned k = 0; k < D; ++k) columns[k * apart + slot] = change(rows[std::size_t(row_of[slot]) * D + k]);
+    };
+    std::uint32_t slot = first;
+    if constexpr (width > 1) {
+        using V = Pack<float, width>;
+        for (; slot + width <= last; slot += width) {
+            if (slot_of_last - slot < width) [[unlikely]] {
+                for (std::uint32_t i = slot; i < slot + width; ++i) one(i);
+                continue;
+            }
+            const auto* const at = row_of + slot;
+            V a = four_from<V>(rows, at), b = four_from<V>(rows, at + 1), c = four_from<V>(rows, at + 2);
+            V d = four_from<V>(rows, at + 3);
+            turn(a, b, c, d);
+            store(columns + slot, change(a));
+            store(columns + apart + slot, change(b));
+            store(columns + 2 * apart + slot, change(c));
+        }
+    }
+    for (; slot < last; ++slot) one(slot);
+}
+template <int D, class Real> void to_columns(const Turning<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
+    if (turning.most > 0)
+        to_columns_as<D, Real, true>(turning, first, last);
+    else
+        to_columns_as<D, Real, false>(turning, first, last);
+}
+
+template <int D, class Real> void to_rows(const Turning<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
+    const auto [rows, columns, apart, row_of, slot_of_last, by, most] = turning;
+    constexpr std::uint32_t width = turned_at_once<D, Real>;
+    std::uint32_t slot = first;
+    if constexpr (width > 1) {
+        using V = Pack<float, width>;
+        for (; slot + width <= last; slot += width) {
+            V a = load<V>(columns + slot) * by, b = load<V>(columns + apart + slot) * by;
+            V c = load<V>(columns + 2 * apart + slot) * by, d{};
+            turn(a, b, c, d);
+            const auto* const at = row_of + slot;
+            put_three(rows, at, a);
+            put_three(rows, at + 1, b);
+            put_three(rows, at + 2, c);
+            put_three(rows, at + 3, d);
+        }
+    }
+    for (; slot < last; ++slot)
+        for (unsigned k = 0; k < D; ++k) rows[std::size_t(row_of[slot]) * D + k] = columns[k * apart + slot] * by;
+}
+
+} // namespace
+} // namespace sinew
