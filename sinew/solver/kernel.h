@@ -7,6 +7,18 @@
 /// (kernel_text.h), and which is used is chosen when the program runs; all give the same bits.
 namespace sinew {
 
+/// What most runs are: rigid, side by side, and between particles that move equally readily. All links are alike, or
+/// each has its own limits.
+enum class LinkKind : unsigned char {
+    other,
+    exact,
+    exact_each,
+    swinging, ///< exact, and corrected along the links as they were when the substep began
+    swinging_each,
+    ranging, ///< between two limits
+    ranging_each
+};
+
 /// Plain distances that are solved one after the other: of particles a and b, a + 1 and b + 1, ... Within any 16
 /// consecutive ones, and the 16 after them, no particle comes twice.
 struct LinkRun {
@@ -21,6 +33,7 @@ struct LinkRun {
     bool swings = false;          ///< corrected along the links as they were when the substep began
     bool even = true;             ///< both ends of each move as readily, and can
     bool scattered = false;
+    LinkKind kind = LinkKind::other;
 };
 
 /// The columns of the particles (swept.h), and of the plan (plan.h).
@@ -30,7 +43,7 @@ template <int D, class Real> struct LinkColumns {
     std::size_t apart; ///< from one component to the next
     const Real* mobility;
     const Real *low, *high, *compliance;
-    const Real* per_square;               ///< 1 / low^2
+    const Real* quarter_per_square;       ///< 1 / 4 low^2
     const std::uint32_t *ends_a, *ends_b; ///< of scattered ones
     const std::uint32_t* rows;            ///< of runs without a step
     Real* multiplier;                     ///< by row

@@ -23,23 +23,24 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
     const LinkColumns<D, Real>& columns;
     LinkPass<Real>& pass;
     const LinkRun& run;
-    const Real *place_a, *place_b;
+    const Real *place_a, *place_b, *low, *high;
     Real *move_a, *move_b;
     std::size_t apart;
 
     EvenLinks(const LinkColumns<D, Real>& from, LinkPass<Real>& in, const LinkRun& of)
         : columns(from), pass(in), run(of), place_a(from.place + of.a), place_b(from.place + of.b),
-          move_a(from.move + of.a), move_b(from.move + of.b), apart(from.apart) {}
+          low(from.quarter_per_square + of.parameters), high(from.high + of.parameters), move_a(from.move + of.a),
+          move_b(from.move + of.b), apart(from.apart) {}
 
-    /// Those of a run.
-    [[gnu::always_inline]] void solve() const {
+    /// Those of a run, which have the same limits or each its own.
+    [[gnu::always_inline]] void solve_uniform() const {
         if (run.count < width) return carefully(columns, pass, run, 0, run.count);
-        if (run.uniform) {
-            const Wanted same = uniformly_wanted();
-            solve([&](std::size_t) __attribute__((always_inline))->const Wanted& { return same; });
-        } else {
-            solve([&](std::size_t i) __attribute__((always_inline)) { return wanted_of(i); });
-        }
+        const Wanted same = uniformly_wanted();
+        solve([&](std::size_t) __attribute__((always_inline))->const Wanted& { return same; });
+    }
+    [[gnu::always_inline]] void solve_each() const {
+        if (run.count < width) return carefully(columns, pass, run, 0, run.count);
+        solve([&](std::size_t i) __attribute__((always_inline)) { return wanted_of(i); });
     }
 
   private:
@@ -57,12 +58,12 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
     /// The last pack begins so much earlier that it is full. Those that are in it and in the one before are loaded
     /// before they are stored, and solved twice alike.
     template <class Limits> [[gnu::always_inline]] void solve(Limits&& wanted) const {
-        const std::size_t end = run.count;
+        const std::size_t end = run.count, over = end % width, whole = over == 0 ? end : end - over - width;
         std::size_t i = 0;
-        for (; i + 2 * width <= end; i += width)
+        for (; i < whole; i += width)
             if (!all_near({i}, wanted)) [[unlikely]]
                 carefully(columns, pass, run, i, i + width);
-        if (i + width == end ? !all_near({i}, wanted) : !all_near({i, end - width}, wanted)) [[unlikely]]
+        if (over > 0 && !all_near({i, end - width}, wanted)) [[unlikely]]
             carefully(columns, pass, run, i, end);
     }
 
@@ -220,21 +221,56 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
 
     [[gnu::always_inline]] Wanted uniformly_wanted() const {
         return wanted(
-            run.parameters, [](const Real* from) __attribute__((always_inline)) { return spread<V>(*from); });
+            0, [](const Real* from) __attribute__((always_inline)) { return spread<V>(*from); });
     }
     [[gnu::always_inline]] Wanted wanted_of(std::size_t i) const {
         return wanted(
-            run.parameters + i, [](const Real* from) __attribute__((always_inline)) { return load<V>(from); });
+            i, [](const Real* from) __attribute__((always_inline)) { return load<V>(from); });
     }
     template <class Get> [[gnu::always_inline]] Wanted wanted(std::size_t at, Get&& get) const {
-        Wanted wanted{get(columns.per_square + at) * Real(0.25), V{}};
+        Wanted wanted{get(low + at), V{}};
         if constexpr (!exact) {
-            const V high = get(columns.high + at);
-            wanted.high = Real(0.25) / (high * high);
+            const V longest = get(high + at);
+            wanted.high = Real(0.25) / (longest * longest);
         }
         return wanted;
     }
 };
+
+/// Runs of a kind, up to the first that is of another. By itself, because among all other kinds it would not get
+/// registers enough.
+template <LinkKind kind, bool kept, int D, class Real>
+[[gnu::noinline]] const LinkRun* project_kind(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
+                                              const LinkRun* first, const LinkRun* last) {
+    using enum LinkKind;
+    constexpr bool ranges = kind == ranging || kind == ranging_each, swings = kind == swinging || kind == swinging_each;
+    constexpr bool uniform = kind == exact || kind == swinging || kind == ranging;
+    for (; first != last && first->kind == kind; ++first) {
+        const EvenLinks<D, Real, !ranges, kept, swings> links(columns, pass, *first);
+        if constexpr (uniform)
+            links.solve_uniform();
+        else
+            links.solve_each();
+    }
+    return first;
+}
+
+/// Runs from the first on, up to one that is of no kind.
+template <bool kept, int D, class Real>
+const LinkRun* project_kinds(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, const LinkRun* first,
+                             const LinkRun* last) {
+    using enum LinkKind;
+    using Project = const LinkRun* (*)(const LinkColumns<D, Real>&, LinkPass<Real>&, const LinkRun*, const LinkRun*);
+    static constexpr Project project[] = {nullptr,
+                                          project_kind<exact, kept, D, Real>,
+                                          project_kind<exact_each, kept, D, Real>,
+                                          project_kind<swinging, kept, D, Real>,
+                                          project_kind<swinging_each, kept, D, Real>,
+                                          project_kind<ranging, kept, D, Real>,
+                                          project_kind<ranging_each, kept, D, Real>};
+    while (first != last && first->kind != other) first = project[int(first->kind)](columns, pass, first, last);
+    return first;
+}
 
 } // namespace
 } // namespace sinew

@@ -204,30 +204,17 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     }
 };
 
-template <int D, class Real, bool kept>
-[[gnu::always_inline]] inline void project_even(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
-                                                const LinkRun& run) {
-    if (run.swings)
-        EvenLinks<D, Real, true, kept, true>(columns, pass, run).solve();
-    else if (run.exact)
-        EvenLinks<D, Real, true, kept, false>(columns, pass, run).solve();
-    else
-        EvenLinks<D, Real, false, kept, false>(columns, pass, run).solve();
-}
-
 template <int D, class Real>
 void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, const LinkRun* first,
                   const LinkRun* last) {
     for (; first != last; ++first) {
+        if (!pass.kept)
+            first = project_kinds<false>(columns, pass, first, last);
+        else if (pass.first)
+            first = project_kinds<true>(columns, pass, first, last);
+        if (first == last) return;
         const auto& run = *first;
         if (run.soft && pass.again) continue;
-        if (run.even && !run.soft && !run.scattered && (run.exact || !run.swings) && (pass.first || !pass.kept)) {
-            if (pass.kept)
-                project_even<D, Real, true>(columns, pass, run);
-            else
-                project_even<D, Real, false>(columns, pass, run);
-            continue;
-        }
         constexpr Rules all{}, unyielding{true, false, false, false};
         constexpr Rules unkept{.kept = false}, swinging{false, false, false, true};
         constexpr Rules simple{false, false, false, false}, rigid{false, false, true, true};

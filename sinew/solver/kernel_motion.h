@@ -43,8 +43,8 @@ template <int D, class Real> void tether_all(const Motion<D, Real>& columns, std
                     e[k] = (load<V>(place[k] + at) + anchor.opposite[k]) + move[k];
                     e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
                 }
-                const V can = load<V>(anchor.half_per_reach_square + at);
-                const V half = e2 * (load<V>(motion.mobility + at) > zero ? can : zero);
+                const V per = load<V>(anchor.half_per_reach_square + at);
+                const V half = e2 * (load<V>(motion.mobility + at) > zero ? per : zero);
                 const V back = lacking(
                     least(spread<V>(Real(0.5)) - half, zero),
                     Real(1), [&]() __attribute__((always_inline)) { return half + half; });
@@ -54,7 +54,8 @@ template <int D, class Real> void tether_all(const Motion<D, Real>& columns, std
     }
 }
 
-/// What is done, in this order.
+/// What is done, in this order. Places are held in limits where nothing follows: a move is no longer than what crosses
+/// the world, so in one step no place becomes infinite.
 struct Doing {
     bool advances = false, drifts = false;
 };
@@ -72,7 +73,7 @@ void move_all(const Motion<D, Real>& columns, std::uint32_t first, std::uint32_t
                 const V move = load<V>(moves[k] + at);
                 if constexpr (doing.advances) {
                     const V from = load<V>(place[k] + at), total = move + load<V>(residual[k] + at), to = from + total;
-                    put<all>(place[k] + at, within(to, spread<V>(motion.furthest)), count);
+                    put<all>(place[k] + at, doing.drifts ? to : within(to, spread<V>(motion.furthest)), count);
                     put<all>(residual[k] + at, total - (to - from), count);
                 }
                 if constexpr (doing.drifts) {

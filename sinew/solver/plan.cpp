@@ -29,7 +29,7 @@ template <int D, class Real> class Planner {
             parts_.forget();
         }
         plan_.close();
-        square_lengths();
+        prepare_runs();
         plan_.row_moves = world_.blocks.row_moves;
         list_pins();
         tethers_.run();
@@ -147,11 +147,19 @@ template <int D, class Real> class Planner {
         swept_.reserve(world_.particles.size());
     }
 
-    /// As the kernels would (kernel_length.h), which divide more slowly than they read.
-    void square_lengths() {
-        plan_.per_square.resize(plan_.low.size());
+    /// What the kernels would find out (kernel_links.h), more slowly than they read it.
+    void prepare_runs() {
+        for (auto& run : plan_.runs) run.kind = kind_of(run);
+        plan_.quarter_per_square.resize(plan_.low.size());
         for (std::size_t i = 0; i < plan_.low.size(); ++i)
-            plan_.per_square[i] = minimum(Real(1) / (plan_.low[i] * plan_.low[i]), Real(1e30));
+            plan_.quarter_per_square[i] = Real(0.25) * minimum(Real(1) / (plan_.low[i] * plan_.low[i]), Real(1e30));
+    }
+
+    static LinkKind kind_of(const LinkRun& run) {
+        if (!run.even || run.soft || run.scattered || (run.swings && !run.exact)) return LinkKind::other;
+        if (run.swings) return run.uniform ? LinkKind::swinging : LinkKind::swinging_each;
+        if (run.exact) return run.uniform ? LinkKind::exact : LinkKind::exact_each;
+        return run.uniform ? LinkKind::ranging : LinkKind::ranging_each;
     }
 
     void list_pins() {

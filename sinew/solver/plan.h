@@ -139,7 +139,7 @@ template <class Real> struct Plan {
     std::vector<std::uint32_t> first_run;
     std::vector<LinkRun> runs;
     std::vector<Real> low, high, compliance;   ///< one of each for a uniform run, else for each distance
-    std::vector<Real> per_square;              ///< 1 / low^2, of each of them
+    std::vector<Real> quarter_per_square;      ///< 1 / 4 low^2, of each of them
     std::vector<std::uint32_t> ends_a, ends_b; ///< of what is scattered
     std::vector<std::uint32_t> rows;           ///< of runs without a step
     std::vector<PinnedSlot> pins;              ///< by slot
@@ -201,7 +201,7 @@ template <class Real> struct Plan {
         families.reserve(distances + 1);
         first_run.reserve(2 * distances + particles + 1);
         runs.reserve(distances);
-        for (auto* column : {&low, &high, &compliance, &per_square}) column->reserve(distances + 17);
+        for (auto* column : {&low, &high, &compliance, &quarter_per_square}) column->reserve(distances + 17);
         for (auto* column : {&ends_a, &ends_b, &rows}) column->reserve(distances);
         others.reserve(constraints);
     }

@@ -89,7 +89,7 @@ template <int D, class Real> struct Swept {
         columns.mobility = mobility;
         columns.low = plan.low.data();
         columns.high = plan.high.data();
-        columns.per_square = plan.per_square.data();
+        columns.quarter_per_square = plan.quarter_per_square.data();
         columns.compliance = plan.compliance.data();
         columns.ends_a = plan.ends_a.data();
         columns.ends_b = plan.ends_b.data();
