@@ -40,10 +40,9 @@ std::vector<double> warm(std::vector<double> times) {
     return times;
 }
 
-/// How many steps a turn has: a tenth of a second at that pace, but in six turns all of them are done.
-int turn_length(double pace, int steps) {
-    constexpr double turn = 100; // milliseconds
-    return std::max(1, std::min(int(turn / pace), steps / 6));
+/// How many steps a turn has, of what takes so long: as many as fit, but in six turns all of them are done.
+int turn_length(double step, double turn, int steps) {
+    return std::max(1, std::min(int(turn / step), steps / 6));
 }
 
 template <class Real> class EngineRun final : public Simulation {
@@ -103,10 +102,10 @@ Timing time(Simulation& simulation, const Work& work, const Extent& extent, cons
     std::vector<double> times, ratios; // of steps; of turns
     double spent = 0;                  // milliseconds
     const auto on = [&] { return timing.steps < extent.steps && spent < 1000 * extent.seconds; };
-    int length = pace ? 1 : extent.steps;
+    int length = pace ? 1 : extent.steps, pace_length = pace ? 1 : 0;
     while (on()) {
         std::vector<double> paced, turn;
-        for (int i = 0; pace && i < length; ++i) paced.push_back(timed_step(*pace));
+        for (int i = 0; i < pace_length; ++i) paced.push_back(timed_step(*pace));
         for (int i = 0; i < length && on(); ++i) {
             turn.push_back(timed_step(simulation));
             spent += turn.back();
@@ -116,9 +115,10 @@ Timing time(Simulation& simulation, const Work& work, const Extent& extent, cons
         turn = warm(std::move(turn));
         times.insert(times.end(), turn.begin(), turn.end());
         if (!pace) continue;
-        const double unit = median(warm(std::move(paced)));
-        ratios.push_back(unit / median(std::move(turn)));
-        length = turn_length(unit, extent.steps);
+        const double unit = median(warm(std::move(paced))), mine = median(std::move(turn));
+        ratios.push_back(unit / mine);
+        length = turn_length(mine, 100, extent.steps);
+        pace_length = turn_length(unit, 30, extent.steps);
     }
     look();
     timing.milliseconds = median(warm(std::move(times)));

@@ -25,8 +25,8 @@ struct Extent {
     int steps = 0;
     double seconds = 1e9; ///< after them no further step begins
 };
-/// With a pace (the textbook, for one) they step by turns, some steps each: the clock of a processor changes under
-/// way, and so it does for both.
+/// With a pace (the textbook, for one) they step by turns, some steps each, at most a tenth of a second: the clock of a
+/// processor changes under way, and so it does for both.
 Timing time(Simulation& simulation, const Work& work, const Extent& extent, const Watch& watch = {},
             Simulation* pace = nullptr);
 

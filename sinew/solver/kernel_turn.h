@@ -27,11 +27,7 @@ template <class V> [[gnu::always_inline]] inline V four_from(const float* rows, 
 }
 
 [[gnu::always_inline]] inline void put_three(float* to, const Four& pack) {
-#if defined(__SSE2__)
-    _mm_storel_pi(reinterpret_cast<__m64*>(to), pack);
-#else
-    to[0] = pack[0], to[1] = pack[1];
-#endif
+    __builtin_memcpy(to, &pack, 2 * sizeof(float));
     to[2] = pack[2];
 }
 template <class V>
