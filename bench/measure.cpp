@@ -22,9 +22,8 @@ double milliseconds_since(Clock::time_point begin) {
 
 double median(std::vector<double> values) {
     if (values.empty()) return 0;
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    std::sort(values.begin(), values.end());
+    return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
 double timed_step(Simulation& simulation) {
@@ -42,7 +41,7 @@ std::vector<double> warm(std::vector<double> times) {
 
 /// How many steps a turn has, of what takes so long: as many as fit, but in six turns all of them are done.
 int turn_length(double step, double turn, int steps) {
-    return std::max(1, std::min(int(turn / step), steps / 6));
+    return std::max(1, int(std::min(turn / step, steps / 6.0)));
 }
 
 template <class Real> class EngineRun final : public Simulation {
