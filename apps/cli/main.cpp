@@ -74,7 +74,7 @@ int run(Arguments arguments) {
 /// keeps all that it was once worked out with.
 void give_back_at_once() {
 #ifdef __GLIBC__
-    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+    mallopt(M_MMAP_THRESHOLD, 1 << 18);
 #endif
 }
 
