@@ -11,7 +11,6 @@ namespace {
 using namespace lane;
 
 using Four = Pack<float, 4>;
-using Eight = Pack<float, 8>;
 template <int D, class Real>
 inline constexpr int turned_at_once = D != 3 || sizeof(Real) != 4 || bytes < 16 ? 1
                                       : bytes < 32                              ? 4
@@ -40,40 +39,24 @@ template <class V>
     }
 }
 
-/// Of each four lanes of a and b the first two, or the last two, one after the other.
-template <class V> [[gnu::always_inline]] inline V firsts(const V& a, const V& b) {
+/// Of each four lanes of a, and from 4 on of b, those with these numbers.
+template <int i, int j, int k, int l, class V> [[gnu::always_inline]] inline V choose(const V& a, const V& b) {
+    constexpr auto of_b = [](int lane) { return lane < 4 ? 0 : 4; }; // how much further they are among eight
     if constexpr (sizeof(V) == sizeof(Four))
-        return __builtin_shufflevector(a, b, 0, 4, 1, 5);
+        return __builtin_shufflevector(a, b, i, j, k, l);
     else
-        return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
-}
-template <class V> [[gnu::always_inline]] inline V lasts(const V& a, const V& b) {
-    if constexpr (sizeof(V) == sizeof(Four))
-        return __builtin_shufflevector(a, b, 2, 6, 3, 7);
-    else
-        return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
-}
-/// The first two of a and then those of b, or the last two.
-template <class V> [[gnu::always_inline]] inline V first_pairs(const V& a, const V& b) {
-    if constexpr (sizeof(V) == sizeof(Four))
-        return __builtin_shufflevector(a, b, 0, 1, 4, 5);
-    else
-        return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
-}
-template <class V> [[gnu::always_inline]] inline V last_pairs(const V& a, const V& b) {
-    if constexpr (sizeof(V) == sizeof(Four))
-        return __builtin_shufflevector(a, b, 2, 3, 6, 7);
-    else
-        return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+        return __builtin_shufflevector(a, b, i + of_b(i), j + of_b(j), k + of_b(k), l + of_b(l), i + of_b(i) + 4,
+                                       j + of_b(j) + 4, k + of_b(k) + 4, l + of_b(l) + 4);
 }
 
 /// Four packs of four numbers each become four of the first, the second, the third and the fourth of them.
 template <class V> [[gnu::always_inline]] inline void turn(V& a, V& b, V& c, V& d) {
-    const V ab_first = firsts(a, b), ab_last = lasts(a, b), cd_first = firsts(c, d), cd_last = lasts(c, d);
-    a = first_pairs(ab_first, cd_first);
-    b = last_pairs(ab_first, cd_first);
-    c = first_pairs(ab_last, cd_last);
-    d = last_pairs(ab_last, cd_last);
+    const V ab_first = choose<0, 4, 1, 5>(a, b), ab_last = choose<2, 6, 3, 7>(a, b);
+    const V cd_first = choose<0, 4, 1, 5>(c, d), cd_last = choose<2, 6, 3, 7>(c, d);
+    a = choose<0, 1, 4, 5>(ab_first, cd_first);
+    b = choose<2, 3, 6, 7>(ab_first, cd_first);
+    c = choose<0, 1, 4, 5>(ab_last, cd_last);
+    d = choose<2, 3, 6, 7>(ab_last, cd_last);
 }
 
 template <bool changes, class V, class Real>
