@@ -7,16 +7,19 @@
 /// (kernel_text.h), and which is used is chosen when the program runs; all give the same bits.
 namespace sinew {
 
-/// What most runs are: rigid, side by side, and between particles that move equally readily. All links are alike, or
-/// each has its own limits.
+/// What most runs are: rigid, and side by side. All links are alike, or each has its own limits; or, uneven, not all
+/// particles move as readily as those they are linked to.
 enum class LinkKind : unsigned char {
     other,
     exact,
     exact_each,
+    exact_uneven,
     swinging, ///< exact, and corrected along the links as they were when the substep began
     swinging_each,
+    swinging_uneven,
     ranging, ///< between two limits
-    ranging_each
+    ranging_each,
+    ranging_uneven
 };
 
 /// Plain distances that are solved one after the other: of particles a and b, a + 1 and b + 1, ... Within any 16
@@ -52,7 +55,8 @@ template <int D, class Real> struct LinkColumns {
 template <class Real> struct LinkPass {
     Real per_h2 = 0;       ///< 1 / h^2
     Real shortest = 1;     ///< found: no length that should be some was less
-    bool kept = false;     ///< multipliers are wanted
+    bool kept = false;     ///< multipliers are wanted, after the substep or in its later iterations
+    bool told = false;     ///< after it
     bool first = true;     ///< they begin at zero
     bool again = false;    ///< of this iteration: what has compliance has given way
     bool strained = false; ///< found: a link without was much too long

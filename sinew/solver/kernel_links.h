@@ -2,13 +2,13 @@
 
 #include "sinew/math/lane.h"
 #include "sinew/solver/kernel.h"
-#include "sinew/solver/kernel_even.h"
 #include "sinew/solver/kernel_length.h"
+#include "sinew/solver/kernel_rigid.h"
 
 #include <type_traits>
 #include <utility>
 
-/// The text of the kernel that solves distances, of every kind.
+/// The text of the kernel that solves distances: all runs, and by itself those that are of no kind (kernel_rigid.h).
 namespace sinew {
 namespace {
 
@@ -204,38 +204,35 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     }
 };
 
+/// One run of any kind. By itself, because it needs more room than those that most are.
+template <int D, class Real>
+[[gnu::noinline]] void project_run(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, const LinkRun& run) {
+    if (run.soft && pass.again) return;
+    constexpr Rules all{}, unyielding{true, false, false, false};
+    constexpr Rules unkept{.kept = false}, simple{false, false, false, false}, rigid{false, false, true, true};
+    if (run.scattered && pass.kept)
+        Projection<D, Real, all, Scattered>{columns, pass, run}.all();
+    else if (run.scattered && (run.soft || !run.exact || run.swings))
+        Projection<D, Real, unkept, Scattered>{columns, pass, run}.all();
+    else if (run.scattered)
+        Projection<D, Real, simple, Scattered>{columns, pass, run}.all();
+    else if (pass.kept && !run.soft && !run.swings)
+        Projection<D, Real, unyielding, SideBySide>{columns, pass, run}.all();
+    else if (pass.kept)
+        Projection<D, Real, all, SideBySide>{columns, pass, run}.all();
+    else if (run.soft)
+        Projection<D, Real, unkept, SideBySide>{columns, pass, run}.all();
+    else
+        Projection<D, Real, rigid, SideBySide>{columns, pass, run}.all();
+}
+
 template <int D, class Real>
 void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, const LinkRun* first,
                   const LinkRun* last) {
-    for (; first != last; ++first) {
-        if (!pass.kept)
-            first = project_kinds<false>(columns, pass, first, last);
-        else if (pass.first)
-            first = project_kinds<true>(columns, pass, first, last);
+    for (;; ++first) {
+        first = project_kinds(columns, pass, first, last);
         if (first == last) return;
-        const auto& run = *first;
-        if (run.soft && pass.again) continue;
-        constexpr Rules all{}, unyielding{true, false, false, false};
-        constexpr Rules unkept{.kept = false}, swinging{false, false, false, true};
-        constexpr Rules simple{false, false, false, false}, rigid{false, false, true, true};
-        if (run.scattered && pass.kept)
-            Projection<D, Real, all, Scattered>{columns, pass, run}.all();
-        else if (run.scattered && (run.soft || !run.exact || run.swings))
-            Projection<D, Real, unkept, Scattered>{columns, pass, run}.all();
-        else if (run.scattered)
-            Projection<D, Real, simple, Scattered>{columns, pass, run}.all();
-        else if (pass.kept && !run.soft && !run.swings)
-            Projection<D, Real, unyielding, SideBySide>{columns, pass, run}.all();
-        else if (pass.kept)
-            Projection<D, Real, all, SideBySide>{columns, pass, run}.all();
-        else if (run.soft)
-            Projection<D, Real, unkept, SideBySide>{columns, pass, run}.all();
-        else if (!run.exact)
-            Projection<D, Real, rigid, SideBySide>{columns, pass, run}.all();
-        else if (run.swings)
-            Projection<D, Real, swinging, SideBySide>{columns, pass, run}.all();
-        else
-            Projection<D, Real, simple, SideBySide>{columns, pass, run}.all();
+        project_run(columns, pass, *first);
     }
 }
 

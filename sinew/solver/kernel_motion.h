@@ -77,8 +77,9 @@ void move_all(const Motion<D, Real>& columns, std::uint32_t first, std::uint32_t
                     put<all>(residual[k] + at, total - (to - from), count);
                 }
                 if constexpr (doing.drifts) {
-                    const V moved = within(move * motion.keep + motion.add[k], spread<V>(motion.most));
-                    put<all>(moves[k] + at, mobility > V{} ? moved : V{}, count);
+                    const V moved = move * motion.keep + motion.add[k];
+                    const V held = doing.advances ? moved : within(moved, spread<V>(motion.most));
+                    put<all>(moves[k] + at, mobility > V{} ? held : V{}, count);
                 }
             }
         });

@@ -156,10 +156,11 @@ template <int D, class Real> class Planner {
     }
 
     static LinkKind kind_of(const LinkRun& run) {
-        if (!run.even || run.soft || run.scattered || (run.swings && !run.exact)) return LinkKind::other;
-        if (run.swings) return run.uniform ? LinkKind::swinging : LinkKind::swinging_each;
-        if (run.exact) return run.uniform ? LinkKind::exact : LinkKind::exact_each;
-        return run.uniform ? LinkKind::ranging : LinkKind::ranging_each;
+        using enum LinkKind;
+        if (run.soft || run.scattered || (run.swings && !run.exact)) return other;
+        if (run.swings) return !run.even ? swinging_uneven : run.uniform ? swinging : swinging_each;
+        if (run.exact) return !run.even ? exact_uneven : run.uniform ? exact : exact_each;
+        return !run.even ? ranging_uneven : run.uniform ? ranging : ranging_each;
     }
 
     void list_pins() {

@@ -102,6 +102,7 @@ template <int D, class Real> class Substep {
         if (first == last) return;
         LinkPass<Real> pass{.per_h2 = mover_.per_h * mover_.per_h,
                             .kept = last_ || world_.settings.iterations > 1,
+                            .told = last_,
                             .first = mover_.first_iteration && !again,
                             .again = again};
         kernels_.project(links_, pass, runs + first, runs + last);
@@ -275,7 +276,8 @@ template <int D, class Real> class Substep {
     /// Only gravity, and one damping for all.
     void fall(Motion<D, Real>& motion, Real kick, const Decay<Real>& decay) const {
         motion.keep = decay.keep;
-        for (int i = 0; i < D; ++i) motion.add[i] = swept_.gravity[i] * (kick * decay.yield) * mover_.h;
+        const auto add = clamp_components(swept_.gravity * (kick * decay.yield) * mover_.h, mover_.furthest);
+        for (int i = 0; i < D; ++i) motion.add[i] = add[i];
     }
 
     /// Substeps from the second on are as long as it is.

@@ -72,20 +72,17 @@ template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row fir
     auto& swept = world.swept;
     if (first == last) return;
     const auto& kernel = kernels<D, Real>();
-    read_through(swept, first, last, p.position, p.residual, p.velocity, p.mobility, p.inverse_mass);
+    read_through(swept, first, last, p.position, p.residual, p.velocity, p.mobility);
     kernel.to_columns(turning(swept, p.position, swept.place[0]), first, last);
     kernel.to_columns(turning(swept, p.residual, swept.residual[0]), first, last);
     auto moves = turning(swept, p.velocity, swept.move[0]);
     moves.by = h, moves.most = furthest_move(h);
     kernel.to_columns(moves, first, last);
     const Row* const row_of = swept.row_of.data();
-    const Real *const mobility = p.mobility.data(), *const inverse_mass = p.inverse_mass.data();
+    const Real* const from = p.mobility.data();
     Real* const to = swept.mobility;
 #pragma GCC unroll 4
-    for (Row slot = first; slot < last; ++slot) {
-        const Real can = mobility[row_of[slot]], most = inverse_mass[row_of[slot]];
-        to[slot] = can > Real(0) ? most : Real(0);
-    }
+    for (Row slot = first; slot < last; ++slot) to[slot] = from[row_of[slot]];
 }
 
 template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last) {
@@ -97,12 +94,6 @@ template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row
     auto moves = turning(swept, p.velocity, swept.move[0]);
     moves.by = swept.per_h;
     kernel.to_rows(moves, first, last);
-    const Row* const row_of = swept.row_of.data();
-    Real* const mobility = p.mobility.data();
-    const Real* const from = swept.mobility;
-#pragma GCC unroll 4
-    for (Row slot = first; slot < last; ++slot)
-        if (mobility[row_of[slot]] != from[slot]) mobility[row_of[slot]] = from[slot];
 }
 
 template <int D, class Real> void note_places(World<D, Real>& world, Row first, Row last) {

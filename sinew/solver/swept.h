@@ -19,7 +19,7 @@ template <int D, class Real> struct Swept {
     std::vector<Row> slot_of; ///< by row; none of what a block moves
     std::array<Real*, D> place{}, move{},
         residual{};           ///< move: where it will be when the substep ends, less where it is
-    Real* mobility = nullptr; ///< 0 while nothing moves it
+    Real* mobility = nullptr; ///< less by drag; 0 while nothing moves it
     Real per_h = 0;
     bool any_force = false;      ///< acts on a single particle in this step
     bool everyone_alike = false; ///< in this step only gravity acts, which is

@@ -48,7 +48,7 @@ template <int D, class Real> struct Particles {
     bool any_force = false;             ///< who writes a force says so: else none is looked for
     std::vector<Vec<D, Real>> rebound;  ///< scratch: the velocity with which it leaves what it struck
     std::vector<Real> inverse_mass;     ///< 0: nothing moves it
-    std::vector<Real> mobility; ///< the inverse mass the solver sees, less by drag; 0 while pinned or quarantined
+    std::vector<Real> mobility;     ///< the inverse mass that constraints see; 0 while pinned or quarantined
     std::vector<Real> radius;
     std::vector<FigureIndex> figure;
     std::vector<char> quarantined; ///< stands still: it or its figure was found non-finite

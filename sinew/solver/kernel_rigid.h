@@ -4,8 +4,12 @@
 #include "sinew/solver/kernel.h"
 #include "sinew/solver/kernel_length.h"
 
-/// The text of the kernel for most links of a cloth or a rope: rigid, and between particles that move equally readily.
-/// Each takes half of the correction, so neither mobility nor multiplier is needed.
+#include <array>
+#include <limits>
+#include <type_traits>
+
+/// The text of the kernel for most links: rigid, and of particles that lie side by side. No multiplier is needed but
+/// where it is wanted; nor are mobilities where particles move equally readily, for each takes half of the correction.
 namespace sinew {
 namespace {
 
@@ -14,9 +18,15 @@ using namespace lane;
 /// The most a link may pull with, as everywhere (limit::multiplier): what hardly moves would take more than there is.
 template <class Real> inline constexpr Real strongest = Real(1e25);
 
-/// Those that swing are corrected along the link as it was when the substep began (kernel_links.h), the rest along the
-/// link as it is.
-template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLinks {
+/// What kind of rigid links a text is compiled for.
+struct Rigid {
+    bool exact = true;   ///< each has but one limit
+    bool kept = false;   ///< multipliers are wanted
+    bool swings = false; ///< corrected along the links as they were when the substep began (kernel_links.h)
+    bool even = true;    ///< both ends move as readily, and can
+};
+
+template <int D, class Real, Rigid rules> struct RigidLinks {
     using V = Pack<Real, widest<Real>>;
     static constexpr std::size_t width = std::size_t(widest<Real>);
 
@@ -27,7 +37,7 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
     Real *move_a, *move_b;
     std::size_t apart;
 
-    EvenLinks(const LinkColumns<D, Real>& from, LinkPass<Real>& in, const LinkRun& of)
+    RigidLinks(const LinkColumns<D, Real>& from, LinkPass<Real>& in, const LinkRun& of)
         : columns(from), pass(in), run(of), place_a(from.place + of.a), place_b(from.place + of.b),
           low(from.quarter_per_square + of.parameters), high(from.high + of.parameters), move_a(from.move + of.a),
           move_b(from.move + of.b), apart(from.apart) {}
@@ -42,6 +52,8 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
         if (run.count < width) return carefully(columns, pass, run, 0, run.count);
         solve([&](std::size_t i) __attribute__((always_inline)) { return wanted_of(i); });
     }
+    /// Either.
+    [[gnu::always_inline]] void solve_any() const { run.uniform ? solve_uniform() : solve_each(); }
 
   private:
     /// Lengths that links are held between, as a quarter of 1 / length^2.
@@ -78,7 +90,7 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
             link[p] = link_at(i[p]);
             half[p] = half_tangent(link[p].e2, wanted);
             away[p] = half[p] * half[p];
-            if constexpr (swings) {
+            if constexpr (rules.swings) {
                 const V turned = quarter() - dot(link[p].d, link[p].e) * wanted.low;
                 away[p] = most(away[p], turned * turned);
                 half[p] = along_tangent(half[p], turned);
@@ -89,7 +101,7 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
 #pragma GCC unroll 2
         for (unsigned p = 0; p < packs; ++p) {
             move<true>(i[p], int(width), link[p], half[p]);
-            if constexpr (kept) keep<true>(i[p], int(width), link[p], half[p], limits(i[p]));
+            if constexpr (rules.kept) keep<true>(i[p], int(width), link[p], half[p], limits(i[p]));
         }
         return true;
     }
@@ -97,7 +109,7 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
     /// Links from number `first` to `last`, whatever they need.
     [[gnu::noinline]] static void carefully(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
                                             const LinkRun& run, std::size_t first, std::size_t last) {
-        const EvenLinks links(columns, pass, run);
+        const RigidLinks links(columns, pass, run);
         std::size_t i = first;
         for (; i + width <= last; i += width) links.template project<true>(i, int(width));
         if (i < last) links.template project<false>(i, int(last - i));
@@ -106,17 +118,18 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
     template <bool all> [[gnu::always_inline]] void project(std::size_t i, int count) const {
         const Wanted wanted = run.uniform ? uniformly_wanted() : wanted_of(i);
         Link link = link_at(i);
-        const V half = swings ? half_along<all>(link, count, wanted) : half_lacking<all>(link.e2, count, wanted);
+        const V half = rules.swings ? half_along<all>(link, count, wanted) : half_lacking<all>(link.e2, count, wanted);
         move<all>(i, count, link, half);
-        if constexpr (kept) keep<all>(i, count, link, half, wanted);
+        if constexpr (rules.kept) keep<all>(i, count, link, half, wanted);
     }
 
     /// What they pull with, and how short they were.
     template <bool all>
     [[gnu::always_inline]] void keep(std::size_t i, int count, const Link& link, const V& half,
                                      const Wanted& wanted) const {
-        const V length = root(link.e2), along = swings ? root(dot(link.d, link.d)) : length;
-        V mobility = load<V>(columns.mobility + run.a + i);
+        const V length = root(link.e2), along = rules.swings ? root(dot(link.d, link.d)) : length;
+        V mobility = mobility_of(run.a + i);
+        if constexpr (!rules.even) mobility = mean_mobility(mobility, mobility_of(run.b + i));
         if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
         const V lambda = within(along * half / mobility, spread<V>(strongest<Real>));
         note<all>(i, count, lambda, wanted.low < spread<V>(Real(1e29)) ? length : spread<V>(Real(1)));
@@ -129,7 +142,7 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
         return lacking(
             half, Real(0.5), [&]() __attribute__((always_inline)) {
                 look_at(half);
-                if constexpr (exact) return e2 * wanted.low * Real(4);
+                if constexpr (rules.exact) return e2 * wanted.low * Real(4);
                 return e2 * (half < V{} ? wanted.high : wanted.low) * Real(4);
             });
     }
@@ -169,7 +182,7 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
 
     [[gnu::always_inline]] static V half_tangent(const V& e2, const Wanted& wanted) {
         const V half = quarter() - e2 * wanted.low, zero{};
-        return exact ? half : most(half, zero) + least(quarter() - e2 * wanted.high, zero);
+        return rules.exact ? half : most(half, zero) + least(quarter() - e2 * wanted.high, zero);
     }
     [[gnu::always_inline]] static V along_tangent(const V& half, const V& turned) {
         return half * (turned * Real(4) + Real(1));
@@ -196,13 +209,33 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
     }
     template <bool all>
     [[gnu::always_inline]] void move(std::size_t i, int count, const Link& link, const V& half) const {
+        const Shares shares = shares_of(i, half);
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
             const std::size_t at = k * apart + i;
-            const V share = (swings ? link.d[k] : link.e[k]) * half;
-            put<all>(move_a + at, link.a[k] - share, count);
-            put<all>(move_b + at, link.b[k] + share, count);
+            const V& along = rules.swings ? link.d[k] : link.e[k];
+            const V first = along * shares.a, second = rules.even ? first : along * shares.b;
+            put<all>(move_a + at, link.a[k] - first, count);
+            put<all>(move_b + at, link.b[k] + second, count);
         }
+    }
+
+    /// What of the link, or of the link as it was, each end takes.
+    struct Shares {
+        V a, b;
+    };
+    [[gnu::always_inline]] Shares shares_of(std::size_t i, const V& half) const {
+        if constexpr (rules.even) return {half, half};
+        const V a = mobility_of(run.a + i), b = mobility_of(run.b + i), per = half / mean_mobility(a, b);
+        return {per * a, per * b};
+    }
+    [[gnu::always_inline]] V mobility_of(std::size_t slot) const {
+        return load<V>(columns.mobility + slot);
+    }
+    /// Where neither can move, any will do.
+    [[gnu::always_inline]] static V mean_mobility(const V& a, const V& b) {
+        const V mean = (a + b) * Real(0.5);
+        return V{} < mean ? mean : spread<V>(std::numeric_limits<Real>::infinity());
     }
 
     template <bool all>
@@ -229,7 +262,7 @@ template <int D, class Real, bool exact, bool kept, bool swings> struct EvenLink
     }
     template <class Get> [[gnu::always_inline]] Wanted wanted(std::size_t at, Get&& get) const {
         Wanted wanted{get(low + at), V{}};
-        if constexpr (!exact) {
+        if constexpr (!rules.exact) {
             const V longest = get(high + at);
             wanted.high = Real(0.25) / (longest * longest);
         }
@@ -243,32 +276,47 @@ template <LinkKind kind, bool kept, int D, class Real>
 [[gnu::noinline]] const LinkRun* project_kind(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
                                               const LinkRun* first, const LinkRun* last) {
     using enum LinkKind;
-    constexpr bool ranges = kind == ranging || kind == ranging_each, swings = kind == swinging || kind == swinging_each;
-    constexpr bool uniform = kind == exact || kind == swinging || kind == ranging;
+    constexpr Rigid rules{.exact = kind != ranging && kind != ranging_each && kind != ranging_uneven,
+                          .kept = kept,
+                          .swings = kind == swinging || kind == swinging_each || kind == swinging_uneven,
+                          .even = kind != exact_uneven && kind != swinging_uneven && kind != ranging_uneven};
     for (; first != last && first->kind == kind; ++first) {
-        const EvenLinks<D, Real, !ranges, kept, swings> links(columns, pass, *first);
-        if constexpr (uniform)
+        const RigidLinks<D, Real, rules> links(columns, pass, *first);
+        if constexpr (kind == exact || kind == swinging || kind == ranging)
             links.solve_uniform();
-        else
+        else if constexpr (rules.even)
             links.solve_each();
+        else
+            links.solve_any();
     }
     return first;
 }
 
-/// Runs from the first on, up to one that is of no kind.
-template <bool kept, int D, class Real>
-const LinkRun* project_kinds(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, const LinkRun* first,
-                             const LinkRun* last) {
+/// Runs from the first on, up to one that is of no kind, or wants its multipliers added up. Exact ones need them only
+/// when they are told; those between two limits take some of what they did back in later iterations.
+template <int D, class Real>
+[[gnu::always_inline]] inline const LinkRun* project_kinds(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
+                                                           const LinkRun* first, const LinkRun* last) {
     using enum LinkKind;
     using Project = const LinkRun* (*)(const LinkColumns<D, Real>&, LinkPass<Real>&, const LinkRun*, const LinkRun*);
-    static constexpr Project project[] = {nullptr,
-                                          project_kind<exact, kept, D, Real>,
-                                          project_kind<exact_each, kept, D, Real>,
-                                          project_kind<swinging, kept, D, Real>,
-                                          project_kind<swinging_each, kept, D, Real>,
-                                          project_kind<ranging, kept, D, Real>,
-                                          project_kind<ranging_each, kept, D, Real>};
-    while (first != last && first->kind != other) first = project[int(first->kind)](columns, pass, first, last);
+    static constexpr auto each = [](auto kept) {
+        return std::array<Project, 10>{nullptr,
+                                       project_kind<exact, kept, D, Real>,
+                                       project_kind<exact_each, kept, D, Real>,
+                                       project_kind<exact_uneven, kept, D, Real>,
+                                       project_kind<swinging, kept, D, Real>,
+                                       project_kind<swinging_each, kept, D, Real>,
+                                       project_kind<swinging_uneven, kept, D, Real>,
+                                       project_kind<ranging, kept, D, Real>,
+                                       project_kind<ranging_each, kept, D, Real>,
+                                       project_kind<ranging_uneven, kept, D, Real>};
+    };
+    static constexpr std::array project{each(std::false_type{}), each(std::true_type{})};
+    while (first != last && first->kind != other) {
+        const bool kept = first->kind < ranging ? pass.told : pass.kept;
+        if (kept && !pass.first) break;
+        first = project[kept][std::size_t(first->kind)](columns, pass, first, last);
+    }
     return first;
 }
 
