@@ -17,7 +17,7 @@ namespace sinew {
 struct Band {
     std::uint32_t first = 0, last = 0;
     std::uint32_t first_pin = 0, last_pin = 0; ///< of Plan::pins
-    bool spans = false;                        ///< from one pin to another that tethers lead to, or nearly so
+    std::uint32_t tightened = 0;               ///< how often, after each tether: where it spans from pin to pin
     bool strained = false;                     ///< links that begin in it were found much too long
     std::uint32_t again = 0;                   ///< the most bands that were swept again at its turn, in this step
 };

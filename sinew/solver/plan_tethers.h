@@ -46,7 +46,7 @@ template <int D, class Real> class TetherMaker {
         plan_.tethers.clear();
         plan_.half_per_reach_square.clear();
         for (auto& sheet : plan_.sheets) sheet.first_tether = sheet.tethers = 0;
-        for (auto& band : plan_.bands) band.spans = false;
+        for (auto& band : plan_.bands) band.tightened = 0;
     }
 
     bool is_anchor(const Pin<D, Real>& pin, Row particle) const {
@@ -132,16 +132,18 @@ template <int D, class Real> class TetherMaker {
     void find_spans(const Sheet& sheet) {
         const auto bands = std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
         const auto tethers = std::span(plan_.tethers).subspan(sheet.first_tether, sheet.tethers);
-        for (auto& band : bands) band.spans = false;
+        for (auto& band : bands) band.tightened = 0;
+        constexpr Real many = 128; // links from pin to pin: one sweep leaves much of a longer row undone
         for (const auto& from : tethers) {
             const Real half_a_link = Real(0.5) * shortest_reach(sheet, from);
             for (const auto& to : tethers.first(std::size_t(&from - tethers.data()))) {
-                const Real furthest = reach(from, to.at) + half_a_link;
+                const Real between_pins = reach(from, to.at), furthest = between_pins + half_a_link;
+                const std::uint32_t times = between_pins > many * Real(2) * half_a_link ? 2 : 1;
                 for (auto& band : bands) {
                     std::uint32_t between = 0;
                     for (auto s = band.first - sheet.begin.slot; s < band.last - sheet.begin.slot; ++s)
                         between += reach(from, s) + reach(to, s) <= furthest;
-                    band.spans = band.spans || 2 * between >= band.last - band.first;
+                    if (2 * between >= band.last - band.first) band.tightened = std::max(band.tightened, times);
                 }
             }
         }

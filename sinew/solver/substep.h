@@ -140,10 +140,10 @@ template <int D, class Real> class Substep {
     /// from one to another of the same band, no other band is touched.
     void tighten(const Sheet& sheet, std::uint32_t number) {
         const auto& band = swept_.plan.bands[sheet.first_band + number];
-        if (!band.spans) return;
-        constexpr int times = 6; // each costs a hanging cloth of 64 x 64 two parts in a hundred, a larger one less
-        for (int i = 0; i < times; ++i) {
-            tether(band);
+        if (band.tightened == 0) return;
+        constexpr std::uint32_t times = 6; // each costs a hanging cloth of 64 x 64 two parts in a hundred
+        for (std::uint32_t i = 0; i < times * band.tightened; ++i) {
+            if (i % band.tightened == 0) tether(band);
             for (std::uint32_t family = 0; family < sheet.families; ++family)
                 if (swept_.plan.families[sheet.first_family + family].reach == 0) project(sheet, family, number, true);
         }

@@ -272,7 +272,7 @@ TEST(Tethers, KnowTheRowsThatSpanFromPinToPin) {
         std::vector<std::size_t> rows;
         const auto& bands = world.swept.plan.bands;
         for (std::size_t i = 0; i < bands.size(); ++i)
-            if (bands[i].spans) rows.push_back(i);
+            if (bands[i].tightened > 0) rows.push_back(i);
         return rows;
     };
     const std::vector<std::size_t> top{0, 1, 2, 3, 4}, both{0, 1, 2, 3, 4, 123, 124, 125, 126, 127};
