@@ -24,9 +24,9 @@ template <class Real> Work work_of(const World<3, Real>& world) {
     for (Row row = 0; row < distances.size(); ++row) {
         const auto ends = distances.members[row];
         if (ties(distances, row))
-            work.sticks.push_back({ends[0], ends[1], float(distances.high[row])});
+            work.sticks.push_back({ends[0], ends[1], float(distances.high(row))});
         else
-            work.struts.push_back({ends[0], ends[1], float(distances.low[row])});
+            work.struts.push_back({ends[0], ends[1], float(distances.low(row))});
     }
     return work;
 }

@@ -49,7 +49,7 @@ template <class Real> void tumble(World<3, Real>& world, int ragdolls) {
             world.figures[figure].constraints.push_back(*id);
         };
         for (Row row = 0; row < segments.size(); ++row)
-            keep(segments.members[row][0], segments.members[row][1], exactly(segments.high[row]));
+            keep(segments.members[row][0], segments.members[row][1], exactly(segments.high(row)));
         for (const auto& joint : joints) {
             const auto row = [&](const char* name) {
                 return *row_of(flat, *find_particle(flat, std::string("bob/") + name));

@@ -110,7 +110,7 @@ void Winder::run(const Scene& scene, AnyWorld& any) const {
                     const auto row = table.slots.find(driven.constraint.id);
                     if (!row) return;
                     drive(world, driven.constraint,
-                          Real(speed_at(*section.drive, world.time, dt, double(table.high[*row]), in_program)));
+                          Real(speed_at(*section.drive, world.time, dt, double(table.high(*row)), in_program)));
                 });
                 if (const auto strength = strength_at(*section.drive, world.time); strength && section.max_force > 0)
                     set_max_force(world, driven.constraint, Real(section.max_force * *strength));

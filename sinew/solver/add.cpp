@@ -12,10 +12,8 @@ template <class Table, class Real>
 void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& spec, Interval<Real> limits) {
     constexpr auto most = limit::measure<Real>;
     const Real low = clamp(limits.low, -most, most);
-    const auto append = [&](std::vector<Real>& column, Real value) { column.resize(column.size() + count, value); };
-    append(table.low, low);
-    append(table.high, clamp(limits.high, low, most));
-    append(table.multiplier, Real(0));
+    table.limits.append(count, low, clamp(limits.high, low, most));
+    table.multiplier.resize(table.multiplier.size() + count);
     table.compliance.append(count, clamp(spec.compliance, Real(0), most));
     table.relaxation.append(count, clamp(spec.relaxation, Real(0), Real(1)));
     table.split.append(count, clamp(spec.split, Real(0), Real(1)));
@@ -58,7 +56,8 @@ void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& s
         for (const Row member : std::as_const(table).members[row]) detail::note_member(world, table, kind, row, member);
         if (!spec.limits) {
             constexpr double most = limit::measure<double>;
-            table.low[row] = table.high[row] = Real(clamp(constraint_state(world, id)->measure, -most, most));
+            const auto measure = Real(clamp(constraint_state(world, id)->measure, -most, most));
+            table.limits.set(row, measure, measure);
         }
         named(id);
     }

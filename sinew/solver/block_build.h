@@ -160,8 +160,8 @@ template <int D, class Real> class BlockBuilder {
     template <class Table> static BlockLimit limit_of(const Table& table, Row row) {
         return {.constraint = row,
                 .slot = table.slots.slot_of(row),
-                .low = double(table.low[row]),
-                .high = double(table.high[row]),
+                .low = double(table.low(row)),
+                .high = double(table.high(row)),
                 .compliance = double(table.compliance[row])};
     }
 
@@ -224,8 +224,8 @@ template <int D, class Real> class BlockBuilder {
     double slack_arm(Row a, Row b) const {
         double arm = 0;
         graph_.each(distances_, a, [&](Row link) {
-            const Real high = distances_.high[link];
-            const bool slack = distances_.low[link] < high && high < limit::coordinate<Real>;
+            const Real high = distances_.high(link);
+            const bool slack = distances_.low(link) < high && high < limit::coordinate<Real>;
             if (slack && graph_.other_end(link, a) == b) arm = square(double(high));
         });
         return arm;

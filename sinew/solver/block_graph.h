@@ -30,7 +30,7 @@ template <int D, class Real> class BlockGraph {
     Row other_end(Row link, Row particle) const { return end(link, 0) == particle ? end(link, 1) : end(link, 0); }
 
     /// Without one it has no direction.
-    bool has_length(Row link) const { return distances_.high[link] >= Real(1e-6); }
+    bool has_length(Row link) const { return distances_.high(link) >= Real(1e-6); }
 
     /// Shares and relaxations other than the natural ones are wishes about the sweep.
     template <class Table> static bool natural(const Table& table, Row row) {
@@ -40,7 +40,7 @@ template <int D, class Real> class BlockGraph {
         return table.driven[row] || table.gives(row);
     }
     /// Unsigned, an angle that has to be more than none has no direction to open in.
-    static bool opens(const Constraints<Angle<D>, Real>& table, Row row) { return D == 3 && table.low[row] > Real(0); }
+    static bool opens(const Constraints<Angle<D>, Real>& table, Row row) { return D == 3 && table.low(row) > Real(0); }
 
     /// Neither a spring nor a motor.
     bool is_stick(Row link) const {

@@ -161,8 +161,8 @@ template <int D, class Real> class BlockState {
         drive.most = double(table.max_force[row]);
         drive.lead = double(table.lead[row]);
         drive.rate = double(table.rate[row]);
-        drive.low_begun = double(table.low[row]);
-        drive.high_begun = double(table.high[row]);
+        drive.low_begun = double(table.low(row));
+        drive.high_begun = double(table.high(row));
     }
     void find_drives(double per) {
         for (auto& bend : bends()) find_drive(bend, angles_, bend.constraint);
@@ -184,8 +184,7 @@ template <int D, class Real> class BlockState {
             if (absolute(*end) < limit::measure<double>) *end += by;
     }
     template <class Table> static void tell_limits(const BlockDrive& drive, Table& table, Row row) {
-        table.low[row] = Real(drive.low_begun);
-        table.high[row] = Real(drive.high_begun);
+        table.limits.set(row, Real(drive.low_begun), Real(drive.high_begun));
     }
 
     /// To where they are when the substep ends.

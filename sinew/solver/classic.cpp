@@ -163,8 +163,8 @@ template <int D, class Real> class ClassicStep {
         const auto ab = p_.position[ends[1]] - p_.position[ends[0]];
         const Real squared = dot(ab, ab);
         constexpr Real most = limit::coordinate<Real>;
-        const Real rest = square_root(clamp(squared, square(clamp(table.low[row], Real(0), most)),
-                                            square(clamp(table.high[row], Real(0), most))));
+        const Real rest = square_root(clamp(squared, square(clamp(table.low(row), Real(0), most)),
+                                            square(clamp(table.high(row), Real(0), most))));
         const Real s = rest * rest * inverse_or_zero(squared + rest * rest) - Real(0.5);
         const auto both = ab * (Real(2) * s * table.relaxation[row]);
         mover_.push(ends[0], -both * table.split[row]);

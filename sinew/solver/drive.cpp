@@ -17,7 +17,7 @@ template <class Table, int D, class Real> Real slipped(World<D, Real>& world, co
     detail::Stencil<typename Table::Kind, D, Real> stencil(world, members.size());
     stencil.each([&](std::size_t i) { stencil.points[i] = world.swept.place_at(world.swept.slot_of[members[i]]); });
     const Real measure = stencil.evaluate(stencil.points, stencil.gradient);
-    const Real error = measure - clamp(measure, table.low[row], table.high[row]);
+    const Real error = measure - clamp(measure, table.low(row), table.high(row));
     const Real spring = table.max_force[row] * table.compliance[row];
     return error - clamp(error, -spring, spring);
 }
@@ -44,11 +44,12 @@ template <int D, class Real> void move_limits(World<D, Real>& world, Real h) {
         constexpr bool is_length = std::decay_t<decltype(table)>::Kind::length_power == 1;
         for (Row row = 0; row < table.size(); ++row) {
             if (table.rate[row] == Real(0)) continue;
-            for (Real* end : {&table.low[row], &table.high[row]}) {
-                if (!is_limit(*end)) continue;
-                const Real next = *end + table.rate[row] * h;
-                *end = is_length ? maximum(next, Real(0)) : next;
-            }
+            const auto moved = [&](Real end) {
+                if (!is_limit(end)) return end;
+                const Real next = end + table.rate[row] * h;
+                return is_length ? maximum(next, Real(0)) : next;
+            };
+            table.limits.set(row, moved(table.low(row)), moved(table.high(row)));
         }
     });
 }
@@ -61,8 +62,8 @@ template <int D, class Real> void slip(World<D, Real>& world, Real h) {
                 if (!table.gives(row) || is_in_block(world, std::as_const(table).members[row])) continue;
                 if (absolute(table.multiplier[row]) < nearly * table.max_force[row] * h * h) continue;
                 const Real by = slipped(world, table, row);
-                for (Real* end : {&table.low[row], &table.high[row]})
-                    if (is_limit(*end)) *end = maximum(*end + by, Real(0));
+                const auto moved = [&](Real end) { return is_limit(end) ? maximum(end + by, Real(0)) : end; };
+                table.limits.set(row, moved(table.low(row)), moved(table.high(row)));
             }
     });
 }

@@ -53,7 +53,7 @@ template <class Table, class Point> auto measure_row(const Table& table, Row row
 template <class Table, class Real>
 ConstraintState state_of(const Table& table, Row row, double measured, Real substep) {
     using Kind = typename Table::Kind;
-    const double low = double(table.low[row]), high = double(table.high[row]);
+    const double low = double(table.low(row)), high = double(table.high(row));
     ConstraintState state;
     state.measure = detail::unwrap<Kind>(measured, low, high);
     state.error = state.measure - clamp(state.measure, low, high);
@@ -66,11 +66,11 @@ ConstraintState state_of(const Table& table, Row row, double measured, Real subs
 class SlackLinks {
   public:
     template <class Distances> explicit SlackLinks(const Distances& distances) {
-        using Real = std::decay_t<decltype(distances.high[0])>;
+        using Real = std::decay_t<decltype(distances.high(0))>;
         for (Row row = 0; row < distances.size(); ++row)
-            if (distances.low[row] < distances.high[row] && distances.high[row] < limit::coordinate<Real>) {
+            if (distances.low(row) < distances.high(row) && distances.high(row) < limit::coordinate<Real>) {
                 const auto ends = std::minmax({distances.members[row][0], distances.members[row][1]});
-                links_.push_back({ends.first, ends.second, row, double(distances.high[row])});
+                links_.push_back({ends.first, ends.second, row, double(distances.high(row))});
             }
         const auto order = [](const Link& link) { return std::tuple(link.a, link.b, link.row); };
         std::sort(links_.begin(), links_.end(), [&](const Link& x, const Link& y) { return order(x) < order(y); });

@@ -14,7 +14,7 @@ namespace sinew {
 namespace {
 
 template <class Table> bool limits_turn(const Table& table, Row row) {
-    return Table::Kind::length_power == 0 && table.low[row] < table.high[row];
+    return Table::Kind::length_power == 0 && table.low(row) < table.high(row);
 }
 
 template <int D, class Real> double inertia_of(const Swept<D, Real>& swept, Row slot) {

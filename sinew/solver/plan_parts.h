@@ -96,7 +96,7 @@ template <int D, class Real> class PlanParts {
         constexpr Real far = limit::coordinate<Real>;
         return distances_.split[link] == Real(0.5) && distances_.relaxation[link] == Real(1) &&
                !distances_.gives(link) && distances_.lead[link] == Real(0) && !distances_.driven[link] &&
-               distances_.low[link] <= far && distances_.high[link] >= Real(0);
+               distances_.low(link) <= far && distances_.high(link) >= Real(0);
     }
 
     template <class Meet> bool take_plain(Meet&& meet) {

@@ -122,9 +122,9 @@ template <int D, class Real> class RunWriter {
         return plan_.low[number] == low(link) && plan_.high[number] == high(link) &&
                plan_.compliance[number] == distances_.compliance[link];
     }
-    Real low(Row link) const { return maximum(distances_.low[link], Real(0)); }
+    Real low(Row link) const { return maximum(distances_.low(link), Real(0)); }
     /// Squares and products of limits have to be finite.
-    Real high(Row link) const { return minimum(distances_.high[link], limit::coordinate<Real> * Real(100)); }
+    Real high(Row link) const { return minimum(distances_.high(link), limit::coordinate<Real> * Real(100)); }
 
     void copy_parameters(std::uint32_t of) {
         for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) {
@@ -141,7 +141,7 @@ template <int D, class Real> class RunWriter {
     }
 
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
-    bool is_exact(Row link) const { return distances_.low[link] == distances_.high[link]; }
+    bool is_exact(Row link) const { return distances_.low(link) == distances_.high(link); }
 
     void extend(LinkRun& run, Row link) {
         if (run.uniform && !has_parameters(link, run.parameters)) {

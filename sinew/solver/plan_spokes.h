@@ -34,9 +34,8 @@ template <int D, class Real> class Spokes {
         }
     }
     void forget() {
-        all_ = std::vector<Spoke>();
-        begin_ = list_of_ = first_ = std::vector<std::uint32_t>();
-        near_ = std::vector<Spoke>();
+        for (auto* spokes : {&all_, &near_}) *spokes = std::vector<Spoke>();
+        for (auto* numbers : {&begin_, &list_of_, &first_}) *numbers = std::vector<std::uint32_t>();
     }
 
     /// The last one to there.
@@ -81,7 +80,7 @@ template <int D, class Real> class Spokes {
         for (std::size_t s = 2; s < first_.size(); ++s) first_[s] += first_[s - 1];
         near_.resize(first_.back());
         each_rigid(sheet, first, last, [&](Row link, std::uint32_t a, std::uint32_t b) {
-            const Real length = distances_.high[link];
+            const Real length = distances_.high(link);
             if (a - begin < count) near_[first_[a - begin + 1]++] = {b - a, length};
             if (b - begin < count) near_[first_[b - begin + 1]++] = {a - b, length};
         });
@@ -119,7 +118,7 @@ template <int D, class Real> class Spokes {
             const auto from = first - std::min(first, plan_.families[f].reach);
             for (auto run = first_run[from]; run < first_run[last]; ++run)
                 plan_.each_link(plan_.runs[run], [&](Row link, std::uint32_t a, std::uint32_t b) {
-                    if (distances_.compliance[link] == Real(0) && distances_.high[link] < limit::coordinate<Real>)
+                    if (distances_.compliance[link] == Real(0) && distances_.high(link) < limit::coordinate<Real>)
                         visit(link, a - sheet.begin.slot, b - sheet.begin.slot);
                 });
         }

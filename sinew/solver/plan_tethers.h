@@ -92,6 +92,7 @@ template <int D, class Real> class TetherMaker {
         const auto old_reaches = std::move(plan_.half_per_reach_square);
         plan_.tethers.clear();
         plan_.half_per_reach_square.clear();
+        make_room();
         std::size_t number = 0;
         for (auto& sheet : plan_.sheets) {
             const auto before = std::span(old).subspan(sheet.first_tether, sheet.tethers);
@@ -103,9 +104,19 @@ template <int D, class Real> class TetherMaker {
         spokes_.forget();
     }
 
+    /// Growing step by step would take twice as much at its peak.
+    void make_room() {
+        std::size_t reaches = 0;
+        for (const auto& sheet : plan_.sheets) reaches += anchors(sheet).size() * size_of(sheet);
+        if (reaches > 0) plan_.half_per_reach_square.reserve(reaches + plan_.lanes);
+    }
+    std::uint32_t size_of(const Sheet& sheet) const {
+        return plan_.end_of(std::size_t(&sheet - plan_.sheets.data())).slot - sheet.begin.slot;
+    }
+
     void tie(Sheet& sheet, std::span<const Tether> before, const std::vector<Real>& reaches, double share) {
         const auto pins = anchors(sheet);
-        const auto size = plan_.end_of(std::size_t(&sheet - plan_.sheets.data())).slot - sheet.begin.slot;
+        const auto size = size_of(sheet);
         sheet.first_tether = std::uint32_t(plan_.tethers.size());
         sheet.tethers = std::uint32_t(pins.size());
         bool any_new = false;
@@ -153,8 +164,7 @@ template <int D, class Real> class TetherMaker {
     }
     /// That of the pin's nearest: a link.
     Real shortest_reach(const Sheet& sheet, const Tether& tether) const {
-        const auto size = plan_.end_of(std::size_t(&sheet - plan_.sheets.data())).slot - sheet.begin.slot;
-        const auto reaches = std::span(plan_.half_per_reach_square).subspan(tether.first, size);
+        const auto reaches = std::span(plan_.half_per_reach_square).subspan(tether.first, size_of(sheet));
         return square_root(inverse_or_zero(2 * *std::max_element(reaches.begin(), reaches.end())));
     }
 

@@ -120,7 +120,7 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     Stencil<Kind, D, Real> stencil(world, members.size());
 
     stencil.each([&](std::size_t i) { stencil.points[i] = mover.point(members[i]); });
-    const Real low = table.low[row], high = table.high[row], split = table.split[row];
+    const Real low = table.low(row), high = table.high(row), split = table.split[row];
     const Real measure = unwrap<Kind>(stencil.evaluate(stencil.points, stencil.gradient), low, high);
     mover.choose_direction(stencil, members);
 
@@ -158,7 +158,7 @@ void project_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     if (correct_row(world, table, row, mover)) [[likely]]
         return;
     const auto members = std::as_const(table.members)[row];
-    part(mover, members, row, clamp(Real(0), table.low[row], table.high[row]));
+    part(mover, members, row, clamp(Real(0), table.low(row), table.high(row)));
     correct_row(world, table, row, mover);
 }
 

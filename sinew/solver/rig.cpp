@@ -77,7 +77,7 @@ template <int D, class Real> class Inspector {
         using Kind = typename Table::Kind;
         constexpr double to_shown = Kind::length_power == 0 ? 180 / pi<double> : 1; // angles are told in degrees
         for (Row row = 0; row < table.size() && faults_.size() < most_; ++row) {
-            const double low = double(table.low[row]), high = double(table.high[row]);
+            const double low = double(table.low(row)), high = double(table.high(row));
             if (const auto why = impossible<Kind>(low, high); !why.empty()) {
                 report(fmt::format("{}: its limits are {}", why, range(low * to_shown, high * to_shown)),
                        name_of_constraint(table, kind, row));
@@ -133,7 +133,7 @@ template <int D, class Real> class Inspector {
     void lengths() {
         Ways ways(world_, most_ways);
         for (Row row = 0; row < distances().size() && faults_.size() < most_; ++row) {
-            const double low = double(distances().low[row]);
+            const double low = double(distances().low(row));
             if (!(low > 0) || distances().compliance[row] > Real(0)) continue;
             const auto [a, b] = distances().members.rows[row];
             const auto way = ways.between(a, b, low * (1 - least_strain), row);

@@ -74,8 +74,8 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
             for (const Row member : table.members[row]) digest.add(member);
-        digest.add(table.low, table.high, table.compliance, table.relaxation, table.split, table.breaking_strain,
-                   table.multiplier);
+        digest.add(table.limits.lows(), table.limits.highs(), table.compliance, table.relaxation, table.split,
+                   table.breaking_strain, table.multiplier);
         for (Row row = 0; row < table.size(); ++row)
             if (table.toughness[row] > 0) digest.add(row, table.toughness[row], table.fatigue[row]);
         for (Row row = 0; row < table.size(); ++row)

@@ -336,9 +336,9 @@ template <int D, class Real> class Substep {
             for (std::uint32_t i = 0; i < swept_.plan.runs[run].count; ++i) {
                 const Row row = swept_.plan.row_of(swept_.plan.runs[run], i);
                 const auto ends = std::as_const(table.members)[row];
-                if (!(table.low[row] > Real(0)) || norm(mover_.point(ends[1]) - mover_.point(ends[0])) > Real(1e-18))
+                if (!(table.low(row) > Real(0)) || norm(mover_.point(ends[1]) - mover_.point(ends[0])) > Real(1e-18))
                     continue;
-                part(mover_, ends, row, clamp(Real(0), table.low[row], table.high[row]));
+                part(mover_, ends, row, clamp(Real(0), table.low(row), table.high(row)));
                 correct_row(world_, table, row, mover_);
             }
     }

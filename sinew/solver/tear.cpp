@@ -13,7 +13,7 @@ template <class Table, int D, class Real> Real strain_of(World<D, Real>& world, 
     detail::Stencil<Kind, D, Real> stencil(world, members.size());
     stencil.each([&](std::size_t i) { stencil.points[i] = world.particles.position[members[i]]; });
     const Real measure = stencil.evaluate(stencil.points, stencil.gradient);
-    return detail::strain<Kind>(measure, table.low[row], table.high[row]);
+    return detail::strain<Kind>(measure, table.low(row), table.high(row));
 }
 
 /// Whether a constraint that was overstrained for a step has had enough.

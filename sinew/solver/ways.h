@@ -19,8 +19,8 @@ class Ways {
         const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
         const auto each = [&](auto&& visit) {
             for (Row row = 0; row < distances.size(); ++row)
-                if (distances.compliance[row] == Real(0) && distances.high[row] < limit::measure<Real>)
-                    visit(row, distances.members.rows[row], maximum(double(distances.high[row]), 0.0));
+                if (distances.compliance[row] == Real(0) && distances.high(row) < limit::measure<Real>)
+                    visit(row, distances.members.rows[row], maximum(double(distances.high(row)), 0.0));
         };
         each([&](Row, const auto& ends, double) { ++first_[ends[0] + 1], ++first_[ends[1] + 1]; });
         for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];

@@ -6,6 +6,7 @@
 #include "sinew/solver/figure.h"
 #include "sinew/solver/force.h"
 #include "sinew/solver/id.h"
+#include "sinew/solver/limit_columns.h"
 #include "sinew/solver/passive.h"
 #include "sinew/solver/swept.h"
 
@@ -48,7 +49,7 @@ template <int D, class Real> struct Particles {
     bool any_force = false;             ///< who writes a force says so: else none is looked for
     std::vector<Vec<D, Real>> rebound;  ///< scratch: the velocity with which it leaves what it struck
     std::vector<Real> inverse_mass;     ///< 0: nothing moves it
-    std::vector<Real> mobility;     ///< the inverse mass that constraints see; 0 while pinned or quarantined
+    std::vector<Real> mobility;         ///< the inverse mass that constraints see; 0 while pinned or quarantined
     std::vector<Real> radius;
     std::vector<FigureIndex> figure;
     std::vector<char> quarantined; ///< stands still: it or its figure was found non-finite
@@ -125,7 +126,7 @@ template <> struct Members<any_arity> {
 template <class KindT, class Real> struct Constraints {
     using Kind = KindT;
     Members<Kind::arity> members;
-    std::vector<Real> low, high;  ///< the measure is held within [low, high]; equal for an exact constraint
+    LimitColumns<Real> limits;    ///< the measure is held within [low, high]; equal for an exact constraint
     std::vector<Real> multiplier; ///< of the last substep; tension = -multiplier / h^2
     Column<Real> compliance;      ///< 1/stiffness; 0 is rigid
     Column<Real> relaxation;      ///< share of the error removed at once, (0, 1]
@@ -142,7 +143,9 @@ template <class KindT, class Real> struct Constraints {
     Column<char> torn;     ///< scratch: to be removed when the step ends; the last of the columns (remove.h)
     Slots<ConstraintTag> slots;
 
-    std::size_t size() const { return low.size(); }
+    std::size_t size() const { return limits.size(); }
+    Real low(Row row) const { return limits.low(row); }
+    Real high(Row row) const { return limits.high(row); }
     /// It gives way: it does not pull harder than that.
     bool gives(Row row) const { return max_force[row] < limit::measure<Real>; }
     bool any_gives() const {
@@ -160,8 +163,7 @@ template <class KindT, class Real> struct Constraints {
     }
 
     template <class Self, class Visit> static void columns(Self& self, Visit&& visit) {
-        visit(self.low);
-        visit(self.high);
+        visit(self.limits);
         visit(self.multiplier);
         visit(self.compliance);
         visit(self.relaxation);
@@ -181,7 +183,7 @@ template <class KindT, class Real> struct Constraints {
 
 /// Whether a distance ties its ends together: what only keeps them apart does not.
 template <int D, class Real> bool ties(const Constraints<Distance<D>, Real>& distances, Row row) {
-    return distances.high[row] < limit::measure<Real>;
+    return distances.high(row) < limit::measure<Real>;
 }
 
 namespace detail {

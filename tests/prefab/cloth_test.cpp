@@ -61,9 +61,9 @@ TEST(Cloth, ThatBucklesLetsItsThreadsBecomeShorter) {
     const auto made = make(Cloth{.columns = 4, .rows = 3, .spacing = 1, .buckling = 0.25});
     const auto& all = std::get<kind_number<Distance, 2>>(made.world.constraints);
     for (Row row = 0; row < all.size(); ++row) {
-        const bool side = all.high[row] == 1;
-        EXPECT_EQ(all.low[row], side ? 0.75 : 0);
-        EXPECT_TRUE(side || all.high[row] == std::sqrt(2.0));
+        const bool side = all.high(row) == 1;
+        EXPECT_EQ(all.low(row), side ? 0.75 : 0);
+        EXPECT_TRUE(side || all.high(row) == std::sqrt(2.0));
     }
 }
 
@@ -82,7 +82,7 @@ TEST(Cloth, NamesEachThreadByItsUpperLeftParticle) {
 TEST(Cloth, HasThreadsOfEachDirectionEquallyLongToTheLastBit) {
     const auto made =
         make<2, float>(Cloth{.columns = 30, .rows = 30, .spacing = 0.1}, Mode::physical, {.at = {{7, 3}}});
-    const auto& rest = std::get<kind_number<Distance, 2>>(made.world.constraints).low;
+    const auto& rest = std::get<kind_number<Distance, 2>>(made.world.constraints).limits.lows();
     for (std::size_t i = 0; i < 2 * 29 * 30; ++i) ASSERT_EQ(rest[i], 0.1F);
 }
 

@@ -54,7 +54,7 @@ TEST(Spiderweb, ComesToRestWithEveryThreadTaut) {
     const auto& ties = std::get<kind_number<Distance, 2>>(made.world.constraints);
     for (Row row = 0; row < ties.size(); ++row) {
         const Row a = ties.members.rows[row][0], b = ties.members.rows[row][1];
-        EXPECT_GT(distance(made.world.particles.position[a], made.world.particles.position[b]), ties.high[row]);
+        EXPECT_GT(distance(made.world.particles.position[a], made.world.particles.position[b]), ties.high(row));
     }
     for (const auto& speed : made.world.particles.velocity) EXPECT_LT(norm(speed), 0.01);
     EXPECT_LT(norm(made.place("center")), 0.2) << "the hub stays in the middle";

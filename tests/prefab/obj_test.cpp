@@ -108,8 +108,8 @@ TEST(MeshPrefab, TiesEachEdgeOnceInTheOrderOfTheFaces) {
     EXPECT_EQ(make<3>(Mesh{.diagonals = false, .model = model}).constraints(), 6U);
     const auto buckles = make<3>(Mesh{.size = 0.5, .buckling = 0.25, .model = model});
     const auto& all = std::get<kind_number<Distance, 3>>(buckles.world.constraints);
-    for (Row row = 0; row < all.size(); ++row) EXPECT_DOUBLE_EQ(all.low[row], 0.75 * all.high[row]);
-    EXPECT_DOUBLE_EQ(all.high[0], 1);
+    for (Row row = 0; row < all.size(); ++row) EXPECT_DOUBLE_EQ(all.low(row), 0.75 * all.high(row));
+    EXPECT_DOUBLE_EQ(all.high(0), 1);
     EXPECT_TRUE(problem_of(Mesh{.pin_list = {5}, .model = model}, 3));
     EXPECT_TRUE(problem_of(Mesh{.pin_list = {0.5}, .model = model}, 3));
 }

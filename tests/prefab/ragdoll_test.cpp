@@ -69,8 +69,8 @@ TEST(Ragdoll, InClassicModeHasTheOriginalsSegmentsInTheirOrderVisibleOrNot) {
                                find_particle(made.world, "it/" + std::string(to)).value()};
         EXPECT_EQ(rods.members[i][0], row_of(made.world, ends[0])) << from << " " << to;
         EXPECT_EQ(rods.members[i][1], row_of(made.world, ends[1])) << from << " " << to;
-        EXPECT_NEAR(rods.low[i], distance(made.place(from), made.place(to)), 1e-12);
-        EXPECT_EQ(rods.low[i], rods.high[i]);
+        EXPECT_NEAR(rods.low(i), distance(made.place(from), made.place(to)), 1e-12);
+        EXPECT_EQ(rods.low(i), rods.high(i));
         EXPECT_EQ(piece.particles, ends);
         EXPECT_EQ(piece.hidden, !visible) << from << " " << to;
         EXPECT_NEAR(piece.width * 100, visible ? 7 : 0, 1e-12);

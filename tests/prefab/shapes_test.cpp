@@ -69,8 +69,8 @@ TEST(Box, HasTheOriginalsFourEdgesAndOneDiagonal) {
     const auto& rods = std::get<kind_number<Distance, 2>>(made.world.constraints);
     const std::vector<std::array<Row, 2>> expected{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}};
     EXPECT_EQ(rods.members.rows, expected);
-    EXPECT_EQ(rods.low[0], 0.5);
-    EXPECT_NEAR(rods.low[4], std::sqrt(0.5), 1e-15);
+    EXPECT_EQ(rods.low(0), 0.5);
+    EXPECT_NEAR(rods.low(4), std::sqrt(0.5), 1e-15);
 }
 
 TEST(Box, HasAsManyDiagonalsAsAsked) {

@@ -57,7 +57,7 @@ TEST(Rope, CanGoSlackUnlessItsLinksAreExact) {
     const auto limits = [](const Rope& rope) {
         const auto made = make(rope);
         const auto& links = std::get<kind_number<Distance, 2>>(made.world.constraints);
-        return std::pair(links.low[0], links.high[0]);
+        return std::pair(links.low(0), links.high(0));
     };
     EXPECT_EQ(limits({.length = 2, .segments = 4, .links = "exact"}), std::pair(0.5, 0.5));
     const auto [low, high] = limits({.length = 2, .segments = 4});
@@ -99,8 +99,8 @@ TEST(Chain, HasBendLimitsWhenAskedInPhysicalMode) {
     const auto made = make(chain);
     const auto& bends = std::get<kind_number<Angle, 2>>(made.world.constraints);
     ASSERT_EQ(bends.size(), 9U);
-    EXPECT_EQ(bends.low[4], -1);
-    EXPECT_EQ(bends.high[4], 1);
+    EXPECT_EQ(bends.low(4), -1);
+    EXPECT_EQ(bends.high(4), 1);
     EXPECT_EQ(make(chain, Mode::classic).constraints(), 10U);
     EXPECT_EQ(make(Chain{.links = 10}).constraints(), 10U);
 }

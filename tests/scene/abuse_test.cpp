@@ -143,7 +143,7 @@ double farthest_outside(const Session& session) {
         const auto& distances = std::get<0>(world.constraints);
         if (world.settings.mode != Mode::classic || world.settings.classic.order != PassOrder::sweeps_last) return;
         for (Row row = 0; row < distances.size(); ++row)
-            if (distances.low[row] == distances.high[row]) farthest = std::max(farthest, double(distances.high[row]));
+            if (distances.low(row) == distances.high(row)) farthest = std::max(farthest, double(distances.high(row)));
     };
     std::visit(sticks_out, session.world());
     return farthest;

@@ -80,7 +80,7 @@ inline double rigid_strain(const AnyWorld& any) {
                 const auto ends = distances.members[row];
                 const double length =
                     double(distance(world.particles.position[ends[0]], world.particles.position[ends[1]]));
-                const double low = double(distances.low[row]), high = double(distances.high[row]);
+                const double low = double(distances.low(row)), high = double(distances.high(row));
                 worst = std::max({worst, length / high - 1, low > 0 ? 1 - length / low : 0});
             }
             return worst;

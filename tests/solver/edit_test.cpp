@@ -109,13 +109,13 @@ TEST(Edit, AnyHistoryOfAddingAndRemovingKeepsWhoIsWhoAndTheSweepsOrder) {
         for (const auto& run : world.sweep)
             for (Row i = 0; i < run.count; ++i)
                 visit_table(world, run.kind,
-                            [&](const auto& table) { in_sweep_order.push_back(table.low[next[run.kind]++]); });
+                            [&](const auto& table) { in_sweep_order.push_back(table.low(next[run.kind]++)); });
         for (const auto& link : links) {
             expected.push_back(link.rest);
             visit_table(world, link.id.kind, [&](const auto& table) {
                 const auto row = table.slots.find(link.id.id);
                 RC_ASSERT(row.has_value());
-                RC_ASSERT(table.low[*row] == link.rest);
+                RC_ASSERT(table.low(*row) == link.rest);
                 RC_ASSERT(table.members[*row][0] == *row_of(world, link.a));
                 RC_ASSERT(table.members[*row][1] == *row_of(world, link.b));
             });
@@ -154,7 +154,7 @@ TYPED_TEST(Edit, RestIsWhatAConstraintMeasuresWhenItIsAdded) {
     const auto state = *constraint_state(world, link);
     EXPECT_EQ(state.measure, 5);
     EXPECT_EQ(state.error, 0);
-    EXPECT_EQ(std::get<0>(world.constraints).low[0], 5);
+    EXPECT_EQ(std::get<0>(world.constraints).low(0), 5);
 }
 
 TYPED_TEST(Edit, StateTellsErrorAndStrainAgainstTheLimitThatBroke) {
@@ -177,7 +177,7 @@ TYPED_TEST(Edit, ReversedLimitsAreHeldAtTheLower) {
     typename TypeParam::World world;
     const auto ids = chain(world, 2, {}, at<typename TypeParam::Vector>(1, 0));
     add<Distance>(world, {ids[0], ids[1]}, {.limits = between(Real(3), Real(2))});
-    EXPECT_EQ(std::get<0>(world.constraints).high[1], 3);
+    EXPECT_EQ(std::get<0>(world.constraints).high(1), 3);
 }
 
 TYPED_TEST(Edit, AnImpulseChangesMomentumByItself) {

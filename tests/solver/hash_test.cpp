@@ -21,6 +21,12 @@ TYPED_TEST(StateHash, ACopyHasTheSameHashAndTheSameFuture) {
     }
 }
 
+template <int kind, class World> void move_limits(World& world, int low, int high) {
+    using Real = typename World::Real;
+    auto& table = std::get<kind>(world.constraints);
+    table.limits.set(0, table.low(0) + Real(low), table.high(0) + Real(high));
+}
+
 TYPED_TEST(StateHash, ChangesWithEverythingThatDecidesTheFuture) {
     using World = typename TypeParam::World;
     using Vector = typename TypeParam::Vector;
@@ -34,8 +40,8 @@ TYPED_TEST(StateHash, ChangesWithEverythingThatDecidesTheFuture) {
         +[](World& w) { w.particles.radius[1] += 1; },
         +[](World& w) { w.particles.quarantined[1] = 1; },
         +[](World& w) { add_particle(w, {}); },
-        +[](World& w) { std::get<0>(w.constraints).low[0] += 1; },
-        +[](World& w) { std::get<1>(w.constraints).high[0] += 1; },
+        +[](World& w) { move_limits<0>(w, -1, 0); },
+        +[](World& w) { move_limits<1>(w, 0, 1); },
         +[](World& w) { std::get<2>(w.constraints).compliance.set(0, 1); },
         +[](World& w) { std::get<0>(w.constraints).relaxation.set(0, typename World::Real(0.5)); },
         +[](World& w) { std::get<0>(w.constraints).split.set(0, typename World::Real(0.6)); },
