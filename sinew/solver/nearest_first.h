@@ -8,16 +8,16 @@
 
 namespace sinew {
 
-/// Particles on the way from one, the nearest first; of those that are equally far the first row. Only what is about as
+/// Particles on the way from one, the nearest first; of those that are equally far the first. Only what is about as
 /// near as the last one taken is a heap, the rest lies in buckets by its length, round and round (a calendar queue:
 /// Brown 1988).
 class NearestFirst {
   public:
     struct Item {
         double length;
-        std::uint32_t row, number;
+        std::uint32_t number;
         friend bool operator>(const Item& a, const Item& b) {
-            return a.length > b.length || (a.length == b.length && a.row > b.row);
+            return a.length > b.length || (a.length == b.length && a.number > b.number);
         }
     };
 

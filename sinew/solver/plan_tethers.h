@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 /// The tethers of sheets: how far from its pins each of their particles can get. What is tied to the same particles as
 /// before, and has not been laid out again, keeps them.
@@ -133,7 +134,7 @@ template <int D, class Real> class TetherMaker {
             if (!any_new) spokes_.list(sheet, size), corners_.begin();
             any_new = true;
             plan_.half_per_reach_square.resize(first + size);
-            reach_from(sheet, at, std::span(plan_.half_per_reach_square).subspan(first));
+            reach_from(at, std::span(plan_.half_per_reach_square).subspan(first));
             Waiting::tell(tethered(share + double(i + 1) / double(pins.size() * plan_.sheets.size())));
         }
     }
@@ -172,10 +173,9 @@ template <int D, class Real> class TetherMaker {
     /// the others come in the order of their distance, a third corner is reached on the straight line from where the
     /// way to two of them would have begun if all lay flat (Mitchell, Mount and Papadimitriou 1987, of the edges the
     /// first step only). A trace longer, so that nothing that hangs straight is pulled. Particles by their number in
-    /// the sheet; of those that are equally far the first row comes first.
-    void reach_from(const Sheet& sheet, std::uint32_t anchor, std::span<Real> half_per_square) {
+    /// the sheet.
+    void reach_from(std::uint32_t anchor, std::span<Real> half_per_square) {
         constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.00001;
-        const Row* const row_of = swept_.row_of.data() + sheet.begin.slot;
         const auto way = half_per_square; // until all are known; negative of what is done with
         std::fill(way.begin(), way.end(), Real(far));
         const auto done = [&](std::uint32_t s) { return std::signbit(way[s]); };
@@ -185,7 +185,7 @@ template <int D, class Real> class TetherMaker {
         const auto shorten = [&](std::uint32_t s, double length) {
             if (!(Real(length) < way[s])) return;
             way[s] = Real(length);
-            next.put({length, row_of[s], s});
+            next.put({length, s});
         };
         shorten(anchor, 0);
         while (!next.empty()) {
@@ -200,10 +200,11 @@ template <int D, class Real> class TetherMaker {
                 const auto edge = s + near[i].apart;
                 const double between = double(near[i].length);
                 if (!done(edge) || !(between > 0)) continue;
-                const auto begun = Beside::of(here, way_to(edge), between);
+                std::optional<Beside> begun; // for most edges nothing is left to reach
                 for (const auto& [third, to] : corners_.beyond(s, i)) {
                     if (done(s + near[third].apart)) continue;
-                    const double across = begun.across(to, between);
+                    if (!begun) begun = Beside::of(here, way_to(edge), between);
+                    const double across = begun->across(to, between);
                     if (Real(across) < Real(lengths[third])) lengths[third] = across;
                 }
             }
