@@ -226,8 +226,8 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     };
     [[gnu::always_inline]] Shares shares_of(std::size_t i, const V& half) const {
         if constexpr (rules.even) return {half, half};
-        const V a = mobility_of(run.a + i), b = mobility_of(run.b + i), per = half / mean_mobility(a, b);
-        return {per * a, per * b};
+        const V a = mobility_of(run.a + i), b = mobility_of(run.b + i), per = Real(1) / mean_mobility(a, b);
+        return {half * (per * a), half * (per * b)};
     }
     [[gnu::always_inline]] V mobility_of(std::size_t slot) const {
         return load<V>(columns.mobility + slot);

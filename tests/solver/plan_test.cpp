@@ -196,6 +196,30 @@ TYPED_TEST(Planned, LinksOfAnyKindKeepTheMomentum) {
     EXPECT_TRUE(kinds.contains(LinkKind::exact) && kinds.contains(LinkKind::exact_uneven));
 }
 
+// Squeezed to nothing, as heavy as can be and hardly to be moved through what holds it up.
+TYPED_TEST(Planned, LinksOfAnyKindStayFinite) {
+    using World = typename TypeParam::World;
+    using Real = RealOf<World>;
+    for (const auto& [even, heavily] : {std::pair(false, false), {false, true}, {true, false}, {true, true}}) {
+        World world;
+        fall(world, heavily ? 1e26 : 9.81);
+        world.settings.substeps = heavily ? 1000 : 10;
+        world.settings.damping = heavily ? Real(0) : limit::measure<Real>;
+        add_cloth(world, {.columns = 20, .even = even});
+        add_chains(world, 21);
+        for (Row row = 0; row < world.particles.size(); ++row) {
+            const auto id = world.particles.slots.id_of(row);
+            set_mass(world, id, limit::mass<Real> / Real(even ? 1 : 1 + row % 3));
+            set_position(world, id, world.particles.position[row] * Real(1e-13));
+        }
+        for (int i = 0; i < 3; ++i) {
+            step(world, Real(1.0 / 60));
+            EXPECT_TRUE(world.events.empty());
+        }
+        for (const auto& place : world.particles.position) EXPECT_TRUE(is_finite(place));
+    }
+}
+
 TEST(Planned, AnyNumberOfThreadsGivesTheSameBits) {
     for (const auto& [shuffled, iterations] : {std::pair(false, 1), {true, 1}, {false, 3}}) {
         World<3, float> begun;
