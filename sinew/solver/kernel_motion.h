@@ -54,8 +54,8 @@ template <int D, class Real> void tether_all(const Motion<D, Real>& columns, std
     }
 }
 
-/// What is done, in this order. Places are held in limits where nothing follows: a move is no longer than what crosses
-/// the world, so in one step no place becomes infinite.
+/// What is done, in this order. Places and moves are held in limits where nothing follows: the substeps of one step add
+/// too little to what was in limits before it for anything to become infinite.
 struct Doing {
     bool advances = false, drifts = false;
 };
@@ -76,6 +76,7 @@ void move_all(const Motion<D, Real>& columns, std::uint32_t first, std::uint32_t
                     put<all>(place[k] + at, doing.drifts ? to : within(to, spread<V>(motion.furthest)), count);
                     put<all>(residual[k] + at, total - (to - from), count);
                 }
+                if constexpr (!doing.drifts) put<all>(moves[k] + at, within(move, spread<V>(motion.most)), count);
                 if constexpr (doing.drifts) {
                     const V moved = move * motion.keep + motion.add[k];
                     const V held = doing.advances ? moved : within(moved, spread<V>(motion.most));

@@ -135,7 +135,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         note<all>(i, count, lambda, wanted.low < spread<V>(Real(1e29)) ? length : spread<V>(Real(1)));
     }
 
-    /// Half of what they lack: each end takes that.
+    /// Half of what they lack: what each end takes where both move as readily.
     template <bool all> [[gnu::always_inline]] V half_lacking(const V& e2, int count, const Wanted& wanted) const {
         V half = half_tangent(e2, wanted);
         if constexpr (!all) half = first_lanes(half, count, Real(0));
@@ -147,7 +147,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
             });
     }
 
-    /// The part of d, the link as it was, that each end takes; e is the link as it is. With t = e^2 / L^2 and
+    /// The same as a part of d, the link as it was; e is the link as it is. With t = e^2 / L^2 and
     /// u = d e / L^2 that is (1/sqrt(t) - 1)/2 t/u, near t = u = 1 about (1 - t)/4 (2 - u). Where the link has turned
     /// by more than 8 degrees or is twice as long as it should be, d becomes e.
     template <bool all> [[gnu::always_inline]] V half_along(Link& link, int count, const Wanted& wanted) const {
@@ -264,7 +264,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         Wanted wanted{get(low + at), V{}};
         if constexpr (!rules.exact) {
             const V longest = get(high + at);
-            wanted.high = Real(0.25) / (longest * longest);
+            wanted.high = least(Real(0.25) / (longest * longest), spread<V>(Real(0.25e30)));
         }
         return wanted;
     }

@@ -11,7 +11,7 @@ namespace sinew::detail {
 
 /// Constraints act on what a substep adds: a particle is where it will be when it ends, place + move, and a correction
 /// of that is a correction of the move, which is h v. Small differences of large coordinates are never taken, so float
-/// loses least. Nothing goes further than what crosses the world: places stay finite.
+/// loses least. Nothing is pushed further than what crosses the world: places stay finite.
 template <int D, class RealT> struct SubstepMover {
     using Real = RealT;
     static constexpr int dimension = D;

@@ -35,7 +35,7 @@ template <class Real> inline constexpr Real step = Real(1e6);           ///< tim
 template <class Real> inline constexpr Real shortest_step = Real(1e-9); ///< a shorter one is none
 } // namespace limit
 
-/// Nothing goes further in a substep of length h: what crosses the world.
+/// Nothing is pushed further in a substep of length h: what crosses the world.
 template <class Real> constexpr Real furthest_move(Real h) {
     return minimum(limit::speed<Real> * h, Real(2) * limit::coordinate<Real>);
 }

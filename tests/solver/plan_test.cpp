@@ -196,6 +196,24 @@ TYPED_TEST(Planned, LinksOfAnyKindKeepTheMomentum) {
     EXPECT_TRUE(kinds.contains(LinkKind::exact) && kinds.contains(LinkKind::exact_uneven));
 }
 
+// Ends that may not be apart, and are not.
+TYPED_TEST(Planned, LinksOfNoLengthFallAsOne) {
+    using World = typename TypeParam::World;
+    using Real = RealOf<World>;
+    for (const bool even : {false, true}) {
+        World world;
+        fall(world, 9.81);
+        add_cloth(world, {.columns = 20, .even = even, .free = true});
+        auto& links = std::get<kind_number<Distance, World::dimension>>(world.constraints);
+        for (Row row = 0; row < links.size(); ++row) links.limits.set(row, -limit::measure<Real>, Real(0));
+        for (auto& place : world.particles.position) place = {};
+        for (int i = 0; i < 3; ++i) step(world, Real(1.0 / 60));
+        for (const auto& place : world.particles.position) EXPECT_LT(norm(place), 0.1);
+        EXPECT_TRUE(
+            std::ranges::any_of(world.swept.plan.runs, [](const auto& run) { return run.kind >= LinkKind::ranging; }));
+    }
+}
+
 // Squeezed to nothing, as heavy as can be and hardly to be moved through what holds it up.
 TYPED_TEST(Planned, LinksOfAnyKindStayFinite) {
     using World = typename TypeParam::World;
