@@ -96,7 +96,7 @@ template <int D, class Real> class Sweep {
             correct_hanging(world_, h_, mover.first_iteration);
             for (const auto& sheet : plan_.sheets) {
                 substep.tie(sheet);
-                for (const auto& band : bands_of(sheet)) substep.tether(band);
+                for (const auto& band : bands_of(sheet)) substep.tether_in_turn(band);
             }
             for (const auto& band : plan_.bands) substep.pull_pins(band);
             for (const auto& band : plan_.bands) substep.keep_in_bounds(band);

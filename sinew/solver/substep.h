@@ -64,7 +64,7 @@ template <int D, class Real> class Substep {
         : world_(world), p_(world.particles), swept_(world.swept), kernels_(kernels),
           links_(links), mover_{world.swept, h}, share_(Real(number) / Real(substeps)),
           share_of_substep_(Real(1) / Real(substeps)), number_(number), last_(number == substeps),
-          kick_(number == 1 ? Real(0.5) * (world.last_substep + h) : h) {
+          tethered_((substeps - number) % 2 == 0), kick_(number == 1 ? Real(0.5) * (world.last_substep + h) : h) {
         motion_.place = swept_.place[0];
         motion_.move = swept_.move[0];
         motion_.residual = swept_.residual[0];
@@ -198,6 +198,10 @@ template <int D, class Real> class Substep {
     void tether(const Band& band) {
         if (motion_.anchor_count > 0) kernels_.tether(motion_, band.first, band.last);
     }
+    /// Every second substep will do, the last among them: in one between nothing falls far (docs/step.md).
+    void tether_in_turn(const Band& band) {
+        if (tethered_) tether(band);
+    }
 
     /// A plane stops what would pass it and rubs: the speed along it falls by friction times the speed it took away.
     /// What strikes faster than resting things sink in a few substeps will rebound.
@@ -231,7 +235,7 @@ template <int D, class Real> class Substep {
     }
 
     void hold(const Band& band) {
-        tether(band);
+        tether_in_turn(band);
         pull_pins(band);
         keep_in_bounds(band);
     }
@@ -245,7 +249,7 @@ template <int D, class Real> class Substep {
             if (next) next->predict(band);
             return;
         }
-        tether(band);
+        tether_in_turn(band);
         if (!next) return advance(band);
         kernels_.go_on(next->motion_, band.first, band.last);
         next->weigh(band);
@@ -263,7 +267,7 @@ template <int D, class Real> class Substep {
     SubstepMover<D, Real> mover_;
     Real share_, share_of_substep_; ///< of the step that is over when this substep is
     int number_;                    ///< from 1
-    bool last_;
+    bool last_, tethered_;
     Real kick_;
     Decay<Real> decay_; ///< most particles have the same
     Motion<D, Real> motion_{};

@@ -6,6 +6,7 @@
 #include "tests/worlds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,33 @@ TEST(Tethers, TightenLongRowsTwice) {
         prepare(world);
         EXPECT_EQ(world.swept.plan.bands.front().tightened, times) << columns;
         EXPECT_EQ(world.swept.plan.bands.back().tightened, 0U) << columns;
+    }
+}
+
+// Not all substeps look after them, but the last does, however many there are.
+TEST(Tethers, HoldWhenAStepIsOver) {
+    constexpr int side = 24;
+    constexpr double cell = 0.03;
+    for (const int substeps : {1, 2, 3, 4, 7}) {
+        World<3, float> world;
+        fall(world, 9.81);
+        world.settings.substeps = substeps;
+        const auto cloth =
+            build(world, Cloth{.columns = side, .rows = side, .spacing = cell, .plane = "horizontal", .pins = "none"},
+                  "cloth");
+        pin(world, world.figures[cloth].particles[0]);
+        double furthest = 0; // as a part of the shortest way along the links
+        for (int i = 0; i < 30; ++i) {
+            step(world, 1.0F / 60);
+            const auto& place = world.particles.position;
+            for (Row row = 1; row < place.size(); ++row) {
+                const double right = row % side, down = row / side;
+                const double way = std::max(right, down) + (std::sqrt(2.0) - 1) * std::min(right, down);
+                furthest = std::max(furthest, double(norm(place[row] - place[0])) / (cell * way));
+            }
+        }
+        EXPECT_LT(furthest, 1.00002) << substeps << " substeps";
+        EXPECT_GT(furthest, 1) << substeps << " substeps"; // it does hang in them
     }
 }
 
