@@ -5,6 +5,8 @@
 #include "sinew/solver/measure.h"
 #include "sinew/solver/step.h"
 
+#include "tests/constants.h"
+
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>

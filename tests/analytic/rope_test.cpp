@@ -13,7 +13,6 @@ namespace {
 
 using namespace test;
 
-constexpr double gravity = 9.81;
 using Place = Vec2<double>;
 
 /// a of  2 a sinh(span / 2 a) = length.

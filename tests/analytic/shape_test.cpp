@@ -8,14 +8,14 @@ namespace {
 
 using namespace test;
 
-template <class Type> struct Shape : ::testing::Test {};
-TYPED_TEST_SUITE(Shape, Everywhere, Names);
+template <class Type> struct Shapes : ::testing::Test {};
+TYPED_TEST_SUITE(Shapes, Everywhere, Names);
 
 // A rope of 40 links, 2 long, between two nails 1.2 apart and of one height hangs in the catenary
 // y = a cosh(x / a), where 2 a sinh(0.6 / a) = 2. Multipliers start from nothing in each substep, so each link is left
 // long by about tension h^2 (2 / m): measured 0.4 % and an error of shape of 0.17 % of the length with 16 substeps, a
 // sixteenth of it with these 64.
-TYPED_TEST(Shape, ARopeAtRestIsACatenary) {
+TYPED_TEST(Shapes, ARopeAtRestIsACatenary) {
     using Real = typename TypeParam::Real;
     using Vector = typename TypeParam::Vector;
     typename TypeParam::World world;
@@ -45,7 +45,7 @@ TYPED_TEST(Shape, ARopeAtRestIsACatenary) {
     EXPECT_LT(stretch(world).max, 1e-3);
 }
 
-TYPED_TEST(Shape, AreaAndVolumeAreKept) {
+TYPED_TEST(Shapes, AreaAndVolumeAreKept) {
     using Real = typename TypeParam::Real;
     using Vector = typename TypeParam::Vector;
     typename TypeParam::World world;
@@ -94,7 +94,7 @@ template <class World> World swinging(typename World::Vector offset, double angl
 }
 
 // Rounded differently there, the two part as every chaotic motion parts rounding errors: for two seconds not by much.
-TYPED_TEST(Shape, TurningAndMovingTheWorldChangesNothingButThat) {
+TYPED_TEST(Shapes, TurningAndMovingTheWorldChangesNothingButThat) {
     using World = typename TypeParam::World;
     using Vector = typename TypeParam::Vector;
     const double angle = 1.1;
@@ -127,7 +127,7 @@ template <class Build> double spread(Build&& build) {
 
 // The scheme is of second order: the phase of a swing of w = 3.16 / s after 5 s differs by about w t (w h)^2 / 24,
 // h = 1/480 s: 3e-5.
-TYPED_TEST(Shape, FrameRateDoesNotMatter) {
+TYPED_TEST(Shapes, FrameRateDoesNotMatter) {
     using World = typename TypeParam::World;
     using Vector = typename TypeParam::Vector;
     using Real = typename TypeParam::Real;

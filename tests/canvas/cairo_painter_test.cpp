@@ -13,7 +13,6 @@ namespace sinew {
 namespace {
 
 using canvas::Raster;
-using Point = Vec2<float>;
 
 constexpr Color white{1, 1, 1, 1}, black{0, 0, 0, 1}, red{1, 0, 0, 1};
 
@@ -27,7 +26,7 @@ struct CairoPainter : testing::Test {
         picture.background = white;
     }
 
-    void add(Shape shape, std::vector<Point> outline, float width, Color color = black) {
+    void add(Shape shape, std::vector<Vec2<float>> outline, float width, Color color = black) {
         picture.add(shape, outline, width, color);
     }
 
@@ -63,7 +62,7 @@ TEST_F(CairoPainter, StrokeHasRoundEndsOfHalfItsWidth) {
 }
 
 TEST_F(CairoPainter, LoopIsClosedAndPolylineIsNot) {
-    const std::vector<Point> corner{{20, 20}, {80, 20}, {80, 80}};
+    const std::vector<Vec2<float>> corner{{20, 20}, {80, 20}, {80, 80}};
     add(Shape::polyline, corner, 4);
     EXPECT_EQ(at(50, 50), pixel_of(white));
     add(Shape::loop, corner, 4);
@@ -141,7 +140,7 @@ TEST_F(CairoPainter, PictureOfAnotherShapeIsCentredOnItsBackground) {
     Picture wide;
     wide.width = 200, wide.height = 50;
     wide.background = red;
-    wide.add(Shape::disc, std::array{Point{100, 25}}, 40, black);
+    wide.add(Shape::disc, std::array{Vec2<float>{100, 25}}, 40, black);
     EXPECT_EQ(at(wide, 50, 50), pixel_of(black));
     EXPECT_EQ(at(wide, 50, 58), pixel_of(black)) << "scaled by a half: the disc has a radius of 10";
     EXPECT_EQ(at(wide, 50, 62), pixel_of(red));

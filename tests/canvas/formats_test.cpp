@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 using canvas::check;
 using canvas::Failure;
@@ -47,13 +47,13 @@ TEST(Formats, GifKeepsOnlyWholeHundredthsOfASecond) {
     for (double fps : {50., 25., 20., 10., 1.}) EXPECT_EQ(check("a.gif", {640, 480, fps}), Failure()) << fps;
     EXPECT_EQ(check("a.gif", {640, 480, 60}),
               "a .gif counts time in hundredths of a second and cannot keep 60 frames a second; use 50, 25, 20 or 10");
-    for (double fps : {100., 30., 0., -5., nan}) EXPECT_TRUE(check("a.gif", {640, 480, fps})) << fps;
+    for (double fps : {100., 30., 0., -5., not_a_number}) EXPECT_TRUE(check("a.gif", {640, 480, fps})) << fps;
 }
 
 TEST(Formats, FilmsKeepOneTo240FramesASecond) {
     for (double fps : {1., 23.976, 60., 240.}) EXPECT_EQ(check("a.mp4", {640, 480, fps}), Failure()) << fps;
     EXPECT_EQ(check("a.webp", {640, 480, 1000}), "1000 frames a second cannot be; use 1 to 240");
-    for (double fps : {0., -1., nan}) EXPECT_TRUE(check("a.mp4", {640, 480, fps})) << fps;
+    for (double fps : {0., -1., not_a_number}) EXPECT_TRUE(check("a.mp4", {640, 480, fps})) << fps;
 }
 
 TEST(Formats, SheetIsAStillImageOfAtLeastOneFrame) {

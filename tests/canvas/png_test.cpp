@@ -136,27 +136,29 @@ struct PaintedImage : testing::Test {
     }
 };
 
+namespace opaque {
 const Pixel red{255, 0, 0}, green{0, 255, 0}, blue{0, 0, 255}, grey{128, 128, 128}, white{255, 255, 255};
+}
 
 TEST_F(PaintedImage, LiesWhereItsCornersAre) {
     add({{{20, 20}}, {{80, 20}}, {{20, 80}}, {{80, 80}}}, 2);
     paint();
-    EXPECT_EQ(at(30, 30), red);
-    EXPECT_EQ(at(70, 30), green);
-    EXPECT_EQ(at(30, 70), blue);
-    EXPECT_EQ(at(70, 70), grey);
+    EXPECT_EQ(at(30, 30), opaque::red);
+    EXPECT_EQ(at(70, 30), opaque::green);
+    EXPECT_EQ(at(30, 70), opaque::blue);
+    EXPECT_EQ(at(70, 70), opaque::grey);
     for (const int outside : {18, 81}) {
-        EXPECT_EQ(at(outside, 50), white);
-        EXPECT_EQ(at(50, outside), white);
+        EXPECT_EQ(at(outside, 50), opaque::white);
+        EXPECT_EQ(at(50, outside), opaque::white);
     }
 }
 
 TEST_F(PaintedImage, TurnsAndMirrorsWithThem) {
     add({{{80, 20}}, {{80, 80}}, {{20, 20}}, {{20, 80}}}, 2); // a quarter turn clockwise
     paint();
-    EXPECT_EQ(at(70, 30), red);
-    EXPECT_EQ(at(70, 70), green);
-    EXPECT_EQ(at(30, 30), blue);
+    EXPECT_EQ(at(70, 30), opaque::red);
+    EXPECT_EQ(at(70, 70), opaque::green);
+    EXPECT_EQ(at(30, 30), opaque::blue);
 }
 
 TEST_F(PaintedImage, ABentOneHasNoSeams) {
@@ -167,7 +169,7 @@ TEST_F(PaintedImage, ABentOneHasNoSeams) {
     add(grid, 21);
     paint();
     for (int x = 12; x < 88; ++x)
-        for (int y = 38; y < 62; ++y) EXPECT_EQ(at(x, y), red) << x << ' ' << y;
+        for (int y = 38; y < 62; ++y) EXPECT_EQ(at(x, y), opaque::red) << x << ' ' << y;
 }
 
 TEST_F(PaintedImage, WhatIsHalfTransparentStaysSoWhereItBends) {
@@ -188,8 +190,8 @@ TEST_F(PaintedImage, AColourLiesOverItAsStrongAsItIs) {
     picture.items.clear();
     add({{{20, 20}}, {{80, 20}}, {{20, 80}}, {{80, 80}}}, 2, {0, 0, 1, 1});
     paint();
-    EXPECT_EQ(at(30, 30), blue);
-    EXPECT_EQ(at(10, 30), white);
+    EXPECT_EQ(at(30, 30), opaque::blue);
+    EXPECT_EQ(at(10, 30), opaque::white);
 }
 
 TEST_F(PaintedImage, WithoutAreaOrOutOfTheWorldIsNotSeen) {
@@ -198,8 +200,8 @@ TEST_F(PaintedImage, WithoutAreaOrOutOfTheWorldIsNotSeen) {
     add({{{20, 20}}, {{80, 20}}}, 2);
     picture.items.push_back({.shape = Shape::image, .first = 0, .count = 4, .color = {}, .number = 7, .across = 2});
     paint();
-    EXPECT_EQ(at(50, 50), white);
-    EXPECT_EQ(at(50, 20), white);
+    EXPECT_EQ(at(50, 50), opaque::white);
+    EXPECT_EQ(at(50, 20), opaque::white);
 }
 
 } // namespace

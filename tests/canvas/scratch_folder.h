@@ -1,8 +1,8 @@
 #pragma once
 
+#include "tests/text_of.h"
+
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdlib.h>
 #include <string>
 #include <vector>
@@ -34,11 +34,5 @@ class ScratchFolder {
 
     std::filesystem::path path;
 };
-
-inline std::string text_of(const std::filesystem::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 } // namespace sinew

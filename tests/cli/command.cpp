@@ -26,12 +26,12 @@ int checked(int result) {
 /// A file without a name that holds the text.
 int file_of(const std::string& text) {
     const int file = checked(memfd_create("test", MFD_CLOEXEC));
-    if (write(file, text.data(), text.size()) != ssize_t(text.size())) checked(-1);
+    if (::write(file, text.data(), text.size()) != ssize_t(text.size())) checked(-1);
     lseek(file, 0, SEEK_SET);
     return file;
 }
 
-std::string text_of(int file) {
+std::string read_all(int file) {
     std::string text(std::size_t(lseek(file, 0, SEEK_END)), '\0');
     if (pread(file, text.data(), text.size(), 0) != ssize_t(text.size())) checked(-1);
     close(file);
@@ -47,7 +47,7 @@ int pipe_without_reader() {
 
 int output_of(const Setting& setting) {
     if (setting.reader_leaves) return pipe_without_reader();
-    return setting.output.empty() ? file_of("") : checked(open(setting.output.c_str(), O_WRONLY | O_CLOEXEC));
+    return setting.output.empty() ? file_of("") : checked(::open(setting.output.c_str(), O_WRONLY | O_CLOEXEC));
 }
 
 int new_terminal() {
@@ -86,7 +86,7 @@ Running::Running(const Arguments& arguments, const Setting& setting)
     : begin(now()), output(output_of(setting)), errors(setting.terminal ? new_terminal() : file_of("")),
       terminal(setting.terminal) {
     const int input = file_of(setting.input);
-    const int seen = terminal ? checked(open(ptsname(errors), O_RDWR | O_NOCTTY | O_CLOEXEC)) : errors;
+    const int seen = terminal ? checked(::open(ptsname(errors), O_RDWR | O_NOCTTY | O_CLOEXEC)) : errors;
     child = checked(fork());
     if (child == 0) {
         dup2(input, 0);
@@ -104,7 +104,7 @@ void Running::interrupt() const {
 
 /// A terminal gives an error instead of an end once nobody writes to it.
 std::string Running::read_errors() {
-    if (!terminal) return text_of(errors);
+    if (!terminal) return read_all(errors);
     std::string text;
     char block[4096];
     for (ssize_t read_bytes; (read_bytes = read(errors, block, sizeof block)) > 0;)
@@ -123,7 +123,7 @@ Outcome Running::wait() {
     if (!terminal) outcome.err = read_errors();
     const bool is_file = lseek(output, 0, SEEK_END) > 0;
     if (is_file)
-        outcome.out = text_of(output);
+        outcome.out = read_all(output);
     else
         close(output);
     return outcome;

@@ -9,15 +9,15 @@
 namespace sinew {
 namespace {
 
-template <int D> using Shape = std::vector<Vec<D, double>>;
+template <int D> using Places = std::vector<Vec<D, double>>;
 
 template <int D> struct Measured {
     double value = 0;
-    Shape<D> gradient;
+    Places<D> gradient;
 };
 
-template <class Kind, int D> Measured<D> measure(const Shape<D>& x) {
-    Measured<D> measured{0, Shape<D>(x.size())};
+template <class Kind, int D> Measured<D> measure(const Places<D>& x) {
+    Measured<D> measured{0, Places<D>(x.size())};
     if constexpr (Kind::arity == any_arity) {
         measured.value = Kind::template evaluate<double>(x, measured.gradient);
     } else {
@@ -38,9 +38,9 @@ template <int D> Vec<D, double> any_vector() {
     return Vec<D, double>::map([](int) { return coordinate(); });
 }
 
-template <class Kind, int D> Shape<D> any_shape() {
+template <class Kind, int D> Places<D> any_shape() {
     const int n = Kind::arity == any_arity ? *rc::gen::inRange(3, 9) : Kind::arity;
-    Shape<D> x;
+    Places<D> x;
     for (int i = 0; i < n; ++i) x.push_back(any_vector<D>());
     return x;
 }
@@ -58,7 +58,7 @@ template <int D> double steepest(const Measured<D>& m) {
 }
 
 /// Far enough from where the measure has a corner (coincident points, a straight 3D angle) for finite differences.
-template <class Kind, int D> Shape<D> smooth_shape() {
+template <class Kind, int D> Places<D> smooth_shape() {
     auto x = any_shape<Kind, D>();
     for (std::size_t i = 0; i < x.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) RC_PRE(distance(x[i], x[j]) > 0.05); // a leg without a length has no slope
@@ -142,7 +142,7 @@ EVERY_KIND(MeasuresTheSameWhereverAndHoweverItLies) {
     const auto x = smooth_shape<Kind, D>();
     const auto offset = any_vector<D>() * 10.0;
     const double angle = coordinate() * 3;
-    Shape<D> moved;
+    Places<D> moved;
     for (const auto& point : x) moved.push_back(turned(point, angle) + offset);
     const auto before = measure<Kind, D>(x), after = measure<Kind, D>(moved);
     // coordinates near 10 are rounded at 1e-15, which a steep gradient amplifies
@@ -154,7 +154,7 @@ EVERY_KIND(MeasuresTheSameWhereverAndHoweverItLies) {
 
 EVERY_KIND(GrowsWithSizeAsItsLengthPowerSays) {
     const auto x = smooth_shape<Kind, D>();
-    Shape<D> larger;
+    Places<D> larger;
     for (const auto& point : x) larger.push_back(point * 2.0);
     const double expected = measure<Kind, D>(x).value * std::pow(2, Kind::length_power);
     RC_ASSERT(std::abs(measure<Kind, D>(larger).value - expected) < 1e-12);

@@ -5,30 +5,23 @@
 #include "apps/play/script.h"
 #include "apps/play/touch.h"
 #include "tests/sanitized.h"
+#include "tests/text_of.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 
 /// The game without its window: what a player does, said as a script or done by hand.
 namespace sinew::play {
 namespace {
 
-std::string text_of_file(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
 /// Scenes of the catalogue, or files.
 Fetched fetch(const std::string& word, std::span<const Override> overrides) {
     const bool file = word.find('/') != std::string::npos;
     const std::filesystem::path path = file ? word : std::string(SINEW_SCENES_DIR) + "/" + word + ".json";
-    auto document = load(text_of_file(path), path.string(), overrides);
+    auto document = load(sinew::text_of(path), path.string(), overrides);
     Fetched fetched{open_scene(document), "", path};
     if (!fetched.opened) fetched.problem = to_text(document.diagnostics, {});
     return fetched;

@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-constexpr double gravity = 9.81, fps = 60, degree = pi<double> / 180;
+constexpr double degree = pi<double> / 180;
 constexpr double bend_limit = 60 * degree;
 
 Made<2, double> chain_of(int links, double damping) {

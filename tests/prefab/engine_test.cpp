@@ -9,8 +9,6 @@
 namespace sinew {
 namespace {
 
-constexpr double fps = 60;
-
 /// Slider and crank: s = r cos(phi) + sqrt(l^2 - r^2 sin^2(phi)), in any direction, whichever way y points.
 TEST(Crank, MovesItsPistonAsTheLawOfTheSliderCrankSays) {
     constexpr double r = 0.5, l = 1.4, rate = 3;

@@ -2,6 +2,8 @@
 
 #include "sinew/prefab/prefabs.h"
 
+#include "tests/constants.h"
+
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>

@@ -7,8 +7,6 @@
 namespace sinew {
 namespace {
 
-constexpr double gravity = 9.81, fps = 60;
-
 /// A swing whose seat stays level is a pendulum as long as its ropes: T = 2 pi sqrt(l/g) (1 + theta^2/16). Ropes that
 /// weigh a millionth of the rest do not slow it.
 TEST(Swing, SwingsAsAPendulumAsLongAsItsRopes) {

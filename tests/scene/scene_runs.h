@@ -4,24 +4,16 @@
 #include "sinew/solver/edit.h"
 
 #include "tests/scene/models.h"
+#include "tests/text_of.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 
 /// Scenes of the catalogue, opened and looked at.
 namespace sinew {
-
-inline std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 inline std::vector<std::string> scene_names() {
     std::vector<std::string> names;

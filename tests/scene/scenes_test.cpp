@@ -5,10 +5,10 @@
 #include "tests/scene/laws.h"
 #include "tests/scene/models.h"
 #include "tests/scene/schema_check.h"
+#include "tests/text_of.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <rapidcheck/gtest.h>
@@ -24,11 +24,6 @@ std::vector<std::filesystem::path> scene_files() {
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     std::ranges::sort(files);
     return files;
-}
-
-std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 Document opened(const std::string& text, const std::string& name, std::vector<Override> overrides = {}) {

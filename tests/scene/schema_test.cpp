@@ -19,7 +19,7 @@ bool reader_accepts(const std::string& text, std::string& errors) {
     return document.diagnostics.ok();
 }
 
-json::Value parsed(const std::string& text) {
+json::Value value_of(const std::string& text) {
     Diagnostics diagnostics;
     return *json::parse(diagnostics.add_source("a.json", text), diagnostics);
 }
@@ -87,9 +87,9 @@ TEST(Schema, AcceptsWhatTheReaderAccepts) {
     for (const std::string text : good_documents) {
         std::string errors;
         EXPECT_TRUE(reader_accepts(text, errors)) << text << "\n" << errors;
-        EXPECT_TRUE(schema.accepts(parsed(text))) << text;
+        EXPECT_TRUE(schema.accepts(value_of(text))) << text;
     }
-    EXPECT_TRUE(schema.accepts(parsed(std::string(sample::good_scene))));
+    EXPECT_TRUE(schema.accepts(value_of(std::string(sample::good_scene))));
 }
 
 TEST(Schema, RefusesWhatTheReaderRefuses) {
@@ -97,7 +97,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
     for (const std::string text : bad_documents) {
         std::string errors;
         EXPECT_FALSE(reader_accepts(text, errors)) << text;
-        EXPECT_FALSE(schema.accepts(parsed(text))) << text << "\n" << errors;
+        EXPECT_FALSE(schema.accepts(value_of(text))) << text << "\n" << errors;
     }
 }
 

@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-Session session_of(const std::string& more, const std::string& figure) {
+Session cutting_session(const std::string& more, const std::string& figure) {
     auto document = load(R"({"sinew": 1, )" + more + R"("figures": [)" + figure + "]}", "test.json");
     auto opened = open_scene(document);
     EXPECT_TRUE(opened) << to_text(document.diagnostics);
@@ -24,9 +24,9 @@ std::vector<std::string> told(const Session& session) {
 
 TEST(Cuts, AnEventCutsWhatItCrossesAndTellsWhose) {
     auto session =
-        session_of(R"("world": {"gravity": [0, -9.81]}, "events": [{"at": 0.1, "cut": [[-1, 0.55], [1, 0.55]]},
+        cutting_session(R"("world": {"gravity": [0, -9.81]}, "events": [{"at": 0.1, "cut": [[-1, 0.55], [1, 0.55]]},
                                             {"at": 0.2, "cut": [[5, 0], [6, 0]]}], )",
-                   rope);
+                        rope);
     const auto before = session.report().constraints;
     session.run_until(0.3);
     EXPECT_LT(session.report().constraints, before);
@@ -41,7 +41,7 @@ TEST(Cuts, AnEventCutsWhatItCrossesAndTellsWhose) {
 TEST(Cuts, InSpaceTheyGoWhereTheyAreSeen) {
     const std::string side = R"("dimension": 3, "view": {"camera": {"eye": [5, 0.5, 0], "target": [0, 0.5, 0]}}, )";
     const std::string rope3 = R"({"prefab": "rope", "name": "rope", "segments": 10, "length": 1, "at": [0, 1, 0]})";
-    auto session = session_of(side, rope3);
+    auto session = cutting_session(side, rope3);
     const double near = 2.5; // half way to the eye: what is crossed lies twice as far from the middle
     EXPECT_EQ(session.cut({Point{{near, 0.5, -0.2}}, Point{{near, 0.5, -0.1}}}), 0U);
     EXPECT_EQ(session.cut({Point{{near, 0.62, -0.2}}, Point{{near, 0.64, 0.2}}}), 1U);
@@ -55,7 +55,7 @@ TEST(Cuts, InSpaceTheyGoWhereTheyAreSeen) {
 TEST(Cuts, ReachAsFarAsTheScenesPointerUnlessTheySay) {
     const std::string beside = R"("cut": [[0.05, 0.55], [1, 0.55]])";
     const auto cuts = [&](const std::string& pointer, const std::string& within) {
-        auto session = session_of(pointer + R"("events": [{"at": 0, )" + beside + within + "}], ", rope);
+        auto session = cutting_session(pointer + R"("events": [{"at": 0, )" + beside + within + "}], ", rope);
         session.step();
         return told(session).size() > 1;
     };
@@ -66,8 +66,8 @@ TEST(Cuts, ReachAsFarAsTheScenesPointerUnlessTheySay) {
 }
 
 TEST(Cuts, AFigureThatFallsApartKeepsItsNamesAndTellsOfItEachTime) {
-    auto session =
-        session_of(R"("events": [{"at": 0, "snip": ["rope/link_2"]}, {"at": 0.1, "snip": ["rope/link_7"]}],)", rope);
+    auto session = cutting_session(
+        R"("events": [{"at": 0, "snip": ["rope/link_2"]}, {"at": 0.1, "snip": ["rope/link_7"]}],)", rope);
     session.run_until(0.2);
     std::vector<std::size_t> islands;
     for (const auto& happening : session.happenings())
@@ -82,8 +82,8 @@ TEST(Cuts, AFigureThatFallsApartKeepsItsNamesAndTellsOfItEachTime) {
 }
 
 TEST(Cuts, ATornLinkIsDrawnNoLonger) {
-    auto session = session_of(R"("units": {"length": "px"}, "world": {"gravity": [0, -981]}, )",
-                              R"({"name": "x", "particles": {"top": {"at": [0, 100], "pinned": true},
+    auto session = cutting_session(R"("units": {"length": "px"}, "world": {"gravity": [0, -981]}, )",
+                                   R"({"name": "x", "particles": {"top": {"at": [0, 100], "pinned": true},
         "low": {"at": [0, 0], "mass": 1}}, "constraints": [{"between": ["top", "low"], "compliance": 0.1,
         "breaking_strain": 0.2}]})");
     const auto lines = [&] {
@@ -103,7 +103,7 @@ TEST(Cuts, ATornLinkIsDrawnNoLonger) {
 /// Nine particles and the links of four cells. Two links are drawn twice as far as they are long and tear at once: of
 /// two cells that leaves the middle particle as all that joins them.
 TEST(Cuts, TornClothHangsInFlaps) {
-    auto session = session_of(R"("world": {"gravity": [0, 0]}, )", R"({"name": "x", "particles": {
+    auto session = cutting_session(R"("world": {"gravity": [0, 0]}, )", R"({"name": "x", "particles": {
         "nw": {"at": [0, 2], "mass": 1}, "n": {"at": [1, 2], "mass": 1}, "ne": {"at": [2, 2], "mass": 1},
         "w": {"at": [0, 1], "mass": 1}, "c": {"at": [1, 1], "mass": 1}, "e": {"at": [2, 1], "mass": 1},
         "sw": {"at": [0, 0], "mass": 1}, "s": {"at": [1, 0], "mass": 1}, "se": {"at": [2, 0], "mass": 1}},

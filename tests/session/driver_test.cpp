@@ -2,6 +2,8 @@
 #include "sinew/session/session.h"
 #include "sinew/solver/edit.h"
 
+#include "tests/session/places.h"
+
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -67,7 +69,7 @@ TEST(Driver, WithoutKeysAPinStaysWhereItIs) {
     expect_near(driven_to(PointerDriver{}, rest, 17, 1), rest);
 }
 
-Session session_of(const std::string& driver, const std::string& mode = "physical", const std::string& more = "") {
+Session driven_session(const std::string& driver, const std::string& mode = "physical", const std::string& more = "") {
     auto document = load(fmt::format(R"({{"sinew": 1, "units": {{"length": "px", "time": "frame", "up": "-y"}},
         "solver": {{"mode": "{}"}},
         "figures": [{{"name": "f", "particles": {{"a": {{"at": [450, 100], "pinned": true}}, "b": {{"at": [450, 100]}}}}}}],
@@ -79,14 +81,9 @@ Session session_of(const std::string& driver, const std::string& mode = "physica
     return Session(std::move(*opened));
 }
 
-Vec2<double> place(const Session& session, std::string_view name) {
-    const auto& world = std::get<World<2, double>>(session.world());
-    return *position_of(world, *find_particle(world, name));
-}
-
 TEST(Driver, CarriesItsParticleInBothModesAndNoOther) {
     for (const std::string mode : {"physical", "classic"}) {
-        auto session = session_of(R"("driver": "orbit", "radius": 100, "rate": 3)", mode); // degrees a frame
+        auto session = driven_session(R"("driver": "orbit", "radius": 100, "rate": 3)", mode); // degrees a frame
         for (int frame = 0; frame < 30; ++frame) session.step();
         EXPECT_NEAR(place(session, "f/b")[0], 450, 1e-9) << mode;
         EXPECT_NEAR(place(session, "f/b")[1], 0, 1e-9) << mode;
@@ -98,7 +95,7 @@ TEST(Driver, CarriesItsParticleInBothModesAndNoOther) {
 }
 
 TEST(Driver, FollowsThePointerOrThePathThatStandsInForIt) {
-    auto session = session_of(R"("driver": "pointer", "keys": [{"at": 10, "to": [500, 100]}])");
+    auto session = driven_session(R"("driver": "pointer", "keys": [{"at": 10, "to": [500, 100]}])");
     for (int frame = 0; frame < 10; ++frame) session.step();
     EXPECT_NEAR(place(session, "f/b")[0], 500, 1e-9);
     session.point_at(Point{{320, 240, 0}});
@@ -112,7 +109,8 @@ TEST(Driver, FollowsThePointerOrThePathThatStandsInForIt) {
 
 // With all of its speed lost each frame a seeker is a share nearer each frame: 1 - (1 - 0.05)^n of the way.
 TEST(Driver, SeeksThePointerByAShareOfTheWayEachFrame) {
-    auto session = session_of(R"("driver": "pointer", "seek": 0.05, "keys": [{"at": 0, "to": [550, 100]}])", "classic");
+    auto session =
+        driven_session(R"("driver": "pointer", "seek": 0.05, "keys": [{"at": 0, "to": [550, 100]}])", "classic");
     for (int frame = 1; frame <= 40; ++frame) {
         session.step();
         EXPECT_NEAR(place(session, "f/b")[0], 450 + 100 * (1 - std::pow(0.95, frame)), 1e-9);
@@ -140,7 +138,7 @@ TEST(Driver, SeeksWithSpeedLeftAndOvershoots) {
 // The humanoid's hand: it is kicked on its way to the pointer, and comes back to it.
 TEST(Driver, AKickReachesWhatSeeksThePointer) {
     const auto far = [](const std::string& kick) {
-        auto session = session_of(
+        auto session = driven_session(
             R"("driver": "pointer", "seek": 0.05, "seek_damping": 0.9, "keys": [{"at": 0, "to": [450, 100]}])",
             "classic", kick);
         session.step();

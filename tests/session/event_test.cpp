@@ -2,6 +2,8 @@
 #include "sinew/session/session.h"
 #include "sinew/solver/edit.h"
 
+#include "tests/session/places.h"
+
 #include <gtest/gtest.h>
 
 /// What events do: those that repeat, that kick, that join, that grab many. A rate of 60: a step is a frame.
@@ -21,12 +23,6 @@ Session play(const std::string& rest) {
     return Session(std::move(*opened));
 }
 
-const World<2, double>& world_of(const Session& session) {
-    return std::get<World<2, double>>(session.world());
-}
-Vec2<double> place(const Session& session, std::string_view name) {
-    return *position_of(world_of(session), *find_particle(world_of(session), name));
-}
 Vec2<double> speed(const Session& session, std::string_view name) {
     return *velocity_of(world_of(session), *find_particle(world_of(session), name));
 }

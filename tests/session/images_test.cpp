@@ -16,7 +16,7 @@ ReadImage some_image(const std::string& name, const Limits& limits) {
 }
 
 /// Four particles: a at (100, 100), b 40 to its right, c and d below them.
-std::string scene(const std::string& constraints, const std::string& looks, const std::string& more = "") {
+std::string pictured(const std::string& constraints, const std::string& looks, const std::string& more = "") {
     return R"({"sinew": 1, "units": {"length": "px", "time": "frame", "up": "-y"}, "view": {"size": [640, 480]},)" +
            more + R"("looks": {"x": {"color": "#123456"}},
         "figures": [{"name": "x", "looks": {)" +
@@ -31,7 +31,7 @@ Document read(const std::string& text, std::optional<Opened>& opened, std::vecto
     return document;
 }
 
-std::string errors_of(const std::string& text, std::vector<Override> overrides = {}) {
+std::string complaints_of(const std::string& text, std::vector<Override> overrides = {}) {
     std::optional<Opened> opened;
     return to_text(read(text, opened, std::move(overrides)).diagnostics);
 }
@@ -41,7 +41,7 @@ struct Drawn {
     std::vector<Picture::Item> images; ///< but shadows, which are covered by their colour
 };
 
-Drawn drawn(const std::string& text, std::optional<Point> pointer = {}) {
+Drawn images_of(const std::string& text, std::optional<Point> pointer = {}) {
     std::optional<Opened> opened;
     const auto document = read(text, opened);
     EXPECT_TRUE(opened) << to_text(document.diagnostics);
@@ -65,34 +65,34 @@ void expect_points(const Drawn& seen, const Picture::Item& item, const std::vect
 }
 
 TEST(ImageLook, AtAParticleIsAsWideAsItsDot) {
-    const auto seen = drawn(scene("", R"("a": {"image": {"file": "i.png"}})"));
+    const auto seen = images_of(pictured("", R"("a": {"image": {"file": "i.png"}})"));
     ASSERT_EQ(seen.images.size(), 1U);
     expect_points(seen, seen.images[0], {{{90, 95}}, {{110, 95}}, {{90, 105}}, {{110, 105}}});
 }
 
 TEST(ImageLook, BetweenTwoParticlesLiesAlongThem) {
     const std::string down = R"({"name": "stick", "between": ["b", "c"]})";
-    const auto seen = drawn(scene(down, R"("stick": {"image": {"file": "i.png"}})"));
+    const auto seen = images_of(pictured(down, R"("stick": {"image": {"file": "i.png"}})"));
     ASSERT_EQ(seen.images.size(), 1U); // 60 long, half as wide: its right is down, its top to the right
     expect_points(seen, seen.images[0], {{{155, 100}}, {{155, 160}}, {{125, 100}}, {{125, 160}}});
 }
 
 TEST(ImageLook, HasASizeATurnAndAShift) {
     const std::string image = R"("a": {"image": {"file": "i.png", "size": [8, -4], "turn": 90, "shift": [3, 1]}})";
-    const auto seen = drawn(scene("", image));
+    const auto seen = images_of(pictured("", image));
     ASSERT_EQ(seen.images.size(), 1U); // counter-clockwise: what was right is up; mirrored: what was up is right
     expect_points(seen, seen.images[0], {{{105, 105}}, {{105, 97}}, {{101, 105}}, {{101, 97}}});
 }
 
 TEST(ImageLook, OnFourCornersRunsFromCornerToCorner) {
     const std::string area = R"({"kind": "area", "name": "inside", "between": ["a", "b", "c", "d"]})";
-    const auto seen = drawn(scene(area, R"("inside": {"image": {"file": "i.png"}})"));
+    const auto seen = images_of(pictured(area, R"("inside": {"image": {"file": "i.png"}})"));
     ASSERT_EQ(seen.images.size(), 1U);
     expect_points(seen, seen.images[0], {{{100, 100}}, {{140, 100}}, {{100, 160}}, {{140, 160}}});
 }
 
 TEST(ImageLook, ARopeIsCoveredAWholeNumberOfTimesWithoutGaps) {
-    const auto seen = drawn(R"({"sinew": 1, "units": {"length": "px"}, "figures": [{"prefab": "rope", "length": 100,
+    const auto seen = images_of(R"({"sinew": 1, "units": {"length": "px"}, "figures": [{"prefab": "rope", "length": 100,
         "segments": 5, "looks": {"rope": {"image": {"file": "i.png", "size": [24, 12]}}}}]})");
     ASSERT_EQ(seen.images.size(), 4U); // 100 / 24
     for (std::size_t i = 0; i + 1 < 4; ++i) {
@@ -104,7 +104,7 @@ TEST(ImageLook, ARopeIsCoveredAWholeNumberOfTimesWithoutGaps) {
 
 TEST(ImageLook, IsReadOnceHoweverOftenItIsNamed) {
     std::optional<Opened> opened;
-    read(scene("", R"("a": {"image": {"file": "i.png"}}, "b": {"image": {"file": "i.png"}},
+    read(pictured("", R"("a": {"image": {"file": "i.png"}}, "b": {"image": {"file": "i.png"}},
                       "c": {"image": {"file": "other.png"}})"),
          opened);
     ASSERT_TRUE(opened);
@@ -112,7 +112,7 @@ TEST(ImageLook, IsReadOnceHoweverOftenItIsNamed) {
 }
 
 TEST(ImageLook, CastsItsOwnShadow) {
-    const auto seen = drawn(scene("", R"("a": {"image": {"file": "i.png"}})"));
+    const auto seen = images_of(pictured("", R"("a": {"image": {"file": "i.png"}})"));
     const auto shadows = std::count_if(seen.picture.items.begin(), seen.picture.items.end(), [](const auto& item) {
         return item.shape == Shape::image && item.color.alpha == 1;
     });
@@ -120,7 +120,7 @@ TEST(ImageLook, CastsItsOwnShadow) {
 }
 
 TEST(ImageLook, WithoutAReaderOfImagesShapesAreDrawn) {
-    auto document = load(scene("", R"("a": {"image": {"file": "missing.png"}})"), "test.json");
+    auto document = load(pictured("", R"("a": {"image": {"file": "missing.png"}})"), "test.json");
     auto opened = open_scene(document);
     ASSERT_TRUE(opened) << to_text(document.diagnostics);
     Picture picture;
@@ -132,7 +132,7 @@ TEST(ImageLook, WithoutAReaderOfImagesShapesAreDrawn) {
 }
 
 TEST(ImageLook, WhatIsWrongWithAFileIsSaidWhereItIsNamed) {
-    EXPECT_EQ(errors_of(R"({"sinew": 1, "figures": [{"prefab": "rope"}],
+    EXPECT_EQ(complaints_of(R"({"sinew": 1, "figures": [{"prefab": "rope"}],
  "looks": {"rope": {"image": {"file": "missing.png"}}}})"),
               "test.json:2:39: error: there is no such file at /looks/rope/image/file\n"
               "    2 |  \"looks\": {\"rope\": {\"image\": {\"file\": \"missing.png\"}}}}\n"
@@ -142,34 +142,34 @@ TEST(ImageLook, WhatIsWrongWithAFileIsSaidWhereItIsNamed) {
 
 TEST(ImageLook, StaysInTheFolderOfItsScene) {
     for (const std::string file : {"", "/etc/passwd", "../secret.png", "a/../../b.png", "..", "c:x.png", "a\\\\b.png"})
-        EXPECT_NE(
-            errors_of(scene("", R"("a": {"image": {"file": ")" + file + "\"}}")).find("in the folder of the scene"),
-            std::string::npos)
+        EXPECT_NE(complaints_of(pictured("", R"("a": {"image": {"file": ")" + file + "\"}}"))
+                      .find("in the folder of the scene"),
+                  std::string::npos)
             << file;
-    EXPECT_EQ(errors_of(scene("", R"("a": {"image": {"file": "deep/er/..i.png"}})")), "");
+    EXPECT_EQ(complaints_of(pictured("", R"("a": {"image": {"file": "deep/er/..i.png"}})")), "");
 }
 
 TEST(ImageLook, AllTogetherStayWithinTheLimit) {
-    const auto two = scene("", R"("a": {"image": {"file": "1.png"}}, "b": {"image": {"file": "2.png"}})");
-    EXPECT_EQ(errors_of(two, {{"limits.pixels=400"}}), "");
-    EXPECT_NE(errors_of(two, {{"limits.pixels=399"}}).find("too many pixels at /figures/0/looks/b/image/file"),
+    const auto two = pictured("", R"("a": {"image": {"file": "1.png"}}, "b": {"image": {"file": "2.png"}})");
+    EXPECT_EQ(complaints_of(two, {{"limits.pixels=400"}}), "");
+    EXPECT_NE(complaints_of(two, {{"limits.pixels=399"}}).find("too many pixels at /figures/0/looks/b/image/file"),
               std::string::npos);
 }
 
 TEST(ImageLook, OnWhatTakesNoneIsAnError) {
     const std::string area = R"({"kind": "area", "name": "inside", "between": ["a", "b", "c"]})";
-    EXPECT_NE(errors_of(scene(area, R"("inside": {"image": {"file": "i.png"}})"))
+    EXPECT_NE(complaints_of(pictured(area, R"("inside": {"image": {"file": "i.png"}})"))
                   .find("nothing of \"inside\" takes an image"),
               std::string::npos);
 }
 
 TEST(Hover, IsLaidOverWhatThePointerIsAt) {
-    const auto text = scene("", R"("a": {"image": {"file": "i.png"}, "hover": "#0000ff80"},
+    const auto text = pictured("", R"("a": {"image": {"file": "i.png"}, "hover": "#0000ff80"},
                                    "d": {"color": "#ff0000", "hover": "#0000ff"})");
-    EXPECT_EQ(drawn(text).images[0].color.alpha, 0);
-    EXPECT_EQ(drawn(text, Point{{{300, 300, 0}}}).images[0].color.alpha, 0);
-    EXPECT_EQ(drawn(text, Point{{{108, 100, 0}}}).images[0].color, *parse_color("#0000ff80"));
-    const auto at_d = drawn(text, Point{{{101, 160, 0}}});
+    EXPECT_EQ(images_of(text).images[0].color.alpha, 0);
+    EXPECT_EQ(images_of(text, Point{{{300, 300, 0}}}).images[0].color.alpha, 0);
+    EXPECT_EQ(images_of(text, Point{{{108, 100, 0}}}).images[0].color, *parse_color("#0000ff80"));
+    const auto at_d = images_of(text, Point{{{101, 160, 0}}});
     const auto is_blue = [](const auto& item) { return item.color == *parse_color("#0000ff"); };
     EXPECT_EQ(std::count_if(at_d.picture.items.begin(), at_d.picture.items.end(), is_blue), 1);
     EXPECT_EQ(at_d.images[0].color.alpha, 0);

@@ -14,8 +14,6 @@ namespace {
 
 using namespace test;
 
-constexpr double gravity = 9.81;
-
 template <class Real> World<2, Real> rope_world(int links, double weight, double angle, bool exact = false) {
     World<2, Real> world;
     fall(world, gravity);

@@ -84,11 +84,11 @@ TEST(Cut, TakesTimeInProportionToTheLinks) {
 
 /// A figure with one piece through all of its particles, which stand on a circle, one linked to the next and the last
 /// to the first.
-struct Drawn {
+struct DrawnRing {
     Plane world;
     std::vector<ParticleId> p;
 
-    explicit Drawn(Mark mark, std::size_t particles = 6) {
+    explicit DrawnRing(Mark mark, std::size_t particles = 6) {
         add_figure(world, "it");
         for (std::size_t i = 0; i < particles; ++i) {
             const double turn = 2 * pi<double> * double(i) / double(particles);
@@ -122,7 +122,7 @@ using Numbers = std::vector<std::vector<int>>;
 
 TEST(Cut, ALineBecomesShorterLinesAsThickAsTheyWere) {
     for (const Mark mark : {Mark::stroke, Mark::curve, Mark::limb}) {
-        Drawn drawn(mark);
+        DrawnRing drawn(mark);
         drawn.cut_after({1, 4});
         EXPECT_EQ(drawn.pieces(), (Numbers{{0, 1}, {2, 3, 4}}));
         EXPECT_EQ(drawn.mark(), mark);
@@ -132,30 +132,30 @@ TEST(Cut, ALineBecomesShorterLinesAsThickAsTheyWere) {
 }
 
 TEST(Cut, ClosedLinesOpenAndFilledOnesFallApart) {
-    Drawn loop(Mark::loop);
+    DrawnRing loop(Mark::loop);
     loop.cut_after({2});
     EXPECT_EQ(loop.pieces(), (Numbers{{3, 4, 5, 0, 1, 2}}));
     EXPECT_EQ(loop.mark(), Mark::stroke);
     loop.cut_after({4}); // the sixth link is the fifth now
     EXPECT_EQ(loop.pieces(), (Numbers{{3, 4, 5}, {0, 1, 2}}));
 
-    Drawn fill(Mark::fill);
+    DrawnRing fill(Mark::fill);
     fill.cut_after({2});
     EXPECT_EQ(fill.pieces(), (Numbers{{0, 1, 2, 3, 4, 5}}));
-    Drawn halves(Mark::fill);
+    DrawnRing halves(Mark::fill);
     halves.cut_after({2, 5});
     EXPECT_EQ(halves.pieces(), (Numbers{{3, 4, 5}, {0, 1, 2}}));
 }
 
 TEST(Cut, APatchAndARingGoAndATipStaysAtItsEnd) {
-    Drawn patch(Mark::surface, 4);
+    DrawnRing patch(Mark::surface, 4);
     patch.cut_after({3});
     EXPECT_EQ(patch.pieces(), Numbers{});
-    Drawn tip(Mark::tip, 3);
+    DrawnRing tip(Mark::tip, 3);
     tip.cut_after({1});
     EXPECT_EQ(tip.pieces(), Numbers{{2}});
     EXPECT_EQ(tip.mark(), Mark::dot);
-    Drawn dots(Mark::dot);
+    DrawnRing dots(Mark::dot);
     dots.cut_after({0, 1, 2});
     EXPECT_EQ(dots.pieces(), (Numbers{{0, 1, 2, 3, 4, 5}}));
 }

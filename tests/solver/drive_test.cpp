@@ -10,7 +10,6 @@ namespace {
 
 using namespace test;
 
-constexpr double gravity = 9.81;
 using Place = Vec2<double>;
 
 struct Solved {
@@ -35,7 +34,7 @@ ParticleId nail(World<2, double>& world, double x, double y) {
     return id;
 }
 
-double height(const World<2, double>& world, ParticleId id) {
+double height_of(const World<2, double>& world, ParticleId id) {
     return (*position_of(world, id))[1];
 }
 
@@ -58,15 +57,15 @@ TEST(Winch, LiftsAWeightAtItsSpeed) {
         Hoist hoist(direct, 500, 1e5);
         drive(hoist.world, hoist.winch, -0.5);
         run(hoist.world, 3);
-        EXPECT_NEAR(height(hoist.world, hoist.load), 2 + 0.5 * 3, 0.01);
+        EXPECT_NEAR(height_of(hoist.world, hoist.load), 2 + 0.5 * 3, 0.01);
         EXPECT_NEAR((*velocity_of(hoist.world, hoist.load))[1], 0.5, 0.02);
         drive(hoist.world, hoist.winch, 0.0); // it flies on, and falls into the rope
         run(hoist.world, 1);
-        EXPECT_NEAR(height(hoist.world, hoist.load), 3.5, 0.01);
+        EXPECT_NEAR(height_of(hoist.world, hoist.load), 3.5, 0.01);
         EXPECT_LT(max_speed(hoist.world), 5e-3);
         drive(hoist.world, hoist.winch, 1.0);
         run(hoist.world, 2);
-        EXPECT_NEAR(height(hoist.world, hoist.load), 1.5, 0.01);
+        EXPECT_NEAR(height_of(hoist.world, hoist.load), 1.5, 0.01);
         EXPECT_NEAR((*velocity_of(hoist.world, hoist.load))[1], -1, 0.02);
     }
 }
@@ -81,7 +80,7 @@ TEST(Winch, StallsAtItsForceLimit) {
             drive(hoist.world, hoist.winch, -0.5);
             run(hoist.world, 3);
             if (most < 4905) {
-                EXPECT_NEAR(height(hoist.world, hoist.load), 2, 1e-3);
+                EXPECT_NEAR(height_of(hoist.world, hoist.load), 2, 1e-3);
                 EXPECT_NEAR(constraint_state(hoist.world, hoist.winch)->tension / most, 1, 1e-3);
             } else {
                 EXPECT_NEAR((*velocity_of(hoist.world, hoist.load))[1], 0.5, 0.05);
@@ -96,7 +95,7 @@ TEST(Winch, SlipsWithTheForceItHas) {
         Hoist hoist(direct, 100, 500);
         run(hoist.world, 1);
         const double moved = total_mass(hoist.world) - 1; // without the drum
-        EXPECT_NEAR(2 - height(hoist.world, hoist.load), (gravity - 500 / moved) / 2, 0.05) << int(direct);
+        EXPECT_NEAR(2 - height_of(hoist.world, hoist.load), (gravity - 500 / moved) / 2, 0.05) << int(direct);
         EXPECT_NEAR(constraint_state(hoist.world, hoist.winch)->tension, 500, 0.5);
     }
 }
@@ -110,8 +109,8 @@ TEST(Pulley, AtwoodsMachineFallsAsItShould) {
         const auto rope = *add<Pulley>(world, {heavy, wheel, light}, {.figure = 0});
         run(world, 1);
         const double a = gravity / 5;
-        EXPECT_NEAR(5 - height(world, heavy), a / 2, direct == Direct::off ? 0.02 : 1e-6);
-        EXPECT_NEAR(height(world, light) - 5, a / 2, direct == Direct::off ? 0.02 : 1e-6);
+        EXPECT_NEAR(5 - height_of(world, heavy), a / 2, direct == Direct::off ? 0.02 : 1e-6);
+        EXPECT_NEAR(height_of(world, light) - 5, a / 2, direct == Direct::off ? 0.02 : 1e-6);
         EXPECT_NEAR(constraint_state(world, rope)->measure, 10, 10 * accuracy);
         EXPECT_NEAR(constraint_state(world, rope)->tension, 2 * 2 * 3 / 5.0 * gravity, 0.05); // 2 m1 m2 g / (m1 + m2)
     }
@@ -125,12 +124,12 @@ TEST(Pulley, ATackleOfTwoPartsHoldsTwiceTheWeight) {
         const auto block = particle(world, 0, 4, 40), hand = particle(world, 0, 4, 20);
         add<Pulley>(world, {eye, block, wheel, hand}, {.figure = 0});
         run(world, 1);
-        EXPECT_NEAR(height(world, block), 4, 0.01);
+        EXPECT_NEAR(height_of(world, block), 4, 0.01);
         set_velocity(world, hand, at<Place>(0, -1));
         set_velocity(world, block, at<Place>(0, 0.5));
         run(world, 1);
-        EXPECT_NEAR(height(world, hand), 3, 0.03);
-        EXPECT_NEAR(height(world, block), 4.5, 0.03);
+        EXPECT_NEAR(height_of(world, hand), 3, 0.03);
+        EXPECT_NEAR(height_of(world, block), 4.5, 0.03);
     }
 }
 
@@ -165,13 +164,13 @@ TEST(Motor, HoldsAWeightBelowItsTorqueAndGivesWayAbove) {
     for (const auto& [direct, accuracy] : ways) {
         Arm strong(direct, {.limits = exactly(0.0), .max_force = 99, .figure = 0});
         run(strong.world, 3);
-        EXPECT_NEAR(height(strong.world, strong.load), 0, 1e-3);
+        EXPECT_NEAR(height_of(strong.world, strong.load), 0, 1e-3);
         Arm weak(direct, {.limits = exactly(0.0), .max_force = 97, .figure = 0});
         run(weak.world, 3);
-        EXPECT_LT(height(weak.world, weak.load), -0.01);
+        EXPECT_LT(height_of(weak.world, weak.load), -0.01);
         Arm limp(direct, {.limits = exactly(0.0), .max_force = 0, .figure = 0});
         run(limp.world, 0.4);
-        EXPECT_LT(height(limp.world, limp.load), -0.5);
+        EXPECT_LT(height_of(limp.world, limp.load), -0.5);
     }
 }
 

@@ -7,8 +7,6 @@ namespace {
 
 using namespace test;
 
-constexpr double gravity = 9.81;
-
 /// A mat of threads, too many loops for a block, hung by its upper corners; a rope of ten links from the middle of its
 /// lower edge, with a weight on its end.
 struct Mat {

@@ -5,16 +5,15 @@
 #include "canvas/png.h"
 #include "canvas/raster.h"
 #include "tests/canvas/ssim.h"
+#include "tests/text_of.h"
 
 #include <SDL.h>
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <epoxy/gl.h>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
-#include <sstream>
 
 /// The two painters of a picture show the same.
 namespace sinew::window {
@@ -77,10 +76,7 @@ class GlPainterTest : public testing::Test {
 
 Session session_of(const std::string& name) {
     const std::filesystem::path folder = SINEW_SCENES_DIR;
-    std::ifstream file(folder / (name + ".json"));
-    std::ostringstream text;
-    text << file.rdbuf();
-    auto document = load(text.str(), name);
+    auto document = load(text_of(folder / (name + ".json")), name);
     return Session(std::move(*open_scene(document, [&](const std::string& image, const Limits& limits) {
         return canvas::read_png(folder / image, image, limits);
     })));

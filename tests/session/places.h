@@ -1,0 +1,19 @@
+#pragma once
+
+#include "sinew/session/session.h"
+#include "sinew/solver/edit.h"
+
+#include <string_view>
+#include <variant>
+
+/// Where a session's particles are, in a world in the plane.
+namespace sinew {
+
+inline const World<2, double>& world_of(const Session& session) {
+    return std::get<World<2, double>>(session.world());
+}
+inline Vec2<double> place(const Session& session, std::string_view name) {
+    return *position_of(world_of(session), *find_particle(world_of(session), name));
+}
+
+} // namespace sinew
