@@ -3,7 +3,6 @@
 #include "sinew/solver/columns.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -69,12 +68,7 @@ template <class T> class Column {
         set_apart();
         each_.insert(each_.end(), count, value);
     }
-    bool is_like_all(T value) const {
-        if constexpr (std::is_floating_point_v<T>)
-            return !apart_ && value == all_ && std::signbit(value) == std::signbit(all_);
-        else
-            return !apart_ && value == all_;
-    }
+    bool is_like_all(T value) const { return !apart_ && are_same(value, all_); }
 };
 
 inline std::size_t next_flag(const Column<char>& flags, std::size_t from, char flag) {

@@ -1,14 +1,24 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 /// A table is a struct of equally long columns that it lists once, in `columns(self, visit)`. Growing, erasing, hashing
 /// and copying rows walk that list, so a new column is one line.
 namespace sinew {
+
+/// Equal to the last bit: -0 is not 0.
+template <class T> bool are_same(T a, T b) {
+    if constexpr (std::is_floating_point_v<T>)
+        return a == b && std::signbit(a) == std::signbit(b);
+    else
+        return a == b;
+}
 
 /// The first row from this one on that has this flag, 0 or 1; their number if none has.
 inline std::size_t next_flag(std::span<const char> flags, std::size_t from, char flag) {

@@ -49,7 +49,7 @@ template <int D, class Real> void move_limits(World<D, Real>& world, Real h) {
                 const Real next = end + table.rate[row] * h;
                 return is_length ? maximum(next, Real(0)) : next;
             };
-            table.limits.set(row, moved(table.low(row)), moved(table.high(row)));
+            table.limits.change(row, moved);
         }
     });
 }
@@ -63,7 +63,7 @@ template <int D, class Real> void slip(World<D, Real>& world, Real h) {
                 if (absolute(table.multiplier[row]) < nearly * table.max_force[row] * h * h) continue;
                 const Real by = slipped(world, table, row);
                 const auto moved = [&](Real end) { return is_limit(end) ? maximum(end + by, Real(0)) : end; };
-                table.limits.set(row, moved(table.low(row)), moved(table.high(row)));
+                table.limits.change(row, moved);
             }
     });
 }

@@ -7,6 +7,9 @@
 /// (kernel_text.h), and which is used is chosen when the program runs; all give the same bits.
 namespace sinew {
 
+/// The most that 1 / length^2 of a limit counts for, also where that is no length at all.
+template <class Real> inline constexpr Real most_per_square = Real(1e30);
+
 /// What most runs are: rigid, and side by side. All links are alike, or each has its own limits; or, uneven, not all
 /// particles move as readily as those they are linked to.
 enum class LinkKind : unsigned char {

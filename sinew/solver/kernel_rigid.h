@@ -132,7 +132,8 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         if constexpr (!rules.even) mobility = mean_mobility(mobility, mobility_of(run.b + i));
         if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
         const V lambda = within(along * half / mobility, spread<V>(strongest<Real>));
-        note<all>(i, count, lambda, wanted.low < spread<V>(Real(1e29)) ? length : spread<V>(Real(1)));
+        const auto has_length = wanted.low < spread<V>(Real(0.1) * most_per_square<Real>);
+        note<all>(i, count, lambda, has_length ? length : spread<V>(Real(1)));
     }
 
     /// Half of what they lack: what each end takes where both move as readily.
@@ -264,7 +265,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         Wanted wanted{get(low + at), V{}};
         if constexpr (!rules.exact) {
             const V longest = get(high + at);
-            wanted.high = least(Real(0.25) / (longest * longest), spread<V>(Real(0.25e30)));
+            wanted.high = least(Real(0.25) / (longest * longest), spread<V>(Real(0.25) * most_per_square<Real>));
         }
         return wanted;
     }

@@ -2,7 +2,6 @@
 
 #include "sinew/solver/columns.h"
 
-#include <cmath>
 #include <span>
 #include <vector>
 
@@ -17,13 +16,15 @@ template <class Real> class LimitColumns {
     Real high(std::size_t row) const { return apart_ ? high_[row] : low_[row]; }
 
     void set(std::size_t row, Real low, Real high) {
-        if (!are_one(low, high)) set_apart();
+        if (!are_same(low, high)) set_apart();
         low_[row] = low;
         if (apart_) high_[row] = high;
     }
+    /// Of each limit, what f makes of it.
+    template <class F> void change(std::size_t row, F&& f) { set(row, f(low(row)), f(high(row))); }
     /// So many more rows of the same.
     void append(std::size_t count, Real low, Real high) {
-        if (!are_one(low, high)) set_apart();
+        if (!are_same(low, high)) set_apart();
         low_.insert(low_.end(), count, low);
         if (apart_) high_.insert(high_.end(), count, high);
     }
@@ -50,7 +51,6 @@ template <class Real> class LimitColumns {
         high_ = low_;
         apart_ = true;
     }
-    static bool are_one(Real low, Real high) { return low == high && std::signbit(low) == std::signbit(high); }
 };
 
 template <class Real> void erase_rows(LimitColumns<Real>& limits, std::span<const char> gone) {

@@ -152,7 +152,8 @@ template <int D, class Real> class Planner {
         for (auto& run : plan_.runs) run.kind = kind_of(run);
         plan_.quarter_per_square.resize(plan_.low.size());
         for (std::size_t i = 0; i < plan_.low.size(); ++i)
-            plan_.quarter_per_square[i] = Real(0.25) * minimum(Real(1) / (plan_.low[i] * plan_.low[i]), Real(1e30));
+            plan_.quarter_per_square[i] =
+                Real(0.25) * minimum(Real(1) / (plan_.low[i] * plan_.low[i]), most_per_square<Real>);
     }
 
     static LinkKind kind_of(const LinkRun& run) {
