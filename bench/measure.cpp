@@ -46,7 +46,7 @@ int turn_length(double step, double turn, int steps) {
 
 template <class Real> class EngineRun final : public Simulation {
   public:
-    explicit EngineRun(World<3, Real> world) : world_(std::move(world)) {}
+    explicit EngineRun(World<3, Real> world) : world_(std::move(world)) { prepare(world_); }
     void step() override { sinew::step(world_, Real(frame)); }
     Found place(std::size_t particle) const override { return cast<double>(world_.particles.position[particle]); }
 
@@ -62,13 +62,20 @@ template <class Real> std::size_t particle_bytes(const World<3, Real>& world) {
     return bytes;
 }
 
+/// A watch of half of the work, of which so much is done before.
+Watch half_of(const Watch& watch, double before) {
+    return [&watch, before](double share) {
+        if (watch) watch(before + share / 2);
+    };
+}
+
 template <class Real>
-Measured measure_as(const Case& chosen, const Work& work, int threads, int steps, const Watch& watch) {
+Measured measure_as(const Case& chosen, const Work& work, const Engine& engine, int steps, const Watch& watch) {
     Measured measured;
     const PeakMemory memory;
     const auto begun = Clock::now();
     auto world = world_of<Real>(chosen);
-    world.threads = threads;
+    world.threads = engine.threads;
     const auto built = Clock::now();
     prepare(world);
     measured.prepare_ms = milliseconds_since(built);
@@ -81,23 +88,16 @@ Measured measure_as(const Case& chosen, const Work& work, int threads, int steps
         measured.bytes_per_constraint = (double(bytes) - particles) / double(work.constraints());
     constexpr double patience = 1.5; // seconds
     Textbook textbook(work, Effort{});
-    static_cast<Timing&>(measured) = time(run, work, {.steps = steps, .seconds = patience}, watch, &textbook);
+    static_cast<Timing&>(measured) = time(run, {.steps = steps, .seconds = patience}, half_of(watch, 0), &textbook);
+    const Effort effort{.substeps = chosen.direct ? 0 : Effort{}.substeps};
+    measured.strain = look_at(*simulate(chosen, engine, effort), work, measured.steps, half_of(watch, 0.5));
     return measured;
 }
 
 } // namespace
 
-Timing time(Simulation& simulation, const Work& work, const Extent& extent, const Watch& watch, Simulation* pace) {
-    constexpr double sticks_looked_at = 1e8; // in all; the strain is not looked at more often than that takes
-    const int pause = 1 + int(double(extent.steps) * double(work.sticks.size()) / sticks_looked_at);
+Timing time(Simulation& simulation, const Extent& extent, const Watch& watch, Simulation* pace) {
     Timing timing;
-    std::vector<Found> places(work.places.size());
-    const auto look = [&] {
-        for (std::size_t k = 0; k < places.size(); ++k) places[k] = simulation.place(k);
-        const double before = timing.strain.max;
-        timing.strain = strain_of(work, places);
-        if (before > timing.strain.max || std::isnan(before)) timing.strain.max = before;
-    };
     std::vector<double> times, ratios; // of steps; of turns
     double spent = 0;                  // milliseconds
     const auto on = [&] { return timing.steps < extent.steps && spent < 1000 * extent.seconds; };
@@ -108,7 +108,7 @@ Timing time(Simulation& simulation, const Work& work, const Extent& extent, cons
         for (int i = 0; i < length && on(); ++i) {
             turn.push_back(timed_step(simulation));
             spent += turn.back();
-            if (timing.steps++ % pause == 0) look();
+            ++timing.steps;
             if (watch) watch(std::max(double(timing.steps) / extent.steps, spent / (1000 * extent.seconds)));
         }
         turn = warm(std::move(turn));
@@ -119,15 +119,34 @@ Timing time(Simulation& simulation, const Work& work, const Extent& extent, cons
         length = turn_length(mine, 100, extent.steps);
         pace_length = turn_length(unit, 30, extent.steps);
     }
-    look();
     timing.milliseconds = median(warm(std::move(times)));
     if (pace) timing.ratio = median(warm(std::move(ratios)));
     return timing;
 }
 
+Strain look_at(Simulation& simulation, const Work& work, int steps, const Watch& watch) {
+    Strain strain;
+    std::vector<Found> places(work.places.size());
+    for (int i = 0; i < steps; ++i) {
+        simulation.step();
+        for (std::size_t k = 0; k < places.size(); ++k) places[k] = simulation.place(k);
+        const double before = strain.max;
+        strain = strain_of(work, places);
+        if (before > strain.max || std::isnan(before)) strain.max = before;
+        if (watch) watch(double(i + 1) / steps);
+    }
+    return strain;
+}
+
+Timing time_and_look(const Make& make, const Work& work, const Extent& extent, const Watch& watch, Simulation* pace) {
+    auto timing = time(*make(), extent, half_of(watch, 0), pace);
+    timing.strain = look_at(*make(), work, timing.steps, half_of(watch, 0.5));
+    return timing;
+}
+
 Measured measure(const Case& chosen, const Work& work, const Engine& engine, int steps, const Watch& watch) {
-    return engine.single ? measure_as<float>(chosen, work, engine.threads, steps, watch)
-                         : measure_as<double>(chosen, work, engine.threads, steps, watch);
+    return engine.single ? measure_as<float>(chosen, work, engine, steps, watch)
+                         : measure_as<double>(chosen, work, engine, steps, watch);
 }
 
 int usual_steps(const Work& work) {

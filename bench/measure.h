@@ -4,6 +4,7 @@
 #include "bench/simulation.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ struct Timing {
     double milliseconds = 0; ///< median of a step, the first of each turn not among them
     double ratio = 0;        ///< how many times the speed of the pace that is: median of all turns; 0: there is none
     int steps = 0;           ///< that were taken
-    Strain strain;           ///< max after any step that was looked at, mean after the last
+    Strain strain;           ///< max after any step, mean after the last
 };
 
 /// Called as often as something is done, with how much of all there is: 0 to 1.
@@ -26,9 +27,17 @@ struct Extent {
     double seconds = 1e9; ///< after them no further step begins
 };
 /// With a pace (the textbook, for one) they step by turns, some steps each, at most a tenth of a second: the clock of a
-/// processor changes under way, and so it does for both.
-Timing time(Simulation& simulation, const Work& work, const Extent& extent, const Watch& watch = {},
-            Simulation* pace = nullptr);
+/// processor changes under way, and so it does for both. Nobody looks at what they do: that would take their caches,
+/// and let their threads fall asleep.
+Timing time(Simulation& simulation, const Extent& extent, const Watch& watch = {}, Simulation* pace = nullptr);
+
+/// How far sticks are from their lengths in so many steps.
+Strain look_at(Simulation& simulation, const Work& work, int steps, const Watch& watch = {});
+
+/// Both, of one and then of another that does the same from its beginning.
+using Make = std::function<std::unique_ptr<Simulation>()>;
+Timing time_and_look(const Make& make, const Work& work, const Extent& extent, const Watch& watch = {},
+                     Simulation* pace = nullptr);
 
 /// What of the engine was measured.
 struct Engine {

@@ -46,14 +46,15 @@ class Watching {
 /// What the rivals do with a case; the first is the textbook in list order, by which speed is told. The others step by
 /// turns with it and are stopped where they take long.
 std::vector<Rival> measure_rivals(const Case& chosen, const Work& work, int steps) {
-    constexpr double patience = 5; // seconds
+    constexpr double patience = 3; // seconds
     std::vector<Rival> all;
     const auto rivals = bench::rivals(work);
     for (const auto& rival : rivals) {
         Watching watching(chosen, rival.name);
         const auto pace = all.empty() ? nullptr : rivals.front().make(Effort{});
+        const auto make = [&] { return rival.make(Effort{}); };
         const bench::Extent extent{.steps = steps, .seconds = pace ? patience : 1e9};
-        all.push_back({rival.name, time(*rival.make(Effort{}), work, extent, watching.watch(), pace.get())});
+        all.push_back({rival.name, time_and_look(make, work, extent, watching.watch(), pace.get())});
     }
     all.front().timing.ratio = 1;
     return all;
@@ -182,7 +183,7 @@ std::string case_details() {
         "the same particles, constraints, 10 substeps of 1 iteration, and 60 steps a second. Told is the median\n"
         "time of a whole step; ratio is how many times the textbook's speed that is, stepped by turns with it, so\n"
         "that a clock which changes under way changes for both; the stretch is of the worst constraint\n"
-        "after any step looked at, and the mean after the last one, as fractions of their lengths.\n"
+        "after any step, and the mean after the last one, as fractions of their lengths.\n"
         "With --json one line a case and number of threads: case, threads, precision, simd, particles,\n"
         "constraints, ms_per_step, projections_per_s, ratio, stretch_max, stretch_mean, build_ms, prepare_ms,\n"
         "bytes_per_constraint, and what the rivals did. Cases:\n";

@@ -35,8 +35,8 @@ std::vector<Tried> contenders(const Case& chosen, const Work& work, const bench:
 void measure(Tried& one, const Work& work, int steps) {
     canvas::Progress progress(one.name, efforts.size() * std::size_t(steps));
     for (std::size_t i = 0; i < efforts.size(); ++i) {
-        const auto simulation = one.make(efforts[i]);
-        one.results.push_back(time(*simulation, work, {.steps = steps}, [&](double share) {
+        const auto make = [&] { return one.make(efforts[i]); };
+        one.results.push_back(time_and_look(make, work, {.steps = steps}, [&](double share) {
             progress.update(std::size_t((double(i) + share) * steps));
             give_up_if_interrupted();
         }));

@@ -29,10 +29,11 @@ struct Hung {
 
 bench::Timing hang(const bench::Contender& one, const bench::Effort& effort, const bench::Work& work, int steps) {
     canvas::Progress progress(one.name, std::size_t(steps));
-    return time(*one.make(effort), work, {.steps = steps}, [&](double share) {
-        progress.update(std::size_t(share * steps));
-        give_up_if_interrupted();
-    });
+    return time_and_look([&] { return one.make(effort); }, work, {.steps = steps},
+                         [&](double share) {
+                             progress.update(std::size_t(share * steps));
+                             give_up_if_interrupted();
+                         });
 }
 
 std::vector<Hung> hang_all(int weight, int steps) {
