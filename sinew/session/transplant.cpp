@@ -78,6 +78,7 @@ bool same_words(const Scene& scene, const FigureSection& a, const FigureSection&
 template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, const Scene& edited, WorldT& fresh) {
     fresh.time = old.time;
     fresh.steps = old.steps;
+    fresh.last_step = old.last_step;
     fresh.last_substep = old.last_substep;
     fresh.restless = old.restless;
     std::vector<ParticleId> gone;

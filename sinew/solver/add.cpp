@@ -78,9 +78,8 @@ template <int D, class Real> void reserve(World<D, Real>& world, Sizes sizes) {
 
 template <int D, class Real> ParticleId add_particle(World<D, Real>& world, const ParticleSpec<D, Real>& spec) {
     auto& p = world.particles;
-    const Real h = verlet_interval(world);
     p.position.push_back(spec.position);
-    p.previous.push_back(spec.previous.value_or(spec.position - spec.velocity * h));
+    p.previous.push_back(spec.previous.value_or(spec.position - spec.velocity * verlet_interval(world)));
     p.velocity.push_back(spec.previous ? (spec.position - *spec.previous) * inverse_or_zero(world.settings.frame)
                                        : spec.velocity);
     p.residual.push_back({});

@@ -89,7 +89,6 @@ template <int D, class Real> class BlockState {
             const auto place = clamp_components(node.place, furthest);
             const auto held = cast<Real>(place);
             particles.residual[node.row] = cast<Real>(place - cast<double>(held));
-            particles.previous[node.row] = particles.position[node.row];
             particles.position[node.row] = held;
             particles.velocity[node.row] = cast<Real>(clamp_components(node.velocity, fastest));
         }

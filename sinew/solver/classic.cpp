@@ -70,7 +70,7 @@ template <int D, class Real> class ClassicStep {
         }
         let_go();
         read_velocities();
-        if (h_ > Real(0)) world_.last_substep = h_;
+        if (h_ > Real(0)) world_.last_step = world_.last_substep = h_;
     }
 
   private:
@@ -109,8 +109,7 @@ template <int D, class Real> class ClassicStep {
     /// v = x - x_prev; x_prev = x; x += keep v + a h^2
     void move(Row row) {
         if (p_.mobility[row] == Real(0)) return;
-        const Real before = world_.last_substep > Real(0) ? world_.last_substep : world_.settings.frame;
-        const Real inertia = rules_.unscaled_inertia ? Real(1) : h_ / before;
+        const Real inertia = rules_.unscaled_inertia ? Real(1) : h_ / verlet_interval(world_);
         const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
         const auto velocity = (p_.position[row] - p_.previous[row]) * inertia;
         const auto push = push_on(world_, row);

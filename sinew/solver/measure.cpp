@@ -11,8 +11,10 @@ namespace {
 /// Where a particle is when it has its velocity: in the middle of the last substep; in a block, at its end.
 template <int D, class Real> Vec<D, double> place_of_velocity(const World<D, Real>& world, Row row) {
     const auto& p = world.particles;
-    if (world.settings.mode == Mode::physical && world.particles.in_block[row]) return cast<double>(p.position[row]);
-    return (cast<double>(p.position[row]) + cast<double>(p.previous[row])) * 0.5;
+    const auto place = cast<double>(p.position[row]);
+    if (world.settings.mode == Mode::classic) return (place + cast<double>(p.previous[row])) * 0.5;
+    if (p.in_block[row]) return place;
+    return place - cast<double>(p.velocity[row]) * (0.5 * double(world.last_substep));
 }
 
 template <int D, class Real> double mass_of(const Particles<D, Real>& p, Row row) {

@@ -23,7 +23,7 @@ template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, 
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
 
 /// quarantine.cpp: figures and loose particles that are not finite stand still from now on, where they last were; what
-/// is finite but beyond the stated limits is held at them.
+/// is finite but beyond the stated limits is held at them. And it notes where they were before the step.
 template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 
 /// tear.cpp: removes constraints strained beyond their breaking point for longer than they bear, after a step of dt;
@@ -31,11 +31,10 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 template <int D, class Real> void tear(World<D, Real>& world, Real dt);
 
 /// swept.cpp: what holds for all particles of the sweep in substeps of length h; those of slots [first, last) into
-/// their columns, and back; where they were one substep ago.
+/// their columns, and back.
 template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h);
 template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row first, Row last);
 template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last);
-template <int D, class Real> void note_places(World<D, Real>& world, Row first, Row last);
 
 /// plan.cpp: works out how the sweep goes about what is in no block; anew, or what has changed of it.
 template <int D, class Real> void make_plan(World<D, Real>& world, bool anew);

@@ -67,7 +67,7 @@ class Digest {
 template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& world) {
     Digest digest;
     const auto& p = world.particles;
-    digest.add(world.settings, world.time, world.steps, world.last_substep);
+    digest.add(world.settings, world.time, world.steps, world.last_step, world.last_substep);
     if (world.restless) digest.add(world.restless);
     digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.radius, p.figure,
                p.quarantined);

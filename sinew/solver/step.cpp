@@ -209,6 +209,7 @@ template <int D, class Real> void physical_step(World<D, Real>& world, Real dt, 
     step_blocks(world, dt, h);
     laps.end(Phase::blocks);
     Sweep<D, Real>(world, substeps, h).run();
+    world.last_step = dt;
     world.last_substep = h;
 }
 

@@ -215,10 +215,7 @@ template <int D, class Real> class Substep {
 
     /// x += h v. What rounding takes away is carried to the next substep: without it a float particle slower than half
     /// a unit in the last place a substep would stand still.
-    void advance(const Band& band) {
-        note_previous(band);
-        kernels_.advance(motion_, band.first, band.last);
-    }
+    void advance(const Band& band) { kernels_.advance(motion_, band.first, band.last); }
 
     /// What struck a plane leaves it with its restitution.
     void rebound(const Band& band) {
@@ -303,10 +300,6 @@ template <int D, class Real> class Substep {
         return false;
     }
 
-    void note_previous(const Band& band) {
-        if (last_) note_places(world_, band.first, band.last);
-    }
-
     void predict(Row slot) {
         if (swept_.mobility[slot] == Real(0)) {
             swept_.set_move(slot, {}); // it stands, unless a pin carries it
@@ -321,13 +314,13 @@ template <int D, class Real> class Substep {
     }
 
     /// Hard pins are where they are told to be; the substep's share of the way gives the particle its velocity. From
-    /// the third on, those that rest have their particles there.
+    /// the second on, those that rest have their particles there.
     void move_pins(const Band& band) {
-        if (number_ > 2 && !swept_.any_pin_moves) return;
+        if (number_ > 1 && !swept_.any_pin_moves) return;
         for (auto i = band.first_pin; i < band.last_pin; ++i) {
             const auto& pin = world_.pins[swept_.plan.pins[i].pin];
             const Row slot = swept_.plan.pins[i].slot;
-            const bool rests = number_ > 2 && pin.from == pin.target;
+            const bool rests = number_ > 1 && pin.from == pin.target;
             if (rests || !pin.hard() || p_.quarantined[swept_.row_of[slot]]) continue;
             const auto goal = pin.from + (pin.target - pin.from) * share_;
             swept_.set_move(slot, clamp_components(goal - swept_.place_at(slot), mover_.furthest));

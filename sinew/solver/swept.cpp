@@ -96,17 +96,10 @@ template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row
     kernel.to_rows(moves, first, last);
 }
 
-template <int D, class Real> void note_places(World<D, Real>& world, Row first, Row last) {
-    auto& previous = world.particles.previous;
-    read_through(world.swept, first, last, previous);
-    kernels<D, Real>().to_rows(turning(world.swept, previous, world.swept.place[0]), first, last);
-}
-
 #define SINEW_SWEPT(D, Real)                                                                                           \
     template void begin_sweep(World<D, Real>&, Real);                                                                  \
     template void take_up(World<D, Real>&, Real, Row, Row);                                                            \
-    template void put_back(World<D, Real>&, Row, Row);                                                                 \
-    template void note_places(World<D, Real>&, Row, Row);
+    template void put_back(World<D, Real>&, Row, Row);
 SINEW_INSTANTIATE(SINEW_SWEPT)
 
 } // namespace sinew

@@ -42,8 +42,8 @@ template <class Real> constexpr Real furthest_move(Real h) {
 
 template <int D, class Real> struct Particles {
     std::vector<Vec<D, Real>> position;
-    std::vector<Vec<D, Real>> previous; ///< where it was one substep ago; classic mode's state
-    std::vector<Vec<D, Real>> velocity; ///< mean over the last substep, (position - previous) / h
+    std::vector<Vec<D, Real>> previous; ///< where it was one step ago; classic mode's state
+    std::vector<Vec<D, Real>> velocity; ///< mean over the last substep; in classic mode over the step
     std::vector<Vec<D, Real>> residual; ///< what rounding took from position (Kahan 1965)
     std::vector<Vec<D, Real>> force;    ///< applied for one step, then cleared
     bool any_force = false;             ///< who writes a force says so: else none is looked for
@@ -308,7 +308,8 @@ template <int D, class RealT> struct World {
     double time = 0;
     std::uint64_t steps = 0;
     double energy_lost = 0;      ///< where blocks were struck, cracked or snapped taut; decides nothing
-    Real last_substep = 0;       ///< its length; a change of it corrects the Verlet step
+    Real last_step = 0;          ///< its length: in classic mode a change of it corrects the Verlet step
+    Real last_substep = 0;       ///< its length: a change of it corrects what is added to velocities
     std::uint32_t restless = 0;  ///< bands swept again at once where links of tethered sheets are much too long
     std::vector<Event> events;   ///< of the last step
     Blocks<D> blocks;            ///< what is solved at once instead of in the sweep
@@ -324,9 +325,9 @@ template <class Real> constexpr Real inverse_of_mass(Real mass) {
     return Real(1) / clamp(mass, Real(1) / limit::mass<Real>, limit::mass<Real>);
 }
 
-/// The time between `previous` and `position`: the last substep, a frame before there was one.
+/// The time between `previous` and `position`: the last step, a frame before there was one.
 template <int D, class Real> Real verlet_interval(const World<D, Real>& world) {
-    return world.last_substep > Real(0) ? world.last_substep : world.settings.frame;
+    return world.last_step > Real(0) ? world.last_step : world.settings.frame;
 }
 
 /// Calls visit(table) for every kind's table, in the order of the list of kinds.

@@ -65,6 +65,7 @@ TYPED_TEST(StateHash, ChangesWithEverythingThatDecidesTheFuture) {
         +[](World& w) { w.settings.classic.displaced_hold = true; },
         +[](World& w) { w.time += 1; },
         +[](World& w) { w.steps += 1; },
+        +[](World& w) { w.last_step *= 2; },
         +[](World& w) { w.last_substep *= 2; },
     };
     auto world = menagerie<TypeParam::dimension, typename TypeParam::Real>();
