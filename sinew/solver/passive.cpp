@@ -21,9 +21,10 @@ template <int D, class Real> double inertia_of(const Swept<D, Real>& swept, Row 
     return inverse_or_zero(double(swept.mobility[slot]));
 }
 
+/// Most worlds have none, and then no room is made for it.
 template <int D, class Real> bool find_limited(World<D, Real>& world) {
     auto& figures = world.budgets.figures;
-    figures.assign(world.figures.size(), {});
+    const auto count = world.figures.size();
     bool any = false;
     const auto in_block = [&](std::span<const Row> members) { // where what is added is never accepted
         return std::any_of(members.begin(), members.end(),
@@ -31,8 +32,10 @@ template <int D, class Real> bool find_limited(World<D, Real>& world) {
     };
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
-            if (limits_turn(table, row) && table.figure[row] < figures.size() && !in_block(table.members[row]))
+            if (limits_turn(table, row) && table.figure[row] < count && !in_block(table.members[row])) {
+                if (!any) figures.assign(count, {});
                 any = figures[table.figure[row]].passive = true;
+            }
     });
     return any;
 }

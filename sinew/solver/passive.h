@@ -16,7 +16,7 @@ template <int D> struct Budget {
 };
 
 template <int D> struct Budgets {
-    std::vector<Budget<D>> figures; ///< room for a step; all of it is found anew in each
+    std::vector<Budget<D>> figures; ///< room for a step where any is passive; all of it is found anew in each
     bool any = false;               ///< is passive
 };
 
