@@ -67,6 +67,7 @@ class Drawing {
     const Plot& plot_;
     const double panel_width;
     Axis x_;
+    std::vector<std::array<double, 2>> labels_; ///< where those of a panel begin
     std::string out_;
 
     template <class... Part> void add(fmt::format_string<Part...> form, Part&&... part) {
@@ -96,6 +97,7 @@ class Drawing {
             text(at, bottom + 18, number(power), R"(text-anchor="middle" fill="#666")");
         }
         text(x0 + panel_width / 2, bottom + 36, plot_.x_title, R"(text-anchor="middle" fill="#333")");
+        labels_.clear();
         for (std::size_t i = panel.curves.size(); i-- > 0;) draw(panel.curves[i], colors[i % colors.size()], x0, y);
     }
 
@@ -110,9 +112,28 @@ class Drawing {
                     point.beaten ? 2.5 : 3.5, color, point.beaten ? 0.45 : 1);
             else
                 text(px, py + 5, "lost", R"(text-anchor="middle" fill="#b00020" font-size="10")");
-            if (!point.label.empty()) text(px + 6, py - 5, point.label, R"(fill="#777" font-size="9")");
+            if (!point.label.empty()) label(px, py, point.label);
         }
         add(R"(<polyline points="{}" fill="none" stroke="{}" stroke-width="1.8"/>)", path, color);
+    }
+
+    /// Beside a point, where no other label is: above or below it, to the right or to the left.
+    void label(double px, double py, const std::string& words) {
+        constexpr double height = 9, letter = 5.5, near = 6;
+        const double width = letter * double(words.size());
+        const std::array<std::array<double, 2>, 4> choices = {{{px + near, py - 5},
+                                                               {px + near, py + 5 + height},
+                                                               {px - near - width, py - 5},
+                                                               {px - near - width, py + 5 + height}}};
+        const auto is_free = [&](const std::array<double, 2>& at) {
+            return std::ranges::none_of(labels_, [&](const auto& other) {
+                return std::abs(at[0] - other[0]) < width && std::abs(at[1] - other[1]) < height;
+            });
+        };
+        const auto* const found = std::ranges::find_if(choices, is_free);
+        const auto& at = found == choices.end() ? choices.front() : *found;
+        labels_.push_back(at);
+        text(at[0], at[1], words, R"(fill="#777" font-size="9")");
     }
 
     static double legend_width(const Curve& curve) { return 44 + 6.6 * double(curve.name.size()); }
