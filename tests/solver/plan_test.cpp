@@ -95,7 +95,7 @@ template <class World> void add_chains(World& world, int chains) {
 /// What the engine can choose between: directions, rows, colours, copies, and a list as it stands.
 template <class World> World of_every_order(bool mixed = false) {
     World world;
-    fall(world, 9.81);
+    fall(world, gravity);
     world.settings.substeps = 10;
     add_cloth(world, {.columns = 37, .mixed = mixed});
     add_cloth(world, {.columns = 38, .mixed = mixed, .even = true});
@@ -200,7 +200,7 @@ TYPED_TEST(Planned, LinksOfNoLengthFallAsOne) {
     using Real = RealOf<World>;
     for (const bool even : {false, true}) {
         World world;
-        fall(world, 9.81);
+        fall(world, gravity);
         add_cloth(world, {.columns = 20, .even = even, .free = true});
         auto& links = std::get<kind_number<Distance, World::dimension>>(world.constraints);
         for (Row row = 0; row < links.size(); ++row) links.limits.set(row, -limit::measure<Real>, Real(0));
@@ -218,7 +218,7 @@ TYPED_TEST(Planned, LinksOfAnyKindStayFinite) {
     using Real = RealOf<World>;
     for (const auto& [even, heavily] : {std::pair(false, false), {false, true}, {true, false}, {true, true}}) {
         World world;
-        fall(world, heavily ? 1e26 : 9.81);
+        fall(world, heavily ? 1e26 : gravity);
         world.settings.substeps = heavily ? 1000 : 10;
         world.settings.damping = heavily ? Real(0) : limit::measure<Real>;
         add_cloth(world, {.columns = 20, .even = even});
@@ -239,7 +239,7 @@ TYPED_TEST(Planned, LinksOfAnyKindStayFinite) {
 TEST(Planned, AnyNumberOfThreadsGivesTheSameBits) {
     for (const auto& [shuffled, iterations] : {std::pair(false, 1), {true, 1}, {false, 3}}) {
         World<3, float> begun;
-        fall(begun, 9.81);
+        fall(begun, gravity);
         begun.settings.substeps = 8 / iterations;
         begun.settings.iterations = iterations;
         add_cloth(begun, {.columns = 96, .rows = 96, .shuffled = shuffled, .tethers = true});
@@ -273,10 +273,10 @@ TEST(Planned, NoOrderGainsEnergyInTenThousandSubsteps) {
         {"copies", [](auto& world) { add_chains(world, 9); }}};
     for (const auto& [name, add] : orders) {
         World<3, float> world;
-        fall(world, 9.81);
+        fall(world, gravity);
         world.settings.substeps = 10;
         add(world);
-        const double begun = energy(world).total(), deepest = 9.81 * total_mass(world) * 0.6;
+        const double begun = energy(world).total(), deepest = gravity * total_mass(world) * 0.6;
         double most = begun;
         int restless = 0;
         const int steps = sanitized ? 100 : 1000;

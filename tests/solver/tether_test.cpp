@@ -51,7 +51,7 @@ TEST(Tethers, HoldWhenAStepIsOver) {
     constexpr double cell = 0.03;
     for (const int substeps : {1, 2, 3, 4, 7}) {
         World<3, float> world;
-        fall(world, 9.81);
+        fall(world, gravity);
         world.settings.substeps = substeps;
         const auto cloth =
             build(world, Cloth{.columns = side, .rows = side, .spacing = cell, .plane = "horizontal", .pins = "none"},
@@ -75,7 +75,7 @@ TEST(Tethers, HoldWhenAStepIsOver) {
 // 2.3 % where nothing tightens what spans from pin to pin: its upper rows flap for good.
 TEST(Tethers, KeepShortWhatHangsFromTwoCorners) {
     World<3, float> world;
-    fall(world, 9.81);
+    fall(world, gravity);
     world.settings.substeps = 10;
     build(world, Cloth{.columns = 64, .rows = 64, .spacing = 0.03, .plane = "vertical", .pins = "corners"}, "cloth");
     auto& particles = world.particles;
@@ -95,7 +95,7 @@ TEST(Tethers, KeepShortWhatHangsFromTwoCorners) {
 // It swings down, its hem cracks after 0.7 s, and a wave of stretch runs up again (15 % where nothing is swept again).
 TEST(Tethers, KeepShortWhatSwingsDownAndSnapsTaut) {
     World<3, float> world;
-    fall(world, 9.81);
+    fall(world, gravity);
     world.settings.substeps = 10;
     build(world, Cloth{.columns = 64, .rows = 64, .spacing = 0.03, .plane = "horizontal", .pins = "corners"}, "cloth");
     double most = 0;
