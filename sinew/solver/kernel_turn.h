@@ -3,35 +3,37 @@
 #include "sinew/math/lane.h"
 #include "sinew/solver/kernel.h"
 
-/// The text of the kernels that turn vectors by row into columns of their components by slot, and back. In space, and
-/// in single precision, four or eight at once.
+/// The text of the kernels that turn vectors by row into columns of their components by slot, and back. In space, four
+/// or eight at once.
 namespace sinew {
 namespace {
 
 using namespace lane;
 
-using Four = Pack<float, 4>;
+template <class Real> using Four = Pack<Real, 4>;
 template <int D, class Real>
-inline constexpr int turned_at_once = D != 3 || sizeof(Real) != 4 || bytes < 16 ? 1
-                                      : bytes < 32                              ? 4
+inline constexpr int turned_at_once = D != 3 || bytes < int(sizeof(Four<Real>)) ? 1
+                                      : sizeof(Real) == 8 || bytes < 32         ? 4
                                                                                 : 8;
 
-/// Four numbers from a row on, of the first and the fifth slot: the fourth is the next row's.
-template <class V> [[gnu::always_inline]] inline V four_from(const float* rows, const std::uint32_t* row_of) {
-    const auto first = load<Four>(rows + std::size_t(row_of[0]) * 3);
-    if constexpr (sizeof(V) == sizeof(Four))
+/// Four numbers from a row on, of the first and, where there are eight, the fifth slot: the fourth is the next row's.
+template <class V, class Real>
+[[gnu::always_inline]] inline V four_from(const Real* rows, const std::uint32_t* row_of) {
+    const auto first = load<Four<Real>>(rows + std::size_t(row_of[0]) * 3);
+    if constexpr (sizeof(V) == sizeof first)
         return first;
     else
-        return __builtin_shufflevector(first, load<Four>(rows + std::size_t(row_of[4]) * 3), 0, 1, 2, 3, 4, 5, 6, 7);
+        return __builtin_shufflevector(first, load<Four<Real>>(rows + std::size_t(row_of[4]) * 3), 0, 1, 2, 3, 4, 5, 6,
+                                       7);
 }
 
-[[gnu::always_inline]] inline void put_three(float* to, const Four& pack) {
-    __builtin_memcpy(to, &pack, 2 * sizeof(float));
+template <class Real> [[gnu::always_inline]] inline void put_three(Real* to, const Four<Real>& pack) {
+    __builtin_memcpy(to, &pack, 2 * sizeof(Real));
     to[2] = pack[2];
 }
-template <class V>
-[[gnu::always_inline]] inline void put_three(float* rows, const std::uint32_t* row_of, const V& pack) {
-    if constexpr (sizeof(V) == sizeof(Four)) {
+template <class V, class Real>
+[[gnu::always_inline]] inline void put_three(Real* rows, const std::uint32_t* row_of, const V& pack) {
+    if constexpr (sizeof(V) == sizeof(Four<Real>)) {
         put_three(rows + std::size_t(row_of[0]) * 3, pack);
     } else {
         put_three(rows + std::size_t(row_of[0]) * 3, __builtin_shufflevector(pack, pack, 0, 1, 2, 3));
@@ -42,21 +44,31 @@ template <class V>
 /// Of each four lanes of a, and from 4 on of b, those with these numbers.
 template <int i, int j, int k, int l, class V> [[gnu::always_inline]] inline V choose(const V& a, const V& b) {
     constexpr auto of_b = [](int lane) { return lane < 4 ? 0 : 4; }; // how much further they are among eight
-    if constexpr (sizeof(V) == sizeof(Four))
+    if constexpr (sizeof(V) == 4 * sizeof(a[0]))
         return __builtin_shufflevector(a, b, i, j, k, l);
     else
         return __builtin_shufflevector(a, b, i + of_b(i), j + of_b(j), k + of_b(k), l + of_b(l), i + of_b(i) + 4,
                                        j + of_b(j) + 4, k + of_b(k) + 4, l + of_b(l) + 4);
 }
 
-/// Four packs of four numbers each become four of the first, the second, the third and the fourth of them.
+/// Four packs of four numbers each become four of the first, the second, the third and the fourth of them: by twos that
+/// lie side by side in 16 bytes, which is how processors interleave.
 template <class V> [[gnu::always_inline]] inline void turn(V& a, V& b, V& c, V& d) {
-    const V ab_first = choose<0, 4, 1, 5>(a, b), ab_last = choose<2, 6, 3, 7>(a, b);
-    const V cd_first = choose<0, 4, 1, 5>(c, d), cd_last = choose<2, 6, 3, 7>(c, d);
-    a = choose<0, 1, 4, 5>(ab_first, cd_first);
-    b = choose<2, 3, 6, 7>(ab_first, cd_first);
-    c = choose<0, 1, 4, 5>(ab_last, cd_last);
-    d = choose<2, 3, 6, 7>(ab_last, cd_last);
+    if constexpr (sizeof(a[0]) == 8) {
+        const V ab_even = choose<0, 4, 2, 6>(a, b), ab_odd = choose<1, 5, 3, 7>(a, b);
+        const V cd_even = choose<0, 4, 2, 6>(c, d), cd_odd = choose<1, 5, 3, 7>(c, d);
+        a = choose<0, 1, 4, 5>(ab_even, cd_even);
+        b = choose<0, 1, 4, 5>(ab_odd, cd_odd);
+        c = choose<2, 3, 6, 7>(ab_even, cd_even);
+        d = choose<2, 3, 6, 7>(ab_odd, cd_odd);
+    } else {
+        const V ab_first = choose<0, 4, 1, 5>(a, b), ab_last = choose<2, 6, 3, 7>(a, b);
+        const V cd_first = choose<0, 4, 1, 5>(c, d), cd_last = choose<2, 6, 3, 7>(c, d);
+        a = choose<0, 1, 4, 5>(ab_first, cd_first);
+        b = choose<2, 3, 6, 7>(ab_first, cd_first);
+        c = choose<0, 1, 4, 5>(ab_last, cd_last);
+        d = choose<2, 3, 6, 7>(ab_last, cd_last);
+    }
 }
 
 template <bool changes, class V, class Real>
@@ -80,7 +92,7 @@ template <int D, class Real, bool changes>
     };
     std::uint32_t slot = first;
     if constexpr (width > 1) {
-        using V = Pack<float, width>;
+        using V = Pack<Real, width>;
         for (; slot + width <= last; slot += width) {
             if (slot_of_last - slot < width) [[unlikely]] {
                 for (std::uint32_t i = slot; i < slot + width; ++i) one(i);
@@ -109,7 +121,7 @@ template <int D, class Real> void to_rows(const Turning<D, Real>& turning, std::
     constexpr std::uint32_t width = turned_at_once<D, Real>;
     std::uint32_t slot = first;
     if constexpr (width > 1) {
-        using V = Pack<float, width>;
+        using V = Pack<Real, width>;
         for (; slot + width <= last; slot += width) {
             V a = load<V>(columns + slot) * by, b = load<V>(columns + apart + slot) * by;
             V c = load<V>(columns + 2 * apart + slot) * by, d{};
