@@ -127,7 +127,7 @@ class Drawing {
                                                                {px - near - width, py + 5 + height}}};
         const auto is_free = [&](const std::array<double, 2>& at) {
             return std::ranges::none_of(labels_, [&](const auto& other) {
-                return std::abs(at[0] - other[0]) < width && std::abs(at[1] - other[1]) < height;
+                return std::abs(at[0] - other[0]) < width + near && std::abs(at[1] - other[1]) < height;
             });
         };
         const auto* const found = std::ranges::find_if(choices, is_free);
