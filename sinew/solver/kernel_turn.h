@@ -54,21 +54,17 @@ template <int i, int j, int k, int l, class V> [[gnu::always_inline]] inline V c
 /// Four packs of four numbers each become four of the first, the second, the third and the fourth of them: by twos that
 /// lie side by side in 16 bytes, which is how processors interleave.
 template <class V> [[gnu::always_inline]] inline void turn(V& a, V& b, V& c, V& d) {
-    if constexpr (sizeof(a[0]) == 8) {
-        const V ab_even = choose<0, 4, 2, 6>(a, b), ab_odd = choose<1, 5, 3, 7>(a, b);
-        const V cd_even = choose<0, 4, 2, 6>(c, d), cd_odd = choose<1, 5, 3, 7>(c, d);
-        a = choose<0, 1, 4, 5>(ab_even, cd_even);
-        b = choose<0, 1, 4, 5>(ab_odd, cd_odd);
-        c = choose<2, 3, 6, 7>(ab_even, cd_even);
-        d = choose<2, 3, 6, 7>(ab_odd, cd_odd);
-    } else {
-        const V ab_first = choose<0, 4, 1, 5>(a, b), ab_last = choose<2, 6, 3, 7>(a, b);
-        const V cd_first = choose<0, 4, 1, 5>(c, d), cd_last = choose<2, 6, 3, 7>(c, d);
-        a = choose<0, 1, 4, 5>(ab_first, cd_first);
-        b = choose<2, 3, 6, 7>(ab_first, cd_first);
-        c = choose<0, 1, 4, 5>(ab_last, cd_last);
-        d = choose<2, 3, 6, 7>(ab_last, cd_last);
-    }
+    constexpr bool twos = sizeof(a[0]) == 8; // fill 16 bytes, of small numbers fours do
+    constexpr int near = twos ? 2 : 1, far = 3 - near;
+    const V ab = choose<0, 4, near, near + 4>(a, b), ab_else = choose<far, far + 4, 3, 7>(a, b);
+    const V cd = choose<0, 4, near, near + 4>(c, d), cd_else = choose<far, far + 4, 3, 7>(c, d);
+    const V last_of_near = choose<2, 3, 6, 7>(ab, cd), first_of_far = choose<0, 1, 4, 5>(ab_else, cd_else);
+    a = choose<0, 1, 4, 5>(ab, cd);
+    if constexpr (twos)
+        b = first_of_far, c = last_of_near;
+    else
+        b = last_of_near, c = first_of_far;
+    d = choose<2, 3, 6, 7>(ab_else, cd_else);
 }
 
 template <bool changes, class V, class Real>

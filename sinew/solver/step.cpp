@@ -138,7 +138,7 @@ template <int D, class Real> class Sweep {
 
     /// The result is that of pass after pass, to the last bit: each follows the one before it as closely as what it
     /// touches allows, so that a band is worked on while it is near. Sixteen bands at once: by fewer, threads take them
-    /// out of each other's caches more often (two are a quarter slower with eight); by more, there is less to share.
+    /// out of each other's caches more often; by more, there is less to share.
     static constexpr std::uint32_t at_once = 16;
     int turns_of(const Sheet& sheet) const { return int((last_time(sheet) + at_once - 1) / at_once); }
     std::uint32_t last_time(const Sheet& sheet) const { return sheet.bands + std::uint32_t(passes_) * lag(sheet); }

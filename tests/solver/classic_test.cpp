@@ -351,8 +351,8 @@ TEST(Classic, ProjectileLeavesAtFortyFiveDegreesOnAParabola) {
     }
 }
 
-// A projectile keeps its course through any change of mode: the discrete parabola of a frame of 16 substeps is ahead of
-// that of one by a h^2 / 2 a frame, so the two are compared where only inertia acts.
+// A projectile keeps its course through any change of mode, and that is the parabola: each takes over the mean velocity
+// of the step before, and adds what it gains from the middle of that to the middle of its own.
 TEST(Classic, ModesHandOverWithoutAJolt) {
     World<2, double> world;
     fall(world, gravity);
