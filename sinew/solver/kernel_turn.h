@@ -3,52 +3,60 @@
 #include "sinew/math/lane.h"
 #include "sinew/solver/kernel.h"
 
-/// The text of the kernels that turn vectors by row into columns of their components by slot, and back. In space, four
-/// or eight at once.
+#include <type_traits>
+#include <utility>
+
+/// The text of the kernels that turn vectors by row into columns of their components by slot, and back. In space, as
+/// many at once as a pack has lanes.
 namespace sinew {
 namespace {
 
 using namespace lane;
 
 template <class Real> using Four = Pack<Real, 4>;
-template <int D, class Real>
-inline constexpr int turned_at_once = D != 3 || bytes < int(sizeof(Four<Real>)) ? 1
-                                      : sizeof(Real) == 8 || bytes < 32         ? 4
-                                                                                : 8;
+template <int D, class Real> inline constexpr int turned_at_once = D != 3 || widest<Real> < 4 ? 1 : widest<Real>;
 
-/// Four numbers from a row on, of the first and, where there are eight, the fifth slot: the fourth is the next row's.
+template <class V> inline constexpr std::size_t lanes_of = sizeof(V) / sizeof(V{}[0]);
+template <class V> using Half = Pack<std::decay_t<decltype(V{}[0])>, int(lanes_of<V> / 2)>;
+
+/// Lanes of a and then of b with numbers of(0), of(1), ...; as many as V has.
+template <class V, class From, class Of> [[gnu::always_inline]] inline V lanes_from(const From& a, const From& b, Of) {
+    return [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
+        return __builtin_shufflevector(a, b, Of{}(i)...);
+    }
+    (std::make_index_sequence<lanes_of<V>>());
+}
+
+/// Four numbers from a row on, of every fourth slot: the last of them is the next row's.
 template <class V, class Real>
 [[gnu::always_inline]] inline V four_from(const Real* rows, const std::uint32_t* row_of) {
-    const auto first = load<Four<Real>>(rows + std::size_t(row_of[0]) * 3);
-    if constexpr (sizeof(V) == sizeof first)
-        return first;
+    if constexpr (lanes_of<V> == 4)
+        return load<V>(rows + std::size_t(row_of[0]) * 3);
     else
-        return __builtin_shufflevector(first, load<Four<Real>>(rows + std::size_t(row_of[4]) * 3), 0, 1, 2, 3, 4, 5, 6,
-                                       7);
+        return lanes_from<V>(four_from<Half<V>>(rows, row_of), four_from<Half<V>>(rows, row_of + lanes_of<V> / 2),
+                             [](std::size_t i) { return i; });
 }
 
-template <class Real> [[gnu::always_inline]] inline void put_three(Real* to, const Four<Real>& pack) {
-    __builtin_memcpy(to, &pack, 2 * sizeof(Real));
-    to[2] = pack[2];
-}
 template <class V, class Real>
 [[gnu::always_inline]] inline void put_three(Real* rows, const std::uint32_t* row_of, const V& pack) {
-    if constexpr (sizeof(V) == sizeof(Four<Real>)) {
-        put_three(rows + std::size_t(row_of[0]) * 3, pack);
+    if constexpr (lanes_of<V> == 4) {
+        Real* const to = rows + std::size_t(row_of[0]) * 3;
+        __builtin_memcpy(to, &pack, 2 * sizeof(Real));
+        to[2] = pack[2];
     } else {
-        put_three(rows + std::size_t(row_of[0]) * 3, __builtin_shufflevector(pack, pack, 0, 1, 2, 3));
-        put_three(rows + std::size_t(row_of[4]) * 3, __builtin_shufflevector(pack, pack, 4, 5, 6, 7));
+        constexpr std::size_t half = lanes_of<V> / 2;
+        put_three(rows, row_of, lanes_from<Half<V>>(pack, pack, [](std::size_t i) { return i; }));
+        put_three(rows, row_of + half, lanes_from<Half<V>>(pack, pack, [](std::size_t i) { return half + i; }));
     }
 }
 
 /// Of each four lanes of a, and from 4 on of b, those with these numbers.
 template <int i, int j, int k, int l, class V> [[gnu::always_inline]] inline V choose(const V& a, const V& b) {
-    constexpr auto of_b = [](int lane) { return lane < 4 ? 0 : 4; }; // how much further they are among eight
-    if constexpr (sizeof(V) == 4 * sizeof(a[0]))
-        return __builtin_shufflevector(a, b, i, j, k, l);
-    else
-        return __builtin_shufflevector(a, b, i + of_b(i), j + of_b(j), k + of_b(k), l + of_b(l), i + of_b(i) + 4,
-                                       j + of_b(j) + 4, k + of_b(k) + 4, l + of_b(l) + 4);
+    return lanes_from<V>(a, b, [](std::size_t lane) {
+        constexpr std::size_t chosen[] = {i, j, k, l};
+        const std::size_t number = chosen[lane % 4], four = lane / 4 * 4;
+        return number < 4 ? four + number : lanes_of<V> + four + number - 4;
+    });
 }
 
 /// Four packs of four numbers each become four of the first, the second, the third and the fourth of them: by twos that
