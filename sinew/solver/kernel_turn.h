@@ -13,7 +13,6 @@ namespace {
 
 using namespace lane;
 
-template <class Real> using Four = Pack<Real, 4>;
 template <int D, class Real> inline constexpr int turned_at_once = D != 3 || widest<Real> < 4 ? 1 : widest<Real>;
 
 template <class V> inline constexpr std::size_t lanes_of = sizeof(V) / sizeof(V{}[0]);
