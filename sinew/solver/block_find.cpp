@@ -274,6 +274,7 @@ template <int D, class Real> void prepare(World<D, Real>& world) {
     auto& blocks = world.blocks;
     if (!blocks.changed && !blocks.stale) return;
     reserve_for_tears(world);
+    make_room_for_budgets(world);
     Waiting::tell(0);
     const bool anew = Finder(world).run();
     Waiting::tell(0.2);

@@ -191,7 +191,6 @@ template <int D, class Real>
 FigureIndex add_figure(World<D, Real>& world, std::string_view name, std::string_view prefab) {
     const auto figure = FigureIndex(world.figures.size());
     world.figures.push_back({.name = std::string(name), .prefab = std::string(prefab)});
-    world.budgets.figures.resize(world.figures.size());
     world.figure_names.emplace_back(name, figure);
     return figure;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -10,7 +11,8 @@
 
 namespace sinew {
 
-/// Names in the order they were given, each found in logarithmic time. Of equal names the first counts.
+/// Names in the order they were given, each found in logarithmic time. Of equal names the first counts. A few are not
+/// worth an index: that takes more room than they do, in each of many figures.
 template <class Id> class NameTable {
   public:
     using Entry = std::pair<std::string, Id>;
@@ -22,10 +24,17 @@ template <class Id> class NameTable {
 
     void emplace_back(std::string_view name, Id id) {
         entries_.emplace_back(name, id);
-        found_.emplace(name, id);
+        if (!found_.empty())
+            found_.emplace(name, id);
+        else if (entries_.size() > few)
+            found_.insert(entries_.begin(), entries_.end());
     }
 
     std::optional<Id> find(std::string_view name) const {
+        if (found_.empty()) {
+            const auto entry = std::ranges::find(entries_, name, &Entry::first);
+            return entry == entries_.end() ? std::nullopt : std::optional(entry->second);
+        }
         const auto entry = found_.find(name);
         return entry == found_.end() ? std::nullopt : std::optional(entry->second);
     }
@@ -42,8 +51,9 @@ template <class Id> class NameTable {
     bool empty() const { return entries_.empty(); }
 
   private:
+    static constexpr std::size_t few = 8;
     std::vector<Entry> entries_;
-    std::map<std::string, Id, std::less<>> found_;
+    std::map<std::string, Id, std::less<>> found_; ///< empty while they are few
 };
 
 } // namespace sinew

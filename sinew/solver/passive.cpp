@@ -21,7 +21,6 @@ template <int D, class Real> double inertia_of(const Swept<D, Real>& swept, Row 
     return inverse_or_zero(double(swept.mobility[slot]));
 }
 
-/// Most worlds have none, and then no room is made for it.
 template <int D, class Real> bool find_limited(World<D, Real>& world) {
     auto& figures = world.budgets.figures;
     const auto count = world.figures.size();
@@ -41,6 +40,15 @@ template <int D, class Real> bool find_limited(World<D, Real>& world) {
 }
 
 } // namespace
+
+/// Most worlds know no turns.
+template <int D, class Real> void make_room_for_budgets(World<D, Real>& world) {
+    bool any = false;
+    for_each_table(world, [&]<class Table>(const Table& table) {
+        any = any || (Table::Kind::length_power == 0 && table.size() > 0);
+    });
+    if (any) world.budgets.figures.resize(world.figures.size());
+}
 
 template <int D, class Real> void find_passive(World<D, Real>& world) {
     const auto& p = world.particles;
@@ -140,6 +148,7 @@ template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h)
 }
 
 #define SINEW_PASSIVE(D, Real)                                                                                         \
+    template void make_room_for_budgets(World<D, Real>&);                                                              \
     template void find_passive(World<D, Real>&);                                                                       \
     template void note_energy(World<D, Real>&);                                                                        \
     template void take_back_gains(World<D, Real>&, Real);

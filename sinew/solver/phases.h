@@ -46,7 +46,8 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Re
 template <int D, class Real> void correct_hanging(World<D, Real>& world, Real h, bool first_iteration);
 
 /// passive.cpp: limits of turns give a figure no energy. Finds the figures of which that can be said; notes their
-/// energy before the constraints act; takes back what those added.
+/// energy before the constraints act; takes back what those added. Room for it is made before the step.
+template <int D, class Real> void make_room_for_budgets(World<D, Real>& world);
 template <int D, class Real> void find_passive(World<D, Real>& world);
 template <int D, class Real> void note_energy(World<D, Real>& world);
 template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h);
