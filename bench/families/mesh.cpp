@@ -6,6 +6,7 @@
 #include "bench/shuffle.h"
 
 #include <array>
+#include <optional>
 
 namespace sinew::bench {
 namespace {
@@ -47,8 +48,9 @@ MeshModel shuffled_cloth(int side) {
 }
 
 template <class Real> void hang(World<3, Real>& world, int side) {
-    auto read =
-        read_obj(to_obj(shuffled_cloth(side)), {.points = std::size_t(1) << 25, .corners = std::size_t(1) << 28});
+    std::optional text = to_obj(shuffled_cloth(side));
+    auto read = read_obj(*text, {.points = std::size_t(1) << 25, .corners = std::size_t(1) << 28});
+    text.reset();
     const Mesh mesh{.pin_list = {0, 1},
                     .mass = double(side) * side,
                     .model = std::make_shared<const MeshModel>(std::get<MeshModel>(std::move(read))),

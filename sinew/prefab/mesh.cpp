@@ -16,55 +16,68 @@ const MeshModel& shape_of(const Mesh& mesh) {
     return mesh.model ? *mesh.model : usual_square;
 }
 
-/// Two points, the lower number first.
-struct Edge {
-    std::uint32_t a, b;
-};
-
-/// Each once, in the order in which they are first named. Those of each lower point are sorted by themselves.
-std::vector<Edge> each_once(const std::vector<Edge>& named, std::size_t points) {
-    struct Turn {
-        std::uint32_t b, turn;
-        auto operator<=>(const Turn&) const = default;
-    };
-    std::vector<Turn> turns(named.size());
-    std::vector<std::uint32_t> end(points + 1); // of what is there of each point, one further on until all are
-    for (const auto& [a, b] : named) ++end[a + 1];
-    for (std::size_t a = 1; a < end.size(); ++a) end[a] += end[a - 1];
-    for (std::uint32_t turn = 0; const auto& [a, b] : named) turns[end[a]++] = {b, turn++};
-    std::vector<char> repeats(named.size());
-    for (std::uint32_t a = 0, first = 0; a < points; first = end[a++]) {
-        std::sort(turns.begin() + first, turns.begin() + end[a]);
-        for (auto i = first + 1; i < end[a]; ++i) repeats[turns[i].turn] = turns[i].b == turns[i - 1].b;
-    }
-    std::vector<Edge> edges;
-    edges.reserve(std::size_t(std::count(repeats.begin(), repeats.end(), char(0))));
-    for (std::size_t turn = 0; turn < named.size(); ++turn)
-        if (!repeats[turn]) edges.push_back(named[turn]);
-    return edges;
+/// How many sides and diagonals the faces have; some are those of several.
+std::size_t count_named(const MeshModel& model, bool diagonals) {
+    std::size_t count = model.corners.size();
+    for (std::size_t i = 0; i < model.faces() && diagonals; ++i)
+        if (const auto corners = model.face(i).size(); corners > 3) count += corners;
+    return count;
 }
 
-/// The edges of all faces, then their diagonals, each once.
-std::vector<Edge> edges_of(const MeshModel& model, bool diagonals) {
-    std::vector<Edge> edges;
-    edges.reserve(model.corners.size() * (diagonals ? 2 : 1));
+/// Calls visit(a, b) for the sides of all faces, then for their diagonals: two points, the lower number first.
+template <class Visit> void each_named(const MeshModel& model, bool diagonals, Visit&& visit) {
     for (std::size_t apart = 1; apart <= (diagonals ? 2U : 1U); ++apart)
         for (std::size_t i = 0; i < model.faces(); ++i) {
             const auto face = model.face(i);
             if (face.size() < 2 + apart) continue;
             for (std::size_t k = 0; k < face.size(); ++k) {
-                const auto a = face[k], b = face[(k + apart) % face.size()];
-                edges.push_back({std::min(a, b), std::max(a, b)});
+                const auto next = k + apart;
+                const auto a = face[k], b = face[next < face.size() ? next : next - face.size()];
+                visit(std::min(a, b), std::max(a, b));
             }
         }
-    return each_once(edges, model.points.size());
+}
+
+/// Which of what is named has been named before. To find that, what each point is the lower one of is sorted, of an
+/// eighth of all at once: there may be more of it than of all that is built.
+std::vector<bool> repeats_of(const MeshModel& model, bool diagonals) {
+    struct Turn {
+        std::uint32_t b, turn;
+        auto operator<=>(const Turn&) const = default;
+    };
+    const auto points = std::uint32_t(model.points.size());
+    const auto most = std::max(count_named(model, diagonals) / 8, std::size_t(1) << 16);
+    std::vector<std::uint32_t> count(points); // of what is named of each point; then how many of them are listed
+    each_named(model, diagonals, [&](std::uint32_t a, std::uint32_t) { ++count[a]; });
+    std::vector<bool> repeats(count_named(model, diagonals));
+    std::vector<Turn> turns;
+    std::vector<std::uint32_t> end; // of what is listed of each
+    for (std::uint32_t first = 0, last = 0; first < points; first = last) {
+        std::size_t listed = 0;
+        for (end.clear(); last < points && (last == first || listed + count[last] <= most); ++last) {
+            end.push_back(std::uint32_t(listed));
+            listed += count[last];
+        }
+        turns.resize(listed);
+        std::uint32_t turn = 0;
+        each_named(model, diagonals, [&](std::uint32_t a, std::uint32_t b) {
+            if (a >= first && a < last) turns[end[a - first]++] = {b, turn};
+            ++turn;
+        });
+        for (std::size_t i = 0, begin = 0; i < end.size(); begin = end[i++]) {
+            std::sort(turns.begin() + std::ptrdiff_t(begin), turns.begin() + end[i]);
+            for (auto k = begin + 1; k < end[i]; ++k)
+                if (turns[k].b == turns[k - 1].b) repeats[turns[k].turn] = true;
+        }
+    }
+    return repeats;
 }
 
 } // namespace
 
 Sizes Mesh::sizes() const {
     const auto& shape = shape_of(*this);
-    return {.particles = shape.points.size(), .constraints = shape.corners.size() * (diagonals ? 2 : 1)};
+    return {.particles = shape.points.size(), .constraints = count_named(shape, diagonals)};
 }
 
 std::optional<std::string> Mesh::problem(int) const {
@@ -87,16 +100,17 @@ template <int D, class Real> void Mesh::build(Builder<D, Real>& figure) const {
         const auto place = Vec<D, double>::map([&](int i) { return size * point[i]; });
         particles.push_back(figure.particle("", place, share, thickness / 2));
     }
-    const auto edges = edges_of(shape, diagonals);
-    figure.number_constraints("edge", edges.size());
+    const auto repeats = repeats_of(shape, diagonals);
+    figure.number_constraints("edge", std::size_t(std::count(repeats.begin(), repeats.end(), false)));
     ConstraintSpec<double> spec{
         .compliance = compliance, .breaking_strain = tears_beyond(breaking_strain), .toughness = toughness};
-    for (const auto& edge : edges) {
-        const std::array ends{particles[edge.a], particles[edge.b]};
+    each_named(shape, diagonals, [&, turn = std::size_t(0)](std::uint32_t a, std::uint32_t b) mutable {
+        if (repeats[turn++]) return;
+        const std::array ends{particles[a], particles[b]};
         const double length = figure.template measure<Distance>(ends);
         spec.limits = between((1 - buckling) * length, length);
         figure.template constrain<Distance>("", ends, spec);
-    }
+    });
     for (const double number : pin_list) figure.hold(particles[std::size_t(number)]);
     for (std::size_t i = 0; i < shape.faces() && !unseen; ++i) {
         std::vector<ParticleId> corners;

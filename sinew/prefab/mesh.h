@@ -12,8 +12,8 @@
 namespace sinew {
 
 /// Cloth of any cut: the points of an OBJ file are particles, the edges of its faces threads. Particles vertex_0 (the
-/// file's first), vertex_1, ...; constraints edge_0, ... in the order in which faces first name them, then
-/// diagonal_0, ....
+/// file's first), vertex_1, ...; constraints edge_0, ... in the order in which faces first name them,
+/// diagonals last.
 struct Mesh {
     static constexpr std::string_view name = "mesh";
     static constexpr std::string_view about = "Cloth of any cut, from an OBJ file: its points tied along the edges.";

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <set>
 
 /// OBJ files: what is a mesh is read, what is none is refused with the line.
 namespace sinew {
@@ -112,6 +113,32 @@ TEST(MeshPrefab, TiesEachEdgeOnceInTheOrderOfTheFaces) {
     EXPECT_DOUBLE_EQ(all.high(0), 1);
     EXPECT_TRUE(problem_of(Mesh{.pin_list = {5}, .model = model}, 3));
     EXPECT_TRUE(problem_of(Mesh{.pin_list = {0.5}, .model = model}, 3));
+}
+
+TEST(MeshPrefab, TiesEachEdgeOnceHoweverManyThereAre) {
+    constexpr std::uint32_t side = 100, scatter = 7919; // a prime
+    const auto number = [&](std::uint32_t r, std::uint32_t c) { return (r * side + c) * scatter % (side * side); };
+    MeshModel model;
+    model.points.resize(std::size_t(side) * side);
+    for (std::uint32_t r = 0; r < side; ++r)
+        for (std::uint32_t c = 0; c < side; ++c) model.points[number(r, c)] = {{double(c), double(r), 0}};
+    for (std::uint32_t r = 0; r + 1 < side; ++r)
+        for (std::uint32_t c = 0; c + 1 < side; ++c) {
+            for (const auto corner : {number(r, c), number(r, c + 1), number(r + 1, c + 1), number(r + 1, c)})
+                model.corners.push_back(corner);
+            model.ends.push_back(std::uint32_t(model.corners.size()));
+        }
+    std::set<std::array<Row, 2>> known;
+    std::vector<std::array<Row, 2>> edges;
+    for (std::size_t apart = 1; apart <= 2; ++apart)
+        for (std::size_t i = 0; i < model.corners.size(); ++i) {
+            const auto a = model.corners[i], b = model.corners[i / 4 * 4 + (i + apart) % 4];
+            const std::array<Row, 2> edge{std::min(a, b), std::max(a, b)};
+            if (known.insert(edge).second) edges.push_back(edge);
+        }
+    const auto made = make<3>(Mesh{.model = std::make_shared<const MeshModel>(std::move(model))});
+    const auto& made_edges = std::get<kind_number<Distance, 3>>(made.world.constraints).members.rows;
+    EXPECT_EQ(made_edges, edges);
 }
 
 } // namespace
