@@ -48,7 +48,8 @@ template <int D, class Real> struct LinkColumns {
     Real* move;
     std::size_t apart; ///< from one component to the next
     const Real* mobility;
-    const Real *low, *high, *compliance;
+    const Real *low, *high;
+    const Real* compliance;               ///< of runs of which some have any
     const Real* quarter_per_square;       ///< 1 / 4 low^2
     const std::uint32_t *ends_a, *ends_b; ///< of scattered ones
     const std::uint32_t* rows;            ///< of runs without a step

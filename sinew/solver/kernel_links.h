@@ -184,7 +184,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         constexpr Real stiffest = Real(1e26);
         Limits<V> limits{get(columns.low + at), V{}, V{}};
         if constexpr (rules.range || rules.kept) limits.high = get(columns.high + at);
-        if constexpr (rules.soft) limits.alpha = least(spread<V>(stiffest), get(columns.compliance + at) * pass.per_h2);
+        if constexpr (rules.soft)
+            if (run.soft) limits.alpha = least(spread<V>(stiffest), get(columns.compliance + at) * pass.per_h2);
         return limits;
     }
 

@@ -29,7 +29,8 @@ template <int D, class Real> class Planner {
             parts_.forget();
         }
         plan_.close();
-        prepare_runs();
+        for (auto& run : plan_.runs) run.kind = kind_of(run);
+        plan_.parameters.prepare();
         plan_.row_moves = world_.blocks.row_moves;
         list_pins();
         tethers_.run();
@@ -145,15 +146,6 @@ template <int D, class Real> class Planner {
         room_.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size());
         swept_.spare.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size(), 0);
         swept_.reserve(world_.particles.size());
-    }
-
-    /// What the kernels would find out (kernel_links.h), more slowly than they read it.
-    void prepare_runs() {
-        for (auto& run : plan_.runs) run.kind = kind_of(run);
-        plan_.quarter_per_square.resize(plan_.low.size());
-        for (std::size_t i = 0; i < plan_.low.size(); ++i)
-            plan_.quarter_per_square[i] =
-                Real(0.25) * minimum(Real(1) / (plan_.low[i] * plan_.low[i]), most_per_square<Real>);
     }
 
     static LinkKind kind_of(const LinkRun& run) {

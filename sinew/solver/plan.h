@@ -3,6 +3,7 @@
 #include "sinew/solver/block.h"
 #include "sinew/solver/kernel.h"
 #include "sinew/solver/levels.h"
+#include "sinew/solver/run_parameters.h"
 
 #include <algorithm>
 #include <compare>
@@ -83,7 +84,7 @@ struct PlanRoom {
     };
     std::vector<Part> parts;
     std::vector<Row> links, link_at, left; ///< rows of distances
-    std::vector<Row> parent, part_of, members, rank, at, first_near, near, near_link;
+    std::vector<Row> parent, part_of, members, rank, at, first_near, near;
     std::vector<PinnedSlot> anchors;
     struct Direction {
         std::uint32_t step = 0;
@@ -101,15 +102,16 @@ struct PlanRoom {
     std::vector<Piece> order;
     std::vector<char> kept; ///< sheets
     struct Link {
-        std::uint32_t band = 0, apart = 0, lower = 0; ///< slots of its ends
-        Row number = 0;
+        std::uint32_t apart = 0, lower = 0; ///< slots of its ends
+        Row row = 0;
         auto operator<=>(const Link&) const = default;
     };
     struct Sequence {
         std::uint32_t first = 0, end = 0; ///< of `sorted`
-        std::uint32_t family = 0;
+        std::uint32_t band = 0, family = 0;
     };
-    std::vector<Link> sorted, left_over;
+    std::vector<Row> sorted, left_over; ///< of distances
+    std::vector<Link> of_band, left_of_band;
     std::vector<Sequence> sequences;
     Levels levels;
 
@@ -120,13 +122,12 @@ struct PlanRoom {
         for (auto* column : {&links, &link_at, &left}) column->reserve(distances);
         for (auto* column : {&parent, &part_of, &members, &rank, &at, &first_near}) column->reserve(particles + 1);
         near.reserve(2 * distances);
-        near_link.reserve(2 * distances);
         directions.reserve(32);
         chained.reserve(particles);
         colour.reserve(distances);
         used.reserve(particles);
-        sorted.reserve(distances);
-        left_over.reserve(distances);
+        for (auto* column : {&sorted, &left_over}) column->reserve(distances);
+        for (auto* column : {&of_band, &left_of_band}) column->reserve(distances);
         sequences.reserve(distances);
         levels.reserve(particles);
     }
@@ -138,8 +139,7 @@ template <class Real> struct Plan {
     std::vector<Family> families;
     std::vector<std::uint32_t> first_run;
     std::vector<LinkRun> runs;
-    std::vector<Real> low, high, compliance;   ///< one of each for a uniform run, else for each distance
-    std::vector<Real> quarter_per_square;      ///< 1 / 4 low^2, of each of them
+    RunParameters<Real> parameters;
     std::vector<std::uint32_t> ends_a, ends_b; ///< of what is scattered
     std::vector<std::uint32_t> rows;           ///< of runs without a step
     std::vector<PinnedSlot> pins;              ///< by slot
@@ -156,7 +156,7 @@ template <class Real> struct Plan {
                 .family = size(families),
                 .first_run = size(first_run),
                 .run = size(runs),
-                .parameter = size(low),
+                .parameter = std::uint32_t(parameters.size()),
                 .scattered = size(ends_a),
                 .listed = size(rows)};
     }
@@ -176,12 +176,12 @@ template <class Real> struct Plan {
 
     void close() {
         first_run.push_back(std::uint32_t(runs.size()));
-        for (auto* column : {&low, &high, &compliance}) column->resize(column->size() + lanes);
+        parameters.resize(parameters.size() + lanes);
     }
     void open() {
         if (first_run.empty()) return;
         first_run.pop_back();
-        for (auto* column : {&low, &high, &compliance}) column->resize(column->size() - lanes);
+        parameters.resize(parameters.size() - lanes);
     }
 
     /// That of link i of a run.
@@ -201,12 +201,12 @@ template <class Real> struct Plan {
         families.reserve(distances + 1);
         first_run.reserve(2 * distances + particles + 1);
         runs.reserve(distances);
-        for (auto* column : {&low, &high, &compliance, &quarter_per_square}) column->reserve(distances + 17);
+        parameters.reserve(distances + lanes + 1);
         for (auto* column : {&ends_a, &ends_b, &rows}) column->reserve(distances);
         others.reserve(constraints);
     }
     void clear() {
-        for (auto* column : {&low, &high, &compliance}) column->clear();
+        parameters.clear();
         for (auto* column : {&first_run, &ends_a, &ends_b, &rows}) column->clear();
         sheets.clear();
         bands.clear();

@@ -15,14 +15,14 @@ namespace sinew::detail {
 
 template <int D, class Real> class MeshMaker {
   public:
-    MeshMaker(World<D, Real>& world, const PlanParts<D, Real>& parts, RunWriter<D, Real>& runs)
+    MeshMaker(World<D, Real>& world, PlanParts<D, Real>& parts, RunWriter<D, Real>& runs)
         : swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), parts_(parts), runs_(runs) {}
 
     void lay_out(std::size_t part) {
         begin_ = Row(swept_.row_of.size());
         lie_in_rows(part);
-        sort_links(part);
         room_.used.assign(parts_.members(part).size(), 0);
+        sort_into_bands(part);
         find_sequences();
         for (std::uint32_t family = 0; family < families_; ++family) add_sequences(family);
         colour();
@@ -36,7 +36,7 @@ template <int D, class Real> class MeshMaker {
     Swept<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
-    const PlanParts<D, Real>& parts_;
+    PlanParts<D, Real>& parts_;
     RunWriter<D, Real>& runs_;
     Row begin_ = 0; ///< the sheet's first slot
     std::uint32_t families_ = 0;
@@ -59,87 +59,102 @@ template <int D, class Real> class MeshMaker {
             plan_.bands.push_back({band, swept_.size()});
             band = swept_.size();
         }
+        parts_.forget_neighbours();
     }
 
-    /// By band, how far apart its ends lie, and the lower one.
-    void sort_links(std::size_t part) {
-        auto& sorted = room_.sorted;
-        sorted.clear();
-        for (const Row link : parts_.links(part)) {
-            const auto [a, b] = std::minmax({swept_.slot_of[parts_.end(link, 0)], swept_.slot_of[parts_.end(link, 1)]});
-            sorted.push_back({plan_.band_of(first_band(), a), b - a, a, link});
-        }
-        std::sort(sorted.begin(), sorted.end());
+    Link link_at(Row row) const {
+        const auto [a, b] = std::minmax({swept_.slot_of[parts_.end(row, 0)], swept_.slot_of[parts_.end(row, 1)]});
+        return {.apart = b - a, .lower = a, .row = row};
     }
 
-    /// Of each, how many links it has and its family are noted with its first link.
+    /// Rows of links by the band they begin in. `at` says where those of each end, in `sorted`.
+    void sort_into_bands(std::size_t part) {
+        const auto band_of = [&](Row link) { return plan_.band_of(first_band(), link_at(link).lower) - first_band(); };
+        auto& end = room_.at;
+        end.assign(plan_.bands.size() - first_band() + 1, 0);
+        for (const Row link : parts_.links(part)) ++end[band_of(link) + 1];
+        for (std::size_t band = 1; band < end.size(); ++band) end[band] += end[band - 1];
+        room_.sorted.resize(parts_.links(part).size());
+        for (const Row link : parts_.links(part)) room_.sorted[end[band_of(link)]++] = link;
+        end.pop_back();
+    }
+
+    /// Of each band by how far apart the ends of links lie, and the lower one. A large mesh has no room for that of
+    /// all.
     void find_sequences() {
-        auto& sorted = room_.sorted;
-        auto& sequences = room_.sequences;
-        auto& left = room_.left_over;
-        sequences.clear();
-        left.clear();
+        auto& links = room_.of_band;
+        room_.sequences.clear();
+        room_.left_over.clear();
         families_ = 0;
-        std::size_t of_band = 0; // the first sequence of it
-        for (std::size_t i = 0, end; i < sorted.size(); i = end) {
-            end = sequence_end(i);
-            if (i == 0 || sorted[i].band != sorted[i - 1].band) forget(of_band), of_band = sequences.size();
-            const auto family = end - i < least_in_sequence ? most_families : family_for(i, end);
+        std::uint32_t first = 0;
+        for (std::uint32_t band = 0; band < room_.at.size(); first = room_.at[band++]) {
+            const auto rows = std::span(room_.sorted).subspan(first, room_.at[band] - first);
+            links.clear();
+            for (const Row row : rows) links.push_back(link_at(row));
+            std::sort(links.begin(), links.end());
+            for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = links[i].row;
+            find_sequences(first_band() + band, first);
+        }
+    }
+
+    /// Those of a band, the first of which is number `begin` of all.
+    void find_sequences(std::uint32_t band, std::uint32_t begin) {
+        const auto& links = room_.of_band;
+        auto& left = room_.left_of_band;
+        left.clear();
+        for (std::size_t i = 0, end; i < links.size(); i = end) {
+            end = sequence_end(band, i);
+            const auto sequence = std::span(links).subspan(i, end - i);
+            const auto family = sequence.size() < least_in_sequence ? most_families : family_for(band, sequence);
             if (family == most_families) {
-                left.insert(left.end(), sorted.begin() + std::ptrdiff_t(i), sorted.begin() + std::ptrdiff_t(end));
+                left.insert(left.end(), sequence.begin(), sequence.end());
                 continue;
             }
-            use(i, end, std::uint64_t(1) << family);
+            use(sequence, std::uint64_t(1) << family);
             families_ = std::max(families_, family + 1);
-            sequences.push_back({std::uint32_t(i), std::uint32_t(end), family});
+            room_.sequences.push_back({std::uint32_t(begin + i), std::uint32_t(begin + end), band, family});
         }
-        forget(of_band);
+        for (const auto& link : links) room_.used[link.lower - begin_] = room_.used[upper(link) - begin_] = 0;
+        std::sort(left.begin(), left.end(), [](const Link& a, const Link& b) {
+            return std::tuple(a.lower, a.apart, a.row) < std::tuple(b.lower, b.apart, b.row);
+        });
+        for (const auto& link : left) room_.left_over.push_back(link.row);
     }
 
-    std::size_t sequence_end(std::size_t first) const {
+    std::size_t sequence_end(std::uint32_t band, std::size_t first) const {
         constexpr std::uint32_t most_lanes = 32; // in two packs
-        const auto& sorted = room_.sorted;
-        const auto& begun = sorted[first];
-        const auto most = begun.apart < most_lanes ? begun.apart : std::uint32_t(sorted.size());
-        const auto into = plan_.bands[plan_.band_of(begun.band, begun.lower + begun.apart)].last;
+        const auto& links = room_.of_band;
+        const auto& begun = links[first];
+        const auto most = begun.apart < most_lanes ? begun.apart : std::uint32_t(links.size());
+        const auto into = plan_.bands[plan_.band_of(band, upper(begun))].last;
         auto end = first + 1;
-        while (end < sorted.size() && end - first < most && sorted[end].band == begun.band &&
-               sorted[end].apart == begun.apart && sorted[end].lower == sorted[end - 1].lower + 1 &&
-               sorted[end].lower + sorted[end].apart < into)
+        while (end < links.size() && end - first < most && links[end].apart == begun.apart &&
+               links[end].lower == links[end - 1].lower + 1 && upper(links[end]) < into)
             ++end;
         return end;
     }
 
+    static std::uint32_t upper(const Link& link) { return link.lower + link.apart; }
     std::uint64_t used(const Link& link) const {
-        return room_.used[link.lower - begin_] | room_.used[link.lower + link.apart - begin_];
+        return room_.used[link.lower - begin_] | room_.used[upper(link) - begin_];
     }
     /// The first that reaches as far and has hardly any of its particles yet. What reaches nowhere holds up nothing.
-    std::uint32_t family_for(std::size_t first, std::size_t end) {
+    std::uint32_t family_for(std::uint32_t band, std::span<const Link> sequence) {
         constexpr std::size_t shared = 8; // at most one of so many
-        const auto& begun = room_.sorted[first];
-        const auto reach = plan_.band_of(begun.band, begun.lower + begun.apart) - begun.band;
+        const auto reach = plan_.band_of(band, upper(sequence.front())) - band;
         for (std::uint32_t family = 0; family < families_; ++family) {
             std::size_t taken = 0;
-            for (auto i = first; i < end; ++i) taken += used(room_.sorted[i]) >> family & 1;
-            if (reaches_[family] == reach && taken * shared <= end - first) return family;
+            for (const auto& link : sequence) taken += used(link) >> family & 1;
+            if (reaches_[family] == reach && taken * shared <= sequence.size()) return family;
         }
         if (families_ < most_families) reaches_[families_] = reach;
         return families_;
     }
-    void use(std::size_t first, std::size_t end, std::uint64_t families) {
-        for (auto i = first; i < end; ++i) {
-            const auto& link = room_.sorted[i];
+    void use(std::span<const Link> links, std::uint64_t families) {
+        for (const auto& link : links) {
             room_.used[link.lower - begin_] |= families;
-            room_.used[link.lower + link.apart - begin_] |= families;
+            room_.used[upper(link) - begin_] |= families;
         }
-    }
-    /// What the sequences from this one on use.
-    void forget(std::size_t sequence) {
-        for (; sequence < room_.sequences.size(); ++sequence)
-            for (auto i = room_.sequences[sequence].first; i < room_.sequences[sequence].end; ++i) {
-                const auto& link = room_.sorted[i];
-                room_.used[link.lower - begin_] = room_.used[link.lower + link.apart - begin_] = 0;
-            }
     }
 
     void add_sequences(std::uint32_t family) {
@@ -147,11 +162,11 @@ template <int D, class Real> class MeshMaker {
         add_family([&](std::uint32_t band, auto&& note) {
             for (; next < room_.sequences.size(); ++next) {
                 const auto& sequence = room_.sequences[next];
-                if (room_.sorted[sequence.first].band != band) break;
+                if (sequence.band != band) break;
                 if (sequence.family != family) continue;
                 for (auto i = sequence.first; i < sequence.end; ++i) {
-                    const auto& link = room_.sorted[i];
-                    runs_.add_listed(link.number, link.lower, link.lower + link.apart, i == sequence.first);
+                    const auto link = link_at(room_.sorted[i]);
+                    runs_.add_listed(link.row, link.lower, upper(link), i == sequence.first);
                     note(link);
                 }
             }
@@ -159,24 +174,21 @@ template <int D, class Real> class MeshMaker {
     }
 
     void colour() {
-        auto& left = room_.left_over;
+        const auto& left = room_.left_over;
         if (left.empty()) return;
-        std::sort(left.begin(), left.end(), [](const Link& a, const Link& b) {
-            return std::tuple(a.lower, a.apart, a.number) < std::tuple(b.lower, b.apart, b.number);
-        });
         constexpr auto last_colour = most_families; // of those too many; they come one by one
         std::uint32_t colours = 0;
         bool any_last = false;
         room_.colour.clear();
-        for (const auto& link : left) {
+        for (const Row row : left) {
+            const auto link = link_at(row);
             const auto colour = std::min(std::uint32_t(std::countr_one(used(link))), last_colour);
             room_.colour.push_back((unsigned char)(colour));
             if (colour == last_colour) {
                 any_last = true;
                 continue;
             }
-            room_.used[link.lower - begin_] |= std::uint64_t(1) << colour;
-            room_.used[link.lower + link.apart - begin_] |= std::uint64_t(1) << colour;
+            use(std::span(&link, 1), std::uint64_t(1) << colour);
             colours = std::max(colours, colour + 1);
         }
         constexpr std::size_t few = 8; // one of so many: band by band, which holds up less
@@ -190,16 +202,18 @@ template <int D, class Real> class MeshMaker {
         const auto& left = room_.left_over;
         std::size_t begin = 0, end = 0;
         add_family([&](std::uint32_t band, auto&& note) {
-            for (begin = end; end < left.size() && left[end].band == band;) ++end;
+            const auto behind = plan_.bands[band].last;
+            for (begin = end; end < left.size() && link_at(left[end]).lower < behind;) ++end;
             for (auto colour = first; colour <= last; ++colour) {
                 runs_.break_run();
                 for (auto i = begin; i < end; ++i) {
                     if (room_.colour[i] != colour) continue;
+                    const auto link = link_at(left[i]);
                     if (colour == most_families)
-                        runs_.begin_run(left[i].number, left[i].lower, left[i].lower + left[i].apart);
+                        runs_.begin_run(link.row, link.lower, upper(link));
                     else
-                        runs_.add_scattered(left[i].number, left[i].lower, left[i].lower + left[i].apart);
-                    note(left[i]);
+                        runs_.add_scattered(link.row, link.lower, upper(link));
+                    note(link);
                 }
             }
         });
@@ -212,7 +226,7 @@ template <int D, class Real> class MeshMaker {
         for (auto band = first_band(); band < plan_.bands.size(); ++band) {
             runs_.begin_band();
             auto furthest = plan_.bands[band].first;
-            add(band, [&](const Link& link) { furthest = std::max(furthest, link.lower + link.apart); });
+            add(band, [&](const Link& link) { furthest = std::max(furthest, upper(link)); });
             reach = std::max(reach, plan_.band_of(first_band(), furthest) - band);
         }
         plan_.families.back().reach = reach;

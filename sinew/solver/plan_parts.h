@@ -24,14 +24,13 @@ template <int D, class Real> class PlanParts {
         sort_into_parts();
         return true;
     }
-    /// Of a large world the room is taken again when it is needed. Of a small one it stays: things may tear.
+    /// They lie in rows now.
+    void forget_neighbours() { give_back(room_.first_near, room_.near, room_.at, room_.levels); }
+    /// The plan is worked out.
     void forget() {
-        constexpr std::size_t small = 100'000;
-        if (distances_.size() <= small) return;
-        const auto give_back = [](auto&... columns) { ((columns = std::decay_t<decltype(columns)>()), ...); };
-        give_back(room_.links, room_.link_at, room_.left, room_.parent, room_.part_of, room_.members, room_.rank,
-                  room_.at, room_.first_near, room_.near, room_.near_link, room_.chained, room_.used, room_.sorted,
-                  room_.left_over);
+        give_back(room_.link_at, room_.left, room_.parent, room_.part_of, room_.members, room_.rank, room_.at,
+                  room_.first_near, room_.near, room_.chained, room_.colour, room_.used, room_.sorted, room_.left_over,
+                  room_.of_band, room_.left_of_band, room_.sequences, room_.levels);
     }
     bool any() const {
         bool any = false;
@@ -63,15 +62,10 @@ template <int D, class Real> class PlanParts {
         for (const Row link : links(part)) ++first[rank(link, 0) + 1], ++first[rank(link, 1) + 1];
         for (std::size_t i = 0; i < all.size(); ++i) first[i + 1] += first[i];
         room_.near.resize(first[all.size()]);
-        room_.near_link.resize(first[all.size()]);
         auto& next = room_.at;
         next.assign(first.begin(), first.end());
         for (const Row link : links(part))
-            for (std::size_t i = 0; i < 2; ++i) {
-                auto& at = next[rank(link, i)];
-                room_.near[at] = rank(link, 1 - i);
-                room_.near_link[at++] = link;
-            }
+            for (std::size_t i = 0; i < 2; ++i) room_.near[next[rank(link, i)]++] = rank(link, 1 - i);
     }
 
   private:
@@ -82,6 +76,12 @@ template <int D, class Real> class PlanParts {
     PlanRoom& room_;
 
     std::size_t particles() const { return world_.particles.size(); }
+
+    /// Of a large world room is taken again when it is needed. Of a small one it stays: things may tear.
+    template <class... Column> void give_back(Column&... columns) const {
+        constexpr std::size_t small = 100'000;
+        if (distances_.size() > small) ((columns = Column()), ...);
+    }
 
     /// Of the sweep, and not in a sheet that stays.
     template <class Visit> void each_swept(Visit&& visit) const {
@@ -182,6 +182,7 @@ template <int D, class Real> class PlanParts {
             auto& part = parts[room_.part_of[end(row, 0)]];
             room_.link_at[part.first_link + part.links++] = row;
         }
+        give_back(room_.links);
     }
 
     bool are_alike(std::size_t a, std::size_t b) const {

@@ -28,9 +28,7 @@ template <class Real> struct PlanPieces {
             run.row += run.row_step == 0 ? to.listed - first.listed : 0;
             run.parameters += to.parameter - first.parameter;
         });
-        copy(from.plan.low, first.parameter, last.parameter, plan.low);
-        copy(from.plan.high, first.parameter, last.parameter, plan.high);
-        copy(from.plan.compliance, first.parameter, last.parameter, plan.compliance);
+        for (auto i = first.parameter; i < last.parameter; ++i) plan.parameters.add_copy(from.plan.parameters, i);
         const auto move = [&](std::uint32_t& slot) { slot += slots; };
         copy(from.plan.ends_a, first.scattered, last.scattered, plan.ends_a, move);
         copy(from.plan.ends_b, first.scattered, last.scattered, plan.ends_b, move);
@@ -49,7 +47,7 @@ template <class Real> struct PlanPieces {
         plan.families.resize(end.family);
         plan.first_run.resize(end.first_run);
         plan.runs.resize(end.run);
-        for (auto* column : {&plan.low, &plan.high, &plan.compliance}) column->resize(end.parameter);
+        plan.parameters.resize(end.parameter);
         for (auto* column : {&plan.ends_a, &plan.ends_b}) column->resize(end.scattered);
         plan.rows.resize(end.listed);
         plan.sheets.resize(number);

@@ -13,7 +13,7 @@ template <int D, class Real> class RunWriter {
     /// Of the sheet that is written now: whether its links are corrected along where they were.
     void begin_sheet(bool swings) {
         swings_ = swings;
-        first_parameter_ = std::uint32_t(plan_.low.size());
+        first_parameter_ = std::uint32_t(plan_.parameters.size());
         links_ = {};
     }
     /// The rows of its links so far.
@@ -49,7 +49,7 @@ template <int D, class Real> class RunWriter {
 
     void begin_run(Row link, Row a, Row b) {
         links_.include(link);
-        auto parameters = std::uint32_t(plan_.low.size());
+        auto parameters = std::uint32_t(plan_.parameters.size());
         if (parameters > first_parameter_ && has_parameters(link, parameters - 1))
             --parameters; // one like the last needs no room of its own
         else
@@ -92,7 +92,7 @@ template <int D, class Real> class RunWriter {
         if (fresh_ || !plan_.runs.back().scattered) {
             plan_.runs.push_back({.a = std::uint32_t(plan_.ends_a.size()),
                                   .row = std::uint32_t(plan_.rows.size()),
-                                  .parameters = std::uint32_t(plan_.low.size()),
+                                  .parameters = std::uint32_t(plan_.parameters.size()),
                                   .swings = swings_,
                                   .scattered = true});
             fresh_ = false;
@@ -113,25 +113,13 @@ template <int D, class Real> class RunWriter {
     std::uint32_t first_parameter_ = 0; ///< of the sheet
     Extent links_;
 
-    void add_parameters(Row link) {
-        plan_.low.push_back(low(link));
-        plan_.high.push_back(high(link));
-        plan_.compliance.push_back(distances_.compliance[link]);
-    }
+    void add_parameters(Row link) { plan_.parameters.add(low(link), high(link), distances_.compliance[link]); }
     bool has_parameters(Row link, std::uint32_t number) const {
-        return plan_.low[number] == low(link) && plan_.high[number] == high(link) &&
-               plan_.compliance[number] == distances_.compliance[link];
+        return plan_.parameters.are(number, low(link), high(link), distances_.compliance[link]);
     }
     Real low(Row link) const { return maximum(distances_.low(link), Real(0)); }
     /// Squares and products of limits have to be finite.
     Real high(Row link) const { return minimum(distances_.high(link), limit::coordinate<Real> * Real(100)); }
-
-    void copy_parameters(std::uint32_t of) {
-        for (auto* column : {&plan_.low, &plan_.high, &plan_.compliance}) {
-            const Real value = (*column)[of];
-            column->push_back(value);
-        }
-    }
 
     /// Its ends can move, and equally readily whatever slows them down.
     bool is_even(Row link) const {
@@ -147,8 +135,8 @@ template <int D, class Real> class RunWriter {
         if (run.uniform && !has_parameters(link, run.parameters)) {
             const auto of = run.parameters;
             run.uniform = false;
-            run.parameters = std::uint32_t(plan_.low.size());
-            for (std::uint32_t i = 0; i < run.count; ++i) copy_parameters(of);
+            run.parameters = std::uint32_t(plan_.parameters.size());
+            for (std::uint32_t i = 0; i < run.count; ++i) plan_.parameters.add_copy(plan_.parameters, of);
         }
         if (!run.uniform) add_parameters(link);
         note(run, link);

@@ -87,10 +87,10 @@ template <int D, class Real> struct Swept {
         LinkColumns<D, Real> columns{};
         columns.place = place[0], columns.move = move[0], columns.apart = apart();
         columns.mobility = mobility;
-        columns.low = plan.low.data();
-        columns.high = plan.high.data();
-        columns.quarter_per_square = plan.quarter_per_square.data();
-        columns.compliance = plan.compliance.data();
+        columns.low = plan.parameters.low();
+        columns.high = plan.parameters.high();
+        columns.quarter_per_square = plan.parameters.quarter_per_square();
+        columns.compliance = plan.parameters.compliance();
         columns.ends_a = plan.ends_a.data();
         columns.ends_b = plan.ends_b.data();
         columns.rows = plan.rows.data();
