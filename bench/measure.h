@@ -48,7 +48,8 @@ struct Engine {
 struct Measured : Timing {
     double build_ms = 0;             ///< from an empty world to one that is ready to step
     double prepare_ms = 0;           ///< of that: orders, colours, runs, blocks
-    double bytes_per_constraint = 0; ///< most memory ever taken, over that of the particles; 0: not known
+    double bytes_per_constraint = 0; ///< most memory ever taken, over that of the particles and of
+                                     ///< a small world; 0: not known
 };
 
 /// What a case asks of every solver.
