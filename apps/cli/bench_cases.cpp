@@ -148,31 +148,63 @@ std::vector<bench::Engine> engines(const BenchOptions& options, const Work& work
     return all;
 }
 
+int steps_of(const BenchOptions& options, const Work& work) {
+    return options.steps ? int(*options.steps) : bench::usual_steps(work);
+}
+
+struct Ours {
+    bench::Engine engine;
+    Measured measured;
+};
+
+/// What the engine does with a case.
+std::vector<Ours> measure_engines(const BenchOptions& options, const Case& chosen, const Work& work) {
+    std::vector<Ours> all;
+    for (const auto& engine : engines(options, work)) {
+        Watching watching(chosen, "sinew");
+        all.push_back({engine, measure(chosen, work, engine, steps_of(options, work), watching.watch())});
+    }
+    return all;
+}
+
+void print_lines(const Case& chosen, const Work& work, const std::vector<Ours>& ours,
+                 const std::vector<Rival>& rivals) {
+    for (const auto& [engine, measured] : ours) print(to_line(Line{chosen, work, engine, measured, rivals}.in_json()));
+    flush_output();
+}
+
+void add_rows(std::vector<std::vector<std::string>>& rows, const Case& chosen, const Work& work, int steps,
+              const std::vector<Ours>& ours, const std::vector<Rival>& rivals) {
+    auto name = fmt::format("{} ({})", chosen.name, work.constraints());
+    for (const auto& [engine, measured] : ours)
+        rows.push_back(row(std::exchange(name, ""), engine, Line{chosen, work, engine, measured, rivals}));
+    for (const auto& [who, timing] : rivals)
+        rows.push_back(
+            row("", timing.steps < steps ? fmt::format("{}, {} steps", who, timing.steps) : who, work, timing));
+}
+
 } // namespace
 
+/// Rivals come last, and where nothing is told before the end, after all cases: what their heap keeps would be told as
+/// the engine's.
 void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& cases) {
+    if (options.as_json) {
+        for (const auto& chosen : cases) {
+            const auto work = work_of(chosen);
+            const auto ours = measure_engines(options, chosen, work);
+            print_lines(chosen, work, ours, measure_rivals(chosen, work, steps_of(options, work)));
+        }
+        return;
+    }
+    std::vector<std::vector<Ours>> ours;
+    for (const auto& chosen : cases) ours.push_back(measure_engines(options, chosen, work_of(chosen)));
     std::vector<std::vector<std::string>> rows{{"case", "by", "ms a step", "G projections/s", "ratio", "most stretch",
                                                 "mean stretch", "ready in", "bytes each"}};
-    for (const auto& chosen : cases) {
-        const auto work = work_of(chosen);
-        const int steps = options.steps ? int(*options.steps) : bench::usual_steps(work);
-        const auto rivals = measure_rivals(chosen, work, steps);
-        auto name = fmt::format("{} ({})", chosen.name, work.constraints());
-        for (const auto& engine : engines(options, work)) {
-            Watching watching(chosen, "sinew");
-            const auto measured = measure(chosen, work, engine, steps, watching.watch());
-            const Line line{chosen, work, engine, measured, rivals};
-            if (options.as_json) {
-                print(to_line(line.in_json()));
-                flush_output();
-            }
-            rows.push_back(row(std::exchange(name, ""), engine, line));
-        }
-        for (const auto& [who, timing] : rivals)
-            rows.push_back(
-                row("", timing.steps < steps ? fmt::format("{}, {} steps", who, timing.steps) : who, work, timing));
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto work = work_of(cases[i]);
+        const int steps = steps_of(options, work);
+        add_rows(rows, cases[i], work, steps, ours[i], measure_rivals(cases[i], work, steps));
     }
-    if (options.as_json) return;
     if (!options.as_markdown) print(fmt::format("On this machine the engine's lanes are: {}\n", bench::simd()));
     print(bench_table(rows, options));
 }
