@@ -98,7 +98,6 @@ Measured measure_as(const Case& chosen, const Work& work, const Engine& engine, 
         measured.bytes_per_constraint = (double(bytes) - particles) / double(work.constraints());
     constexpr double patience = 1.5; // seconds
     Textbook textbook(work, Effort{});
-    textbook.step();
     static_cast<Timing&>(measured) = time(run, {.steps = steps, .seconds = patience}, half_of(watch, 0), &textbook);
     const Effort effort{.substeps = chosen.direct ? 0 : Effort{}.substeps};
     measured.strain = look_at(*simulate(chosen, engine, effort), work, measured.steps, half_of(watch, 0.5));

@@ -72,43 +72,42 @@ std::string key_of(std::string_view name) {
     return key;
 }
 
-struct Line {
-    const Case& chosen;
-    const Work& work;
-    const bench::Engine& engine;
-    const Measured& measured;
-    const std::vector<Rival>& rivals;
-
-    json::Object in_json() const {
-        json::Object line{{"case", chosen.name},
-                          {"steps", measured.steps},
-                          {"threads", engine.threads},
-                          {"precision", engine.single ? "float" : "double"},
-                          {"simd", std::string(bench::simd())},
-                          {"particles", work.places.size()},
-                          {"constraints", work.constraints()},
-                          {"ms_per_step", measured.milliseconds}};
-        // At once there is no telling how often a constraint is projected.
-        if (!chosen.direct) line.push_back({"projections_per_s", projections_per_second(work, measured.milliseconds)});
-        for (json::Member& more : json::Object{{"ratio", measured.ratio},
-                                               {"stretch_max", measured.strain.max},
-                                               {"stretch_last", measured.strain.last},
-                                               {"stretch_mean", measured.strain.mean},
-                                               {"build_ms", measured.build_ms},
-                                               {"prepare_ms", measured.prepare_ms}})
-            line.push_back(std::move(more));
-        if (measured.bytes_per_constraint > 0) line.push_back({"bytes_per_constraint", measured.bytes_per_constraint});
-        json::Object others;
-        for (const auto& [name, timing] : rivals)
-            others.push_back({key_of(name), json::Object{{"ms_per_step", timing.milliseconds},
-                                                         {"ratio", timing.ratio},
-                                                         {"steps", timing.steps},
-                                                         {"stretch_max", timing.strain.max},
-                                                         {"stretch_mean", timing.strain.mean}}});
-        line.push_back({"rivals", std::move(others)});
-        return line;
-    }
+/// One line of the report: the engine, and how it was asked to do it.
+struct Ours {
+    bench::Engine engine;
+    Measured measured;
 };
+
+json::Object in_json(const Case& chosen, const Work& work, const Ours& ours, const std::vector<Rival>& rivals) {
+    const auto& [engine, measured] = ours;
+    json::Object line{{"case", chosen.name},
+                      {"steps", measured.steps},
+                      {"threads", engine.threads},
+                      {"precision", engine.single ? "float" : "double"},
+                      {"simd", std::string(bench::simd())},
+                      {"particles", work.places.size()},
+                      {"constraints", work.constraints()},
+                      {"ms_per_step", measured.milliseconds}};
+    // At once there is no telling how often a constraint is projected.
+    if (!chosen.direct) line.push_back({"projections_per_s", projections_per_second(work, measured.milliseconds)});
+    for (json::Member& more : json::Object{{"ratio", measured.ratio},
+                                           {"stretch_max", measured.strain.max},
+                                           {"stretch_last", measured.strain.last},
+                                           {"stretch_mean", measured.strain.mean},
+                                           {"build_ms", measured.build_ms},
+                                           {"prepare_ms", measured.prepare_ms}})
+        line.push_back(std::move(more));
+    if (measured.bytes_per_constraint > 0) line.push_back({"bytes_per_constraint", measured.bytes_per_constraint});
+    json::Object others;
+    for (const auto& [name, timing] : rivals)
+        others.push_back({key_of(name), json::Object{{"ms_per_step", timing.milliseconds},
+                                                     {"ratio", timing.ratio},
+                                                     {"steps", timing.steps},
+                                                     {"stretch_max", timing.strain.max},
+                                                     {"stretch_mean", timing.strain.mean}}});
+    line.push_back({"rivals", std::move(others)});
+    return line;
+}
 
 std::vector<std::string> row(const std::string& name, const std::string& who, const Work& work, const Timing& timing,
                              bool projects = true) {
@@ -123,12 +122,13 @@ std::vector<std::string> row(const std::string& name, const std::string& who, co
             ""};
 }
 
-std::vector<std::string> row(const std::string& name, const bench::Engine& engine, const Line& line) {
+std::vector<std::string> row(const std::string& name, const Case& chosen, const Work& work, const Ours& ours) {
+    const auto& [engine, measured] = ours;
     const auto who = fmt::format("sinew, {}, {} thread{}", engine.single ? "float" : "double", engine.threads,
                                  engine.threads == 1 ? "" : "s");
-    auto cells = row(name, who, line.work, line.measured, !line.chosen.direct);
-    cells[7] = fmt::format("{:.0f} ms", line.measured.build_ms);
-    if (const double bytes = line.measured.bytes_per_constraint; bytes > 0) cells[8] = fmt::format("{:.0f}", bytes);
+    auto cells = row(name, who, work, measured, !chosen.direct);
+    cells[7] = fmt::format("{:.0f} ms", measured.build_ms);
+    if (const double bytes = measured.bytes_per_constraint; bytes > 0) cells[8] = fmt::format("{:.0f}", bytes);
     return cells;
 }
 
@@ -152,11 +152,6 @@ int steps_of(const BenchOptions& options, const Work& work) {
     return options.steps ? int(*options.steps) : bench::usual_steps(work);
 }
 
-struct Ours {
-    bench::Engine engine;
-    Measured measured;
-};
-
 /// What the engine does with a case.
 std::vector<Ours> measure_engines(const BenchOptions& options, const Case& chosen, const Work& work) {
     std::vector<Ours> all;
@@ -169,15 +164,14 @@ std::vector<Ours> measure_engines(const BenchOptions& options, const Case& chose
 
 void print_lines(const Case& chosen, const Work& work, const std::vector<Ours>& ours,
                  const std::vector<Rival>& rivals) {
-    for (const auto& [engine, measured] : ours) print(to_line(Line{chosen, work, engine, measured, rivals}.in_json()));
+    for (const auto& one : ours) print(to_line(in_json(chosen, work, one, rivals)));
     flush_output();
 }
 
 void add_rows(std::vector<std::vector<std::string>>& rows, const Case& chosen, const Work& work, int steps,
               const std::vector<Ours>& ours, const std::vector<Rival>& rivals) {
     auto name = fmt::format("{} ({})", chosen.name, work.constraints());
-    for (const auto& [engine, measured] : ours)
-        rows.push_back(row(std::exchange(name, ""), engine, Line{chosen, work, engine, measured, rivals}));
+    for (const auto& one : ours) rows.push_back(row(std::exchange(name, ""), chosen, work, one));
     for (const auto& [who, timing] : rivals)
         rows.push_back(
             row("", timing.steps < steps ? fmt::format("{}, {} steps", who, timing.steps) : who, work, timing));

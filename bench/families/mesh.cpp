@@ -6,7 +6,6 @@
 #include "bench/shuffle.h"
 
 #include <array>
-#include <optional>
 
 namespace sinew::bench {
 namespace {
@@ -47,10 +46,13 @@ MeshModel shuffled_cloth(int side) {
     return model;
 }
 
+/// Of which no more than the text is left when it is read.
+std::string shuffled_file(int side) {
+    return to_obj(shuffled_cloth(side));
+}
+
 template <class Real> void hang(World<3, Real>& world, int side) {
-    std::optional text = to_obj(shuffled_cloth(side));
-    auto read = read_obj(*text, {.points = std::size_t(1) << 25, .corners = std::size_t(1) << 28});
-    text.reset();
+    auto read = read_obj(shuffled_file(side), {.points = std::size_t(1) << 25, .corners = std::size_t(1) << 28});
     const Mesh mesh{.pin_list = {0, 1},
                     .mass = double(side) * side,
                     .model = std::make_shared<const MeshModel>(std::get<MeshModel>(std::move(read))),

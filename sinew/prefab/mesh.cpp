@@ -46,10 +46,10 @@ std::vector<bool> repeats_of(const MeshModel& model, bool diagonals) {
         auto operator<=>(const Turn&) const = default;
     };
     const auto points = std::uint32_t(model.points.size());
-    const auto most = std::max(count_named(model, diagonals) / 8, std::size_t(1) << 16);
+    const auto named = count_named(model, diagonals), most = std::max(named / 8, std::size_t(1) << 16);
     std::vector<std::uint32_t> count(points); // of what is named of each point; then how many of them are listed
     each_named(model, diagonals, [&](std::uint32_t a, std::uint32_t) { ++count[a]; });
-    std::vector<bool> repeats(count_named(model, diagonals));
+    std::vector<bool> repeats(named);
     std::vector<Turn> turns;
     std::vector<std::uint32_t> end; // of what is listed of each
     for (std::uint32_t first = 0, last = 0; first < points; first = last) {

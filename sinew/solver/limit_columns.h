@@ -28,6 +28,11 @@ template <class Real> class LimitColumns {
         low_.insert(low_.end(), count, low);
         if (apart_) high_.insert(high_.end(), count, high);
     }
+    /// Rows at the end come, between 0 and 0, or go.
+    void resize(std::size_t rows) {
+        low_.resize(rows);
+        if (apart_) high_.resize(rows);
+    }
     void reserve(std::size_t rows) {
         low_.reserve(rows);
         if (apart_) high_.reserve(rows);
@@ -37,6 +42,14 @@ template <class Real> class LimitColumns {
         if (apart_) erase_rows(high_, gone);
     }
 
+    /// From now on setting a row allocates nothing.
+    void set_apart() {
+        if (apart_) return;
+        high_.reserve(low_.capacity());
+        high_ = low_;
+        apart_ = true;
+    }
+
     /// All rows, one after the other.
     const std::vector<Real>& lows() const { return low_; }
     const std::vector<Real>& highs() const { return apart_ ? high_ : low_; }
@@ -44,13 +57,6 @@ template <class Real> class LimitColumns {
   private:
     bool apart_ = false;
     std::vector<Real> low_, high_; ///< the latter empty until they are apart
-
-    void set_apart() {
-        if (apart_) return;
-        high_.reserve(low_.capacity());
-        high_ = low_;
-        apart_ = true;
-    }
 };
 
 template <class Real> void erase_rows(LimitColumns<Real>& limits, std::span<const char> gone) {
