@@ -30,10 +30,10 @@ template <int D, class Real> class Planner {
         }
         plan_.close();
         for (auto& run : plan_.runs) run.kind = kind_of(run);
-        plan_.parameters.prepare();
         plan_.row_moves = world_.blocks.row_moves;
         list_pins();
         tethers_.run();
+        plan_.parameters.prepare();
         swept_.make_room();
     }
 

@@ -65,7 +65,7 @@ template <int D, class Real> class Corners {
 
   private:
     static constexpr auto none = ~std::uint32_t(0);
-    static constexpr std::size_t most = 1 << 14;
+    static constexpr std::size_t most = 1 << 12;
 
     struct Known {
         std::uint32_t other; ///< the list of the edge's far end

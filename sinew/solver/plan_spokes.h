@@ -25,6 +25,7 @@ template <int D, class Real> class Spokes {
     void list(const Sheet& sheet, std::size_t particles) {
         constexpr std::uint32_t cached = 1 << 12; // particles, with what is listed for them
         all_.clear();
+        all_.reserve(2 * links_of(sheet)); // growing step by step would take up to twice as much
         begin_.assign(1, 0);
         list_of_.resize(particles);
         const auto bands = std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
@@ -66,6 +67,13 @@ template <int D, class Real> class Spokes {
 
     std::span<const Spoke> spokes(std::size_t list) const {
         return std::span(all_).subspan(begin_[list], begin_[list + 1] - begin_[list]);
+    }
+
+    std::size_t links_of(const Sheet& sheet) const {
+        const auto end = plan_.end_of(std::size_t(&sheet - plan_.sheets.data())).run;
+        std::size_t links = 0;
+        for (auto run = sheet.begin.run; run < end; ++run) links += plan_.runs[run].count;
+        return links;
     }
 
     /// Of the particles in bands [first, last) of the sheet.
