@@ -9,7 +9,6 @@
 #include <cmath>
 #include <functional>
 #include <set>
-#include <vector>
 
 namespace sinew {
 namespace {
@@ -247,7 +246,7 @@ TEST(Planned, AnyNumberOfThreadsGivesTheSameBits) {
         add_cloth(begun, {});
         hurl(begun);
         std::set<std::uint64_t> hashes;
-        for (const int threads : sanitized ? std::vector{1, 3} : std::vector{1, 2, 3, 4}) {
+        for (const int threads : {1, 2, 3, 4}) {
             auto world = begun;
             world.threads = threads;
             for (int i = 0; i < 3; ++i) step(world, 1.0F / 60);

@@ -2,7 +2,6 @@
 #include "sinew/prefab/cloth.h"
 #include "sinew/solver/measure.h"
 
-#include "tests/sanitized.h"
 #include "tests/thorough.h"
 #include "tests/worlds.h"
 
@@ -86,7 +85,7 @@ TEST(Tethers, KeepShortWhatHangsFromTwoCorners) {
         set_position(world, particles.slots.id_of(row), place);
     }
     double most = 0;
-    for (int i = 0; i < few_or_many(sanitized ? 6 : 60, 300); ++i) {
+    for (int i = 0; i < few_or_many(60, 300); ++i) {
         step(world, 1.0F / 60);
         most = std::max(most, stretch(world).max);
     }
@@ -100,7 +99,7 @@ TEST(Tethers, KeepShortWhatSwingsDownAndSnapsTaut) {
     world.settings.substeps = 10;
     build(world, Cloth{.columns = 64, .rows = 64, .spacing = 0.03, .plane = "horizontal", .pins = "corners"}, "cloth");
     double most = 0;
-    for (int i = 0; i < few_or_many(sanitized ? 6 : 54, 300); ++i) {
+    for (int i = 0; i < few_or_many(54, 300); ++i) {
         step(world, 1.0F / 60);
         const auto& links = std::get<kind_number<Distance, 3>>(world.constraints);
         for (Row row = 0; row < links.size(); ++row) {
