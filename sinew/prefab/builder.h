@@ -100,15 +100,11 @@ template <int D, class RealT> class Builder {
         const auto id = add_particle(
             world_, {.position = frame_.place(local), .mass = Real(mass), .radius = Real(radius), .figure = figure_});
         if (mode_ == Mode::physical) world_.particles.residual.back() = frame_.residual(local);
-        if (measures_) locals_.push_back(local);
+        locals_.push_back(local);
         figure().particles.push_back(id);
         if (!name.empty()) figure().particle_names.emplace_back(name, id);
         return id;
     }
-
-    /// From the first particle on: the builder need not remember where they stand. The prefab knows, and gives every
-    /// constraint its limits.
-    void measures_itself() { measures_ = false; }
 
     /// The particle of that name. Prefabs only ask for names they gave.
     ParticleId named(std::string_view name) { return figure().particle_names.find(name).value_or(ParticleId{}); }
@@ -191,8 +187,7 @@ template <int D, class RealT> class Builder {
     typename Placement<D, Real>::Frame frame_;
     Mode mode_;
     Row first_;
-    bool measures_ = true;
-    std::vector<Local> locals_; ///< while it measures
+    std::vector<Local> locals_;
 };
 
 /// Adds a figure to a world: build(world, Rope{.length = 3}, "rope", {.at = {{1, 2}}}).

@@ -92,14 +92,11 @@ std::optional<std::string> Mesh::problem(int) const {
 template <int D, class Real> void Mesh::build(Builder<D, Real>& figure) const {
     const auto& shape = shape_of(*this);
     const auto& particles = figure.figure().particles;
-    const auto place = [&](std::size_t i) {
-        return Vec<D, double>::map([&](int k) { return size * shape.points[i][k]; });
-    };
-    figure.measures_itself();
     figure.figure().tethers = tethers;
     figure.number_particles("vertex", shape.points.size());
     const double share = mass / double(shape.points.size());
-    for (std::size_t i = 0; i < shape.points.size(); ++i) figure.particle("", place(i), share, thickness / 2);
+    for (const auto& point : shape.points)
+        figure.particle("", Vec<D, double>::map([&](int i) { return size * point[i]; }), share, thickness / 2);
     const auto repeats = repeats_of(shape, diagonals);
     figure.number_constraints("edge", std::size_t(std::count(repeats.begin(), repeats.end(), false)));
     ConstraintSpec<double> spec{
@@ -107,7 +104,7 @@ template <int D, class Real> void Mesh::build(Builder<D, Real>& figure) const {
     each_named(shape, diagonals, [&, turn = std::size_t(0)](std::uint32_t a, std::uint32_t b) mutable {
         if (repeats[turn++]) return;
         const std::array ends{particles[a], particles[b]};
-        const double length = distance(place(a), place(b));
+        const double length = figure.template measure<Distance>(ends);
         spec.limits = between((1 - buckling) * length, length);
         figure.template constrain<Distance>("", ends, spec);
     });

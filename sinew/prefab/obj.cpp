@@ -132,12 +132,18 @@ class ReadingObj {
     }
 };
 
-/// Calls visit(line) for each line of the model's file, with what ends it.
-template <class Visit> void each_line(const MeshModel& model, Visit&& visit) {
+} // namespace
+
+std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits) {
+    return ReadingObj(text, limits).read();
+}
+
+std::string to_obj(const MeshModel& model) {
+    std::string text;
     fmt::memory_buffer line;
     const auto end_line = [&] {
         line.push_back('\n');
-        visit(std::string_view(line.data(), line.size()));
+        text.append(line.data(), line.size());
         line.clear();
     };
     for (const auto& point : model.points) {
@@ -149,20 +155,6 @@ template <class Visit> void each_line(const MeshModel& model, Visit&& visit) {
         for (const auto corner : model.face(i)) fmt::format_to(fmt::appender(line), " {}", corner + 1);
         end_line();
     }
-}
-
-} // namespace
-
-std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits) {
-    return ReadingObj(text, limits).read();
-}
-
-std::string to_obj(const MeshModel& model) {
-    std::size_t size = 0; // found first: growing step by step would take up to twice as much
-    each_line(model, [&](std::string_view line) { size += line.size(); });
-    std::string text;
-    text.reserve(size);
-    each_line(model, [&](std::string_view line) { text += line; });
     return text;
 }
 

@@ -162,6 +162,7 @@ template <class Real> struct Plan {
     }
     /// Behind a sheet.
     PlanPlace end_of(std::size_t sheet) const { return sheet + 1 < sheets.size() ? sheets[sheet + 1].begin : end(); }
+    PlanPlace end_of(const Sheet& sheet) const { return end_of(std::size_t(&sheet - sheets.data())); }
 
     /// Calls visit(row, slot a, slot b) for the links of a run.
     template <class Visit> void each_link(const LinkRun& run, Visit&& visit) const {

@@ -55,7 +55,7 @@ template <class Real> struct PlanPieces {
 
     /// The rows of a sheet's particles and links are so much further on.
     void shift(Sheet& sheet, Row particles, Row links) {
-        const auto last = plan.end_of(std::size_t(&sheet - plan.sheets.data()));
+        const auto last = plan.end_of(sheet);
         sheet.particles.shift(particles);
         for (auto slot = sheet.begin.slot; slot < last.slot; ++slot) row_of[slot] += particles;
         if (links == 0) return;

@@ -25,7 +25,7 @@ template <int D, class Real> class Spokes {
     void list(const Sheet& sheet, std::size_t particles) {
         constexpr std::uint32_t cached = 1 << 12; // particles, with what is listed for them
         all_.clear();
-        all_.reserve(2 * links_of(sheet)); // growing step by step would take up to twice as much
+        all_.reserve(2 * links_of(sheet)); // if none is shared; growing would take up to twice as much
         begin_.assign(1, 0);
         list_of_.resize(particles);
         const auto bands = std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
@@ -70,7 +70,7 @@ template <int D, class Real> class Spokes {
     }
 
     std::size_t links_of(const Sheet& sheet) const {
-        const auto end = plan_.end_of(std::size_t(&sheet - plan_.sheets.data())).run;
+        const auto end = plan_.end_of(sheet).run;
         std::size_t links = 0;
         for (auto run = sheet.begin.run; run < end; ++run) links += plan_.runs[run].count;
         return links;

@@ -111,9 +111,7 @@ template <int D, class Real> class TetherMaker {
         for (const auto& sheet : plan_.sheets) reaches += anchors(sheet).size() * size_of(sheet);
         if (reaches > 0) plan_.half_per_reach_square.reserve(reaches + plan_.lanes);
     }
-    std::uint32_t size_of(const Sheet& sheet) const {
-        return plan_.end_of(std::size_t(&sheet - plan_.sheets.data())).slot - sheet.begin.slot;
-    }
+    std::uint32_t size_of(const Sheet& sheet) const { return plan_.end_of(sheet).slot - sheet.begin.slot; }
 
     void tie(Sheet& sheet, std::span<const Tether> before, const std::vector<Real>& reaches, double share) {
         const auto pins = anchors(sheet);
