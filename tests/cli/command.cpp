@@ -1,5 +1,7 @@
 #include "tests/cli/command.h"
 
+#include "tests/paths.h"
+
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -141,7 +143,7 @@ Outcome sinew(const Arguments& arguments, const Setting& setting) {
 }
 
 std::filesystem::path catalogue() {
-    return SINEW_SOURCE_DIR "/tests/cli/catalogue";
+    return test::source_dir() + "/tests/cli/catalogue";
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/paths.h"
 #include "tests/sanitized.h"
 
 #include <filesystem>
@@ -21,7 +22,7 @@ struct Setting {
     std::string input = {};                              ///< on standard input
     std::map<std::string, std::string> environment = {}; ///< besides a catalogue of its own; empty values are unset
     std::filesystem::path folder = {};                   ///< to be in; where the tests are, if empty
-    std::filesystem::path command = SINEW_COMMAND;
+    std::filesystem::path command = test::command_path();
     std::size_t most_memory = 0; ///< bytes of address space; 0: as much as it likes
     bool reader_leaves = false;  ///< standard output is a pipe that nobody reads
     std::string output = {};     ///< a file for standard output: "/dev/full"

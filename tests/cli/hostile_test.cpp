@@ -1,4 +1,5 @@
 #include "tests/cli/command.h"
+#include "tests/paths.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> corpus() {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(SINEW_SOURCE_DIR "/tests/hostile"))
+    for (const auto& entry : fs::directory_iterator(test::source_dir() + "/tests/hostile"))
         names.push_back(entry.path().stem());
     std::ranges::sort(names);
     return names;
@@ -24,7 +25,7 @@ TEST_P(HostileScene, IsRefusedByEveryCommand) {
     const auto file = GetParam() + ".json";
     for (const auto* command : {"check", "run", "info", "render"}) {
         const auto outcome =
-            sinew({command, file}, {.folder = SINEW_SOURCE_DIR "/tests/hostile", .most_memory = 200'000'000});
+            sinew({command, file}, {.folder = test::source_dir() + "/tests/hostile", .most_memory = 200'000'000});
         EXPECT_EQ(outcome.code, 1) << command;
         EXPECT_TRUE(begins(outcome.err, file + ":"));
         EXPECT_TRUE(has(outcome.err, ": error: "));

@@ -1,5 +1,6 @@
 #include "tests/canvas/scratch_folder.h"
 #include "tests/cli/command.h"
+#include "tests/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +44,7 @@ TEST(SceneFile, UnknownNamesAreCorrected) {
 
 TEST(SceneFile, WhatIsNoneIsRefused) {
     expect_refused(sinew({"run", "/"}), "/: error: a folder, not a scene file");
-    expect_refused(sinew({"run", "tests"}, {.folder = SINEW_SOURCE_DIR}), "tests: error: a folder, not a scene file");
+    expect_refused(sinew({"run", "tests"}, {.folder = test::source_dir()}), "tests: error: a folder, not a scene file");
     expect_refused(sinew({"run", "/dev/null"}), "/dev/null:1:1: error: the file is empty");
     expect_refused(sinew({"run", "-"}), "<stdin>:1:1: error: the file is empty");
     expect_refused(sinew({"run", "/dev/zero"}, {.most_memory = 200'000'000}),
@@ -64,14 +65,14 @@ TEST(SceneFile, LimitsAreRaisedOnTheCommandLine) {
 TEST(SceneFile, TheCatalogueOfTheSourcesIsTheLastResort) {
     const Setting without_variable{.environment = {{"SINEW_SCENES", ""}}};
     EXPECT_TRUE(has(sinew({"list"}, without_variable).out, "ragdoll"));
-    EXPECT_TRUE(has(sinew({"--help"}, without_variable).out, SINEW_SCENES_DIR));
+    EXPECT_TRUE(has(sinew({"--help"}, without_variable).out, test::scenes_dir()));
 }
 
 TEST(SceneFile, AnInstalledCommandFindsItsScenes) {
     const ScratchFolder prefix;
     fs::create_directories(prefix / "bin");
     fs::create_directories(prefix / "share/sinew/scenes");
-    fs::copy_file(SINEW_COMMAND, prefix / "bin/sinew");
+    fs::copy_file(test::command_path(), prefix / "bin/sinew");
     fs::copy_file(catalogue() / "pendulum.json", prefix / "share/sinew/scenes/clockwork.json");
     const Setting installed{.environment = {{"SINEW_SCENES", ""}}, .command = prefix / "bin/sinew"};
     const auto outcome = sinew({"run", "clockwork"}, installed);

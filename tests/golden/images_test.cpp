@@ -3,6 +3,7 @@
 #include "canvas/png.h"
 #include "canvas/raster.h"
 #include "tests/canvas/golden_picture.h"
+#include "tests/paths.h"
 #include "tests/scene/models.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path folder = SINEW_SOURCE_DIR "/tests/golden/images";
+const fs::path folder = test::source_dir() + "/tests/golden/images";
 constexpr int width = 160, height = 120;
 constexpr double least_ssim = 0.995;
 
@@ -31,7 +32,7 @@ struct Shot {
 
 std::vector<Shot> shots() {
     std::vector<Shot> all;
-    for (const auto& entry : fs::directory_iterator(SINEW_SCENES_DIR))
+    for (const auto& entry : fs::directory_iterator(test::scenes_dir()))
         if (entry.path().extension() == ".json")
             for (const auto mode : modes) all.push_back({entry.path().stem().string(), std::string(mode)});
     std::ranges::sort(all, {}, &Shot::name);
@@ -45,7 +46,7 @@ std::string bytes_of(const fs::path& path) {
 
 /// A fifth into its time; 32 shades a channel, which makes small files.
 Image taken(const Shot& shot) {
-    const auto path = fs::path(SINEW_SCENES_DIR) / (shot.scene + ".json");
+    const auto path = fs::path(test::scenes_dir()) / (shot.scene + ".json");
     const std::vector<Override> overrides = {{"mode=" + shot.mode}};
     auto document = load(bytes_of(path), path.string(), overrides);
     const auto image_at = [&](const std::string& name, const Limits& limits) {

@@ -1,3 +1,4 @@
+#include "tests/paths.h"
 #include "tests/worlds.h"
 
 #include <cstdio>
@@ -13,7 +14,7 @@ namespace {
 
 using namespace test;
 
-const std::string table_path = SINEW_SOURCE_DIR "/tests/golden/worlds.txt";
+const std::string table_path = test::source_dir() + "/tests/golden/worlds.txt";
 
 /// The hash of a world of everything after a second.
 template <int D, class Real> std::uint64_t future_of(Mode mode) {

@@ -4,6 +4,7 @@
 #include "apps/play/scene_edit.h"
 #include "apps/play/script.h"
 #include "apps/play/touch.h"
+#include "tests/paths.h"
 #include "tests/sanitized.h"
 #include "tests/text_of.h"
 
@@ -20,7 +21,7 @@ namespace {
 /// Scenes of the catalogue, or files.
 Fetched fetch(const std::string& word, std::span<const Override> overrides) {
     const bool file = word.find('/') != std::string::npos;
-    const std::filesystem::path path = file ? word : std::string(SINEW_SCENES_DIR) + "/" + word + ".json";
+    const std::filesystem::path path = file ? word : test::scenes_dir() + "/" + word + ".json";
     auto document = load(sinew::text_of(path), path.string(), overrides);
     Fetched fetched{open_scene(document), "", path};
     if (!fetched.opened) fetched.problem = to_text(document.diagnostics, {});

@@ -1,3 +1,4 @@
+#include "tests/paths.h"
 #include "tests/sanitized.h"
 #include "tests/scene/scene_runs.h"
 
@@ -187,7 +188,7 @@ TEST(Catalogue, BallsAtThirtyAndSixtyDegreesLandOnOneSpot) {
 
 // --- golden hashes ------------------------------------------------------------------------------------------------
 
-const std::string golden_file = std::string(SINEW_SOURCE_DIR) + "/tests/golden/scenes.txt";
+const std::string golden_file = test::source_dir() + "/tests/golden/scenes.txt";
 
 std::string golden_line(const SceneRun& run, Session& session) {
     session.run_until(2);

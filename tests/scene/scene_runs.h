@@ -3,6 +3,7 @@
 #include "sinew/session/session.h"
 #include "sinew/solver/edit.h"
 
+#include "tests/paths.h"
 #include "tests/scene/models.h"
 #include "tests/text_of.h"
 
@@ -17,7 +18,7 @@ namespace sinew {
 
 inline std::vector<std::string> scene_names() {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(SINEW_SCENES_DIR))
+    for (const auto& entry : std::filesystem::directory_iterator(test::scenes_dir()))
         if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;
@@ -26,7 +27,7 @@ inline std::vector<std::string> scene_names() {
 /// A session of a scene with a mode and a precision; what is wrong with it is a failure.
 inline std::optional<Session> open(const std::string& name, const std::string& mode,
                                    const std::string& precision = "double") {
-    const auto path = std::filesystem::path(SINEW_SCENES_DIR) / (name + ".json");
+    const auto path = std::filesystem::path(test::scenes_dir()) / (name + ".json");
     const std::array<Override, 2> choice = {Override{"mode=" + mode}, Override{"precision=" + precision}};
     auto document = load(text_of(path), path.string(), choice);
     auto opened = open_scene(document, {}, models_beside(path));

@@ -2,6 +2,7 @@
 #include "sinew/scene/scene.h"
 #include "sinew/solver/measure.h"
 
+#include "tests/paths.h"
 #include "tests/scene/laws.h"
 #include "tests/scene/models.h"
 #include "tests/scene/schema_check.h"
@@ -20,7 +21,7 @@ namespace {
 
 std::vector<std::filesystem::path> scene_files() {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(SINEW_SCENES_DIR))
+    for (const auto& entry : std::filesystem::directory_iterator(test::scenes_dir()))
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     std::ranges::sort(files);
     return files;

@@ -5,6 +5,7 @@
 #include "canvas/png.h"
 #include "canvas/raster.h"
 #include "tests/canvas/ssim.h"
+#include "tests/paths.h"
 #include "tests/text_of.h"
 
 #include <SDL.h>
@@ -75,7 +76,7 @@ class GlPainterTest : public testing::Test {
 };
 
 Session session_of(const std::string& name) {
-    const std::filesystem::path folder = SINEW_SCENES_DIR;
+    const std::filesystem::path folder = test::scenes_dir();
     auto document = load(text_of(folder / (name + ".json")), name);
     return Session(std::move(*open_scene(document, [&](const std::string& image, const Limits& limits) {
         return canvas::read_png(folder / image, image, limits);

@@ -5,6 +5,7 @@
 #include "apps/window/window.h"
 #include "tests/canvas/golden_picture.h"
 #include "tests/canvas/scratch_folder.h"
+#include "tests/paths.h"
 
 #include <SDL.h>
 #include <cstdlib>
@@ -22,7 +23,7 @@ namespace sinew::window {
 namespace {
 
 play::Fetched fetch(const std::string& word, std::span<const Override> overrides) {
-    const auto path = std::string(SINEW_SCENES_DIR) + "/" + word + ".json";
+    const auto path = test::scenes_dir() + "/" + word + ".json";
     std::ifstream file(path);
     std::ostringstream text;
     text << file.rdbuf();
@@ -132,7 +133,7 @@ TEST_F(WindowTest, LooksAsItDid) {
     if (!std::filesystem::exists("/usr/share/fonts/truetype/inter-vf/Inter-roman.var.ttf"))
         GTEST_SKIP() << "the panel's font is not installed (packages.apt, window)";
     constexpr double least_ssim = 0.97;
-    const std::filesystem::path kept = SINEW_SOURCE_DIR "/tests/golden/window";
+    const std::filesystem::path kept = test::source_dir() + "/tests/golden/window";
     look("light");
     if (IsSkipped()) return;
     expect_looks_like(kept / "light.png", shot, least_ssim);
