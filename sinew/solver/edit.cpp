@@ -84,8 +84,9 @@ template <int D, class Real> bool set_max_force(World<D, Real>& world, const Con
         const auto row = table.slots.find(id.id);
         if (!row) return;
         found = true;
-        if (!table.gives(*row)) detail::note_feature(world, table, *row);
+        const bool gave = table.gives(*row);
         table.max_force.set(*row, clamp(max_force, Real(0), limit::measure<Real>));
+        if (table.gives(*row) != gave) detail::note_feature(world, table, *row);
     });
     return found;
 }
