@@ -36,6 +36,7 @@ class Wardrobe {
     const Theme& theme_;
     std::size_t figure_;
     const std::string& name_;
+    const FigureSection* section_ = nullptr; ///< of the scene; none of a figure that came in another way
     Style last_;
     std::string last_part_;
     bool dressed_ = false;

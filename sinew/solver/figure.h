@@ -2,6 +2,7 @@
 
 #include "sinew/solver/id_list.h"
 #include "sinew/solver/name_table.h"
+#include "sinew/solver/stamp.h"
 
 #include <optional>
 #include <span>
@@ -67,6 +68,7 @@ enum class Direct : unsigned char {
 inline constexpr std::array<std::string_view, 3> direct_names = {"auto", "on", "off"}; ///< in their order
 
 /// What a prefab built: names for its particles and constraints, and what to draw. Positions are elsewhere, in columns.
+/// Where one was removed another stands that is empty and not in use.
 struct Figure {
     std::string name{};
     std::string prefab{};
@@ -80,6 +82,9 @@ struct Figure {
     Direct direct = Direct::automatic;
     bool tethers = false; ///< nothing of it gets further from what pins it than its links reach (plan.h)
     bool quarantined = false;
+    std::uint32_t generation = Stamp::none; ///< of its FigureId; none: not in use
+
+    bool in_use() const { return generation != Stamp::none; }
 };
 
 } // namespace sinew

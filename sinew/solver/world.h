@@ -35,6 +35,11 @@ template <class Real> inline constexpr Real step = Real(1e6);           ///< tim
 template <class Real> inline constexpr Real shortest_step = Real(1e-9); ///< a shorter one is none
 } // namespace limit
 
+/// A vector held at a limit. One that is not finite stays as it is: the next step puts its figure in quarantine.
+template <int D, class Real> constexpr Vec<D, Real> clamp_finite(const Vec<D, Real>& vector, Real limit) {
+    return is_finite(vector) ? clamp_components(vector, limit) : vector;
+}
+
 /// Nothing is pushed further in a substep of length h: what crosses the world.
 template <class Real> constexpr Real furthest_move(Real h) {
     return minimum(limit::speed<Real> * h, Real(2) * limit::coordinate<Real>);
@@ -302,8 +307,10 @@ template <int D, class RealT> struct World {
     Slots<PinTag> pin_slots;
     std::vector<Force<D, Real>> forces;
     std::vector<HalfSpace<D, Real>> bounds;
-    std::vector<Figure> figures;
+    std::vector<Figure> figures; ///< by FigureIndex; where one was removed, one that is not in use
     NameTable<FigureIndex> figure_names;
+    Stamp figure_stamp;             ///< of figures that are added next
+    std::size_t unused_figures = 0; ///< of `figures`
 
     double time = 0;
     std::uint64_t steps = 0;
@@ -318,6 +325,11 @@ template <int D, class RealT> struct World {
     std::vector<Vector> scratch; ///< room for the points and gradients of the widest constraint
 };
 
+/// Whether there is a figure of that index.
+template <class WorldT> bool has_figure(const WorldT& world, FigureIndex figure) {
+    return figure < world.figures.size() && world.figures[figure].in_use();
+}
+
 /// As particles have it.
 template <class Real> constexpr Real inverse_of_mass(Real mass) {
     if (mass == std::numeric_limits<Real>::infinity() || mass <= Real(0)) return Real(0);
@@ -327,7 +339,7 @@ template <class Real> constexpr Real inverse_of_mass(Real mass) {
 
 /// The time between `previous` and `position`: the last step, a frame before there was one.
 template <int D, class Real> Real verlet_interval(const World<D, Real>& world) {
-    return world.last_step > Real(0) ? world.last_step : world.settings.frame;
+    return minimum(world.last_step > Real(0) ? world.last_step : world.settings.frame, limit::step<Real>);
 }
 
 /// Calls visit(table) for every kind's table, in the order of the list of kinds.
