@@ -43,11 +43,11 @@ void Run::advance(std::uint64_t steps) {
     }
 }
 
-void Run::advance(std::uint64_t steps, canvas::Progress& progress) {
+void Run::advance(std::uint64_t steps, canvas::Progress& progress, std::uint64_t others) {
     for (; taken < steps; ++taken) {
         give_up_if_interrupted();
         session.step();
-        progress.update(std::size_t(taken));
+        progress.update(std::size_t(others + taken));
     }
 }
 

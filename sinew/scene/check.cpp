@@ -52,6 +52,7 @@ class ValueCheck {
                 if constexpr (requires { driver.keys; }) keys(driver.keys, under("pins", i, "keys"));
             });
         for (std::size_t i = 0; i < scene_.events.size(); ++i) event(scene_.events[i], i);
+        traces();
     }
 
   private:
@@ -97,6 +98,24 @@ class ValueCheck {
             if (count(std::int64_t(sum.particles), limits.particles, "particles", under("figures", i)) ||
                 count(std::int64_t(sum.constraints), limits.constraints, "constraints", under("figures", i)))
                 return;
+        }
+    }
+
+    void traces() {
+        if (scene_.traces.size() > most_traces)
+            document_.error("/traces",
+                            fmt::format("a scene can have {} traces, found {}", most_traces, scene_.traces.size()));
+        for (std::size_t i = 0; i < scene_.traces.size(); ++i) {
+            const auto& trace = scene_.traces[i];
+            if (trace.shows == trace_quantities.front()) continue;
+            if (scene_.dimension != 2)
+                document_.error(under("traces", i, "shows"), "a curve over time is drawn in 2 dimensions only",
+                                "in 3 a trace can show a path");
+            else if (!trace.box)
+                document_.error(under("traces", i), fmt::format("a curve of the {} needs a \"box\"", trace.shows),
+                                "say two opposite corners of its frame");
+            if (trace.low && trace.high && !(*trace.low < *trace.high))
+                document_.error(under("traces", i, "low"), "low is not below high");
         }
     }
 
@@ -235,6 +254,11 @@ template <int D, class Real> class ReferenceCheck {
         for (std::size_t i = 0; i < scene_.looks.size(); ++i) look(scene_.looks[i].first);
         for (std::size_t i = 0; i < scene_.events.size(); ++i)
             detail::visit_held(scene_.events[i].event, [&](const auto& event) { this->event(event, i); });
+        for (std::size_t i = 0; i < scene_.traces.size(); ++i)
+            if (const auto& of = scene_.traces[i].of; !find_figure(world_, of)) particle(of, under("traces", i, "of"));
+        for (std::size_t i = 0; i < scene_.world.forces.size(); ++i)
+            if (const auto* attractor = std::get_if<AttractorForce>(&scene_.world.forces[i].force))
+                pulled(attractor->figure, "/world" + under("forces", i, "figure"));
     }
 
   private:
@@ -279,6 +303,11 @@ template <int D, class Real> class ReferenceCheck {
             for (const auto& named : figure.particle_names) names.emplace_back(named.first);
             return names;
         });
+    }
+
+    /// The figure that a force is meant for alone.
+    void pulled(std::string_view name, const std::string& place) {
+        if (!name.empty() && !find_figure(world_, name)) unknown("figure", name, place, figure_names());
     }
 
     void constraint(std::string_view name, const std::string& place) {

@@ -187,6 +187,7 @@ struct FigureSection {
     std::vector<std::pair<std::string, Point>> kicks;
     std::optional<double> relaxation, split;
     std::string direct;
+    std::string integrator;
     std::vector<std::pair<std::string, Look>> looks;
     detail::WithByHand<Prefabs>::type made; ///< a prefab with its parameters, or by hand
 
@@ -206,6 +207,9 @@ struct FigureSection {
         visit(self.direct, Field{.name = "direct",
                                  .help = "As solver.direct, for what this figure is part of; left out: as there",
                                  .choices = direct_names});
+        visit(self.integrator, Field{.name = "integrator",
+                                     .help = "As solver.rules.integrator, for this figure; left out: as there",
+                                     .choices = integrator_names});
         visit(self.looks, Field{.name = "looks", .help = "How its parts look, by part; \"all\" for the whole"});
         visit(self.made, Field{.name = "prefab", .help = "What it is; left out: by_hand"});
     }

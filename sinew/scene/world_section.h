@@ -116,6 +116,7 @@ struct AttractorForce {
     Point center{};
     double strength = 1;
     double softness = 0.1;
+    std::string figure;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.center, Field{.name = "center", .help = "Where it is", .unit = unit::length, .required = true});
@@ -129,6 +130,7 @@ struct AttractorForce {
                                    .unit = unit::length,
                                    .low = 1e-6,
                                    .high = 1e6});
+        visit(self.figure, Field{.name = "figure", .help = "The only one that it pulls; left out: it pulls all"});
     }
 };
 
@@ -186,6 +188,7 @@ struct RulesSection {
     bool halved_acceleration = false;
     bool dropped_leftover = false;
     bool displaced_hold = false;
+    std::string integrator = "verlet";
 
     static constexpr std::array<std::string_view, 3> orders = {"sweeps_last", "walls_each_pass", "interleaved"};
 
@@ -222,6 +225,10 @@ struct RulesSection {
         visit(self.displaced_hold,
               Field{.name = "displaced_hold",
                     .help = "Known bug (Godot chain): what is carried along also moves by itself, ever faster"});
+        visit(self.integrator,
+              Field{.name = "integrator",
+                    .help = "How free particles move in a step: Verlet as the originals, or another to compare with",
+                    .choices = integrator_names});
     }
 };
 

@@ -3,6 +3,7 @@
 #include "sinew/session/order.h"
 #include "sinew/session/session.h"
 #include "sinew/session/surface.h"
+#include "sinew/session/traces.h"
 #include "sinew/session/view.h"
 #include "sinew/session/wardrobe.h"
 #include "sinew/solver/edit.h"
@@ -25,6 +26,7 @@ struct Onlooker {
     const Images& images;
     std::optional<Point> pointer;
     std::vector<ParticleId> held; ///< by a pointer
+    const History& history;
 };
 
 template <class WorldT> class Drawer {
@@ -42,6 +44,7 @@ template <class WorldT> class Drawer {
         if (D == 3) draw_floors(scene_, view_, theme_, picture_);
         shadows();
         if (D == 2) draw_walls(scene_, view_, theme_, wall_thickness * unit_, picture_);
+        draw_traces(scene_, onlooker_.history, view_, picture_);
         for (std::size_t i = 0; i < world_.figures.size(); ++i) figure(world_.figures[i], i);
     }
 
@@ -321,7 +324,7 @@ void Session::draw(Picture& picture, OverlaySet overlay) const {
 }
 
 void Session::draw(Picture& picture, OverlaySet overlay, const View& view) const {
-    Onlooker onlooker{images_, pointer(), {}};
+    Onlooker onlooker{images_, pointer(), {}, history_};
     std::visit(
         [&](const auto& world) {
             if (hand_) onlooker.held = hand_->members;

@@ -59,6 +59,7 @@ void Session::become(Scene scene) {
     skip_past_events();
     find_driven();
     keep_going(old);
+    if (!history_.is_of(scene_)) history_.restart(scene_, world_);
 }
 
 /// Those whose step is over. What comes again and again goes on.

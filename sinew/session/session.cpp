@@ -31,6 +31,7 @@ Session::Session(Opened opened)
     plan_events();
     find_driven();
     note_parted();
+    history_.restart(scene_, world_);
 }
 
 void Session::restart() {
@@ -46,6 +47,7 @@ void Session::restart() {
     blowing_.clear();
     happenings_.clear();
     happening_count_ = 0;
+    history_.restart(scene_, world_);
 }
 
 double Session::seconds() const {
@@ -69,6 +71,7 @@ void Session::step() {
     if (stroke_) stroke_->go(world_, stroke_to_);
     std::visit([&]<class WorldT>(WorldT& world) { sinew::step(world, typename WorldT::Real(dt)); }, world_);
     note_events();
+    history_.record(scene_, world_);
 }
 
 void Session::plan_events() {

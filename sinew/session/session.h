@@ -3,6 +3,7 @@
 #include "sinew/scene/scene.h"
 #include "sinew/session/driver.h"
 #include "sinew/session/hand.h"
+#include "sinew/session/history.h"
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
 #include "sinew/session/stroke.h"
@@ -167,6 +168,7 @@ class Session {
     bool taken_over_ = false; ///< by a pointer: the scene's own hand keeps away until a restart
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;
+    History history_;
     std::vector<std::size_t> islands_; ///< of each figure, when last told of
     std::vector<Happening> happenings_;
     std::size_t happening_count_ = 0;

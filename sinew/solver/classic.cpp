@@ -1,3 +1,4 @@
+#include "sinew/solver/free_motion.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
 
@@ -112,6 +113,8 @@ template <int D, class Real> class ClassicStep {
         const Real inertia = rules_.unscaled_inertia ? Real(1) : h_ / verlet_interval(world_);
         const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
         const auto velocity = (p_.position[row] - p_.previous[row]) * inertia;
+        if (const auto integrator = integrator_of(world_, row); !goes_as_verlet(integrator))
+            return integrate(integrator, row, velocity, share);
         const auto push = push_on(world_, row);
         const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
         const auto pushed = fallen - velocity * minimum(Real(1), push.drag_rate * h_);
@@ -119,6 +122,20 @@ template <int D, class Real> class ClassicStep {
             rules_.damp_after_force ? (velocity + pushed) * rules_.keep : velocity * rules_.keep + pushed;
         p_.previous[row] = p_.position[row];
         p_.position[row] = clamp_components(p_.position[row] + moved, limit::coordinate<Real>);
+    }
+
+    /// Another integrator: damping takes its share before the step, or after it; x_prev = x - v h.
+    void integrate(Integrator integrator, Row row, const Vec<D, Real>& velocity, Real share) {
+        const auto gain = [&](const Vec<D, Real>& place, const Vec<D, Real>& change) {
+            const auto push = push_on(world_, row, clamp_components(place, limit::coordinate<Real>));
+            const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
+            return fallen - change * minimum(Real(1), push.drag_rate * h_);
+        };
+        const Real before = rules_.damp_after_force ? Real(1) : rules_.keep;
+        const Real after = rules_.damp_after_force ? rules_.keep : Real(1);
+        const auto moved = advance(integrator, FreeMotion<Vec<D, Real>>{p_.position[row], velocity * before}, gain);
+        p_.position[row] = clamp_components(moved.place, limit::coordinate<Real>);
+        p_.previous[row] = clamp_components(p_.position[row] - moved.change * after, limit::coordinate<Real>);
     }
 
     void move_all() {

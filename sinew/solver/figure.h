@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/id_list.h"
+#include "sinew/solver/integrator.h"
 #include "sinew/solver/name_table.h"
 #include "sinew/solver/stamp.h"
 
@@ -80,6 +81,7 @@ struct Figure {
     std::vector<Numbered> constraint_numbers{};
     std::vector<Piece> pieces{};
     Direct direct = Direct::automatic;
+    std::optional<Integrator> integrator{}; ///< in classic mode; nothing: that of the rules
     bool tethers = false; ///< nothing of it gets further from what pins it than its links reach (plan.h)
     bool quarantined = false;
     std::uint32_t generation = Stamp::none; ///< of its FigureId; none: not in use

@@ -6,6 +6,7 @@
 #include "sinew/solver/figure.h"
 #include "sinew/solver/force.h"
 #include "sinew/solver/id.h"
+#include "sinew/solver/integrator.h"
 #include "sinew/solver/limit_columns.h"
 #include "sinew/solver/passive.h"
 #include "sinew/solver/swept.h"
@@ -242,6 +243,8 @@ enum class PassOrder : std::uint8_t {
 template <class Real> struct ClassicRules {
     int passes = 1;
     PassOrder order = PassOrder::sweeps_last;
+    /// Of all that belongs to no figure with an integrator of its own.
+    Integrator integrator = Integrator::verlet;
     Real keep = 1;                 ///< velocity kept each frame (the originals' "damping" or "friction")
     bool damp_after_force = false; ///< (v + a) keep, as on Roblox; else v keep + a, as in Godot
     bool root_free = false;        ///< distances by s = r^2/(d^2 + r^2) - 1/2 instead of a square root (Jakobsen)
@@ -340,6 +343,13 @@ template <class Real> constexpr Real inverse_of_mass(Real mass) {
 /// The time between `previous` and `position`: the last step, a frame before there was one.
 template <int D, class Real> Real verlet_interval(const World<D, Real>& world) {
     return minimum(world.last_step > Real(0) ? world.last_step : world.settings.frame, limit::step<Real>);
+}
+
+/// What moves a particle in classic mode: its figure's integrator, or else that of the rules.
+template <int D, class Real> Integrator integrator_of(const World<D, Real>& world, Row row) {
+    const auto figure = world.particles.figure[row];
+    const auto usual = world.settings.classic.integrator;
+    return figure < world.figures.size() ? world.figures[figure].integrator.value_or(usual) : usual;
 }
 
 /// Calls visit(table) for every kind's table, in the order of the list of kinds.
