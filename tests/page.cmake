@@ -1,4 +1,5 @@
 # Programs, patches and scenes that pages show, for tests that do what the page says.
+cmake_minimum_required(VERSION 3.25)
 
 # run(COMMAND...) fails the test where the command fails.
 function(run)
@@ -45,5 +46,8 @@ function(take_blocks page language)
         string(APPEND all "${one}\n")
         string(SUBSTRING "${rest}" ${end} -1 rest)
     endwhile()
+    if(all STREQUAL "")
+        message(FATAL_ERROR "${page} has no ```${language} block")
+    endif()
     set(block "${all}" PARENT_SCOPE)
 endfunction()
