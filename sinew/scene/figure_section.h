@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/constraint/kind_table.h"
 #include "sinew/math/point.h"
 #include "sinew/prefab/prefabs.h"
 #include "sinew/scene/driver_section.h"
@@ -13,9 +14,6 @@
 
 /// What there is in a scene: its figures, and what joins and holds them.
 namespace sinew {
-
-inline constexpr std::array<std::string_view, 7> kind_names = {"distance", "angle",  "area", "volume",
-                                                               "dihedral", "pulley", "rail"};
 
 /// What moves the limits of a constraint: "drive". Of a distance it is a winch, of an angle a motor.
 struct DriveKey {
