@@ -156,8 +156,8 @@ class RenderCommand final : public Command {
                           "\nThe scene moves at its own rate; a frame shows the last step before it is due. A picture\n"
                           "without --at is taken at --seconds, or else after a fifth of the scene's time.\n"
                           "--beside draws up to four variants of the scene in one frame, each under its name, in the\n"
-                          "same scale and at the same time: classic,physical or solver.substeps=1,solver.substeps=16.\n"
-                          "--size then is that of each.\n"
+                          "same scale (unless a mode has a view of its own) and at the same time: classic,physical or\n"
+                          "solver.substeps=1,solver.substeps=16. --size then is that of each.\n"
                           "Films need ffmpeg. A file appears under its name when it is complete, or not at all.\n";
     SceneWords words;
     std::string path, format, overlays_wanted, beside;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace sinew::cli {
 namespace {
@@ -34,6 +35,16 @@ std::vector<std::string> split_at_commas(const std::string& list) {
 
 bool is_mode(std::string_view word) {
     return std::ranges::find(SolverSection::modes, word) != SolverSection::modes.end();
+}
+
+/// A mode can be another scene, with a view of its own: then the scale is its own too.
+bool has_same_view(const Scene& a, const Scene& b) {
+    const auto key = [](const Scene& scene) {
+        const auto& [eye, target, field_of_view, projection] = scene.view.camera;
+        return std::tuple(scene.dimension, scene.units.length, scene.units.up, scene.view.center, scene.view.height,
+                          eye, target, field_of_view, projection);
+    };
+    return key(a) == key(b);
 }
 
 std::vector<Override> overrides_of(const SceneWords& words, const std::string& variant) {
@@ -92,12 +103,14 @@ void Stage::advance(double seconds, canvas::Progress& progress) {
 
 void Stage::draw(Picture& picture, std::array<int, 2> one, OverlaySet overlay) {
     const auto& first = runs_.front().session;
-    const View view(first.scene(), first.focus(), one[0], one[1]);
+    const View shared(first.scene(), first.focus(), one[0], one[1]);
     std::vector<canvas::Labelled> parts;
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         auto& part = pictures_.empty() ? picture : pictures_[i];
         part.width = one[0], part.height = one[1];
-        runs_[i].session.draw(part, overlay, view);
+        const auto& session = runs_[i].session;
+        const bool shares = has_same_view(first.scene(), session.scene());
+        session.draw(part, overlay, shares ? shared : View(session.scene(), session.focus(), one[0], one[1]));
         if (!pictures_.empty()) parts.push_back({&part, labels_[i]});
     }
     if (!parts.empty()) canvas::put_beside(parts, picture);

@@ -11,15 +11,15 @@
 
 namespace sinew::cli {
 
-/// A scene that is drawn, or variants of it beside each other: at the same time, in the same scale, each under its
-/// name.
+/// A scene that is drawn, or variants of it beside each other: at the same time, in the same scale unless a mode has a
+/// view of its own, each under its name.
 class Stage {
   public:
     /// A variant is a mode or key=value, over the overrides that all share; without variants the scene stands alone.
     /// Files that are read are noted in `read`. Throws GiveUp.
     Stage(const SceneWords& words, std::span<const std::string> variants, WatchedFiles* read = nullptr);
 
-    /// The first, whose size, time and view are those of all.
+    /// The first, whose size and time are those of all.
     const Scene& scene() const { return runs_.front().session.scene(); }
 
     /// Pixels of the whole where one picture has so many.

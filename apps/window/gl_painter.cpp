@@ -213,15 +213,16 @@ void GlPainter::use(std::uint32_t texture) {
 
 void GlPainter::begin_pane(std::span<const Vec2<float>> corners, const Color& paper) {
     if (corners.size() != 2) return;
-    const auto low = [&](int i) { return std::floor(minimum(corners[0][i], corners[1][i])); };
-    const auto side = [&](int i) { return std::ceil(maximum(corners[0][i], corners[1][i])) - low(i); };
+    constexpr float far = 1e6F; // pixels
+    const auto low = [&](int i) { return clamp(std::floor(minimum(corners[0][i], corners[1][i])), -far, far); };
+    const auto high = [&](int i) { return clamp(std::ceil(maximum(corners[0][i], corners[1][i])), -far, far); };
+    const auto side = [&](int i) { return high(i) - low(i); };
     batches_.push_back({batches_.back().texture,
                         std::uint32_t(indices_.size()),
                         0,
                         {int(low(0)), int(low(1)), int(side(0)), int(side(1))}});
-    const float right = low(0) + side(0), below = low(1) + side(1);
     const std::array<Vec2<float>, 4> rectangle = {
-        {{{low(0), low(1)}}, {{right, low(1)}}, {{right, below}}, {{low(0), below}}}};
+        {{{low(0), low(1)}}, {{high(0), low(1)}}, {{high(0), high(1)}}, {{low(0), high(1)}}}};
     add_polygon(rectangle, rgba_of(paper));
     paper_ = paper;
 }
