@@ -183,12 +183,14 @@ class RenderCommand final : public Command {
         declare_number(parser, "--at", wishes.at, possible_seconds, "T",
                        "the second that a picture shows, or that a film or sheet begins at");
         declare_pair(parser, "--sheet", wishes.sheet, "CxR", "columns and rows of frames on one picture");
+        declare_text(parser, "--pointer", pointer_path, "FILE", "plays a pointer's path: time, x, y, button a line");
         declare_text(parser, "--overlay", wishes.overlay, "A,B", "what to lay over it to see into the world");
     }
 
     int run() override {
         const auto overlay = overlay_of(wishes.overlay);
         Run run(open_file(words.scene, words.overrides));
+        if (!pointer_path.empty()) run.pointer = PointerPath::read(pointer_path);
         if (path.empty()) path = fmt::format("out/{}.png", title_of(words.scene));
         canvas::catch_interrupts();
         auto job = begin_file(path, wishes, run.session.scene());
@@ -201,9 +203,10 @@ class RenderCommand final : public Command {
                           "\nAn overlay is one or more of these:\n\n" + overlays_text() +
                           "\nThe scene moves at its own rate; a frame shows the last step before it is due. A picture\n"
                           "without --at is taken at --seconds, or else after a fifth of the scene's time.\n"
+                          "A pointer's path is explained by `sinew help run`.\n"
                           "Films need ffmpeg. A file appears under its name when it is complete, or not at all.\n";
     SceneWords words;
-    std::string path;
+    std::string path, pointer_path;
     Wishes wishes;
 };
 

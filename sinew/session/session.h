@@ -6,6 +6,7 @@
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
 #include "sinew/session/stroke.h"
+#include "sinew/session/trails.h"
 #include "sinew/session/winder.h"
 
 #include <array>
@@ -126,12 +127,10 @@ class Session {
         PinId pin;
         std::size_t section = 0; ///< of the scene's pins
         Point rest;
-        Seeker seeker;
     };
 
     void find_driven();
     void drive();
-    template <class WorldT> void kick_driven(const WorldT& world, const KickEvent& kick, std::uint64_t before);
     /// An event that is still to come.
     struct Due {
         double at = 0;
@@ -147,6 +146,7 @@ class Session {
     void happen(const EventSection& event, std::uint64_t before);
     template <class WorldT> void hold_around(WorldT& world, ParticleId middle, const GrabEvent& grab, const Held& held);
     void carry_held();
+    std::optional<PinId> freeze_hovered();
     void still_gusts();
     void keep_going(const AnyWorld& old);
     void note(std::string what, std::string where, std::size_t islands = 0);
@@ -160,6 +160,7 @@ class Session {
     std::vector<Due> due_;       ///< a heap
     std::vector<Driven> driven_;
     Winder winder_;
+    Trails trails_;
     std::optional<Point> pointer_;
     std::optional<Hand> hand_;
     std::optional<Stroke> stroke_; ///< of the pointer, instead of a hand

@@ -17,6 +17,7 @@ void dress(Style& style, const Look& look, const Theme& theme) {
     if (look.image) style.image = &*look.image;
     if (look.width) style.width = look.width;
     if (look.hidden) style.hidden = look.hidden;
+    if (look.trail) style.trail = look.trail;
 }
 
 bool is_part_of(const std::string& key, const std::string& figure, const std::string& part) {

@@ -15,6 +15,7 @@ struct Style {
     std::optional<Color> hover;
     std::optional<double> width;
     std::optional<bool> hidden;
+    std::optional<double> trail; ///< time units
     std::span<const double> profile;
     const ImageLook* image = nullptr; ///< of the scene
 };

@@ -154,7 +154,10 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
                           .target = spec.target.value_or(position),
                           .compliance = clamp(spec.compliance, Real(0), most),
                           .damping = clamp(spec.damping, Real(0), most),
-                          .max_force = clamp(spec.max_force, Real(0), most)});
+                          .max_force = clamp(spec.max_force, Real(0), most),
+                          .hold = spec.hold,
+                          .steer = clamp_components(spec.steer, most),
+                          .steer_damping = clamp(spec.steer_damping, Real(0), most)});
     if (world.pins.back().hard() && world.particles.mobility[*row] > Real(0)) {
         world.particles.mobility[*row] = Real(0);
         detail::note_mobility(world, *row);
@@ -165,7 +168,7 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
 
 template <int D, class Real> bool move_pin(World<D, Real>& world, PinId pin, const Vec<D, Real>& target) {
     const auto row = world.pin_slots.find(pin);
-    if (row) world.pins[*row].target = target, world.pins[*row].moves = true;
+    if (row) world.pins[*row].target = target;
     return row.has_value();
 }
 
