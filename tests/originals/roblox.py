@@ -110,6 +110,13 @@ def box(**how):
     return World(points, [("box/" + a, "box/" + b) for a, b in edges], CANVAS, **how)
 
 
+def thrown(world, vx, vy):
+    for point in world.points.values():
+        point.old_x -= vx
+        point.old_y -= vy
+    return world
+
+
 # The rig of the place file: fifteen points and twenty-one segments, about the middle between the shoulders.
 JOINTS = {
     "left_shoulder": (-10, 0), "right_shoulder": (10, 0), "left_hip": (-10, 40), "right_hip": (10, 40), "center": (0, 0),
@@ -137,12 +144,9 @@ class Cloth(World):
     def __init__(self, random_push, **how):
         self.grid = [(column, row) for row in range(7) for column in range(10)]
         points = {self.name(*at): Point(280 + 50 * (at[0] - 4.5), 50 + 50 * at[1], stiff=at[1] == 0) for at in self.grid}
-        segments = []
-        for column, row in self.grid:
-            if column > 0:
-                segments.append((self.name(column - 1, row), self.name(column, row)))
-            if row > 0:
-                segments.append((self.name(column, row - 1), self.name(column, row)))
+        across = [(self.name(c, r), self.name(c + 1, r)) for c, r in self.grid if c < 9]
+        down = [(self.name(c, r), self.name(c, r + 1)) for c, r in self.grid if r < 6]
+        segments = across + down
         super().__init__(points, segments, **how)
         self.random_push, self.frames = random_push, 0
 
