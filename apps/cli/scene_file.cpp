@@ -100,6 +100,12 @@ std::string read_path(const fs::path& path, std::size_t most) {
     return read_at_most(file.get(), path.string(), most);
 }
 
+/// It can be read once; who asks again is given the same.
+const std::string& standard_input(std::size_t most) {
+    static const std::string text = read_at_most(stdin, "<stdin>", most);
+    return text;
+}
+
 /// What the overrides alone say about it.
 std::size_t bytes_allowed(std::span<const Override> overrides) {
     return std::size_t(load("{}", {}, overrides).limits.bytes);
@@ -109,18 +115,24 @@ std::size_t bytes_allowed(std::span<const Override> overrides) {
 
 Document open_document(const std::string& word, std::span<const Override> overrides) {
     const auto most = bytes_allowed(overrides);
-    if (word == "-") return load(read_at_most(stdin, "<stdin>", most), "<stdin>", overrides);
+    if (word == "-") return load(standard_input(most), "<stdin>", overrides);
     const auto path = path_of(word);
     return load(read_path(path, most), path.string(), overrides);
 }
 
-Opened open_file(const std::string& word, std::span<const Override> overrides) {
+Opened open_file(const std::string& word, std::span<const Override> overrides, WatchedFiles* read) {
+    const auto note = [&](const fs::path& path) {
+        if (read) read->add(path);
+    };
+    if (word != "-") note(path_of(word));
     auto document = open_document(word, overrides);
     const auto folder = word == "-" ? fs::path(".") : path_of(word).parent_path();
     const auto read_image = [&](const std::string& name, const Limits& limits) {
+        note(folder / name);
         return canvas::read_png(folder / name, name, limits);
     };
     const auto read_obj_file = [&](const std::string& name, const Limits& limits) {
+        note(folder / name);
         return read_model_at(folder / name, name, limits);
     };
     if (auto opened = open_scene(document, read_image, read_obj_file)) return std::move(*opened);

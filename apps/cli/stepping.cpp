@@ -46,10 +46,10 @@ void Run::advance(std::uint64_t steps) {
     for (; taken < steps; ++taken) step();
 }
 
-void Run::advance(std::uint64_t steps, canvas::Progress& progress) {
+void Run::advance(std::uint64_t steps, canvas::Progress& progress, std::uint64_t others) {
     for (; taken < steps; ++taken) {
         step();
-        progress.update(std::size_t(taken));
+        progress.update(std::size_t(others + taken));
     }
 }
 

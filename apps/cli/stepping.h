@@ -23,8 +23,8 @@ class Run {
 
     /// Steps on until `steps` are taken in all. Gives up on Ctrl-C.
     void advance(std::uint64_t steps);
-    /// With a progress bar.
-    void advance(std::uint64_t steps, canvas::Progress& progress);
+    /// With a progress bar, which also counts `others`.
+    void advance(std::uint64_t steps, canvas::Progress& progress, std::uint64_t others = 0);
 
     std::uint64_t steps() const { return taken; }
 

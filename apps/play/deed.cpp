@@ -9,7 +9,11 @@ struct Doer {
     Session& session;
 
     void operator()(const PointAt& deed) const { session.point_at(deed.place); }
-    void operator()(const Grab& deed) const { session.grab(deed.members, deed.place); }
+    void operator()(const Grab& deed) const {
+        std::vector<ParticleId> members;
+        for (const Row row : deed.members) members.push_back(id_of(row));
+        session.grab(members, deed.place);
+    }
     void operator()(const Drag& deed) const { session.drag(deed.place); }
     void operator()(const LetGo&) const { session.let_go(); }
     void operator()(const Slash& deed) const { session.cut(deed.line, {}, deed.view); }
@@ -22,15 +26,32 @@ struct Doer {
             [&]<class WorldT>(WorldT& world) {
                 using Real = typename WorldT::Real;
                 constexpr int D = WorldT::dimension;
-                if (deed.position) set_position(world, deed.particle, deed.position->template as<D, Real>());
-                if (deed.velocity) set_velocity(world, deed.particle, deed.velocity->template as<D, Real>());
-                if (deed.mass) set_mass(world, deed.particle, Real(*deed.mass));
+                const auto id = id_of(deed.particle);
+                if (deed.position) set_position(world, id, deed.position->template as<D, Real>());
+                if (deed.velocity) set_velocity(world, id, deed.velocity->template as<D, Real>());
+                if (deed.mass) set_mass(world, id, Real(*deed.mass));
+            },
+            session.world());
+    }
+
+    ParticleId id_of(Row row) const {
+        return std::visit(
+            [&](const auto& world) {
+                return row < world.particles.size() ? world.particles.slots.id_of(row) : ParticleId{};
             },
             session.world());
     }
 };
 
 } // namespace
+
+std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> particles) {
+    constexpr Row none = ~Row(0);
+    std::vector<Row> rows;
+    for (const auto id : particles)
+        rows.push_back(std::visit([&](const auto& any) { return row_of(any, id).value_or(none); }, world));
+    return rows;
+}
 
 void carry_out(const Deed& deed, Session& session) {
     std::visit(Doer{session}, deed);

@@ -5,18 +5,19 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
 /// What a player can do to a session, as data: done again at the same step of the same session, it leads to the same
-/// bits.
+/// bits. Particles are told by their rows: ids are given out anew when a step is done again, rows are the same.
 namespace sinew::play {
 
 struct PointAt {
     std::optional<Point> place;
 }; ///< for pins that follow the pointer
 struct Grab {
-    std::vector<ParticleId> members; ///< one, or several with the place between them
+    std::vector<Row> members; ///< one, or several with the place between them
     Point place;
 };
 struct Drag {
@@ -40,12 +41,15 @@ struct Quicken {
 }; ///< time passes faster or slower
 /// Sets what is said of one particle.
 struct Tweak {
-    ParticleId particle;
+    Row particle = 0;
     std::optional<Point> position, velocity;
     std::optional<double> mass;
 };
 
 using Deed = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart, Quicken, Tweak>;
+
+/// The rows of particles now; of one that is gone, none that there is.
+std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> particles);
 
 void carry_out(const Deed& deed, Session& session);
 

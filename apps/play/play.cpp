@@ -125,6 +125,7 @@ void Play::advance(double seconds, const std::function<bool()>& enough) {
         }
     }
     if (over_ && !held_) hovered = pick_here(); // things move under a pointer that rests
+    find_selected_again();
 }
 
 void Play::pause(bool on) {
@@ -302,6 +303,25 @@ void Play::handle(const Input& input) {
         void operator()(const Left&) const { play.over_ = false, play.hovered.reset(); }
     };
     std::visit(Handler{*this}, input);
+}
+
+void Play::select(std::optional<Picked> picked) {
+    selected = std::move(picked);
+    selected_names_.clear();
+    if (!selected) return;
+    for (const auto id : selected->members) selected_names_.push_back(name_of(session().world(), id));
+}
+
+/// An edit makes the scene's world anew: its particles have other ids then, but the same names.
+void Play::find_selected_again() {
+    if (!selected) return;
+    const auto& world = session().world();
+    for (std::size_t i = 0; i < selected_names_.size(); ++i) {
+        auto& id = selected->members[i];
+        if (place_of(world, {&id, 1})) continue;
+        const auto named = std::visit([&](const auto& any) { return find_particle(any, selected_names_[i]); }, world);
+        id = named.value_or(id);
+    }
 }
 
 std::optional<Picked> Play::pick_here() const {

@@ -101,6 +101,8 @@ class Play {
     bool quit = false;
 
     std::optional<Picked> hovered, selected;
+    /// It stays selected through edits of the scene, as long as its particles have names.
+    void select(std::optional<Picked> picked);
     std::string message; ///< a line about what was just done
 
     /// Called with everything that happens.
@@ -122,6 +124,7 @@ class Play {
     void let_go_of_everything();
     void tell_happenings();
     void look_at_file(double seconds);
+    void find_selected_again();
     void highlight(Picture& picture) const;
     void take_pictures(const Picture& picture);
     Tool& current_tool();
@@ -136,7 +139,8 @@ class Play {
     std::optional<Clock> clock_;
     Eye eye_;
     Vec2<double> pointer_{};
-    bool over_ = false; ///< the pointer is over the picture
+    std::vector<std::string> selected_names_; ///< of its members
+    bool over_ = false;                       ///< the pointer is over the picture
     int width_ = 1280, height_ = 720;
     double density_ = 1;
     bool space_ = false;

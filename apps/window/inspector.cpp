@@ -23,7 +23,7 @@ template <class WorldT> class Shown {
             place[std::size_t(i)] = double(p.position[row_][i]);
             velocity[std::size_t(i)] = double(p.velocity[row_][i]);
         }
-        play::Tweak tweak{.particle = id_, .position = {}, .velocity = {}, .mass = {}};
+        play::Tweak tweak{.particle = row_, .position = {}, .velocity = {}, .mass = {}};
         if (numbers("position", place, units.text(unit::length))) tweak.position = Point{place};
         if (numbers("velocity", velocity, units.text(unit::speed))) tweak.velocity = Point{velocity};
         double mass = double(inverse_or_zero(p.inverse_mass[row_]));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/constraint/kind_table.h"
 #include "sinew/math/point.h"
 #include "sinew/prefab/prefabs.h"
 #include "sinew/scene/driver_section.h"
@@ -13,9 +14,6 @@
 
 /// What there is in a scene: its figures, and what joins and holds them.
 namespace sinew {
-
-inline constexpr std::array<std::string_view, 7> kind_names = {"distance", "angle",  "area", "volume",
-                                                               "dihedral", "pulley", "rail"};
 
 /// What moves the limits of a constraint: "drive". Of a distance it is a winch, of an angle a motor.
 struct DriveKey {
@@ -187,6 +185,7 @@ struct FigureSection {
     std::vector<std::pair<std::string, Point>> kicks;
     std::optional<double> relaxation, split;
     std::string direct;
+    std::string integrator;
     std::vector<std::pair<std::string, Look>> looks;
     detail::WithByHand<Prefabs>::type made; ///< a prefab with its parameters, or by hand
 
@@ -206,6 +205,9 @@ struct FigureSection {
         visit(self.direct, Field{.name = "direct",
                                  .help = "As solver.direct, for what this figure is part of; left out: as there",
                                  .choices = direct_names});
+        visit(self.integrator, Field{.name = "integrator",
+                                     .help = "As solver.rules.integrator, for this figure; left out: as there",
+                                     .choices = integrator_names});
         visit(self.looks, Field{.name = "looks", .help = "How its parts look, by part; \"all\" for the whole"});
         visit(self.made, Field{.name = "prefab", .help = "What it is; left out: by_hand"});
     }

@@ -47,6 +47,7 @@ template <int D, class Real> class Maker {
             .passes = solver.passes,
             .order = std::min(PassOrder(order - RulesSection::orders.begin()), PassOrder::walls_last),
             .moves_each_pass = rules.moves_each_pass,
+            .integrator = integrator(rules.integrator),
             .keep = Real(scene_.world.damping.value_or(1)),
             .damp_after_force = rules.damp_after_force,
             .root_free = rules.root_free,
@@ -79,7 +80,13 @@ template <int D, class Real> class Maker {
                 .seed = seed(force.seed)};
     }
     Attractor<D, Real> field(const AttractorForce& force) const {
-        return {vector(force.center), Real(force.strength), Real(force.softness)};
+        return {vector(force.center), Real(force.strength), Real(force.softness), figure_called(force.figure)};
+    }
+    /// Figures are made in their order; no_figure where the name is empty.
+    FigureIndex figure_called(std::string_view name) const {
+        for (std::size_t i = 0; i < scene_.figures.size(); ++i)
+            if (!name.empty() && name_of(scene_.figures[i]) == name) return FigureIndex(i);
+        return no_figure;
     }
     RandomPush<D, Real> field(const RandomPushForce& force) const {
         return {vector(force.low), vector(force.high), seed(force.seed)};
@@ -112,6 +119,7 @@ template <int D, class Real> class Maker {
         FigureIndex figure = no_figure;
         detail::visit_held(section.made, [&](const auto& made) { figure = build_figure(made, name, section); });
         world_.figures[figure].direct = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
+        if (!section.integrator.empty()) world_.figures[figure].integrator = integrator(section.integrator);
         for (const auto id : world_.figures[figure].particles) speed_up(id, section.velocity);
         for (const auto& [particle, kick] : section.kicks)
             if (const auto id = find_particle(world_, std::string(name) + "/" + particle)) speed_up(*id, kick);
@@ -119,6 +127,10 @@ template <int D, class Real> class Maker {
             figure, section.relaxation, [](auto& table) -> auto& { return table.relaxation; });
         override_column(
             figure, section.split, [](auto& table) -> auto& { return table.split; });
+    }
+
+    static Integrator integrator(std::string_view name) {
+        return Integrator(std::find(integrator_names.begin(), integrator_names.end(), name) - integrator_names.begin());
     }
 
     static Direct direct(std::string_view name) {

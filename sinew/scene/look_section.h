@@ -52,7 +52,6 @@ struct Look {
     std::optional<double> width;
     std::vector<double> profile;
     std::optional<bool> hidden;
-    std::optional<double> trail;
     std::optional<ImageLook> image;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -71,11 +70,6 @@ struct Look {
                                   .low = 0,
                                   .high = 100});
         visit(self.hidden, Field{.name = "hidden", .help = "Not drawn; false shows what is hidden by default"});
-        visit(self.trail, Field{.name = "trail",
-                                .help = "Of dots: the way of so long a time is drawn behind them",
-                                .unit = unit::time,
-                                .low = 0,
-                                .high = 1e6});
         visit(self.image, Field{.name = "image", .help = "Painted in its place"});
     }
 };

@@ -5,6 +5,7 @@
 #include "sinew/scene/figure_section.h"
 #include "sinew/scene/image.h"
 #include "sinew/scene/model.h"
+#include "sinew/scene/trace_section.h"
 #include "sinew/scene/units.h"
 #include "sinew/scene/world_section.h"
 #include "sinew/solver/world.h"
@@ -147,6 +148,7 @@ struct Scene {
     std::vector<PinSection> pins;
     std::vector<std::pair<std::string, Look>> looks;
     std::vector<EventSection> events;
+    std::vector<TraceSection> traces;
     double seconds = 10;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -166,6 +168,7 @@ struct Scene {
         visit(self.pins, Field{.name = "pins", .help = "What is held"});
         visit(self.looks, Field{.name = "looks", .help = "How parts look: by figure/part, by figure, by part"});
         visit(self.events, Field{.name = "events", .help = "What happens when"});
+        visit(self.traces, Field{.name = "traces", .help = "What is drawn of the past: ways and curves"});
         visit(self.seconds, Field{.name = "seconds",
                                   .help = "How long it is worth watching; what render takes",
                                   .low = 0.01,

@@ -116,6 +116,7 @@ struct AttractorForce {
     Point center{};
     double strength = 1;
     double softness = 0.1;
+    std::string figure;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.center, Field{.name = "center", .help = "Where it is", .unit = unit::length, .required = true});
@@ -129,6 +130,7 @@ struct AttractorForce {
                                    .unit = unit::length,
                                    .low = 1e-6,
                                    .high = 1e6});
+        visit(self.figure, Field{.name = "figure", .help = "The only one that it pulls; left out: it pulls all"});
     }
 };
 
@@ -189,6 +191,7 @@ struct RulesSection {
     bool dropped_leftover = false;
     bool displaced_hold = false;
     bool hover_freezes = false;
+    std::string integrator = "verlet";
 
     /// In the order of PassOrder; the last is an older name of the one before it.
     static constexpr std::array<std::string_view, 4> orders = {"sweeps_last", "walls_each_pass", "walls_last",
@@ -245,6 +248,10 @@ struct RulesSection {
               Field{.name = "hover_freezes",
                     .help = "Known bug (Godot chain, second version): what the pointer is over is corrected, but not "
                             "moved; see pointer.hover_size"});
+        visit(self.integrator,
+              Field{.name = "integrator",
+                    .help = "How free particles move in a step: Verlet as the originals, or another to compare with",
+                    .choices = integrator_names});
     }
 };
 

@@ -3,6 +3,7 @@
 #include "sinew/session/order.h"
 #include "sinew/session/session.h"
 #include "sinew/session/surface.h"
+#include "sinew/session/traces.h"
 #include "sinew/session/view.h"
 #include "sinew/session/wardrobe.h"
 #include "sinew/solver/edit.h"
@@ -23,9 +24,9 @@ constexpr std::array<float, 3> penumbra = {9, 5, 1}; // how much wider than the 
 /// What a drawer knows beyond the world.
 struct Onlooker {
     const Images& images;
-    const Trails& trails;
     std::optional<Point> pointer;
     std::vector<ParticleId> held; ///< by a pointer
+    const History& history;
 };
 
 template <class WorldT> class Drawer {
@@ -43,7 +44,7 @@ template <class WorldT> class Drawer {
         if (D == 3) draw_floors(scene_, view_, theme_, picture_);
         shadows();
         if (D == 2) draw_walls(scene_, view_, theme_, wall_thickness * unit_, picture_);
-        onlooker_.trails.draw(scene_, view_, unit_, picture_);
+        draw_traces(scene_, onlooker_.history, view_, picture_);
         for (std::size_t i = 0; i < world_.figures.size(); ++i) figure(world_.figures[i], i);
     }
 
@@ -323,7 +324,7 @@ void Session::draw(Picture& picture, OverlaySet overlay) const {
 }
 
 void Session::draw(Picture& picture, OverlaySet overlay, const View& view) const {
-    Onlooker onlooker{images_, trails_, pointer(), {}};
+    Onlooker onlooker{images_, pointer(), {}, history_};
     std::visit(
         [&](const auto& world) {
             if (hand_) onlooker.held = hand_->members;

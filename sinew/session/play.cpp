@@ -56,10 +56,10 @@ void Session::become(Scene scene) {
     transplant(scene_, world_, scene, fresh);
     const AnyWorld old = std::exchange(world_, std::move(fresh));
     scene_ = std::move(scene);
-    trails_ = Trails(scene_, world_);
     skip_past_events();
     find_driven();
     keep_going(old);
+    if (!history_.is_of(scene_)) history_.restart(scene_, world_);
 }
 
 /// Those whose step is over. What comes again and again goes on.

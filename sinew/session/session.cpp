@@ -27,15 +27,15 @@ template <class WorldT> bool is_link(const Event& torn) {
 
 Session::Session(Opened opened)
     : scene_(std::move(opened.scene)), world_(std::move(opened.world)), images_(std::move(opened.images)),
-      focus_(focus_of(scene_, world_)), trails_(scene_, world_) {
+      focus_(focus_of(scene_, world_)) {
     plan_events();
     find_driven();
     note_parted();
+    history_.restart(scene_, world_);
 }
 
 void Session::restart() {
     world_ = instantiate(scene_);
-    trails_ = Trails(scene_, world_);
     islands_.clear();
     note_parted();
     plan_events();
@@ -47,6 +47,7 @@ void Session::restart() {
     blowing_.clear();
     happenings_.clear();
     happening_count_ = 0;
+    history_.restart(scene_, world_);
 }
 
 double Session::seconds() const {
@@ -76,7 +77,7 @@ void Session::step() {
         },
         world_);
     note_events();
-    trails_.note(world_);
+    history_.record(scene_, world_);
 }
 
 void Session::plan_events() {

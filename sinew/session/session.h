@@ -3,10 +3,10 @@
 #include "sinew/scene/scene.h"
 #include "sinew/session/driver.h"
 #include "sinew/session/hand.h"
+#include "sinew/session/history.h"
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
 #include "sinew/session/stroke.h"
-#include "sinew/session/trails.h"
 #include "sinew/session/winder.h"
 
 #include <array>
@@ -160,7 +160,6 @@ class Session {
     std::vector<Due> due_;       ///< a heap
     std::vector<Driven> driven_;
     Winder winder_;
-    Trails trails_;
     std::optional<Point> pointer_;
     std::optional<Hand> hand_;
     std::optional<Stroke> stroke_; ///< of the pointer, instead of a hand
@@ -168,6 +167,7 @@ class Session {
     bool taken_over_ = false; ///< by a pointer: the scene's own hand keeps away until a restart
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;
+    History history_;
     std::vector<std::size_t> islands_; ///< of each figure, when last told of
     std::vector<Happening> happenings_;
     std::size_t happening_count_ = 0;

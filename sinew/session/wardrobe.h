@@ -15,7 +15,6 @@ struct Style {
     std::optional<Color> hover;
     std::optional<double> width;
     std::optional<bool> hidden;
-    std::optional<double> trail; ///< time units
     std::span<const double> profile;
     const ImageLook* image = nullptr; ///< of the scene
 };
@@ -37,6 +36,7 @@ class Wardrobe {
     const Theme& theme_;
     std::size_t figure_;
     const std::string& name_;
+    const FigureSection* section_ = nullptr; ///< of the scene; none of a figure that came in another way
     Style last_;
     std::string last_part_;
     bool dressed_ = false;

@@ -1,3 +1,4 @@
+#include "sinew/solver/free_motion.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
 
@@ -105,7 +106,7 @@ template <int D, class Real> class ClassicStep {
     void steer(const Pin<D, Real>& pin, Row row) {
         if (!is_free(row)) return;
         const auto way = pin.target - p_.position[row];
-        advance(row, {.acceleration = Vec<D, Real>::map([&](int i) { return pin.steer[i] * way[i]; }),
+        move_by(row, {.acceleration = Vec<D, Real>::map([&](int i) { return pin.steer[i] * way[i]; }),
                       .drag_rate = pin.steer_damping});
         stay(row);
     }
@@ -125,22 +126,50 @@ template <int D, class Real> class ClassicStep {
     void move_all() {
         for (Row row = 0; row < p_.size(); ++row)
             if (is_free(row)) {
-                advance(row, push_on(world_, row));
+                move(row);
                 p_.force[row] = {}; // a force acts in one move of a frame
             }
     }
 
+    void move(Row row) {
+        const auto integrator = integrator_of(world_, row);
+        goes_as_verlet(integrator) ? move_by(row, push_on(world_, row)) : integrate(integrator, row);
+    }
+
     /// v = x - x_prev; x_prev = x; x += keep v + a h^2
-    void advance(Row row, const Push<D, Real>& push) {
-        const Real inertia = rules_.unscaled_inertia ? Real(1) : h_ / verlet_interval(world_);
-        const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
-        const auto velocity = (p_.position[row] - p_.previous[row]) * inertia;
-        const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
-        const auto pushed = fallen - velocity * minimum(Real(1), push.drag_rate * h_);
+    void move_by(Row row, const Push<D, Real>& push) {
+        const auto velocity = velocity_of(row);
+        const auto pushed = gained(push, velocity);
         const auto moved =
             rules_.damp_after_force ? (velocity + pushed) * rules_.keep : velocity * rules_.keep + pushed;
         p_.previous[row] = p_.position[row];
         p_.position[row] = clamp_components(p_.position[row] + moved, limit::coordinate<Real>);
+    }
+
+    /// As a displacement in a step.
+    Vec<D, Real> velocity_of(Row row) const {
+        const Real inertia = rules_.unscaled_inertia ? Real(1) : h_ / verlet_interval(world_);
+        return (p_.position[row] - p_.previous[row]) * inertia;
+    }
+
+    /// What a push adds to a velocity, both as displacements in a step.
+    Vec<D, Real> gained(const Push<D, Real>& push, const Vec<D, Real>& velocity) const {
+        const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
+        const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
+        return fallen - velocity * minimum(Real(1), push.drag_rate * h_);
+    }
+
+    /// Another integrator: damping takes its share before the step, or after it; x_prev = x - v h.
+    void integrate(Integrator integrator, Row row) {
+        const auto gain = [&](const Vec<D, Real>& place, const Vec<D, Real>& change) {
+            return gained(push_on(world_, row, clamp_components(place, limit::coordinate<Real>)), change);
+        };
+        const Real before = rules_.damp_after_force ? Real(1) : rules_.keep;
+        const Real after = rules_.damp_after_force ? rules_.keep : Real(1);
+        const auto moved =
+            advance(integrator, FreeMotion<Vec<D, Real>>{p_.position[row], velocity_of(row) * before}, gain);
+        p_.position[row] = clamp_components(moved.place, limit::coordinate<Real>);
+        p_.previous[row] = clamp_components(p_.position[row] - moved.change * after, limit::coordinate<Real>);
     }
 
     /// The constraints in the order they were added.

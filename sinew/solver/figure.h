@@ -1,7 +1,9 @@
 #pragma once
 
 #include "sinew/solver/id_list.h"
+#include "sinew/solver/integrator.h"
 #include "sinew/solver/name_table.h"
+#include "sinew/solver/stamp.h"
 
 #include <optional>
 #include <span>
@@ -67,6 +69,7 @@ enum class Direct : unsigned char {
 inline constexpr std::array<std::string_view, 3> direct_names = {"auto", "on", "off"}; ///< in their order
 
 /// What a prefab built: names for its particles and constraints, and what to draw. Positions are elsewhere, in columns.
+/// Where one was removed another stands that is empty and not in use.
 struct Figure {
     std::string name{};
     std::string prefab{};
@@ -78,8 +81,12 @@ struct Figure {
     std::vector<Numbered> constraint_numbers{};
     std::vector<Piece> pieces{};
     Direct direct = Direct::automatic;
+    std::optional<Integrator> integrator{}; ///< in classic mode; nothing: that of the rules
     bool tethers = false; ///< nothing of it gets further from what pins it than its links reach (plan.h)
     bool quarantined = false;
+    std::uint32_t generation = Stamp::none; ///< of its FigureId; none: not in use
+
+    bool in_use() const { return generation != Stamp::none; }
 };
 
 } // namespace sinew

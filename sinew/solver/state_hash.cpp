@@ -29,12 +29,13 @@ class Digest {
         add(mode, substeps, iterations, damping, frame, classic);
     }
     template <class Real> void add_one(const ClassicRules<Real>& rules) {
-        const auto& [passes, order, moves_each_pass, keep, damp_after_force, root_free, bounce, floor_keep, time_scale,
-                     longest_step, outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration,
-                     dropped_leftover] = rules;
+        const auto& [passes, order, moves_each_pass, integrator, keep, damp_after_force, root_free, bounce, floor_keep,
+                     time_scale, longest_step, outward_bounce, points_only_passes, unscaled_inertia,
+                     halved_acceleration, dropped_leftover] = rules;
         add(passes, order, keep, damp_after_force, root_free, bounce, floor_keep, time_scale, longest_step,
             outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration);
         if (dropped_leftover || moves_each_pass) add(dropped_leftover, moves_each_pass);
+        if (integrator != Integrator::verlet) add(integrator);
     }
 
     template <int D, class Real> void add_one(const Force<D, Real>& force) {
@@ -48,8 +49,9 @@ class Digest {
         add(velocity, strength, gust, gust_period, gust_size, seed);
     }
     template <int D, class Real> void add_field(const Attractor<D, Real>& attractor) {
-        const auto& [center, strength, softness] = attractor;
+        const auto& [center, strength, softness, figure] = attractor;
         add(center, strength, softness);
+        if (figure != no_figure) add(figure);
     }
     template <int D, class Real> void add_field(const RandomPush<D, Real>& push) {
         const auto& [low, high, seed] = push;
@@ -88,6 +90,8 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
                    pin.damping, pin.max_force);
     for (const auto& pin : world.pins)
         if (pin.hold != Hold::fixed || pin.steers()) digest.add(pin.hold, pin.steer, pin.steer_damping);
+    for (std::size_t i = 0; i < world.figures.size(); ++i)
+        if (world.figures[i].integrator) digest.add(i, *world.figures[i].integrator);
     for (const auto& force : world.forces) digest.add(force);
     for (const auto& plane : world.bounds) digest.add(plane);
     return digest.value();

@@ -114,7 +114,7 @@ TEST(PlayTape, GoesBackToTheSameBits) {
         std::visit([](const auto& world) { return *find_particle(world, "bob/right_hand"); }, tape.session().world());
     for (int i = 1; i <= 200; ++i) {
         tape.step();
-        if (i == 50) tape.act(Grab{{hand}, {{240, 100, 0}}});
+        if (i == 50) tape.act(Grab{rows_of(tape.session().world(), {&hand, 1}), {{240, 100, 0}}});
         if (i > 50 && i < 90) tape.act(Drag{{{240.0 + i, 100, 0}}});
         if (i == 90) tape.act(LetGo{});
         hashes.push_back(hash_of(tape.session()));

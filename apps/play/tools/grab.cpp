@@ -17,10 +17,10 @@ class GrabTool final : public Tool {
 
     void press(Play& play) override {
         const auto picked = play.pick_here();
-        play.selected = picked;
+        play.select(picked);
         if (!picked) return;
         depth_ = picked->depth;
-        play.tape().act(Grab{picked->members, picked->place});
+        play.tape().act(Grab{rows_of(play.session().world(), picked->members), picked->place});
         held_ = play.session().holds();
         if (held_) play.tell("grab", {{"particle", name_of(play.session().world(), picked->members.front())}});
     }
