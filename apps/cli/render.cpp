@@ -80,6 +80,7 @@ class RenderCommand final : public Command {
         declare_number(parser, "--at", wishes.at, possible_seconds, "T",
                        "the second that a picture shows, or that a film or sheet begins at");
         declare_pair(parser, "--sheet", wishes.sheet, "CxR", "columns and rows of frames on one picture");
+        declare_text(parser, "--pointer", pointer_path, "FILE", "plays a pointer's path: time, x, y, button a line");
         declare_text(parser, "--overlay", overlays_wanted, "A,B", "what to lay over it to see into the world");
         declare_text(parser, "--beside", beside, "A,B", "variants beside each other: modes, or key=value");
         declare_flag(parser, "--watch", watch, "draw again whenever a file of the scene changes; Ctrl+C ends");
@@ -107,9 +108,15 @@ class RenderCommand final : public Command {
             refuse("sinew", "standard output is a terminal", "lead it into a file or a pipe: ... -o - > picture.png");
     }
 
+    Stage begin_stage(WatchedFiles* read) const {
+        Stage stage(words, variants, read);
+        if (!pointer_path.empty()) stage.lead_pointer(PointerPath::read(pointer_path));
+        return stage;
+    }
+
     /// What to say about it.
     std::string draw_into_file(WatchedFiles* read) {
-        Stage stage(words, variants, read);
+        auto stage = begin_stage(read);
         auto shooting = begin_file(path, path, wishes, stage);
         write_frames(shooting, stage, overlay, path);
         std::error_code unknown;
@@ -121,7 +128,7 @@ class RenderCommand final : public Command {
         const std::string called = "standard output";
         const auto kind = fmt::format(".{}", format.empty() ? "png" : format.substr(format.starts_with('.')));
         if (!canvas::format_of("a" + kind)) settle(canvas::check(called + kind, {}));
-        Stage stage(words, variants);
+        auto stage = begin_stage(nullptr);
         const Scrap scrap(fs::temp_directory_path() / "sinew", kind, called);
         auto shooting = begin_file(scrap.path(), called, wishes, stage);
         write_frames(shooting, stage, overlay, called);
@@ -158,9 +165,10 @@ class RenderCommand final : public Command {
                           "--beside draws up to four variants of the scene in one frame, each under its name, in the\n"
                           "same scale (unless a mode has a view of its own) and at the same time: classic,physical or\n"
                           "solver.substeps=1,solver.substeps=16. --size then is that of each.\n"
+                          "A pointer's path is explained by `sinew help run`.\n"
                           "Films need ffmpeg. A file appears under its name when it is complete, or not at all.\n";
     SceneWords words;
-    std::string path, format, overlays_wanted, beside;
+    std::string path, format, overlays_wanted, beside, pointer_path;
     bool watch = false;
     Wishes wishes;
     OverlaySet overlay;

@@ -19,6 +19,11 @@ class Stage {
     /// Files that are read are noted in `read`. Throws GiveUp.
     Stage(const SceneWords& words, std::span<const std::string> variants, WatchedFiles* read = nullptr);
 
+    /// Every variant's pointer goes that way.
+    void lead_pointer(const PointerPath& path) {
+        for (auto& run : runs_) run.pointer = path;
+    }
+
     /// The first, whose size and time are those of all.
     const Scene& scene() const { return runs_.front().session.scene(); }
 

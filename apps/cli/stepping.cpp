@@ -36,17 +36,19 @@ Run::Run(Opened opened) : session(std::move(opened)) {
         session.world());
 }
 
+void Run::step() {
+    give_up_if_interrupted();
+    if (pointer) pointer->lead(session);
+    session.step();
+}
+
 void Run::advance(std::uint64_t steps) {
-    for (; taken < steps; ++taken) {
-        give_up_if_interrupted();
-        session.step();
-    }
+    for (; taken < steps; ++taken) step();
 }
 
 void Run::advance(std::uint64_t steps, canvas::Progress& progress, std::uint64_t others) {
     for (; taken < steps; ++taken) {
-        give_up_if_interrupted();
-        session.step();
+        step();
         progress.update(std::size_t(others + taken));
     }
 }

@@ -2,6 +2,7 @@
 
 #include "sinew/session/session.h"
 
+#include "apps/cli/pointer_file.h"
 #include "canvas/progress.h"
 
 #include <cstdint>
@@ -28,9 +29,12 @@ class Run {
     std::uint64_t steps() const { return taken; }
 
     Session session;
+    std::optional<PointerPath> pointer; ///< leads the session's pointer
 
   private:
     std::uint64_t taken = 0;
+
+    void step();
 };
 
 /// Throws what ends a command after Ctrl-C, if that was pressed.

@@ -15,15 +15,24 @@
 namespace sinew::play {
 namespace {
 
-constexpr double reach = 18;        // nominal pixels: how near the pointer must be to what it takes
 constexpr double a_notch = 1.15;    // how much larger a notch of the wheel shows things
 constexpr double most_notches = 20; // at once
 constexpr double look_every = 0.5;  // seconds between looks at the scene's file
 
-bool has_pointer_pins(const Scene& scene) {
-    return std::any_of(scene.pins.begin(), scene.pins.end(), [](const PinSection& pin) {
-        return pin.driver && std::holds_alternative<PointerDriver>(*pin.driver);
-    });
+bool follows_pointer(const PinSection& pin) {
+    return pin.driver && std::holds_alternative<PointerDriver>(*pin.driver);
+}
+
+bool has_hover(const std::vector<std::pair<std::string, Look>>& looks) {
+    return std::any_of(looks.begin(), looks.end(), [](const auto& look) { return !look.second.hover.empty(); });
+}
+
+/// Whether a pointer that only moves does something to the scene.
+bool feels_pointer(const Scene& scene) {
+    return scene.solver.rules.hover_freezes || has_hover(scene.looks) ||
+           std::any_of(scene.pins.begin(), scene.pins.end(), follows_pointer) ||
+           std::any_of(scene.figures.begin(), scene.figures.end(),
+                       [](const FigureSection& figure) { return has_hover(figure.looks); });
 }
 
 } // namespace
@@ -316,7 +325,7 @@ void Play::find_selected_again() {
 }
 
 std::optional<Picked> Play::pick_here() const {
-    return pick(session().world(), view(), pointer_, reach * density_);
+    return pick(session().world(), view(), pointer_, pick_radius * density_);
 }
 
 void Play::moved(Vec2<double> to) {
@@ -328,7 +337,7 @@ void Play::moved(Vec2<double> to) {
     if (held_ && (held_ == Button::middle || space_)) return eye_.pan(session(), by);
     if (held_ && around) return eye_.orbit(session(), by);
     hovered = pick_here();
-    if (has_pointer_pins(session().scene()) && !clock_->paused())
+    if (feels_pointer(session().scene()) && !clock_->paused())
         tape_->act(PointAt{view().place_of(pointer_, hovered ? hovered->depth : 1)});
 }
 

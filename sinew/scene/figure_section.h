@@ -219,6 +219,8 @@ struct PinSection {
     double compliance = 0;
     double damping = 1;
     double max_force = 0;
+    std::optional<Point> steer;
+    double steer_damping = 0;
     std::optional<Driver> driver;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -239,6 +241,19 @@ struct PinSection {
                                     .unit = unit::force,
                                     .low = 0,
                                     .high = 1e15});
+        visit(self.steer,
+              Field{.name = "steer",
+                    .help = "Accelerates the particle towards the target instead of holding it there, by so much for "
+                            "each unit of distance, along each axis. In classic mode nothing else accelerates it; in "
+                            "physical mode a spring as stiff as their mean does it",
+                    .unit = {.time = -2},
+                    .low = 0,
+                    .high = 1e6});
+        visit(self.steer_damping, Field{.name = "steer_damping",
+                                        .help = "Of a pin that steers: acceleration against each unit of velocity",
+                                        .unit = {.time = -1},
+                                        .low = 0,
+                                        .high = 1e6});
         visit(self.driver, Field{.name = "driver", .help = "What moves it by itself; left out: nothing"});
     }
 };

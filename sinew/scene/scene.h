@@ -89,6 +89,7 @@ struct PointerSection {
     double pulls_within = 0;
     double pulls_times = 1;
     double wheel_quickens = 0;
+    double hover_size = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.cuts_within, Field{.name = "cuts_within",
@@ -112,6 +113,12 @@ struct PointerSection {
                                                  "0: the wheel zooms (classic mode)",
                                          .low = 0,
                                          .high = 5});
+        visit(self.hover_size, Field{.name = "hover_size",
+                                     .help = "Side of the square around a particle in which the pointer is over it, "
+                                             "for solver.rules.hover_freezes (2D, classic mode)",
+                                     .unit = unit::length,
+                                     .low = 0,
+                                     .high = 1e6});
     }
 };
 
@@ -173,6 +180,9 @@ struct Scene {
 };
 
 using AnyWorld = std::variant<World<2, float>, World<2, double>, World<3, float>, World<3, double>>;
+
+/// How classic mode holds what is grabbed or driven.
+Hold hold_rule(const Scene& scene);
 
 /// The world of a good scene, at its start.
 AnyWorld instantiate(const Scene& scene);

@@ -67,9 +67,15 @@ void Session::step() {
     drive();
     winder_.run(scene_, world_);
     carry_held();
+    const auto frozen = freeze_hovered();
     if (hand_) hand_->carry(world_);
     if (stroke_) stroke_->go(world_, stroke_to_);
-    std::visit([&]<class WorldT>(WorldT& world) { sinew::step(world, typename WorldT::Real(dt)); }, world_);
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            sinew::step(world, typename WorldT::Real(dt));
+            if (frozen) unpin(world, *frozen);
+        },
+        world_);
     note_events();
     history_.record(scene_, world_);
 }
@@ -131,7 +137,8 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
                     }
                     const auto held = pin(world, *id,
                                           PinSpec<D, Real>{.compliance = Real(happening.compliance),
-                                                           .max_force = Real(happening.max_force)});
+                                                           .max_force = Real(happening.max_force),
+                                                           .hold = hold_rule(scene_)});
                     held_.push_back({where, *held, from, happening.to.value_or(from), now, happening.over, {}});
                     if (happening.within > 0) hold_around(world, *id, happening, held_.back());
                 } else if constexpr (std::is_same_v<Event, ReleaseEvent>) {
@@ -146,7 +153,6 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
                     if (cut(happening.line, happening.within) > 0) return; // has told of it
                 } else {
                     where = Doer<WorldT>{world, scene_, before}(happening);
-                    if constexpr (std::is_same_v<Event, KickEvent>) kick_driven(world, happening, before);
                     if (std::is_same_v<Event, JoinEvent> && where.empty()) return;
                 }
                 note(std::string(Event::name), where);
@@ -201,7 +207,7 @@ void Session::find_driven() {
                     if (!scene_.pins[i].driver) continue;
                     Point rest;
                     for (int k = 0; k < WorldT::dimension; ++k) rest[k] = double(world.pins[row].target[k]);
-                    driven_.push_back({world.pin_slots.id_of(Row(row)), i, rest, Seeker{.at = rest, .before = rest}});
+                    driven_.push_back({world.pin_slots.id_of(Row(row)), i, rest});
                 }
         },
         world_);
@@ -225,8 +231,10 @@ void Session::hold_around(WorldT& world, ParticleId middle, const GrabEvent& gra
             near.from[i] += double(offset[i]);
             near.to[i] += double(offset[i]);
         }
-        near.pin =
-            *pin(world, id, PinSpec<D, Real>{.compliance = Real(grab.compliance), .max_force = Real(grab.max_force)});
+        near.pin = *pin(world, id,
+                        PinSpec<D, Real>{.compliance = Real(grab.compliance),
+                                         .max_force = Real(grab.max_force),
+                                         .hold = hold_rule(scene_)});
         held_.push_back(near);
     }
 }
@@ -239,25 +247,11 @@ void Session::drive() {
             for (auto& driven : driven_) {
                 const auto& driver = *scene_.pins[driven.section].driver;
                 const auto* follower = std::get_if<PointerDriver>(&driver);
-                auto place = pointer_ && follower ? *pointer_ : driven_to(driver, driven.rest, then, up);
-                if (follower && (follower->seek < 1 || follower->seek_damping < 1))
-                    place = driven.seeker.follow(place, then / double(world.settings.frame), *follower);
+                const auto place = pointer_ && follower ? *pointer_ : driven_to(driver, driven.rest, then, up);
                 move_pin(world, driven.pin, place.template as<WorldT::dimension, typename WorldT::Real>());
             }
         },
         world_);
-}
-
-/// A pin carries its particle whatever it does, so that a kick is felt by what goes after the pointer.
-template <class WorldT> void Session::kick_driven(const WorldT& world, const KickEvent& kick, std::uint64_t before) {
-    using Real = typename WorldT::Real;
-    std::size_t number = 0;
-    for (const auto id : find_particles(world, kick.target)) {
-        const auto change = kick_of<WorldT::dimension, Real>(kick, scene_, number++, before) * world.settings.frame;
-        for (auto& driven : driven_)
-            if (const auto row = world.pin_slots.find(driven.pin); row && world.pins[*row].particle == id)
-                for (int i = 0; i < WorldT::dimension; ++i) driven.seeker.speed[i] += double(change[i]);
-    }
 }
 
 std::optional<Point> Session::pointer() const {
@@ -285,6 +279,25 @@ void Session::carry_held() {
                 else
                     move_pin(world, held.pin, place.template as<WorldT::dimension, Real>());
             }
+        },
+        world_);
+}
+
+/// For one step, in classic mode: of the particles in whose square the pointer is, the last that was added.
+std::optional<PinId> Session::freeze_hovered() {
+    if (!scene_.solver.rules.hover_freezes || scene_.solver.mode != "classic" || !pointer_) return std::nullopt;
+    return std::visit(
+        [&]<class WorldT>(WorldT& world) -> std::optional<PinId> {
+            using Real = typename WorldT::Real;
+            const auto& p = world.particles;
+            const auto place = pointer_->as<WorldT::dimension, Real>();
+            const Real half = Real(scene_.pointer.hover_size / 2);
+            for (Row row = Row(p.size()); row-- > 0;) {
+                const auto away = p.position[row] - place;
+                if (p.mobility[row] > Real(0) && clamp_components(away, half) == away)
+                    return pin(world, p.slots.id_of(row), {.hold = Hold::frozen});
+            }
+            return std::nullopt;
         },
         world_);
 }

@@ -127,12 +127,10 @@ class Session {
         PinId pin;
         std::size_t section = 0; ///< of the scene's pins
         Point rest;
-        Seeker seeker;
     };
 
     void find_driven();
     void drive();
-    template <class WorldT> void kick_driven(const WorldT& world, const KickEvent& kick, std::uint64_t before);
     /// An event that is still to come.
     struct Due {
         double at = 0;
@@ -148,6 +146,7 @@ class Session {
     void happen(const EventSection& event, std::uint64_t before);
     template <class WorldT> void hold_around(WorldT& world, ParticleId middle, const GrabEvent& grab, const Held& held);
     void carry_held();
+    std::optional<PinId> freeze_hovered();
     void still_gusts();
     void keep_going(const AnyWorld& old);
     void note(std::string what, std::string where, std::size_t islands = 0);

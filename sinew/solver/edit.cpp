@@ -165,7 +165,10 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
                           .target = clamp_finite(spec.target.value_or(position), limit::coordinate<Real>),
                           .compliance = clamp(spec.compliance, Real(0), most),
                           .damping = clamp(spec.damping, Real(0), most),
-                          .max_force = clamp(spec.max_force, Real(0), most)});
+                          .max_force = clamp(spec.max_force, Real(0), most),
+                          .hold = spec.hold,
+                          .steer = clamp_components(spec.steer, most),
+                          .steer_damping = clamp(spec.steer_damping, Real(0), most)});
     if (world.pins.back().hard() && world.particles.mobility[*row] > Real(0)) {
         world.particles.mobility[*row] = Real(0);
         detail::note_mobility(world, *row);
@@ -178,7 +181,7 @@ template <int D, class Real> bool move_pin(World<D, Real>& world, PinId pin, con
     const auto row = world.pin_slots.find(pin);
     if (!row) return false;
     world.pins[*row].target = clamp_finite(target, limit::coordinate<Real>);
-    return world.pins[*row].moves = true;
+    return true;
 }
 
 template <int D, class Real> bool unpin(World<D, Real>& world, PinId pin) {

@@ -62,6 +62,9 @@ template <int D, class Real> struct PinSpec {
     Real compliance = 0;
     Real damping = 1;
     Real max_force = 0;
+    Hold hold = Hold::fixed;
+    Vec<D, Real> steer{};
+    Real steer_damping = 0;
 };
 
 struct Sizes {

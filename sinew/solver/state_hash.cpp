@@ -29,12 +29,12 @@ class Digest {
         add(mode, substeps, iterations, damping, frame, classic);
     }
     template <class Real> void add_one(const ClassicRules<Real>& rules) {
-        const auto& [passes, order, integrator, keep, damp_after_force, root_free, bounce, floor_keep, time_scale,
-                     longest_step, outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration,
-                     dropped_leftover, displaced_hold] = rules;
+        const auto& [passes, order, moves_each_pass, integrator, keep, damp_after_force, root_free, bounce, floor_keep,
+                     time_scale, longest_step, outward_bounce, points_only_passes, unscaled_inertia,
+                     halved_acceleration, dropped_leftover] = rules;
         add(passes, order, keep, damp_after_force, root_free, bounce, floor_keep, time_scale, longest_step,
             outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration);
-        if (dropped_leftover || displaced_hold) add(dropped_leftover, displaced_hold);
+        if (dropped_leftover || moves_each_pass) add(dropped_leftover, moves_each_pass);
         if (integrator != Integrator::verlet) add(integrator);
     }
 
@@ -88,8 +88,8 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     for (const auto& pin : world.pins)
         digest.add(p.slots.find(pin.particle).value_or(Row(p.size())), pin.from, pin.target, pin.compliance,
                    pin.damping, pin.max_force);
-    if (world.settings.classic.displaced_hold)
-        for (const auto& pin : world.pins) digest.add(pin.moves);
+    for (const auto& pin : world.pins)
+        if (pin.hold != Hold::fixed || pin.steers()) digest.add(pin.hold, pin.steer, pin.steer_damping);
     for (std::size_t i = 0; i < world.figures.size(); ++i)
         if (world.figures[i].integrator) digest.add(i, *world.figures[i].integrator);
     for (const auto& force : world.forces) digest.add(force);

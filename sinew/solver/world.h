@@ -208,18 +208,32 @@ struct Run {
     Row count = 0;
 };
 
+/// Classic mode: the effect of a pin on its particle, before the particles are moved and the constraints swept. A
+/// particle that is not fixed takes corrections like any other.
+enum class Hold : std::uint8_t {
+    fixed,      ///< x_prev = x, x = target; neither moved nor corrected
+    corrected,  ///< x_prev = x, x = target; not moved (Flash, Godot)
+    integrated, ///< x = target; moved like any other (GameMaker)
+    displaced,  ///< x_prev = x, x = target; moved like any other (Godot chain, first version)
+    frozen      ///< not moved (Godot chain, second version, under the pointer)
+};
+
 /// Holds a particle in place or on a moving target. A pointer's grab is a pin.
 template <int D, class Real> struct Pin {
     ParticleId particle{};
     Vec<D, Real> from{};       ///< where the target was when the step began
     Vec<D, Real> target{};     ///< where it is when the step ends; interpolated over the substeps
     Real compliance = 0;       ///< 0: the particle is on the target, whatever pulls at it
-    bool moves = false;        ///< its target was moved at least once
     Real damping = 1;          ///< of a compliant pin, as a fraction of critical
     Real max_force = 0;        ///< most it pulls with; 0 means no limit
     Vec<D, Real> multiplier{}; ///< of the last substep; force = -multiplier / h^2
     Vec<D, Real> carried{};    ///< scratch: its particle's velocity before the constraints
-    bool hard() const { return compliance == Real(0) && max_force == Real(0); }
+    Hold hold = Hold::fixed;   ///< in classic mode
+    Vec<D, Real> steer{};      ///< acceleration over the distance to the target, along each axis, 1/s^2; classic mode
+    Real steer_damping = 0;    ///< acceleration against the velocity, 1/s; classic mode
+    /// Accelerates its particle instead of holding it.
+    bool steers() const { return steer != Vec<D, Real>{} || steer_damping != Real(0); }
+    bool hard() const { return compliance == Real(0) && max_force == Real(0) && !steers(); }
 };
 
 /// A plane that particles stay on one side of: dot(normal, x) >= offset + radius.
@@ -236,13 +250,14 @@ enum class Mode : std::uint8_t { physical, classic };
 enum class PassOrder : std::uint8_t {
     sweeps_last,     ///< move, walls, then the sweep `passes` times
     walls_each_pass, ///< move, then (sweep, walls) `passes` times
-    interleaved      ///< each particle moves just before the first constraint that names it, once a pass
+    walls_last       ///< move, the sweep `passes` times, then walls
 };
 
-/// Classic mode's rules, each as some original had it (docs/classic.md). The last six are the originals' known bugs.
+/// Classic mode's rules, each as some original had it (docs/classic.md). The last five are the originals' known bugs.
 template <class Real> struct ClassicRules {
     int passes = 1;
     PassOrder order = PassOrder::sweeps_last;
+    bool moves_each_pass = false; ///< a pass moves the particles, then sweeps (a reader of the Roblox article)
     /// Of all that belongs to no figure with an integrator of its own.
     Integrator integrator = Integrator::verlet;
     Real keep = 1;                 ///< velocity kept each frame (the originals' "damping" or "friction")
@@ -257,7 +272,6 @@ template <class Real> struct ClassicRules {
     bool unscaled_inertia = false;    ///< GameMaker: inertia does not shrink with the step
     bool halved_acceleration = false; ///< tearable cloth: x += v + a/2 dt^2
     bool dropped_leftover = false;    ///< tearable cloth: steps of 16 ms, what is left of a frame is dropped
-    bool displaced_hold = false;      ///< Godot chain: what is carried along also moves by itself
 };
 
 /// Of a sweep, where the settings leave it open.

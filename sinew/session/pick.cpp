@@ -1,9 +1,9 @@
-#include "apps/play/pick.h"
+#include "sinew/session/pick.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace sinew::play {
+namespace sinew {
 namespace {
 
 template <class WorldT> class Picker {
@@ -149,4 +149,4 @@ std::optional<Point> place_of(const AnyWorld& world, std::span<const ParticleId>
         world);
 }
 
-} // namespace sinew::play
+} // namespace sinew
