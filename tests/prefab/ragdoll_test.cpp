@@ -308,7 +308,7 @@ template <int D> double widest_split() {
     return widest;
 }
 
-// Sixty-five degrees from the trunk to either side, whose own sides lean by a few; in space 46 to either side, and a
+// Seventy degrees from the trunk to either side, whose own sides lean by a few; in space 46 to either side, and a
 // little more where one is in front.
 TEST(Ragdoll, DoesNotDoTheSplits) {
     EXPECT_LT(widest_split<2>(), 150);
