@@ -149,7 +149,7 @@ class ValueCheck {
     /// How many particles a mark is drawn through, in the order of mark_names.
     void piece(const PieceSection& section, const std::string& place) {
         constexpr std::array<std::array<std::size_t, 2>, mark_names.size()> counts = {
-            {{2, 1000}, {2, 1000}, {2, 1000}, {2, 1000}, {3, 1000}, {2, 2}, {1, 1000}, {3, 1000}, {4, 4}}};
+            {{2, 1000}, {2, 1000}, {2, 1000}, {2, 1000}, {3, 1000}, {2, 2}, {1, 1000}, {3, 1000}, {4, 4}, {1, 4}}};
         const auto mark = std::find(mark_names.begin(), mark_names.end(), section.mark) - mark_names.begin();
         const auto [least, most] = counts[std::size_t(mark)];
         const auto found = section.through.size();

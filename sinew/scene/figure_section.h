@@ -130,8 +130,8 @@ struct ParticleSection {
     }
 };
 
-inline constexpr std::array<std::string_view, 9> mark_names = {"stroke", "curve", "limb", "tip",    "loop",
-                                                               "ring",   "dot",   "fill", "surface"};
+inline constexpr std::array<std::string_view, 10> mark_names = {"stroke", "curve", "limb", "tip",     "loop",
+                                                                "ring",   "dot",   "fill", "surface", "face"};
 
 /// What is drawn of a figure made by hand, beside its dots and its lines.
 struct PieceSection {

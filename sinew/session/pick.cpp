@@ -71,7 +71,7 @@ template <class WorldT> class Picker {
 
     /// The lines that a piece is drawn with, as wide as they are.
     void lines(const Piece& piece, FigureIndex figure) {
-        if (piece.mark == Mark::dot || piece.mark == Mark::surface) return;
+        if (piece.mark == Mark::dot || piece.mark == Mark::face || is_cloth(piece.mark)) return;
         const bool closed = piece.mark == Mark::loop || piece.mark == Mark::fill;
         const auto count = piece.particles.size();
         for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i)

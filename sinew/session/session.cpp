@@ -176,16 +176,13 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
             } else {
                 const auto from = view.see(line[0].as<3, double>()), to = view.see(line[1].as<3, double>());
                 if (!from || !to) return done.links;
-                std::vector<Vec2<double>> pixels;
-                pixels.reserve(world.particles.size());
-                for (const auto& place : world.particles.position) {
+                const Projection<3> see = [&view](const Vec3<double>& place) {
                     constexpr double nowhere = std::numeric_limits<double>::infinity();
-                    const auto seen = view.see(cast<double>(place));
-                    pixels.push_back(seen ? cast<double>(seen->pixel) : Vec2<double>{{nowhere, nowhere}});
-                }
+                    const auto seen = view.see(place);
+                    return seen ? cast<double>(seen->pixel) : Vec2<double>{{nowhere, nowhere}};
+                };
                 const double scale = (double(from->scale) + double(to->scale)) / 2;
-                done = sinew::cut(world, Blade{cast<double>(from->pixel), cast<double>(to->pixel), reach * scale},
-                                  std::span<const Vec2<double>>(pixels));
+                done = sinew::cut(world, Blade{cast<double>(from->pixel), cast<double>(to->pixel), reach * scale}, see);
             }
             for (const auto figure : done.figures)
                 note(std::string(CutEvent::name), figure < world.figures.size() ? world.figures[figure].name : "");
@@ -348,10 +345,7 @@ void Session::note_events() {
                 if (event.type == EventType::torn && is_link<std::decay_t<decltype(world)>>(event))
                     gone.push_back(event.ends);
             }
-            if (!gone.empty()) {
-                sever(world, std::span<const Ends>(gone));
-                split(world, std::span<const Ends>(gone));
-            }
+            if (!gone.empty()) come_apart(world, std::span<const Ends>(gone));
             if (any_torn) note_parted();
         },
         world_);

@@ -16,6 +16,7 @@ void dress(Style& style, const Look& look, const Theme& theme) {
     if (const auto fill = color_in(theme, look.fill)) style.fill = *fill;
     if (const auto hover = color_in(theme, look.hover)) style.hover = hover;
     if (!look.profile.empty()) style.profile = look.profile;
+    if (!look.face.empty()) style.face = look.face;
     if (look.image) style.image = &*look.image;
     if (look.width) style.width = look.width;
     if (look.hidden) style.hidden = look.hidden;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace sinew {
 
@@ -16,6 +17,7 @@ struct Style {
     std::optional<double> width;
     std::optional<bool> hidden;
     std::span<const double> profile;
+    std::string_view face;            ///< one of `expressions`, or empty
     const ImageLook* image = nullptr; ///< of the scene
 };
 
