@@ -72,12 +72,12 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     digest.add(world.settings, world.time, world.steps, world.last_step, world.last_substep);
     if (world.restless) digest.add(world.restless);
     digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.radius, p.figure,
-               p.quarantined);
+               p.quarantined, p.mobility);
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
             for (const Row member : table.members[row]) digest.add(member);
         digest.add(table.limits.lows(), table.limits.highs(), table.compliance, table.relaxation, table.split,
-                   table.breaking_strain, table.multiplier);
+                   table.breaking_strain, table.multiplier, table.figure);
         for (Row row = 0; row < table.size(); ++row)
             if (table.toughness[row] > 0) digest.add(row, table.toughness[row], table.fatigue[row]);
         for (Row row = 0; row < table.size(); ++row)
@@ -87,9 +87,10 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     for (const auto& run : world.sweep) digest.add(run.kind, run.count);
     for (const auto& pin : world.pins)
         digest.add(p.slots.find(pin.particle).value_or(Row(p.size())), pin.from, pin.target, pin.compliance,
-                   pin.damping, pin.max_force);
+                   pin.damping, pin.max_force, pin.moves);
     for (const auto& pin : world.pins)
         if (pin.hold != Hold::fixed || pin.steers()) digest.add(pin.hold, pin.steer, pin.steer_damping);
+    for (const auto& figure : world.figures) digest.add(figure.in_use(), figure.direct, figure.tethers);
     for (std::size_t i = 0; i < world.figures.size(); ++i)
         if (world.figures[i].integrator) digest.add(i, *world.figures[i].integrator);
     for (const auto& force : world.forces) digest.add(force);
