@@ -13,6 +13,9 @@ namespace sinew::cli {
 /// input. Throws GiveUp with all that is wrong with it.
 Opened open_file(const std::string& word, std::span<const Override> overrides = {});
 
+/// Builds a scene from its text, which messages call `name`; pictures and models are looked for in the folder.
+Opened open_text(const std::string& text, const std::string& name, const std::filesystem::path& folder);
+
 /// The file as it is, unchecked; what is wrong with it is in its diagnostics.
 Document open_document(const std::string& word, std::span<const Override> overrides = {});
 

@@ -27,4 +27,11 @@ std::string name_of(const AnyWorld& world, ParticleId id);
 /// Where the middle of what was picked is now; nothing where part of it is gone.
 std::optional<Point> place_of(const AnyWorld& world, std::span<const ParticleId> members);
 
+/// The particles of the same names in another world; nothing where one has no name or is not there.
+std::optional<std::vector<ParticleId>> namesakes(const AnyWorld& from, std::span<const ParticleId> members,
+                                                 const AnyWorld& to);
+
+/// What was picked in one world, as the other has it: held as far from its middle.
+std::optional<Picked> counterpart(const AnyWorld& from, const Picked& picked, const AnyWorld& to, const View& view);
+
 } // namespace sinew::play

@@ -20,10 +20,15 @@ class Statistics {
     void show(play::Play& play, const Look& look, const Fonts& fonts, float scale);
 
   private:
+    void numbers(play::Play& play, const Look& look) const;
+    void hash(play::Play& play, const Look& look, const Fonts& fonts) const;
+    void times(const Look& look, float scale) const;
+    void energies(const Look& look, float scale) const;
+
     static constexpr std::size_t most = 240;
 
     struct Energies {
-        float kinetic, potential, stored;
+        float kinetic, potential, stored; ///< joules
     };
 
     double frame_ = 16, step_ = 0; ///< milliseconds, smoothed

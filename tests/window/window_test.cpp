@@ -6,6 +6,7 @@
 #include "tests/canvas/golden_picture.h"
 #include "tests/canvas/scratch_folder.h"
 #include "tests/paths.h"
+#include "tests/play/game.h"
 
 #include <SDL.h>
 #include <cstdlib>
@@ -123,7 +124,7 @@ class WindowTest : public testing::Test {
     ScratchFolder folder;
     Image shot;
     bool panel = true;
-    play::Shelf shelf{{}, {}, fetch}; // no scenes, no thumbnails, which come when they come
+    play::Shelf shelf{{}, {}, fetch, play::games::read}; // no scenes, no thumbnails, which come when they come
     play::Play game{shelf, "ragdoll"};
     std::string told;
 };
