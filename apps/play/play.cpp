@@ -372,9 +372,10 @@ void Play::let_go_of_everything() {
 }
 
 void Play::key(const std::string& name) {
-    if ((question || path_request) && keys.action_of(name) != "close") return;
-    if (name == "space") space_ = true;
     const auto action = keys.action_of(name);
+    const bool is_page = settings && action == "settings";
+    if ((question || path_request || settings) && action != "close" && !is_page) return;
+    if (name == "space") space_ = true;
     for (auto& one : tools_)
         if (one->name() == action) {
             let_go_of_everything();

@@ -49,7 +49,7 @@ void Dialogs::show(const Look& look, const Fonts& fonts, float scale, int width,
         settings();
     else
         open_ = nullptr;
-    if (play_.help) help();
+    if (play_.help && !open_) help();
     if (play_.restored_share() < 1) progress();
 }
 
@@ -62,7 +62,10 @@ bool Dialogs::begin(const char* title, float nominal_width) {
     ImGui::SetNextWindowSizeConstraints({0, 0}, {width_ - margin, height_ - margin});
     ImGui::SetNextWindowPos({width_ / 2, height_ / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     const auto flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-    if (ImGui::BeginPopupModal(title, nullptr, flags)) return true;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10 * scale_);
+    const bool shown = ImGui::BeginPopupModal(title, nullptr, flags);
+    ImGui::PopStyleVar();
+    if (shown) return true;
     open_ = nullptr; // something else closed it
     return false;
 }
@@ -226,7 +229,8 @@ void Dialogs::help() {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(26 * scale_, 22 * scale_));
     ImGui::Begin("help", &play_.help,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PushFont(fonts_->large);
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();

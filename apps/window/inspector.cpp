@@ -29,7 +29,7 @@ template <class WorldT> class Shown {
         if (numbers("position", place, units.text(unit::length))) tweak.position = Point{place};
         if (numbers("velocity", velocity, units.text(unit::speed))) tweak.velocity = Point{velocity};
         double mass = double(inverse_or_zero(p.inverse_mass[row_]));
-        window::label("mass", "how heavy it is", look_.faint, narrow);
+        window::label("mass", "how heavy it is", look_.faint);
         const auto format = number_format("%.4g", units.text(unit::mass));
         constexpr double least = 1e-6, most = 1e9;
         if (mass <= 0)
@@ -54,8 +54,6 @@ template <class WorldT> class Shown {
     Row row_;
     const Look& look_;
 
-    static constexpr float narrow = 0.32F; ///< share of a label's column
-
     template <class Table> void of_kind(const Table& table, int kind, int& shown) {
         using Kind = typename Table::Kind;
         constexpr int most = 6;
@@ -67,8 +65,7 @@ template <class WorldT> class Shown {
             const auto state = constraint_state(world_, {kind, table.slots.id_of(i)});
             if (!state) continue;
             ++shown;
-            window::label(Kind::name, "what a constraint of this particle measures, and its strain", look_.faint,
-                          narrow);
+            window::label(Kind::name, "what a constraint of this particle measures, and its strain", look_.faint);
             const auto format = number_format("%.4g", units.text(measured));
             ImGui::Text(format.c_str(), state->measure * in_file(measured));
             if (std::fabs(state->strain) <= 1e-6) continue;
@@ -78,7 +75,7 @@ template <class WorldT> class Shown {
     }
 
     bool numbers(const std::string& name, std::array<double, 3>& values, const std::string& unit) const {
-        window::label(name + ", " + unit, name + " in " + unit + ": drag the numbers", look_.faint, narrow);
+        window::label(name + ", " + unit, name + " in " + unit + ": drag the numbers", look_.faint);
         double largest = 0.1;
         for (const double value : values) largest = std::max(largest, std::fabs(value));
         return ImGui::DragScalarN(("##" + name).c_str(), ImGuiDataType_Double, values.data(), D, float(largest * 0.005),

@@ -55,7 +55,7 @@ struct Layout {
   private:
     /// One column of buttons as large as the height allows, or two.
     void choose_tools(float room, float scale) {
-        constexpr float largest = 40, smallest = 24, gap = 4, margins = 26; // nominal pixels
+        constexpr float largest = 40, smallest = 22, gap = 4, margins = 26; // nominal pixels
         const auto fitting = [&](int rows) { return (room / scale - margins) / float(rows) - gap; };
         tool_columns = fitting(tool_buttons) < smallest ? 2 : 1;
         const int rows = (tool_buttons + tool_columns - 1) / tool_columns;

@@ -11,8 +11,10 @@
 namespace sinew::window {
 namespace {
 
+/// A window that takes the focus as it appears may not come while a question is open.
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                          ImGuiWindowFlags_NoFocusOnAppearing;
 
 /// A part of the panel, with a hairline around it.
 void begin_fixed(const char* name, const Area& area, ImGuiWindowFlags more = 0) {
@@ -21,7 +23,10 @@ void begin_fixed(const char* name, const Area& area, ImGuiWindowFlags more = 0) 
     ImGui::SetNextWindowSize(size);
     ImGui::Begin(name, nullptr, fixed_window | more);
     const auto line = ImGui::GetColorU32(ImGuiCol_Border);
-    ImGui::GetWindowDrawList()->AddRect(corner, {corner.x + size.x, corner.y + size.y}, line);
+    auto& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    list.AddRect(corner, {corner.x + size.x, corner.y + size.y}, line);
+    list.PopClipRect();
 }
 
 } // namespace

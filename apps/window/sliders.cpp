@@ -24,6 +24,19 @@ constexpr std::array parts_of_modes = {OfMode{"solver.rules", "classic"}, OfMode
                                        OfMode{"solver.substeps", "physical"}, OfMode{"solver.iterations", "physical"},
                                        OfMode{"solver.direct", "physical"}};
 
+/// Numbers that a scene's units do not measure.
+struct Measured {
+    std::string_view path, mode, unit;
+};
+constexpr std::array measured_otherwise = {Measured{"solver.rate", "", "a second"},
+                                           Measured{"world.damping", "classic", "kept a frame"},
+                                           Measured{"solver.rules.time_scale", "", "times as fast"},
+                                           Measured{"solver.rules.longest_step", "", "frames"},
+                                           Measured{"solver.rules.floor_keep", "", "kept a frame"},
+                                           Measured{"solver.passes", "", "a frame"},
+                                           Measured{"solver.substeps", "", "a step"},
+                                           Measured{"solver.iterations", "", "a substep"}};
+
 bool acts_in(std::string_view mode, std::string_view path) {
     return std::none_of(parts_of_modes.begin(), parts_of_modes.end(),
                         [&](const OfMode& part) { return part.path == path && part.mode != mode; });
@@ -90,7 +103,12 @@ class Form {
             if (name && one.name == *name) record(one, value, path);
     }
 
-    std::string unit_of(const Layout& part) const { return units_.text(part.field.unit); }
+    std::string unit_of(const Layout& part, const std::string& path) const {
+        for (const auto& one : measured_otherwise)
+            if (one.path == path && (one.mode.empty() || one.mode == mode_)) return std::string(one.unit);
+        if (path == "world.damping") return units_.text(unit::per_time);
+        return units_.text(part.field.unit);
+    }
 
     /// Numbers that share a field tell their unit beside their name.
     void label(const Layout& part, const std::string& unit = "") const {
@@ -119,7 +137,7 @@ class Form {
         if (part.field.choices.empty()) return;
         const auto* said = own ? own->as<std::string>() : part.usual.as<std::string>();
         label(part);
-        if (!ImGui::BeginCombo(id(path).c_str(), said ? said->c_str() : "")) return;
+        if (!ImGui::BeginCombo(id(path).c_str(), said ? said->c_str() : "as usual")) return;
         for (const auto choice : part.field.choices) {
             const std::string text(choice);
             if (ImGui::Selectable(text.c_str(), said && *said == text)) setter_(path, text, false);
@@ -137,7 +155,7 @@ class Form {
         label(part);
         bool changed = false;
         const bool whole = part.type == Layout::Type::integer;
-        const auto format = number_format(whole ? "%.0f" : "%.4g", unit_of(part));
+        const auto format = number_format(whole ? "%.0f" : "%.4g", unit_of(part, path));
         if (range.low > -1e4 && range.high <= 1000 && range.high - range.low <= 1000) {
             changed = ImGui::SliderScalar(id(path).c_str(), ImGuiDataType_Double, &value, &range.low, &range.high,
                                           format.c_str());
@@ -163,7 +181,7 @@ class Form {
             value[std::size_t(i)] = item ? item->value : 0;
             largest = std::max(largest, std::fabs(value[std::size_t(i)]));
         }
-        label(part, unit_of(part));
+        label(part, unit_of(part, path));
         const auto speed = float(std::max(largest * 0.01, 0.002 * units_.scale(part.field.unit)));
         if (!ImGui::DragScalarN(id(path).c_str(), ImGuiDataType_Double, value.data(), dimension_, speed, nullptr,
                                 nullptr, "%.4g"))

@@ -62,21 +62,6 @@ std::string text(const char* format, double value) {
     return out;
 }
 
-/// "20 distance, 4 angle": every kind says itself what it is called.
-std::string kinds_of(const AnyWorld& world) {
-    std::string kinds;
-    std::visit(
-        [&](const auto& any) {
-            for_each_table(any, [&](const auto& table) {
-                if (table.size() == 0) return;
-                const std::string name = std::decay_t<decltype(table)>::Kind::name;
-                kinds += (kinds.empty() ? "" : ", ") + std::to_string(table.size()) + " " + name;
-            });
-        },
-        world);
-    return kinds;
-}
-
 struct Legend {
     std::string name;
     ImVec4 color;
@@ -94,6 +79,20 @@ void graph_title(const char* name, const std::string& range, const std::vector<L
 }
 
 } // namespace
+
+std::string kinds_of(const AnyWorld& world) {
+    std::string kinds;
+    std::visit(
+        [&](const auto& any) {
+            for_each_table(any, [&](const auto& table) {
+                if (table.size() == 0) return;
+                const std::string name = std::decay_t<decltype(table)>::Kind::name;
+                kinds += (kinds.empty() ? "" : ", ") + std::to_string(table.size()) + " " + name;
+            });
+        },
+        world);
+    return kinds;
+}
 
 void Statistics::steps(double seconds, std::uint64_t count, const PhaseTimes& phases) {
     if (count == 0 || phases.steps == 0) return;
@@ -160,7 +159,7 @@ void Statistics::hash(play::Play& play, const Look& look, const Fonts& fonts) co
     char hash[17];
     std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(report_.hash));
     ImGui::PushFont(fonts.fixed);
-    const bool pressed = ImGui::Selectable(elided(hash, ImGui::GetContentRegionAvail().x).c_str());
+    const bool pressed = ImGui::Selectable((elided(hash, ImGui::GetContentRegionAvail().x) + "##hash").c_str());
     ImGui::PopFont();
     tooltip(std::string(hash) + ": press to copy it");
     if (pressed) play.copy_hash();
@@ -188,7 +187,7 @@ void Statistics::energies(const Look& look, float scale) const {
     for (const auto& e : energies_)
         for (const float value : {e.kinetic, e.potential - origin, total(e) - origin})
             low = std::min(low, value), high = std::max(high, value);
-    graph_title("energy", text("%.2g to ", double(low)) + text("%.2g J", double(high)),
+    graph_title("energy", text("%.3g to ", double(low)) + text("%.3g J", double(high)),
                 {{"kinetic", look.accent}, {"potential", look.cool}, {"total", look.good}}, look);
     const auto frame = graph_frame(look, 80 * scale);
     plot(frame, energies_, low, high, most, packed(look.cool), 1.5F * scale,

@@ -9,6 +9,9 @@
 
 namespace sinew::window {
 
+/// "20 distance, 4 angle": how many constraints of each kind, by the name that the kind has for itself.
+std::string kinds_of(const AnyWorld& world);
+
 /// What the world has and what it costs, over time.
 class Statistics {
   public:

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <backends/imgui_impl_opengl3.h>
 #include <backends/imgui_impl_sdl.h>
+#include <cfloat>
 #include <chrono>
 #include <epoxy/gl.h>
 #include <imgui.h>
@@ -158,6 +159,7 @@ class Window {
         glViewport(0, 0, width, height);
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplSDL2_NewFrame();
+        tell_gui_of_pixels();
         ImGui::NewFrame();
         panel_.show();
         ImGui::Render();
@@ -169,6 +171,19 @@ class Window {
         stepping_ += seconds_between(begin, stepped);
         gathering_ += seconds_between(stepped, drawn);
         painting_ += seconds_between(drawn, Clock::now());
+    }
+
+    /// ImGui's back-end asks the display server where the pointer is, which on X11 answers with an old place once a
+    /// button was pressed; and it counts in units of the window, where the panel counts in pixels.
+    void tell_gui_of_pixels() const {
+        auto& io = ImGui::GetIO();
+        io.DisplaySize = {float(screen_.width()), float(screen_.height())};
+        io.DisplayFramebufferScale = {1, 1};
+        const auto scale = float(screen_.pointer_scale());
+        int x = 0, y = 0;
+        const bool is_pressed = SDL_GetMouseState(&x, &y) != 0;
+        const bool is_here = SDL_GetMouseFocus() == screen_.window() || is_pressed;
+        io.MousePos = is_here ? ImVec2{float(x) * scale, float(y) * scale} : ImVec2{-FLT_MAX, -FLT_MAX};
     }
 
     /// Where the display does not make the program wait, more pictures than any display shows are of no use.

@@ -179,7 +179,7 @@ template <class WorldT> class Overlayer {
                 const auto to = view_.see(in_space(arrow.from + arrow.force * (length * newtons / scale)));
                 if (to) draw_arrow(from->pixel, to->pixel, arrow.color);
             }
-        arrow_legend(what, largest == 0 ? 0 : scale);
+        arrow_legend(what, largest > 0 ? scale : 0);
     }
 
     void draw_arrow(Vec2<float> from, Vec2<float> to, const Color& color) {
@@ -196,11 +196,14 @@ template <class WorldT> class Overlayer {
         picture_.add(Shape::polygon, tip, 0, color);
     }
 
+    /// An arrow as long as the scale, and its name beside it.
     void arrow_legend(std::string_view what, double scale) {
-        const float margin = 14 * unit_;
-        const float y = float(picture_.height) - margin - float(legends_) * legend_row * unit_;
-        legend(fmt::format("{}: {:g} N", what, scale), 0, "");
-        if (scale > 0) draw_arrow({{margin, y}}, {{margin + longest_arrow * unit_, y}}, text_);
+        const float margin = 14 * unit_, long_as = longest_arrow * unit_, letter = 0.6F * letters * unit_;
+        const float y = float(picture_.height) - margin - float(legends_++) * legend_row * unit_;
+        const auto text = scale > 0 ? fmt::format("{}: {:g} N", what, scale) : fmt::format("{}: none", what);
+        const float left = scale > 0 ? margin + long_as + letter : margin;
+        picture_.add_text(text, {{left + letter * float(text.size()) / 2, y}}, letters * unit_, text_);
+        if (scale > 0) draw_arrow({{margin, y}}, {{margin + long_as, y}}, text_);
     }
 
     /// Every distance as a line, in the colour of its value; the palest has none. What only keeps apart is one while it

@@ -1,6 +1,7 @@
 #include "sinew/solver/measure.h"
 
 #include "apps/play/files.h"
+#include "apps/play/folder.h"
 #include "apps/play/script.h"
 #include "tests/canvas/scratch_folder.h"
 #include "tests/play/game.h"
@@ -120,6 +121,8 @@ TEST_F(Documents, ASceneRunsFromTheClipboard) {
     play.handle(Key{"ctrl+c"});
     play.open_text(copied, "copy");
     EXPECT_EQ(play.session().scene().figures.at(0).name, "line");
+    play.copy_hash();
+    EXPECT_EQ(copied, play.hash());
 }
 
 TEST_F(Documents, ANewSceneIsAFloorToPutThingsOn) {
@@ -133,6 +136,15 @@ TEST_F(Documents, ANewSceneIsAFloorToPutThingsOn) {
     play.handle(Pressed{});
     play.handle(Released{});
     EXPECT_EQ(play.session().scene().figures.size(), 1U) << play.problem();
+}
+
+TEST_F(Documents, AFolderIsOfferedWithItsFoldersFirst) {
+    for (const char* name : {"b.json", "a.json", "c.txt", ".hidden.json"}) std::ofstream(in(name)) << "{}";
+    std::filesystem::create_directory(folder / "z");
+    std::vector<std::string> names;
+    for (const auto& entry : entries_of(folder.path, ".json")) names.push_back(entry.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"..", "z", "a.json", "b.json"}));
+    EXPECT_TRUE(entries_of(folder / "nowhere", ".json").empty());
 }
 
 // --- running states --------------------------------------------------------------------------------------------------
