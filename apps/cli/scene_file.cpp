@@ -120,13 +120,13 @@ Document open_document(const std::string& word, std::span<const Override> overri
     return load(read_path(path, most), path.string(), overrides);
 }
 
-Opened open_file(const std::string& word, std::span<const Override> overrides, WatchedFiles* read) {
+namespace {
+
+/// Files that are read are noted in `read`.
+Opened open_in(const fs::path& folder, Document document, WatchedFiles* read = nullptr) {
     const auto note = [&](const fs::path& path) {
         if (read) read->add(path);
     };
-    if (word != "-") note(path_of(word));
-    auto document = open_document(word, overrides);
-    const auto folder = word == "-" ? fs::path(".") : path_of(word).parent_path();
     const auto read_image = [&](const std::string& name, const Limits& limits) {
         note(folder / name);
         return canvas::read_png(folder / name, name, limits);
@@ -138,6 +138,17 @@ Opened open_file(const std::string& word, std::span<const Override> overrides, W
     if (auto opened = open_scene(document, read_image, read_obj_file)) return std::move(*opened);
     const PrintStyle style{.color = has_color(stderr), .most = std::size_t(document.limits.errors)};
     throw GiveUp{bad_input, to_text(document.diagnostics, style)};
+}
+
+} // namespace
+
+Opened open_file(const std::string& word, std::span<const Override> overrides, WatchedFiles* read) {
+    if (word != "-" && read) read->add(path_of(word));
+    return open_in(word == "-" ? fs::path(".") : path_of(word).parent_path(), open_document(word, overrides), read);
+}
+
+Opened open_text(const std::string& text, const std::string& name, const fs::path& folder) {
+    return open_in(folder, load(text, name));
 }
 
 fs::path scene_path(const std::string& word) {

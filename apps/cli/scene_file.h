@@ -16,6 +16,9 @@ namespace sinew::cli {
 /// noted in `read`: the scene, its images and its models, those that cannot be opened among them.
 Opened open_file(const std::string& word, std::span<const Override> overrides = {}, WatchedFiles* read = nullptr);
 
+/// Builds a scene from its text, which messages call `name`; pictures and models are looked for in the folder.
+Opened open_text(const std::string& text, const std::string& name, const std::filesystem::path& folder);
+
 /// The file as it is, unchecked; what is wrong with it is in its diagnostics.
 Document open_document(const std::string& word, std::span<const Override> overrides = {});
 

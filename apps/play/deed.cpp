@@ -16,7 +16,7 @@ struct Doer {
     }
     void operator()(const Drag& deed) const { session.drag(deed.place); }
     void operator()(const LetGo&) const { session.let_go(); }
-    void operator()(const Slash& deed) const { session.cut(deed.line, {}, deed.view); }
+    void operator()(const Slash& deed) const { session.cut(deed.line, {}, deed.look.view(session.scene())); }
     void operator()(const Become& deed) const { session.become(*deed.scene); }
     void operator()(const Return& deed) const { session = *deed.to; }
     void operator()(const Restart&) const { session.restart(); }
