@@ -11,7 +11,7 @@ struct Doer {
     void operator()(const PointAt& deed) const { session.point_at(deed.place); }
     void operator()(const Grab& deed) const {
         std::vector<ParticleId> members;
-        for (const Row row : deed.members) members.push_back(id_of(row));
+        for (const Row row : deed.members) members.push_back(id_at(session.world(), row));
         session.grab(members, deed.place);
     }
     void operator()(const Drag& deed) const { session.drag(deed.place); }
@@ -26,24 +26,22 @@ struct Doer {
             [&]<class WorldT>(WorldT& world) {
                 using Real = typename WorldT::Real;
                 constexpr int D = WorldT::dimension;
-                const auto id = id_of(deed.particle);
+                const auto id = id_at(session.world(), deed.particle);
                 if (deed.position) set_position(world, id, deed.position->template as<D, Real>());
                 if (deed.velocity) set_velocity(world, id, deed.velocity->template as<D, Real>());
                 if (deed.mass) set_mass(world, id, Real(*deed.mass));
             },
             session.world());
     }
-
-    ParticleId id_of(Row row) const {
-        return std::visit(
-            [&](const auto& world) {
-                return row < world.particles.size() ? world.particles.slots.id_of(row) : ParticleId{};
-            },
-            session.world());
-    }
 };
 
 } // namespace
+
+ParticleId id_at(const AnyWorld& world, Row row) {
+    return std::visit(
+        [&](const auto& any) { return row < any.particles.size() ? any.particles.slots.id_of(row) : ParticleId{}; },
+        world);
+}
 
 std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> particles) {
     constexpr Row none = ~Row(0);

@@ -65,6 +65,9 @@ struct Tweak {
 
 using Deed = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart, Quicken, Tweak>;
 
+/// Id of the particle in a row; none where there is no such row.
+ParticleId id_at(const AnyWorld& world, Row row);
+
 /// The rows of particles now; of one that is gone, none that there is.
 std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> particles);
 

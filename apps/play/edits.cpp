@@ -46,8 +46,9 @@ void Play::edit(Deed deed, std::string name) {
     each_pane([&] {
         auto own = deed;
         if (auto* tweak = std::get_if<Tweak>(&own); tweak && active_ != under_pointer) {
-            const auto same = namesakes(world, {&tweak->particle, 1}, session().world());
-            tweak->particle = same ? same->front() : ParticleId{};
+            const auto id = id_at(world, tweak->particle);
+            const auto same = namesakes(world, {&id, 1}, session().world());
+            tweak->particle = same ? rows_of(session().world(), *same).front() : ~Row(0);
         }
         tape().edit(std::move(own), name, tape().undo_name() == name);
     });

@@ -21,7 +21,7 @@ bool follows_pointer(const PinSection& pin) {
     return pin.driver && std::holds_alternative<PointerDriver>(*pin.driver);
 }
 
-bool has_hover(const std::vector<std::pair<std::string, Look>>& looks) {
+bool has_hover(const std::vector<std::pair<std::string, sinew::Look>>& looks) {
     return std::any_of(looks.begin(), looks.end(), [](const auto& look) { return !look.second.hover.empty(); });
 }
 

@@ -87,7 +87,7 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     for (const auto& run : world.sweep) digest.add(run.kind, run.count);
     for (const auto& pin : world.pins)
         digest.add(p.slots.find(pin.particle).value_or(Row(p.size())), pin.from, pin.target, pin.compliance,
-                   pin.damping, pin.max_force, pin.moves);
+                   pin.damping, pin.max_force);
     for (const auto& pin : world.pins)
         if (pin.hold != Hold::fixed || pin.steers()) digest.add(pin.hold, pin.steer, pin.steer_damping);
     for (const auto& figure : world.figures) digest.add(figure.in_use(), figure.direct, figure.tethers);

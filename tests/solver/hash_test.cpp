@@ -43,7 +43,6 @@ TYPED_TEST(StateHash, ChangesWithEverythingThatDecidesTheFuture) {
         +[](World& w) { w.figures[0].direct = Direct::off; },
         +[](World& w) { w.figures[0].tethers = true; },
         +[](World& w) { std::get<0>(w.constraints).figure.set(0, 0); },
-        +[](World& w) { w.pins[0].moves = true; },
         +[](World& w) { add_particle(w, {}); },
         +[](World& w) { move_limits<0>(w, -1, 0); },
         +[](World& w) { move_limits<1>(w, 0, 1); },
