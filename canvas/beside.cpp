@@ -1,6 +1,6 @@
 #include "canvas/beside.h"
 
-#include "sinew/session/theme.h"
+#include "sinew/picture/theme.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 /// draw_sprites FOLDER: draws the images of the catalogue, PNG files, into scenes/sprites. They are four times as large
-/// as they are seen. The colours are those of the light theme (sinew/session/theme.cpp), the lines its outlines.
+/// as they are seen. The colours are those of the light theme (sinew/picture/theme.cpp), the lines its outlines.
 #include <cairo.h>
 #include <cmath>
 #include <cstdio>

@@ -1,3 +1,4 @@
+#include "sinew/picture/draw.h"
 #include "sinew/scene/text.h"
 
 #include "apps/cli/arguments.h"
@@ -62,7 +63,7 @@ Reel shoot(const std::string& name, std::string_view mode, const fs::path& page,
     const auto film_writer = open(film, picture), still_writer = open(still, picture);
     for (std::size_t frame = 0; frame < frames; ++frame) {
         run.advance(steps_before(run.session.scene(), double(frame) / film_fps));
-        run.session.draw(picture);
+        draw(run.session, picture);
         settle(film_writer->frame(picture));
         if (frame == still_frame) settle(still_writer->frame(picture));
     }

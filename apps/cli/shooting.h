@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/picture/draw.h"
+
 #include "apps/cli/stage.h"
 #include "canvas/writer.h"
 

@@ -1,5 +1,6 @@
 #include "apps/cli/stage.h"
 
+#include "sinew/picture/draw.h"
 #include "sinew/scene/diagnostic.h"
 #include "sinew/scene/text.h"
 #include "sinew/session/view.h"
@@ -110,7 +111,7 @@ void Stage::draw(Picture& picture, std::array<int, 2> one, OverlaySet overlay) {
         part.width = one[0], part.height = one[1];
         const auto& session = runs_[i].session;
         const bool shares = has_same_view(first.scene(), session.scene());
-        session.draw(part, overlay, shares ? shared : View(session.scene(), session.focus(), one[0], one[1]));
+        sinew::draw(session, shares ? shared : session.view(one[0], one[1]), part, overlay);
         if (!pictures_.empty()) parts.push_back({&part, labels_[i]});
     }
     if (!parts.empty()) canvas::put_beside(parts, picture);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/picture/draw.h"
+
 #include "apps/cli/arguments.h"
 #include "apps/cli/stepping.h"
 #include "apps/cli/watched_files.h"

@@ -2,6 +2,7 @@
 
 #include "sinew/scene/reader.h"
 #include "sinew/session/doer.h"
+#include "sinew/session/focus.h"
 #include "sinew/session/view.h"
 #include "sinew/solver/cut.h"
 #include "sinew/solver/edit.h"
@@ -371,6 +372,19 @@ Report Session::report() const {
             return report;
         },
         world_);
+}
+
+Vec2<double> Session::place_of(Vec2<double> pixel, int width, int height) const {
+    return view(width, height).place_of(pixel);
+}
+
+std::vector<ParticleId> Session::held_particles() const {
+    std::vector<ParticleId> all;
+    if (hand_) all = hand_->members;
+    for (const auto& held : held_)
+        if (const auto id = std::visit([&](const auto& world) { return find_particle(world, held.particle); }, world_))
+            all.push_back(*id);
+    return all;
 }
 
 } // namespace sinew

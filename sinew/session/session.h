@@ -4,9 +4,8 @@
 #include "sinew/session/driver.h"
 #include "sinew/session/hand.h"
 #include "sinew/session/history.h"
-#include "sinew/session/overlay.h"
-#include "sinew/session/picture.h"
 #include "sinew/session/stroke.h"
+#include "sinew/session/view.h"
 #include "sinew/session/winder.h"
 
 #include <array>
@@ -39,9 +38,6 @@ struct Happening {
     std::string where;       ///< the figure or particle, as the scene calls it; may be empty
     std::size_t islands = 0; ///< of "parted": into how many the figure fell (islands.h); else 0
 };
-
-/// Two corners around what a world shows.
-std::array<Point, 2> focus_of(const Scene& scene, const AnyWorld& world);
 
 /// A scene that runs: its world, a clock, the scene's events and a pointer. Headless; the window, the command and the
 /// web page feed it and paint its picture.
@@ -105,9 +101,15 @@ class Session {
     /// Two corners around what the scene shows at its start.
     const std::array<Point, 2>& focus() const { return focus_; }
 
-    /// The picture of now, filling `picture` (whose width and height the caller sets), with overlays on it.
-    void draw(Picture& picture, OverlaySet overlay = {}) const;
-    void draw(Picture& picture, OverlaySet overlay, const View& view) const;
+    /// The view that the scene asks for in a picture of that size, in pixels.
+    View view(int width, int height) const { return {scene_, focus_, width, height}; }
+
+    /// Files of images by name, as the looks of the scene call them.
+    const Images& images() const { return images_; }
+    /// Samples of the scene's traces.
+    const History& history() const { return history_; }
+    /// Particles held by the pointer and by events of the scene.
+    std::vector<ParticleId> held_particles() const;
 
   private:
     struct Held {

@@ -1,4 +1,4 @@
-#include "sinew/session/brush.h"
+#include "sinew/picture/brush.h"
 
 #include "sinew/math/trig.h"
 

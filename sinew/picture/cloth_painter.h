@@ -1,11 +1,11 @@
 #pragma once
 
-#include "sinew/session/order.h"
-#include "sinew/session/outline.h"
-#include "sinew/session/picture.h"
-#include "sinew/session/surface.h"
+#include "sinew/picture/order.h"
+#include "sinew/picture/outline.h"
+#include "sinew/picture/picture.h"
+#include "sinew/picture/surface.h"
+#include "sinew/picture/wardrobe.h"
 #include "sinew/session/view.h"
-#include "sinew/session/wardrobe.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "sinew/session/backdrop.h"
+#include "sinew/picture/backdrop.h"
 
 #include "sinew/math/trig.h"
-#include "sinew/session/outline.h"
+#include "sinew/picture/outline.h"
 
 namespace sinew {
 namespace {

@@ -1,4 +1,4 @@
-#include "sinew/session/wardrobe.h"
+#include "sinew/picture/wardrobe.h"
 
 #include "sinew/scene/check.h"
 

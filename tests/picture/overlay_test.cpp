@@ -1,3 +1,4 @@
+#include "sinew/picture/draw.h"
 #include "sinew/session/session.h"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ Seen seen(const std::string& name, const std::string& figures, const std::string
     OverlaySet set;
     for (std::size_t i = 0; i < overlays.size(); ++i) set[i] = overlays[i].name == name;
     for (auto* picture : {&result.plain, &result.laid_over}) picture->width = 640, picture->height = 480;
-    session.draw(result.plain);
-    session.draw(result.laid_over, set);
+    draw(session, result.plain);
+    draw(session, result.laid_over, set);
     return result;
 }
 

@@ -1,3 +1,4 @@
+#include "sinew/picture/draw.h"
 #include "sinew/session/session.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ std::string errors_of(const std::string& traces, const std::string& more = "") {
 Picture drawn(const Session& session) {
     Picture picture;
     picture.width = 640, picture.height = 480;
-    session.draw(picture);
+    draw(session, picture);
     return picture;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "sinew/picture/theme.h"
 #include "sinew/scene/scene.h"
-#include "sinew/session/theme.h"
 
 #include <optional>
 #include <span>

@@ -1,7 +1,7 @@
-#include "sinew/session/face.h"
+#include "sinew/picture/face.h"
 
+#include "sinew/picture/outline.h"
 #include "sinew/scene/look_section.h"
-#include "sinew/session/outline.h"
 
 #include <array>
 

@@ -1,4 +1,5 @@
-#include "sinew/session/outline.h"
+#include "sinew/picture/draw.h"
+#include "sinew/picture/outline.h"
 #include "sinew/session/session.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ Picture drawn(const std::string& text, int width = 640, int height = 480) {
     Picture picture;
     picture.width = width;
     picture.height = height;
-    if (opened) Session(std::move(*opened)).draw(picture);
+    if (opened) draw(Session(std::move(*opened)), picture);
     return picture;
 }
 
@@ -98,7 +99,7 @@ TEST(Draw, InkStandsOutFromThePaperInEveryTheme) {
         ASSERT_TRUE(opened) << to_text(document.diagnostics);
         Picture picture;
         picture.width = 640, picture.height = 480;
-        Session(std::move(*opened)).draw(picture);
+        draw(Session(std::move(*opened)), picture);
         EXPECT_GT(std::abs(picture.items.back().color.green - picture.background.green), 0.6F) << theme;
     }
 }

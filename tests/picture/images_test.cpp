@@ -1,3 +1,4 @@
+#include "sinew/picture/draw.h"
 #include "sinew/session/session.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ Drawn images_of(const std::string& text, std::optional<Point> pointer = {}) {
     if (!opened) return result;
     Session session(std::move(*opened));
     session.point_at(pointer);
-    session.draw(result.picture);
+    draw(session, result.picture);
     for (const auto& item : result.picture.items)
         if (item.shape == Shape::image && item.color.alpha < 1) result.images.push_back(item);
     return result;
@@ -125,7 +126,7 @@ TEST(ImageLook, WithoutAReaderOfImagesShapesAreDrawn) {
     ASSERT_TRUE(opened) << to_text(document.diagnostics);
     Picture picture;
     picture.width = 640, picture.height = 480;
-    Session(std::move(*opened)).draw(picture);
+    draw(Session(std::move(*opened)), picture);
     EXPECT_TRUE(std::none_of(picture.items.begin(), picture.items.end(),
                              [](const auto& item) { return item.shape == Shape::image; }));
     EXPECT_FALSE(picture.items.empty());

@@ -1,4 +1,4 @@
-#include "sinew/session/outline.h"
+#include "sinew/picture/outline.h"
 
 #include "sinew/math/bezier.h"
 #include "sinew/math/trig.h"

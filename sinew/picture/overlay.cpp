@@ -1,6 +1,6 @@
-#include "sinew/session/overlay.h"
+#include "sinew/picture/overlay.h"
 
-#include "sinew/session/forces.h"
+#include "sinew/picture/forces.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "sinew/session/theme.h"
+#include "sinew/picture/theme.h"
 
 #include "sinew/scene/look_section.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sinew/session/picture.h"
-#include "sinew/session/theme.h"
+#include "sinew/picture/picture.h"
+#include "sinew/picture/theme.h"
 #include "sinew/session/view.h"
 
 #include <bitset>

@@ -1,8 +1,8 @@
-#include "sinew/session/traces.h"
+#include "sinew/picture/traces.h"
 
+#include "sinew/picture/theme.h"
+#include "sinew/picture/wardrobe.h"
 #include "sinew/scene/check.h"
-#include "sinew/session/theme.h"
-#include "sinew/session/wardrobe.h"
 
 #include <algorithm>
 

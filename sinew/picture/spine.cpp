@@ -1,4 +1,4 @@
-#include "sinew/session/spine.h"
+#include "sinew/picture/spine.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sinew/math/bezier.h"
-#include "sinew/session/outline.h"
+#include "sinew/picture/outline.h"
 
 #include <span>
 #include <vector>

@@ -1,12 +1,12 @@
-#include "sinew/session/backdrop.h"
-#include "sinew/session/brush.h"
-#include "sinew/session/cloth_painter.h"
-#include "sinew/session/face.h"
-#include "sinew/session/order.h"
-#include "sinew/session/session.h"
-#include "sinew/session/traces.h"
-#include "sinew/session/view.h"
-#include "sinew/session/wardrobe.h"
+#include "sinew/picture/draw.h"
+
+#include "sinew/picture/backdrop.h"
+#include "sinew/picture/brush.h"
+#include "sinew/picture/cloth_painter.h"
+#include "sinew/picture/face.h"
+#include "sinew/picture/order.h"
+#include "sinew/picture/traces.h"
+#include "sinew/picture/wardrobe.h"
 #include "sinew/solver/edit.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr Vec2<float> shadow_offset{{7, 9}};
 constexpr std::array<float, 3> penumbra = {9, 5, 1}; // how much wider than the piece, from the palest to the darkest
 
 /// What a drawer knows beyond the world.
-struct Onlooker {
+struct DrawContext {
     const Images& images;
     std::optional<Point> pointer;
     std::vector<ParticleId> held; ///< by a pointer
@@ -32,8 +32,8 @@ struct Onlooker {
 
 template <class WorldT> class Drawer {
   public:
-    Drawer(const Scene& scene, const WorldT& world, const View& view, const Onlooker& onlooker, Picture& picture)
-        : scene_(scene), world_(world), view_(view), onlooker_(onlooker), picture_(picture),
+    Drawer(const Scene& scene, const WorldT& world, const View& view, const DrawContext& context, Picture& picture)
+        : scene_(scene), world_(world), view_(view), context_(context), picture_(picture),
           theme_(theme_called(scene.view.theme)), light_(view, theme_.ink),
           unit_(float(picture.height / Picture::nominal_height)), brush_(picture, unit_), order_(world),
           cloth_(world, view, light_, unit_, picture) {}
@@ -42,11 +42,11 @@ template <class WorldT> class Drawer {
         picture_.clear();
         picture_.background = theme_.background;
         picture_.images.clear();
-        for (const auto& [name, image] : onlooker_.images) picture_.images.push_back(image);
+        for (const auto& [name, image] : context_.images) picture_.images.push_back(image);
         if (D == 3) draw_floors(scene_, view_, theme_, picture_);
         shadows();
         if (D == 2) draw_walls(scene_, view_, theme_, wall_thickness * unit_, picture_);
-        draw_traces(scene_, onlooker_.history, view_, picture_);
+        draw_traces(scene_, context_.history, view_, picture_);
         for (std::size_t i = 0; i < world_.figures.size(); ++i) figure(world_.figures[i], i);
     }
 
@@ -55,7 +55,7 @@ template <class WorldT> class Drawer {
     const Scene& scene_;
     const WorldT& world_;
     const View& view_;
-    const Onlooker& onlooker_;
+    const DrawContext& context_;
     Picture& picture_;
     const Theme& theme_;
     const Light light_;
@@ -123,8 +123,8 @@ template <class WorldT> class Drawer {
     /// The number of the image that is painted in place of a piece.
     std::optional<std::uint32_t> image_of(const Piece& piece, const Style& style) const {
         if (!style.image || !takes_image(piece)) return std::nullopt;
-        for (std::size_t i = 0; i < onlooker_.images.size(); ++i)
-            if (onlooker_.images[i].first == style.image->file) return std::uint32_t(i);
+        for (std::size_t i = 0; i < context_.images.size(); ++i)
+            if (context_.images[i].first == style.image->file) return std::uint32_t(i);
         return std::nullopt;
     }
 
@@ -222,11 +222,11 @@ template <class WorldT> class Drawer {
     bool is_hovered(const Piece& piece, const Style& style) {
         if (!style.hover) return false;
         const auto is_held = [&](ParticleId id) {
-            return std::find(onlooker_.held.begin(), onlooker_.held.end(), id) != onlooker_.held.end();
+            return std::find(context_.held.begin(), context_.held.end(), id) != context_.held.end();
         };
         if (std::any_of(piece.particles.begin(), piece.particles.end(), is_held)) return true;
-        if (!onlooker_.pointer) return false;
-        const auto seen = view_.see(onlooker_.pointer->template as<3, double>());
+        if (!context_.pointer) return false;
+        const auto seen = view_.see(context_.pointer->template as<3, double>());
         return seen && brush_.covers(traced_, seen->pixel);
     }
 
@@ -309,55 +309,17 @@ template <class WorldT> class Drawer {
     }
 };
 
-/// Two corners around all that a world shows.
-template <class WorldT> std::array<Point, 2> extent(const WorldT& world, const Scene& scene) {
-    if (scene.world.bounds && scene.world.bounds->box) {
-        auto corners = *scene.world.bounds->box;
-        for (int i = 0; i < 3; ++i)
-            if (corners[0][i] > corners[1][i]) std::swap(corners[0][i], corners[1][i]);
-        return corners;
-    }
-    std::array<Point, 2> corners{};
-    for (Row row = 0; row < world.particles.size(); ++row)
-        for (int i = 0; i < WorldT::dimension; ++i) {
-            const double x = double(world.particles.position[row][i]);
-            corners[0][i] = row == 0 ? x : std::min(corners[0][i], x);
-            corners[1][i] = row == 0 ? x : std::max(corners[1][i], x);
-        }
-    // what hangs swings: room for the larger side all around
-    const double side = std::max(corners[1][0] - corners[0][0], corners[1][1] - corners[0][1]);
-    for (int i = 0; i < 2; ++i) {
-        corners[0][i] -= side * 0.5;
-        corners[1][i] += side * 0.5;
-    }
-    return corners;
-}
-
 } // namespace
 
-std::array<Point, 2> focus_of(const Scene& scene, const AnyWorld& world) {
-    return std::visit([&](const auto& w) { return extent(w, scene); }, world);
+void draw(const Session& session, const View& view, Picture& picture, OverlaySet overlay) {
+    const DrawContext context{session.images(), session.pointer(), session.held_particles(), session.history()};
+    std::visit([&](const auto& world) { Drawer(session.scene(), world, view, context, picture).draw(); },
+               session.world());
+    draw_overlays(overlay, session.scene(), session.world(), view, picture);
 }
 
-Vec2<double> Session::place_of(Vec2<double> pixel, int width, int height) const {
-    return View(scene_, focus_, width, height).place_of(pixel);
-}
-
-void Session::draw(Picture& picture, OverlaySet overlay) const {
-    draw(picture, overlay, View(scene_, focus_, picture.width, picture.height));
-}
-
-void Session::draw(Picture& picture, OverlaySet overlay, const View& view) const {
-    Onlooker onlooker{images_, pointer(), {}, history_};
-    std::visit(
-        [&](const auto& world) {
-            if (hand_) onlooker.held = hand_->members;
-            for (const auto& held : held_)
-                if (const auto id = find_particle(world, held.particle)) onlooker.held.push_back(*id);
-            Drawer(scene_, world, view, onlooker, picture).draw();
-        },
-        world_);
-    draw_overlays(overlay, scene_, world_, view, picture);
+void draw(const Session& session, Picture& picture, OverlaySet overlay) {
+    draw(session, session.view(picture.width, picture.height), picture, overlay);
 }
 
 } // namespace sinew

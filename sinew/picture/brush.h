@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sinew/session/picture.h"
-#include "sinew/session/spine.h"
-#include "sinew/session/wardrobe.h"
+#include "sinew/picture/picture.h"
+#include "sinew/picture/spine.h"
+#include "sinew/picture/wardrobe.h"
 #include "sinew/solver/figure.h"
 
 namespace sinew {

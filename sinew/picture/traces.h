@@ -1,7 +1,7 @@
 #pragma once
 
+#include "sinew/picture/picture.h"
 #include "sinew/session/history.h"
-#include "sinew/session/picture.h"
 #include "sinew/session/view.h"
 
 namespace sinew {
