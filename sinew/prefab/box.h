@@ -8,8 +8,9 @@
 
 namespace sinew {
 
-/// Four corners about the point where it stands: top_left, top_right, bottom_right, bottom_left. Constraints top,
-/// right, bottom, left, then diagonal (top left to bottom right) and other_diagonal.
+/// Four corners around the figure's position: particles top_left, top_right, bottom_right, bottom_left. Constraints
+/// top, right, bottom, left (in classic mode left comes first), then diagonal (top left to bottom right) and
+/// other_diagonal.
 struct Box {
     static constexpr std::string_view name = "box";
     static constexpr std::string_view about = "A crate: four corners, four edges, one or two braces across.";

@@ -4,9 +4,10 @@
 
 namespace sinew {
 
-/// Planks joined end to end between two banks, standing on the left one. Particles joint_0 (also called left_bank),
-/// ..., the last also called right_bank; constraints plank_0 (joint_0 to joint_1), .... With a rail also rail_0, ...
-/// above the joints, held above the banks; rail_link_0, ... between them and hanger_0 (joint_1 to rail_1), ....
+/// A bridge of planks joined end to end between two banks, positioned by the left bank. Particles joint_0 (also called
+/// left_bank), ..., the last also called right_bank; constraints plank_0 (joint_0 to joint_1), .... A rail adds
+/// particles rail_0, ... above the joints, held above the banks, constraints rail_link_0, ... along the rail, and
+/// hanger_0 (joint_1 to rail_1), ....
 struct Bridge {
     static constexpr std::string_view name = "bridge";
     static constexpr std::string_view about = "Planks that hang between two banks, with or without a rail of rope.";

@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-/// A chain hanging from the point where it stands: stiff links, each from one particle to the next. Particles
-/// particle_0 (also called start), ..., the last also called end; constraints link_0, ..., and with bend_limit bend_0
-/// (at particle_1), ....
+/// A chain of stiff links between consecutive particles, hanging from the figure's position. Particles particle_0 (also
+/// called start), ..., the last also called end; constraints link_0, ..., and with bend_limit bend_0 (at particle_1),
+/// ....
 struct Chain {
     static constexpr std::string_view name = "chain";
     static constexpr std::string_view about = "A chain of stiff links.";

@@ -9,13 +9,13 @@
 
 namespace sinew {
 
-/// A grid of particles, standing where the middle of its top row is. Particles particle_0_0 (top left), particle_1_0 to
-/// its right, particle_0_1 below it, ...; the corners are also called top_left, top_right, bottom_left, bottom_right.
+/// A grid of particles, positioned by the middle of the top row. Particles particle_0_0 (top left), particle_1_0 to the
+/// right, particle_0_1 below, ...; the corners are also called top_left, top_right, bottom_left, bottom_right.
 ///
-/// Constraints, in this order: across_0_0 (particle_0_0 to particle_1_0), ... all rows; down_0_0 (to particle_0_1),
-/// ...; falling_0_0 (to particle_1_1), ...; rising_0_0 (particle_1_0 to particle_0_1), ...; with bend bend_across_0_0
-/// (to particle_2_0), ... and bend_down_0_0 (to particle_0_2), .... The order matters: all threads of one direction,
-/// then those of the next, left a quarter of the stretch of a random order, where cell by cell grew without bound.
+/// Constraints, in this order: across_0_0 (particle_0_0 to particle_1_0), ... of all rows; down_0_0 (to particle_0_1),
+/// ...; falling_0_0 (to particle_1_1), ...; rising_0_0 (particle_1_0 to particle_0_1), ...; with bend also
+/// bend_across_0_0 (to particle_2_0), ... and bend_down_0_0 (to particle_0_2), .... The order matters for convergence:
+/// one direction after the other left a quarter of the stretch of a random order, and cell by cell diverged.
 struct Cloth {
     static constexpr std::string_view name = "cloth";
     static constexpr std::string_view about = "A piece of cloth: a grid of threads that drapes, flutters and can tear.";

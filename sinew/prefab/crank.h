@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-/// A wheel, standing where its hub is, with a rod from a pin on its rim, which is to the right at first. Particles hub
-/// (held), pin and end (of the rod); constraints arm (hub to pin) and rod. A scene turns it by a pin on "crank/pin"
-/// that is driven on an orbit about the hub. With a cylinder the end is a piston on a line through the hub: also face
+/// A wheel, positioned by its hub, with a rod at a pin on the rim; the pin starts on the right. Particles hub (held),
+/// pin and end (of the rod); constraints arm (hub to pin) and rod. A scene turns the wheel by a pin on "crank/pin" with
+/// an orbit driver about the hub. With a cylinder the end is a piston on a line through the hub: also particles face
 /// (of the piston), mouth and head (of the cylinder, held); constraints rail, piston and face_rail.
 struct Crank {
     static constexpr std::string_view name = "crank";

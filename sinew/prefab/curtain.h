@@ -4,9 +4,8 @@
 
 namespace sinew {
 
-/// A cloth on a rod, standing where the middle of the rod is; particles and constraints are called as a Cloth's. Its
-/// threads run across and down only, so that it tears along them. As it comes it is the curtain of the tearable cloth
-/// tutorial.
+/// A cloth on a rod, positioned by the middle of the rod; names of particles and constraints as in Cloth. Threads run
+/// across and down only, so tears follow the threads. The defaults are the curtain of the tearable cloth tutorial.
 struct Curtain {
     static constexpr std::string_view name = "curtain";
     static constexpr std::string_view about = "A curtain on a rod, to be pulled aside, torn and cut.";

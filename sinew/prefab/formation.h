@@ -4,10 +4,10 @@
 
 namespace sinew {
 
-/// Ships in rows and columns, each on a spring to an anchor of its own, standing where the middle of the top row is.
-/// Particles anchor_0_0 (held, top left), anchor_1_0 to its right, anchor_0_1 below it, ...; ship_0_0, ...; constraints
-/// spring_0_0, .... A scene moves them by a pin on "formation/anchor_*" with a driver. In
-/// classic mode give it a relaxation, and a split of 1: ships follow, anchors do not.
+/// Ships in rows and columns, each on a spring to an anchor of its own, positioned by the middle of the top row.
+/// Particles anchor_0_0 (held, top left), anchor_1_0 to the right, anchor_0_1 below, ...; ship_0_0, ...; constraints
+/// spring_0_0, .... A scene moves the formation by a pin on "formation/anchor_*" with a driver. Classic mode needs a
+/// relaxation, and a split of 1, so that corrections move the ships and not the anchors.
 struct Formation {
     static constexpr std::string_view name = "formation";
     static constexpr std::string_view about = "Ships in rows, held by springs to anchors that can move.";

@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-/// Two bones and the joint between them, from the point where it stands: particles root, joint, end; constraints upper,
-/// lower, and in physical mode bend, which keeps the turn at the joint in its range. Drawn as one band bent along the
-/// quadratic Bezier curve of the three, with a tip at its end that is turned as the curve ends.
+/// Two bones with a joint between, starting at the figure's position: particles root, joint, end; constraints upper,
+/// lower, and in physical mode bend, a range for the angle at the joint. Drawn as one band along the quadratic Bezier
+/// curve of the three particles, with a tip along the end tangent of the curve.
 struct Limb {
     static constexpr std::string_view name = "limb";
     static constexpr std::string_view about = "An arm or a leg: two bones, drawn as one band bent along a curve.";

@@ -11,8 +11,8 @@
 
 namespace sinew {
 
-/// Cloth of any cut: the points of an OBJ file are particles, the edges of its faces threads. Particles vertex_0 (the
-/// file's first), vertex_1, ...; constraints edge_0, ... in the order in which faces first name them,
+/// Cloth of any shape: the points of an OBJ file become particles, the edges of its faces threads. Particles vertex_0
+/// (the first of the file), vertex_1, ...; constraints edge_0, ... in the order in which the faces first use each edge,
 /// diagonals last.
 struct Mesh {
     static constexpr std::string_view name = "mesh";
@@ -33,9 +33,9 @@ struct Mesh {
     std::string drawn = "fill";
     double thickness = 0.01;
 
-    /// What the file holds: whoever opens a scene reads it. Without one it is a square of four triangles.
+    /// Content of the file, read by whoever opens the scene. Without a file the mesh is a square of four triangles.
     std::shared_ptr<const MeshModel> model{};
-    bool unseen = false; ///< nothing of it is drawn, which takes no room
+    bool unseen = false; ///< true: nothing is drawn, which saves the memory of the pieces
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.file, Field{.name = "file", .help = "An OBJ file in the scene's folder; left out: a square"});

@@ -8,9 +8,9 @@
 
 namespace sinew {
 
-/// A regular polygon standing on one of its sides. Particles corner_0 (the right one of the lowest side), corner_1, ...
-/// counter-clockwise, and `center` if it has spokes; constraints edge_0 (corner_0 to corner_1), ..., then spoke_0, ...
-/// or brace_0, ... or `area`.
+/// A regular polygon that rests on one of its sides, positioned by its centre. Particles corner_0 (the right end of the
+/// lowest side), corner_1, ... counter-clockwise, and `center` if there are spokes; constraints edge_0 (corner_0 to
+/// corner_1), ..., then spoke_0, ... or brace_0, ... or `area`.
 struct Polygon {
     static constexpr std::string_view name = "polygon";
     static constexpr std::string_view about = "A regular polygon: three sides make a triangle, many a wheel.";

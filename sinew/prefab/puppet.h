@@ -4,10 +4,10 @@
 
 namespace sinew {
 
-/// A matchstick man of eleven points with a weight for each part of the body, standing where his shoulders meet.
-/// Particles head, shoulder, pelvis, left_ and right_ elbow, hand, knee, foot. Classic: the tearable cloth's man, his
-/// masses, his soft spine and his two hidden, very soft supports. Physical: rigid limbs, a head that stays upright on
-/// its neck, knees and elbows that bend one way.
+/// A matchstick man of eleven particles with a mass for each part of the body, positioned by the meeting point of the
+/// shoulders. Particles head, shoulder, pelvis, left_ and right_ elbow, hand, knee, foot. Classic mode: the man of the
+/// tearable cloth demo with its masses, soft spine and hidden, very soft supports. Physical mode: rigid limbs, a head
+/// that stays upright on the neck, and knees and elbows that bend one way only.
 struct Puppet {
     static constexpr std::string_view name = "puppet";
     static constexpr std::string_view about = "A light matchstick man, for crowds.";

@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// A rope hanging from the point where it stands. Particles particle_0 (also called start), ..., the last also called
-/// end; constraints link_0 (particle_0 to particle_1), ..., and with bend_stiffness bend_0 (at particle_1), ....
+/// A rope hanging from the figure's position. Particles particle_0 (also called start), ..., the last also called end;
+/// constraints link_0 (particle_0 to particle_1), ..., and with bend_stiffness bend_0 (at particle_1), ....
 struct Rope {
     static constexpr std::string_view name = "rope";
     static constexpr std::string_view about =

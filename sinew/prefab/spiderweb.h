@@ -4,9 +4,9 @@
 
 namespace sinew {
 
-/// A web about the point where it stands: one thread laid in a spiral from the rim inwards, each of its particles also
-/// tied to the one a turn further in. Particles particle_0, ..., the last of them also called center; constraints
-/// thread_0, ... along the spiral, spoke_0, ... across it. (After the web of verlet-js, a little uneven as real ones.)
+/// A web around the figure's position: one thread in a spiral from the rim inwards, each particle also linked to the
+/// one a turn further in. Particles particle_0, ..., the last also called center; constraints thread_0, ... along the
+/// spiral, the last closing the rim, and spoke_0, ... across. (After the web of verlet-js, made a little uneven.)
 struct Spiderweb {
     static constexpr std::string_view name = "spiderweb";
     static constexpr std::string_view about = "A web stretched between a few anchors.";

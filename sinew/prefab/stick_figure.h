@@ -4,9 +4,9 @@
 
 namespace sinew {
 
-/// Standing where its neck is. Particles head, neck, hips and, left and right as one sees them, left_elbow, left_hand,
-/// left_knee, left_foot, right_elbow, right_hand, right_knee, right_foot. Its sticks are drawn, the supports that keep
-/// it in shape are not.
+/// A matchstick man, positioned by the neck. Particles head, neck, hips and, left and right as on screen, left_elbow,
+/// left_hand, left_knee, left_foot, right_elbow, right_hand, right_knee, right_foot. The sticks are drawn; the supports
+/// that hold the figure in shape are hidden.
 struct StickFigure {
     static constexpr std::string_view name = "stick_figure";
     static constexpr std::string_view about =

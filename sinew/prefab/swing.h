@@ -4,9 +4,9 @@
 
 namespace sinew {
 
-/// A seat on two ropes, hanging from the point in the middle between its hooks. Particles left_0 (also called
-/// left_hook), ..., the last also called seat_left; right_0 (right_hook), ..., seat_right. Constraints left_link_0,
-/// ..., right_link_0, ... from the hooks down, and seat. In classic mode the pieces of the ropes are sticks.
+/// A seat on two ropes, positioned by the point midway between the hooks. Particles left_0 (also called left_hook),
+/// ..., the last also called seat_left; right_0 (right_hook), ..., seat_right. Constraints left_link_0, ...,
+/// right_link_0, ... from the hooks down, and seat. In classic mode the links are rigid rods.
 struct Swing {
     static constexpr std::string_view name = "swing";
     static constexpr std::string_view about = "A seat on two ropes, to be pushed.";

@@ -4,8 +4,9 @@
 
 namespace sinew {
 
-/// Particles corner_0, ... counter-clockwise about center; constraints tread_0, ... along the rim, brace_0, ... from a
-/// corner to one further on, spoke_0, ... from the centre. (After the tire of verlet-js.)
+/// A tire, positioned by its hub. Particles corner_0, ... counter-clockwise around center; constraints tread_0, ...
+/// along the rim, brace_0, ... from a corner to one further on, spoke_0, ... from the centre. (After the tire of
+/// verlet-js.)
 struct Tire {
     static constexpr std::string_view name = "tire";
     static constexpr std::string_view about =

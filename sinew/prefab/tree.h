@@ -4,18 +4,18 @@
 
 namespace sinew {
 
-/// A tree on the ground where it stands: a trunk that forks, and forks again. Particles root (below the ground) and
-/// base, both held, then particle_0 at the top of the trunk, particle_1, ... as one climbs, always to the left first;
-/// constraints branch_0, ... below each of these, and joint_0, ..., the angle at the lower end of each. (After the tree
-/// of verlet-js.)
+/// A tree growing from the figure's position: a trunk that forks repeatedly. Particles root (below the ground) and
+/// base, both held, then particle_0 at the top of the trunk, particle_1, ... depth first, the left branch before the
+/// right; constraints branch_0, ... below each of these particles, and joint_0, ..., the angle at the lower end of each
+/// branch. (After the tree of verlet-js.)
 ///
-/// Thickness follows Leonardo da Vinci's rule: the branches above a fork are together as thick, by cross section, as
-/// the one below; a joint's stiffness goes with the fourth power of it.
+/// Thickness follows Leonardo da Vinci's rule: the cross sections of the branches above a fork add up to the one below.
+/// The bending stiffness of a joint is proportional to the fourth power of the thickness.
 struct Tree {
     static constexpr std::string_view name = "tree";
     static constexpr std::string_view about = "A tree that sways: branches that fork, and leaves on the last of them.";
     static constexpr Dimensions dimensions{2, 2};
-    static constexpr double least_share = 0.01; ///< of `branch`: no twig is shorter
+    static constexpr double least_share = 0.01; ///< shortest length of a branch, as a share of `branch`
 
     int depth = 5;
     double branch = 0.7;
