@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-/// What moves a pin by itself: "driver" of an entry of "pins". All are functions of time alone but the pointer.
+/// Drivers that move a pin: "driver" of an entry of "pins". All but the pointer are functions of time alone.
 namespace sinew {
 
 struct OrbitDriver {

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-/// What happens when: the section "events" of a scene file. Times are in the scene's time unit, from its start.
+/// Timed events: the section "events" of a scene file. Times are in the scene's time unit, from the start of the scene.
 namespace sinew {
 
 struct GrabEvent {
@@ -159,7 +159,7 @@ struct SnipEvent {
     }
 };
 
-/// What can be changed while a scene runs; what is left out stays.
+/// Settings that can change while a scene runs; absent members keep their values.
 struct Changes {
     std::optional<Point> gravity;
     std::optional<double> damping, bounce, friction, time_scale;

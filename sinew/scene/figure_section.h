@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-/// What there is in a scene: its figures, and what joins and holds them.
+/// Figures of a scene, and the constraints and pins on figures.
 namespace sinew {
 
-/// What moves the limits of a constraint: "drive". Of a distance it is a winch, of an angle a motor.
+/// A keyframe of "drive", which moves the limits of a constraint: a winch for a distance, a motor for an angle.
 struct DriveKey {
     double at = 0;
     std::optional<double> to, strength;
@@ -133,7 +133,7 @@ struct ParticleSection {
 inline constexpr std::array<std::string_view, 10> mark_names = {"stroke", "curve", "limb", "tip",     "loop",
                                                                 "ring",   "dot",   "fill", "surface", "face"};
 
-/// What is drawn of a figure made by hand, beside its dots and its lines.
+/// A drawn piece of a hand-made figure, besides its dots and lines.
 struct PieceSection {
     std::string mark = "stroke";
     std::string part;
@@ -157,7 +157,7 @@ struct PieceSection {
     }
 };
 
-/// A figure made by hand, of single particles and constraints.
+/// A hand-made figure: a list of particles and constraints.
 struct ByHand {
     static constexpr std::string_view name = "by_hand";
     static constexpr std::string_view about = "Particles and constraints listed one by one.";

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-/// How things look: the section "looks" of a scene file. Nothing here moves anything.
+/// Looks: the section "looks" of a scene file. Looks have no effect on motion.
 namespace sinew {
 
-/// What is painted in place of a shape: at a particle upright; between two particles along the way from one to the
-/// other; at the end of a limb as it ends; along limbs and ropes bent like them; on four corners from corner to corner.
+/// An image painted in place of a shape. Placement: upright at a particle; along the line between two particles; along
+/// the end tangent of a limb for a tip; bent along limbs and ropes; from corner to corner on four corners.
 struct ImageLook {
     std::string file;
     std::optional<std::array<double, 2>> size;
@@ -41,13 +41,13 @@ struct ImageLook {
     }
 };
 
-/// Colours of the theme that a look can name: what stands out from the background, and the background itself.
+/// Colours of the theme by name: the foreground and the background.
 inline constexpr std::array<std::string_view, 2> theme_colors = {"ink", "paper"};
 
-/// Faces that a look can put on a round part.
+/// Faces a look can put on a round part.
 inline constexpr std::array<std::string_view, 4> expressions = {"none", "awake", "asleep", "dizzy"};
 
-/// Of one part of one figure ("bob/head"), of a whole figure ("bob") or of that part in all figures ("head").
+/// Look of one part of one figure ("bob/head"), of a whole figure ("bob") or of a part in all figures ("head").
 struct Look {
     std::string color;
     std::string fill;

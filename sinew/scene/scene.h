@@ -16,8 +16,7 @@
 #include <variant>
 #include <vector>
 
-/// A scene file as data: what it says, not what becomes of it. Every section is a record, which is all there is to know
-/// about reading, checking, describing and writing it.
+/// A scene file as data. Every section is a record; reading, checking, description and writing follow from its fields.
 namespace sinew {
 
 struct UnitsSection {
@@ -36,7 +35,7 @@ struct UnitsSection {
     }
 };
 
-/// Where a 3D scene is looked at from.
+/// Camera of a 3D scene.
 struct CameraSection {
     Vec3<double> eye{{0, 1.5, 5}};
     Vec3<double> target{};
@@ -83,7 +82,7 @@ struct ViewSection {
     }
 };
 
-/// What a pointer does to the scene, in whatever window it is.
+/// Effects of the pointer on a scene, in any window.
 struct PointerSection {
     double cuts_within = 0;
     double pulls_within = 0;
@@ -123,7 +122,7 @@ struct PointerSection {
 };
 
 struct Scene {
-    // Defined once, in scene.cpp: it is a lot to make and to copy.
+    // Special members are defined in scene.cpp, because each one generates a lot of code.
     Scene();
     Scene(const Scene&);
     Scene(Scene&&) noexcept;
@@ -175,36 +174,36 @@ struct Scene {
                                   .high = 86400});
     }
 
-    /// What a metre and a second are worth in it.
+    /// Conversion from SI units to the scene's units.
     Units measures() const;
 };
 
 using AnyWorld = std::variant<World<2, float>, World<2, double>, World<3, float>, World<3, double>>;
 
-/// How classic mode holds what is grabbed or driven.
+/// Rule by which classic mode holds a grabbed or driven particle.
 Hold hold_rule(const Scene& scene);
 
-/// The world of a good scene, at its start.
+/// Builds the world of a valid scene, at the start of the scene.
 AnyWorld instantiate(const Scene& scene);
 
 struct Opened {
     Scene scene;
-    AnyWorld world; ///< at its start
+    AnyWorld world; ///< state at the start of the scene
     Images images;
 };
 
-/// Reads the scene of a document and builds its world. Nothing where anything is wrong with it, also beyond single
-/// values (names that are used twice or stand for nothing, more than the limits allow, images that cannot be read):
-/// then the document's diagnostics say what. Without a reader of images none is looked at, and shapes are drawn
-/// instead; without one of models every mesh is the square it is without a file.
+/// Reads the scene of a document and builds its world. Returns nothing if there is any error, including errors beyond
+/// single values (names used twice or unknown, sizes above the limits, unreadable images); the document's diagnostics
+/// then list the errors. Without an image reader, shapes are drawn instead of images; without a model reader, every
+/// mesh is the default square.
 std::optional<Opened> open_scene(Document& document, const ImageReader& images = {}, const ModelReader& models = {});
 
-/// As a file states it: what has its default is left out.
+/// The scene as a file states it, without default values.
 json::Value to_json(const Scene& scene);
-/// One of its figures.
+/// A figure of the scene, as a file states it.
 json::Value to_json(const Scene& scene, const FigureSection& figure);
 
-/// How long a step of the scene is, in its own time unit.
+/// Duration of a step, in the scene's time unit.
 double step_length(const Scene& scene);
 
 } // namespace sinew

@@ -8,13 +8,13 @@
 #include <string>
 #include <string_view>
 
-/// What is drawn of the past: the section "traces" of a scene file. Nothing here moves anything.
+/// Traces of past motion: the section "traces" of a scene file. Traces have no effect on motion.
 namespace sinew {
 
-/// What a trace can show. The first is drawn where it happened, the others as a curve over time.
+/// Quantities a trace can show. A path is drawn where the motion took place, the others as a curve over time.
 inline constexpr std::array<std::string_view, 5> trace_quantities = {"path", "energy", "kinetic", "potential", "speed"};
 
-/// Traces of one scene; each keeps a bounded number of samples.
+/// Maximum number of traces in a scene; each stores a bounded number of samples.
 inline constexpr std::size_t most_traces = 64;
 
 struct TraceSection {

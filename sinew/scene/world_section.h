@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-/// What acts on everything, and how it is solved: the sections "world" and "solver" of a scene file.
+/// Forces, bounds and solver settings: the sections "world" and "solver" of a scene file.
 namespace sinew {
 
 struct PlaneSection {
@@ -193,7 +193,7 @@ struct RulesSection {
     bool hover_freezes = false;
     std::string integrator = "verlet";
 
-    /// In the order of PassOrder; the last is an older name of the one before it.
+    /// In the order of PassOrder; the last entry is an older name of the third.
     static constexpr std::array<std::string_view, 4> orders = {"sweeps_last", "walls_each_pass", "walls_last",
                                                                "interleaved"};
     static constexpr std::array<std::string_view, 3> holds = {"fixed", "corrected", "integrated"};
