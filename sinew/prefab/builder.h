@@ -63,8 +63,8 @@ inline double tears_beyond(double strain) {
 
 /// Field shared by every prefab with a breaking strain.
 inline constexpr Field toughness_field{.name = "toughness",
-                                       .help = "Strain beyond breaking_strain, times time, that it bears before it "
-                                               "tears: 0.1 is a tenth too far for a second; 0 tears at once",
+                                       .help = "Time integral of the strain above breaking_strain needed to tear: 0.1 "
+                                               "is an excess of 10 % for one second; 0 tears at once",
                                        .unit = unit::time,
                                        .low = 0,
                                        .high = 1e6};

@@ -24,19 +24,22 @@ struct Formation {
         visit(self.columns, Field{.name = "columns", .help = "Ships from left to right", .low = 1, .high = 1e9});
         visit(self.rows, Field{.name = "rows", .help = "Ships from top to bottom", .low = 1, .high = 1e9});
         visit(self.spacing, Field{.name = "spacing",
-                                  .help = "From one ship to the next",
+                                  .help = "Distance between neighbouring ships",
                                   .unit = unit::length,
                                   .low = 1e-6,
                                   .high = 1e6});
-        visit(self.size,
-              Field{.name = "size", .help = "Of a ship as drawn", .unit = unit::length, .low = 1e-6, .high = 1e6});
+        visit(self.size, Field{.name = "size",
+                               .help = "Diameter of a ship as drawn; collision radius is half",
+                               .unit = unit::length,
+                               .low = 1e-6,
+                               .high = 1e6});
         visit(self.mass, Field{.name = "mass",
-                               .help = "Of the whole: of each ship as much as of its anchor",
+                               .help = "Total mass, in equal parts for every ship and anchor",
                                .unit = unit::mass,
                                .low = 1e-6,
                                .high = 1e9});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How much a spring gives under a force",
+                                     .help = "Compliance of a spring",
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e9});

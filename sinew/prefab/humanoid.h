@@ -12,16 +12,18 @@ namespace sinew {
 /// make the trunk rigid.
 struct Humanoid {
     static constexpr std::string_view name = "humanoid";
-    static constexpr std::string_view about = "A cartoon man whose limbs bend as hoses do.";
+    static constexpr std::string_view about = "A cartoon man with limbs that bend like hoses.";
     static constexpr Dimensions dimensions{2, 2};
 
     double height = 2.16;
     double mass = 25;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.height,
-              Field{.name = "height", .help = "From head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(
+            self.height,
+            Field{
+                .name = "height", .help = "Height from head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
     }
 
     Sizes sizes() const;

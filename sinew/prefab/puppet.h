@@ -20,13 +20,15 @@ struct Puppet {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.height, Field{.name = "height",
-                                 .help = "From shoulder to foot: 7.5 heads",
+                                 .help = "Height from shoulder to foot: 7.5 heads",
                                  .unit = unit::length,
                                  .low = 1e-3,
                                  .high = 1e5});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
-        visit(self.thickness,
-              Field{.name = "thickness", .help = "Of a line as drawn", .unit = unit::length, .low = 0, .high = 1e5});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(
+            self.thickness,
+            Field{
+                .name = "thickness", .help = "Thickness of a drawn line", .unit = unit::length, .low = 0, .high = 1e5});
     }
 
     Sizes sizes() const;

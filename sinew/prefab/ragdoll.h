@@ -28,11 +28,13 @@ struct Ragdoll {
     std::string pose = "standing";
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.height,
-              Field{.name = "height", .help = "From head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
-        visit(self.stature, Field{.name = "build", .help = "How broad trunk and limbs are", .choices = builds});
-        visit(self.pose, Field{.name = "pose", .help = "How it holds its limbs at first", .choices = poses});
+        visit(
+            self.height,
+            Field{
+                .name = "height", .help = "Height from head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.stature, Field{.name = "build", .help = "Breadth of trunk and limbs", .choices = builds});
+        visit(self.pose, Field{.name = "pose", .help = "Initial pose of the limbs", .choices = poses});
     }
 
     Sizes sizes() const;

@@ -9,17 +9,18 @@ namespace sinew {
 /// that hold the figure in shape are hidden.
 struct StickFigure {
     static constexpr std::string_view name = "stick_figure";
-    static constexpr std::string_view about =
-        "A matchstick man: drawn sticks, held in shape by supports one does not see.";
+    static constexpr std::string_view about = "A matchstick man: drawn sticks, held in shape by hidden supports.";
     static constexpr Dimensions dimensions{2, 2};
 
     double height = 1.6;
     double mass = 70;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.height,
-              Field{.name = "height", .help = "From head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(
+            self.height,
+            Field{
+                .name = "height", .help = "Height from head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
     }
 
     Sizes sizes() const;

@@ -30,15 +30,15 @@ struct Limits {
                                 .high = most});
         // Recursion over nested objects uses the program's stack, which bounds the depth.
         visit(self.depth,
-              Field{.name = "depth", .help = "Objects and arrays inside each other", .low = 1, .high = 1000});
-        visit(self.values,
-              Field{.name = "values", .help = "Values in the scene file, of any type", .low = 1, .high = most});
+              Field{.name = "depth", .help = "Nesting depth of objects and arrays", .low = 1, .high = 1000});
+        visit(
+            self.values,
+            Field{.name = "values", .help = "Number of values in the scene file, of any type", .low = 1, .high = most});
         visit(self.string_bytes,
               Field{.name = "string_bytes", .help = "Length of one string, word or number", .low = 1, .high = most});
-        visit(self.memory, Field{.name = "memory",
-                                 .help = "Bytes that the lists of the scene take once read",
-                                 .low = 1,
-                                 .high = 1e12});
+        visit(
+            self.memory,
+            Field{.name = "memory", .help = "Bytes taken by the lists of the scene once read", .low = 1, .high = 1e12});
         visit(self.errors,
               Field{.name = "errors", .help = "Errors shown before the rest is counted", .low = 1, .high = 200});
         visit(self.figures, Field{.name = "figures", .help = "Figures in the scene", .low = 0, .high = most});

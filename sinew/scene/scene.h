@@ -29,9 +29,9 @@ struct UnitsSection {
     static constexpr std::array<std::string_view, 2> ups = {"+y", "-y"};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.length, Field{.name = "length", .help = "100 px are a metre", .choices = lengths});
-        visit(self.time, Field{.name = "time", .help = "60 frames are a second", .choices = times});
-        visit(self.up, Field{.name = "up", .help = "Which way is up: -y as on screens", .choices = ups});
+        visit(self.length, Field{.name = "length", .help = "Length unit: 100 px are a metre", .choices = lengths});
+        visit(self.time, Field{.name = "time", .help = "Time unit: 60 frames are a second", .choices = times});
+        visit(self.up, Field{.name = "up", .help = "Upward direction: -y as on screens", .choices = ups});
     }
 };
 
@@ -45,15 +45,15 @@ struct CameraSection {
     static constexpr std::array<std::string_view, 2> projections = {"perspective", "orthographic"};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.eye, Field{.name = "eye", .help = "Where it is", .unit = unit::length});
-        visit(self.target, Field{.name = "target", .help = "What it looks at", .unit = unit::length});
+        visit(self.eye, Field{.name = "eye", .help = "Position of the camera", .unit = unit::length});
+        visit(self.target, Field{.name = "target", .help = "Point the camera looks at", .unit = unit::length});
         visit(self.field_of_view, Field{.name = "field_of_view",
-                                        .help = "From the top of the picture to its bottom",
+                                        .help = "Vertical angle of view",
                                         .unit = unit::angle,
                                         .low = pi<double> / 180,
                                         .high = 170 * pi<double> / 180});
         visit(self.projection, Field{.name = "projection",
-                                     .help = "Orthographic: what is far is as large as what is at the target",
+                                     .help = "Projection; orthographic draws everything at the scale of the target",
                                      .choices = projections});
     }
 };
@@ -73,12 +73,13 @@ struct ViewSection {
                                  .help = "Middle of the picture (2D); left out: half the size in px, else the origin",
                                  .unit = unit::length});
         visit(self.height, Field{.name = "height",
-                                 .help = "How much of the scene the picture shows from top to bottom (2D)",
+                                 .help = "Height of the visible part of the scene (2D)",
                                  .unit = unit::length,
                                  .low = 1e-6,
                                  .high = 1e8});
-        visit(self.camera, Field{.name = "camera", .help = "Where a 3D scene is looked at from"});
-        visit(self.theme, Field{.name = "theme", .help = "Colours of what has no looks of its own", .choices = themes});
+        visit(self.camera, Field{.name = "camera", .help = "Camera of a 3D scene"});
+        visit(self.theme,
+              Field{.name = "theme", .help = "Default colours, for parts without looks", .choices = themes});
     }
 };
 
@@ -92,29 +93,33 @@ struct PointerSection {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.cuts_within, Field{.name = "cuts_within",
-                                      .help = "How near to what it cuts along distances are cut too",
+                                      .help = "Distance from the pointer's cut within which links are cut too",
                                       .unit = unit::length,
                                       .low = 0,
                                       .high = 1e6});
-        visit(self.pulls_within,
-              Field{.name = "pulls_within",
-                    .help = "How near to what it grabs the rest of its figure is pulled along; in "
-                            "classic mode it holds nothing, but drags along what is as near to its way",
-                    .unit = unit::length,
+        visit(
+            self.pulls_within,
+            Field{
+                .name = "pulls_within",
+                .help =
+                    "Distance around the grabbed particle within which the rest of its figure is pulled along; in "
+                    "classic mode the pointer grabs nothing and drags along particles within this distance of its path",
+                .unit = unit::length,
+                .low = 0,
+                .high = 1e6});
+        visit(self.pulls_times,
+              Field{.name = "pulls_times",
+                    .help = "Speed of dragged particles, as a multiple of the pointer's speed (classic mode)",
                     .low = 0,
-                    .high = 1e6});
-        visit(self.pulls_times, Field{.name = "pulls_times",
-                                      .help = "How many times as fast as itself that goes (classic mode)",
-                                      .low = 0,
-                                      .high = 100});
+                    .high = 100});
         visit(self.wheel_quickens, Field{.name = "wheel_quickens",
-                                         .help = "What a notch of its wheel adds to solver.rules.time_scale, up to 5; "
-                                                 "0: the wheel zooms (classic mode)",
+                                         .help = "Change of solver.rules.time_scale for each notch of the wheel, up to "
+                                                 "a scale of 5; with 0 the wheel zooms (classic mode)",
                                          .low = 0,
                                          .high = 5});
         visit(self.hover_size, Field{.name = "hover_size",
-                                     .help = "Side of the square around a particle in which the pointer is over it, "
-                                             "for solver.rules.hover_freezes (2D, classic mode)",
+                                     .help = "Side of the square around a particle in which the pointer hovers over "
+                                             "it, for solver.rules.hover_freezes (2D, classic mode)",
                                      .unit = unit::length,
                                      .low = 0,
                                      .high = 1e6});
@@ -153,23 +158,23 @@ struct Scene {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.version,
               Field{.name = "sinew", .help = "Version of the format", .low = 1, .high = 1, .required = true});
-        visit(self.about, Field{.name = "about", .help = "What it shows, in a sentence or two"});
-        visit(self.source, Field{.name = "source", .help = "Where the idea is from"});
-        visit(self.category, Field{.name = "category", .help = "Which scenes it is shown with", .choices = categories});
-        visit(self.dimension, Field{.name = "dimension", .help = "2 or 3", .low = 2, .high = 3});
-        visit(self.units, Field{.name = "units", .help = "What the numbers of the file are in"});
-        visit(self.view, Field{.name = "view", .help = "What is seen of it"});
-        visit(self.pointer, Field{.name = "pointer", .help = "What a pointer does to it"});
-        visit(self.world, Field{.name = "world", .help = "What acts on everything"});
-        visit(self.solver, Field{.name = "solver", .help = "How it is solved"});
-        visit(self.figures, Field{.name = "figures", .help = "What there is"});
-        visit(self.constraints, Field{.name = "constraints", .help = "What joins figures"});
-        visit(self.pins, Field{.name = "pins", .help = "What is held"});
-        visit(self.looks, Field{.name = "looks", .help = "How parts look: by figure/part, by figure, by part"});
-        visit(self.events, Field{.name = "events", .help = "What happens when"});
-        visit(self.traces, Field{.name = "traces", .help = "What is drawn of the past: ways and curves"});
+        visit(self.about, Field{.name = "about", .help = "Description in a sentence or two"});
+        visit(self.source, Field{.name = "source", .help = "Source of the idea"});
+        visit(self.category, Field{.name = "category", .help = "Group of scenes in lists", .choices = categories});
+        visit(self.dimension, Field{.name = "dimension", .help = "Number of dimensions: 2 or 3", .low = 2, .high = 3});
+        visit(self.units, Field{.name = "units", .help = "Units of the numbers in the file"});
+        visit(self.view, Field{.name = "view", .help = "Visible part of the scene, camera and theme"});
+        visit(self.pointer, Field{.name = "pointer", .help = "Effects of the pointer"});
+        visit(self.world, Field{.name = "world", .help = "Gravity, damping, walls and forces"});
+        visit(self.solver, Field{.name = "solver", .help = "Mode, precision and settings of the solver"});
+        visit(self.figures, Field{.name = "figures", .help = "Figures: prefabs, or particles by hand"});
+        visit(self.constraints, Field{.name = "constraints", .help = "Constraints between figures"});
+        visit(self.pins, Field{.name = "pins", .help = "Pins: particles that are held or driven"});
+        visit(self.looks, Field{.name = "looks", .help = "Looks by figure/part, by figure or by part"});
+        visit(self.events, Field{.name = "events", .help = "Events at given times"});
+        visit(self.traces, Field{.name = "traces", .help = "Traces of the past: paths and curves"});
         visit(self.seconds, Field{.name = "seconds",
-                                  .help = "How long it is worth watching; what render takes",
+                                  .help = "Duration worth watching; the default duration of render",
                                   .low = 0.01,
                                   .high = 86400});
     }

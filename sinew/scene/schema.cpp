@@ -211,11 +211,10 @@ json::Value schema_of(const Layout& shape, std::string_view title, bool document
         properties.push_back({"$schema", Object{{"type", "string"}}});
         Object patches;
         for (const auto mode : modes) patches.push_back({std::string(mode), Object{{"type", "object"}}});
-        properties.push_back(
-            {"modes", Object{{"description", "What is different in a mode: a merge patch for the scene"},
-                             {"type", "object"},
-                             {"properties", std::move(patches)},
-                             {"additionalProperties", false}}});
+        properties.push_back({"modes", Object{{"description", "Changes for each mode, as merge patches of the scene"},
+                                              {"type", "object"},
+                                              {"properties", std::move(patches)},
+                                              {"additionalProperties", false}}});
     }
     schema.insert(schema.end(), std::move_iterator(root.begin()), std::move_iterator(root.end()));
     return schema;
