@@ -42,7 +42,7 @@ inline constexpr Unit compliance{.mass = -1, .time = 2}; ///< length / force: 1/
 
 struct Field {
     std::string_view name = {};
-    std::string_view help = {}; ///< one line
+    std::string_view help = {}; ///< a single line
     Unit unit = {};
     double low = -std::numeric_limits<double>::infinity(); ///< lowest value allowed, in SI units and radians
     double high = std::numeric_limits<double>::infinity();
