@@ -9,7 +9,7 @@ namespace sinew::canvas {
 Writer::Writer(std::filesystem::path target_, const FrameFormat& format_)
     : target(std::move(target_)), format(format_) {}
 
-/// Passes a step's outcome on. A failure or an interruption is final.
+/// Returns the outcome of a step. A failure or an interruption is final.
 Failure Writer::settle(const Failure& failure) {
     if (!failure && !interrupted()) return {};
     abandon();
