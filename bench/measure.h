@@ -27,7 +27,7 @@ struct Extent {
     int steps = 0;
     double seconds = 1e9; ///< no further step begins afterwards
 };
-/// Times a simulation. A pace (usually the textbook) alternates with the simulation, in turns of at most 30 and 100 ms:
+/// Times a simulation. A pace (usually the textbook) alternates with the simulation, in turns of about 30 and 100 ms:
 /// changes of the processor's clock then affect both. Positions are not read while timing, which would evict caches and
 /// let threads fall asleep.
 Timing time(Simulation& simulation, const Extent& extent, const Watch& watch = {}, Simulation* pace = nullptr);
