@@ -14,7 +14,8 @@ namespace sinew::canvas {
 /// transparent background is blended onto white.
 class Raster {
   public:
-    /// A raster of `width` x `height` pixels. `padding` more columns and rows, right and below, carry only background.
+    /// A raster of `width` x `height` pixels. Further columns on the right and rows at the bottom (padding) carry only
+    /// background.
     Raster(int width, int height, int padding_right = 0, int padding_bottom = 0);
 
     /// Paints the picture, scaled to fit if the sizes differ.

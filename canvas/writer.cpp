@@ -36,7 +36,7 @@ Failure Writer::finish() {
     if (frames == 0) return settle("no picture was given");
     if (auto failure = settle(complete())) return failure;
     if (auto failure = settle(partial.commit())) return failure;
-    abandon(); // nothing more is to be written
+    abandon(); // releases the encoder; the file is complete
     settled = name() + " is already complete";
     return {};
 }

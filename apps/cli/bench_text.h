@@ -9,7 +9,7 @@
 /// Formatting of measurements.
 namespace sinew::cli {
 
-/// "1.2 %", or "lost" for a value that is not finite.
+/// "1.2 %", or "lost" for infinities and NaN.
 std::string stretch_text(double fraction);
 
 /// The rows as a table for the terminal, or in Markdown; the first row holds the titles.

@@ -29,7 +29,7 @@ class PointerPath {
   private:
     std::vector<PointerSample> samples_; ///< in the order of time
     std::size_t next_ = 0;               ///< index of the first future sample
-    double depth_ = 1;                   ///< 3D: distance of the grabbed point from the eye
+    double depth_ = 1;                   ///< 3D: depth of the grabbed point (View::Seen)
     bool pressed_ = false;
 
     PointerSample now(double time);

@@ -47,7 +47,7 @@ std::vector<ParticleId> particles_of(const AnyWorld& world, const std::string& w
         world);
 }
 
-/// Shortest text that reads back as the same number.
+/// Shortest decimal representation with an exact round trip.
 void put_number(std::string& text, double number) {
     fmt::format_to(std::back_inserter(text), "{}", number);
 }

@@ -35,7 +35,7 @@ template <class Real> void tumble(World<3, Real>& world, int ragdolls) {
         std::vector<ParticleId> ids;
         for (Row row = 0; row < points; ++row) {
             const auto at = flat.particles.position[row];
-            // Random velocities, so that ragdolls tumble into the limits of the joints.
+            // Random velocities: ragdolls tumble into the limits of the joints.
             const auto throw_along = [&](int axis) {
                 return Real(3 * random::symmetric(1, std::uint64_t(axis), std::uint64_t(i) * points + row));
             };

@@ -64,7 +64,7 @@ void Brush::paint(const Traced& piece, const Style& style, float thicker, const 
         return picture_.add(Shape::loop, points, width, color);
     case Mark::ring: {
         if (points.size() != 2) return;
-        constexpr float wire = 0.3F; // of the ring's width
+        constexpr float wire = 0.3F; // fraction of the ring's width
         ring(points[0], points[1], piece.width, piece.width * wire, shape_);
         return picture_.add(Shape::loop, shape_, piece.width * wire + thicker, color);
     }

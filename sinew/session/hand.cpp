@@ -5,7 +5,7 @@
 namespace sinew {
 namespace {
 
-/// Mass of the particle's figure, or of the particle alone if it belongs to none.
+/// Mass of the particle's figure, or of a single particle without a figure.
 template <class WorldT> double lifted_mass(const WorldT& world, Row row) {
     const auto& p = world.particles;
     const auto figure = p.figure[row];
@@ -20,7 +20,7 @@ template <class WorldT> double lifted_mass(const WorldT& world, Row row) {
 template <class WorldT> ParticleId add_handle(WorldT& world, std::span<const ParticleId> members, const Point& place) {
     using Real = typename WorldT::Real;
     constexpr int D = WorldT::dimension;
-    constexpr Real lightness = Real(0.1); // of the lightest member: less is ill-conditioned, more is noticeable
+    constexpr Real lightness = Real(0.1); // mass over the lightest member's: less is ill-conditioned, more is felt
     Real mass = limit::mass<Real>;
     for (const auto id : members)
         if (const Real w = world.particles.inverse_mass[*row_of(world, id)]; w > Real(0))

@@ -83,7 +83,7 @@ void History::record(const Scene& scene, const AnyWorld& world) {
                 while (!samples.empty() && samples.back().step >= known.steps) samples.pop_back();
                 const bool between =
                     samples.size() > 1 && samples.back().step - samples[samples.size() - 2].step < spacing;
-                if (between) samples.pop_back(); // an intermediate sample, kept only while it was the latest
+                if (between) samples.pop_back(); // kept only while the latest
                 const auto value = measured(known, of, shows);
                 if (value) samples.push_back({known.steps, seconds, *value});
                 if (samples.size() > most_samples) thin_out(samples, spacing);

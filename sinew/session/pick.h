@@ -12,7 +12,7 @@ namespace sinew {
 struct Picked {
     std::vector<ParticleId> members; ///< a single particle, or several with `place` between them
     Point place;                     ///< position in the world
-    double depth = 0;                ///< distance from the eye; 0 in 2D
+    double depth = 0;                ///< distance from the eye along the view axis; 0 in 2D
     Vec2<float> pixel{};             ///< projected position
     FigureIndex figure = no_figure;
 };

@@ -17,7 +17,7 @@ namespace sinew {
 enum class Shape : std::uint8_t {
     polyline, ///< `count` points joined by a stroke of `width` pixels, round caps and joins
     loop,     ///< the same, closed
-    disc,     ///< one point, filled, `width` pixels in diameter
+    disc,     ///< a point, filled, `width` pixels in diameter
     polygon,  ///< `count` points, filled (even-odd)
     image,    ///< an image mapped onto a grid of points, rows of `across` points; `color` is blended over opaque pixels
     text,     ///< a line of text centred on one point, letters `width` pixels high

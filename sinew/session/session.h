@@ -113,13 +113,13 @@ class Session {
     struct Held {
         std::string particle;
         PinId pin;
-        Point from, to;
-        double since = 0, over = 0;
+        Point from, to;                 ///< ends of the target's path
+        double since = 0, over = 0;     ///< start and duration, in the scene's unit of time
         std::optional<Stroke> stroke{}; ///< replaces the pin in classic mode
     };
     struct Blowing {
-        std::size_t force = 0;
-        double until = 0;
+        std::size_t force = 0; ///< index in the world's forces
+        double until = 0;      ///< end, in the scene's unit of time
     };
 
     /// A pin with a driver.
@@ -133,7 +133,7 @@ class Session {
     void drive();
     /// A future occurrence of an event.
     struct Due {
-        double at = 0;
+        double at = 0;            ///< in the scene's unit of time
         std::size_t event = 0;    ///< index of the scene's event
         std::uint64_t before = 0; ///< number of earlier occurrences
         /// Inverted order: the earliest is on top of the heap, ties in the scene's order.
@@ -162,7 +162,7 @@ class Session {
     Winder winder_;
     std::optional<Point> pointer_;
     std::optional<Hand> hand_;
-    std::optional<Stroke> stroke_; ///< of the pointer, in place of hand_
+    std::optional<Stroke> stroke_; ///< the pointer's, in place of hand_
     Point stroke_to_{};
     bool taken_over_ = false; ///< after the pointer's first grab, until a restart: grab events are ignored
     std::vector<Held> held_;

@@ -50,7 +50,7 @@ template <class WorldT> class Transplant {
         if (!constraint_state(old_, was_.constraints[i])) cut.push_back(is_.constraints[i]);
     }
 
-    /// Copies the pieces, because a cut changes them.
+    /// Copies the drawn pieces, which a cut changes.
     void carry_pieces() {
         std::vector<ParticleId> becomes(old_.particles.size());
         for (std::size_t i = 0; i < is_.particles.size(); ++i)

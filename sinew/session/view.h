@@ -18,7 +18,7 @@ class View {
     struct Seen {
         Vec2<float> pixel{};
         float scale = 0; ///< pixels per unit of length at this depth
-        float depth = 0; ///< distance from the eye; 0 in 2D
+        float depth = 0; ///< distance from the eye along the view axis; 0 in 2D
     };
 
     /// Pixel, scale and depth of a position; empty behind the eye.
@@ -44,7 +44,7 @@ class View {
 
     bool flat_, orthographic_;
     double scale_ = 1;        ///< 2D: pixels per unit; 3D: pixels per unit at unit depth
-    double target_depth_ = 1; ///< 3D: distance from the eye to the target
+    double target_depth_ = 1; ///< 3D: depth of the target
     double up_ = 1;
     Vec2<double> middle_pixel_;
     Vec2<double> center_{}; // 2D
