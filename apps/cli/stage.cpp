@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_variants = 4;
 
-/// A comma within brackets, braces or quotes belongs to a value: "world.gravity=[0,1]".
+/// Splits at commas outside brackets, braces and quotes: "world.gravity=[0,1]" stays whole.
 std::vector<std::string> split_at_commas(const std::string& list) {
     std::vector<std::string> parts(1);
     int depth = 0;
@@ -38,7 +38,7 @@ bool is_mode(std::string_view word) {
     return std::ranges::find(SolverSection::modes, word) != SolverSection::modes.end();
 }
 
-/// A mode can be another scene, with a view of its own: then the scale is its own too.
+/// True if two variants can share a view; a mode may replace the scene together with the view section.
 bool has_same_view(const Scene& a, const Scene& b) {
     const auto key = [](const Scene& scene) {
         const auto& [eye, target, field_of_view, projection] = scene.view.camera;

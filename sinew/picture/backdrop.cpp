@@ -6,7 +6,7 @@
 namespace sinew {
 namespace {
 
-/// Everything outside of a rectangle, as four bars. They overlap at its corners, for edges that meet leave a seam.
+/// The complement of a rectangle as four bars, which overlap at the corners: abutting edges would leave a seam.
 void around(std::span<const Vec2<float>> rectangle, const Color& color, Picture& picture) {
     const auto w = float(picture.width), h = float(picture.height);
     float left = w, right = 0, top = h, bottom = 0;
@@ -38,7 +38,7 @@ void draw_floors(const Scene& scene, const View& view, const Theme& theme, Pictu
         const auto below_eye = onto(camera.eye);
         const double reach = maximum(0.93 * distance(below_eye, middle), 1.2 * distance(below_eye, camera.eye));
         const auto across = direction(cross(normal, view.towards_eye())), along = cross(across, normal);
-        constexpr int rings = 64, corners = 64; // fewer show as bands: red, green and blue step at different ones
+        constexpr int rings = 64, corners = 64; // fewer show as bands: red, green and blue change at different rings
         for (int ring = 0; ring < rings; ++ring) {
             const double t = double(ring + 1) / rings, radius = reach * (1 - double(ring) / rings);
             outline.clear();

@@ -6,12 +6,12 @@
 
 namespace sinew {
 
-/// What is behind all figures: adds to a picture what the scene's bounds look like.
+/// The backdrop of a picture: the bounds of the scene, drawn before all figures.
 
-/// In 3D: a pool of light on each plane that is seen from above, below what the camera looks at.
+/// 3D: a pool of light on every plane seen from above, centred below the camera's target.
 void draw_floors(const Scene& scene, const View& view, const Theme& theme, Picture& picture);
 
-/// In 2D: what is beyond the walls, and a line along them so many pixels thick.
+/// 2D: the ground beyond the walls, and a line of `thickness` pixels along each wall.
 void draw_walls(const Scene& scene, const View& view, const Theme& theme, float thickness, Picture& picture);
 
 } // namespace sinew

@@ -8,10 +8,10 @@
 namespace sinew {
 namespace {
 
-/// How long a straight part of a bent band may be, in nominal pixels.
+/// Longest straight part of a flattened band, nominal pixels.
 constexpr float longest_part = 4;
 
-/// How thick a band is at a place along it, pixels.
+/// Width of a band as a function of the arc length's fraction in [0, 1], pixels.
 struct Thickness {
     const Traced& piece;
     std::span<const double> profile;
@@ -23,7 +23,7 @@ struct Thickness {
 };
 
 Vec2<float> turned(Vec2<float> v, double angle) {
-    const auto c = float(cosine(angle)), s = float(-sine(angle)); // counter-clockwise where y points down
+    const auto c = float(cosine(angle)), s = float(-sine(angle)); // counter-clockwise on screen, where y points down
     return {{c * v[0] - s * v[1], s * v[0] + c * v[1]}};
 }
 
@@ -32,7 +32,7 @@ float distance_to_segment(Vec2<float> point, Vec2<float> a, Vec2<float> b) {
     return distance(point, a + (b - a) * clamp(share, 0.0F, 1.0F));
 }
 
-/// Whether a ray to the right crosses the outline an odd number of times.
+/// Even-odd rule: a ray to the right crosses the outline an odd number of times.
 bool is_inside(Vec2<float> point, std::span<const Vec2<float>> outline) {
     bool inside = false;
     for (std::size_t i = 0, last = outline.size() - 1; i < outline.size(); last = i++) {
@@ -64,7 +64,7 @@ void Brush::paint(const Traced& piece, const Style& style, float thicker, const 
         return picture_.add(Shape::loop, points, width, color);
     case Mark::ring: {
         if (points.size() != 2) return;
-        constexpr float wire = 0.3F; // of the ring's width
+        constexpr float wire = 0.3F; // fraction of the ring's width
         ring(points[0], points[1], piece.width, piece.width * wire, shape_);
         return picture_.add(Shape::loop, shape_, piece.width * wire + thicker, color);
     }
@@ -91,7 +91,7 @@ void Brush::paint_tapered(const Traced& piece, float thicker, const Color& color
     }
 }
 
-/// One line where it is equally thick all along; else a row of tapered pieces, which overlap in discs.
+/// A single polyline where the width is constant, otherwise a row of tapered pieces that overlap in discs.
 void Brush::paint_band(const Traced& piece, std::span<const double> profile, float thicker, const Color& color) {
     limb_along(piece.points, bends_);
     lay_out(bends_, 1, longest_part * unit_, spine_);
@@ -155,7 +155,8 @@ void Brush::paint_sprite(const Traced& piece, const ImageLook& look, std::uint32
     picture_.add_image(number, corners, 2, over);
 }
 
-/// Along a limb once, its top at the left hand; along a rope again and again, a whole number of times.
+/// A limb takes the image once, with the image's top on the left-hand side; a rope repeats the image a whole number of
+/// times.
 void Brush::paint_strip(const Traced& piece, const ImageLook& look, std::span<const double> profile,
                         std::uint32_t number, float larger, const Color& over) {
     const bool once = piece.mark == Mark::limb;
@@ -178,7 +179,7 @@ void Brush::paint_strip(const Traced& piece, const ImageLook& look, std::span<co
     Pixels sides;
     sides_of(spine_, Thickness{thick, profile, larger}, sides);
     for (std::size_t i = 0; i < times && spine_.size() > 1; ++i) {
-        // Rows of the image run along the band: the left side is its top row of points, the right side its bottom row.
+        // Rows of the image run along the band: row 0 is the left side, row 1 the right side.
         shape_.clear();
         for (const std::size_t side : {0U, 1U})
             for (std::size_t k = i * steps; k <= (i + 1) * steps; ++k) shape_.push_back(sides[2 * k + side]);
@@ -186,7 +187,7 @@ void Brush::paint_strip(const Traced& piece, const ImageLook& look, std::span<co
     }
 }
 
-/// From corner to corner, evenly in between: corners go round from the image's top left one.
+/// The image mapped bilinearly onto four corners, which go round from the image's top left.
 void Brush::paint_quad(std::span<const Vec2<float>> corners, std::uint32_t number, const Color& over) {
     constexpr float finest = 16; // nominal pixels
     float side = 0;
@@ -204,7 +205,7 @@ void Brush::paint_quad(std::span<const Vec2<float>> corners, std::uint32_t numbe
 }
 
 bool Brush::covers(const Traced& piece, Vec2<float> pixel) {
-    constexpr float least_reach = 4; // nominal pixels, for what is thinner
+    constexpr float least_reach = 4; // nominal pixels, the radius around thinner pieces
     const float reach = maximum(piece.width / 2, least_reach * unit_);
     const auto& points = piece.points;
     if (points.empty()) return false;

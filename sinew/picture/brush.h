@@ -7,35 +7,36 @@
 
 namespace sinew {
 
-/// A piece in pixels.
+/// A piece projected to pixels.
 struct Traced {
     Mark mark = Mark::stroke;
-    Pixels points;       ///< where its particles are seen
-    float scale = 1;     ///< pixels a unit of length has there
+    Pixels points;       ///< projected positions of the particles
+    float scale = 1;     ///< pixels per unit of length
     float width = 1;     ///< pixels
-    float end_width = 1; ///< of what tapers
+    float end_width = 1; ///< pixels, of tapered strokes and limbs
 };
 
-/// Whether an image is only put there, not bent or stretched to a shape.
+/// True if an image on this piece is only moved, turned and scaled, never bent along a curve.
 inline bool is_rigid(const Traced& piece) {
     return piece.mark == Mark::dot || piece.mark == Mark::tip || piece.mark == Mark::ring ||
            (piece.mark == Mark::stroke && piece.points.size() == 2);
 }
 
-/// Turns traced pieces into shapes of a picture.
+/// Converts projected pieces to shapes of a picture.
 class Brush {
   public:
-    /// The picture is kept by reference; `unit` is how many pixels a nominal pixel has.
+    /// Keeps a reference to the picture. `unit`: pixels per nominal pixel.
     Brush(Picture& picture, float unit) : picture_(picture), unit_(unit) {}
 
-    /// The piece in one colour, so many pixels thicker than it is.
+    /// Paints the piece in one colour, widened by `thicker` pixels.
     void paint(const Traced& piece, const Style& style, float thicker, const Color& color);
 
-    /// An image in place of the piece, so many pixels larger than it is, and a colour over it.
+    /// Paints an image in place of the piece, enlarged by `larger` pixels, and blends `over` onto the image's opaque
+    /// pixels.
     void paint_image(const Traced& piece, const ImageLook& look, std::span<const double> profile, std::uint32_t number,
                      float larger, const Color& over);
 
-    /// Whether a pixel is on the piece, or as good as.
+    /// True if the pixel lies on the piece, or within 4 nominal pixels of a piece thinner than 8.
     bool covers(const Traced& piece, Vec2<float> pixel);
 
   private:

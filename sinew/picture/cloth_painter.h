@@ -11,14 +11,14 @@
 
 namespace sinew {
 
-/// Paints the cells of cloth, whole ones and what blades left of them.
+/// Paints the cells of cloth: whole cells, and the fragments a cut leaves.
 template <class WorldT> class ClothPainter {
   public:
-    /// All are kept by reference; `unit` is how many pixels a nominal pixel has.
+    /// Keeps references to all arguments but `unit`, the pixels per nominal pixel.
     ClothPainter(const WorldT& world, const View& view, const Light& light, float unit, Picture& picture)
         : world_(world), view_(view), light_(light), unit_(unit), picture_(picture) {}
 
-    /// The normals of a figure's cloth, smooth from cell to cell.
+    /// Vertex normals of a figure's cloth: area-weighted means over the adjacent cells.
     void find_normals(const Figure& figure, const std::vector<Drawn>& order) {
         normals_.clear();
         for (const auto& [piece, depth, group] : order) {
@@ -50,7 +50,7 @@ template <class WorldT> class ClothPainter {
             }
     }
 
-    /// Calls visit(places) for each tile of a fragment, its corners in space.
+    /// Calls visit(places) for each tile of a fragment, with the tile's corners in space.
     template <class Visit> void each_tile(const Figure& figure, const Piece& piece, Visit&& visit) const {
         const auto patch = patch_of(figure, piece);
         if (!patch) return;
@@ -69,7 +69,7 @@ template <class WorldT> class ClothPainter {
     const Light& light_;
     const float unit_;
     Picture& picture_;
-    std::vector<Vec3<double>> normals_; // by row
+    std::vector<Vec3<double>> normals_; // by row of the particles
     Pixels shape_;
 
     Vec3<double> place_in_space(Row row) const {
@@ -78,7 +78,7 @@ template <class WorldT> class ClothPainter {
         return wide;
     }
 
-    /// Calls visit(row, is_particle) for the particle at each corner, or the base of a virtual node there.
+    /// Calls visit(row, is_particle) for each corner: the particle there, or the base particle of a virtual node.
     template <class Visit> void each_corner(const Figure& figure, const Piece& piece, Visit&& visit) const {
         for (std::size_t i = 0; i < 4; ++i) {
             const auto* node = piece.mark == Mark::fragment ? &figure.fragments[piece.fragment].corners[i] : nullptr;
@@ -86,7 +86,7 @@ template <class WorldT> class ClothPainter {
         }
     }
 
-    /// Nothing where one of its particles is gone.
+    /// Empty if one of the piece's particles has been removed.
     std::optional<Patch> patch_of(const Figure& figure, const Piece& piece) const {
         Patch patch;
         const bool whole = piece.mark == Mark::surface;
@@ -108,9 +108,9 @@ template <class WorldT> class ClothPainter {
         return D == 3 ? bulge(patch, u, v) : flat(patch, u, v);
     }
 
-    /// Into how many tiles a side of a cell is divided, so that shades run smoothly.
+    /// Number of tiles along a side of a cell, 1 to 8: fine enough for smooth shading.
     int parts_of(const Patch& patch) const {
-        constexpr float finest = 4.5F; // pixels
+        constexpr float finest = 4.5F; // pixels, longest side of a tile
         constexpr int most = 8;
         float side = 0;
         for (std::size_t i = 0; i < 4; ++i) {

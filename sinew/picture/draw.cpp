@@ -11,22 +11,22 @@
 
 #include <algorithm>
 
-/// What a session looks like: the pieces of its figures, dressed by the scene's looks, as a display list. Back to
-/// front: background, shadows on it, walls, figures.
+/// Drawing of a session: the pieces of all figures, styled by the scene's looks, as a display list. Back to front:
+/// background, floors, shadows, walls, traces, figures.
 namespace sinew {
 namespace {
 
-/// Sizes in a picture of the nominal height; they grow with it.
+/// Sizes at the nominal height of a picture, nominal pixels; proportional to the height.
 constexpr float wall_thickness = 3, rim = 2.5F;
-constexpr float thinnest = 4; // thinner lines have no outline and throw no shadow
+constexpr float thinnest = 4; // thinner lines have neither outline nor shadow
 constexpr Vec2<float> shadow_offset{{7, 9}};
-constexpr std::array<float, 3> penumbra = {9, 5, 1}; // how much wider than the piece, from the palest to the darkest
+constexpr std::array<float, 3> penumbra = {9, 5, 1}; // added width, from the palest layer to the darkest
 
-/// What a drawer knows beyond the world.
+/// Context of drawing beyond the world.
 struct DrawContext {
     const Images& images;
     std::optional<Point> pointer;
-    std::vector<ParticleId> held; ///< by a pointer
+    std::vector<ParticleId> held; ///< by the pointer or a grab event
     const History& history;
 };
 
@@ -59,7 +59,7 @@ template <class WorldT> class Drawer {
     Picture& picture_;
     const Theme& theme_;
     const Light light_;
-    const float unit_; // pixels a nominal pixel has
+    const float unit_; // pixels per nominal pixel
     Brush brush_;
     DrawOrder<WorldT> order_;
     Traced traced_;
@@ -76,7 +76,7 @@ template <class WorldT> class Drawer {
         return row ? std::optional(in_space(world_.particles.position[*row])) : std::nullopt;
     }
 
-    /// A piece in pixels, into traced_; false if part of it is gone or behind the eye.
+    /// Projects a piece into traced_. False if a particle has been removed or lies behind the eye.
     bool trace(const Piece& piece, const Style& style) {
         return trace(piece, style, [this](const Vec3<double>& place) { return view_.see(place); });
     }
@@ -97,7 +97,7 @@ template <class WorldT> class Drawer {
         return !traced_.points.empty();
     }
 
-    /// A face is as far away as its head.
+    /// Mean depth of the particles; a face has the depth of the head.
     float depth_of(const Piece& piece) const {
         float sum = 0;
         if (piece.mark == Mark::face && !piece.particles.empty())
@@ -108,7 +108,7 @@ template <class WorldT> class Drawer {
         return sum / float(std::max<std::size_t>(piece.particles.size(), 1));
     }
 
-    /// In units of length.
+    /// Line width or diameter, in the scene's units of length.
     float width_of(const Piece& piece, const Style& style) const {
         constexpr double usual_line = 0.04, usual_dot = 0.07; // metres
         const double usual = (is_round(piece) ? usual_dot : usual_line) * scene_.measures().per_metre;
@@ -120,7 +120,7 @@ template <class WorldT> class Drawer {
         return piece.mark == Mark::dot || piece.mark == Mark::tip || piece.mark == Mark::face;
     }
 
-    /// The number of the image that is painted in place of a piece.
+    /// Index of the image painted in place of a piece; empty if none.
     std::optional<std::uint32_t> image_of(const Piece& piece, const Style& style) const {
         if (!style.image || !takes_image(piece)) return std::nullopt;
         for (std::size_t i = 0; i < context_.images.size(); ++i)
@@ -168,7 +168,7 @@ template <class WorldT> class Drawer {
         if (!style.face.empty()) draw_face(piece, style.face, theme_.ink);
     }
 
-    /// A face on the disc traced last; on each of several dots.
+    /// A face on the disc in traced_, or one on every dot of a piece with several.
     void draw_face(const Piece& piece, std::string_view expression, const Color& color) {
         std::vector<Vec3<double>> places;
         for (const auto id : piece.particles) {
@@ -183,11 +183,11 @@ template <class WorldT> class Drawer {
 
     static bool is_tube(const Piece& piece) { return piece.mark == Mark::stroke || piece.mark == Mark::limb; }
 
-    /// Lines in space that are thick enough are round: dark below, with a sheen towards the light.
+    /// Shading of a thick line in space as a cylinder: dark below, bright towards the light.
     void shade_tube(const Style& style, const Color& color) {
         constexpr float least = 8;
         struct Band {
-            float width, shift; ///< as shares of the tube's
+            float width, shift; ///< fractions of the tube's width
             Color color;
         };
         const Traced tube = traced_;
@@ -204,7 +204,7 @@ template <class WorldT> class Drawer {
         traced_ = tube;
     }
 
-    /// Where the light catches balls that are large enough to have a shape.
+    /// Highlight on discs at least 18 nominal pixels wide.
     void add_gloss(const Color& color) {
         constexpr float least = 18, size = 0.3F;
         constexpr Vec2<float> place{{-0.19F, -0.21F}};
@@ -218,7 +218,7 @@ template <class WorldT> class Drawer {
         }
     }
 
-    /// Whether the pointer is at the piece traced last, or holds it.
+    /// True if the pointer is over the piece in traced_ or holds one of the particles.
     bool is_hovered(const Piece& piece, const Style& style) {
         if (!style.hover) return false;
         const auto is_held = [&](ParticleId id) {
@@ -232,7 +232,7 @@ template <class WorldT> class Drawer {
 
     // --- shadows and walls ---------------------------------------------------------------------------------------
 
-    /// All shadows of all figures, palest first, so that they melt into one.
+    /// All shadows of all figures layer by layer, the palest first, so that penumbras merge.
     void shadows() {
         if (D == 3 && scene_.world.bounds && scene_.world.bounds->planes.empty()) return;
         if (D == 3 && !scene_.world.bounds) return;
@@ -257,13 +257,13 @@ template <class WorldT> class Drawer {
         if (piece.mark == Mark::fragment) return cast_shadow(figure, piece, style, wider, shade);
         if (!trace_shadow(piece, style)) return;
         if (!is_area(piece) && traced_.width < thinnest) return;
-        if (image && is_rigid(traced_)) // only then is its outline not that of the piece
+        if (image && is_rigid(traced_)) // only then does the image's outline differ from the piece's
             brush_.paint_image(traced_, *style.image, style.profile, *image, wider, shade);
         else
             brush_.paint(traced_, style, wider, shade);
     }
 
-    /// The shadow of a fragment, tile by tile.
+    /// Shadow of a fragment, tile by tile.
     void cast_shadow(const Figure& figure, const Piece& piece, const Style& style, float wider, const Color& shade) {
         const Sun sun(*this);
         cloth_.each_tile(figure, piece, [&](std::span<const Vec3<double>> places) {
@@ -276,14 +276,14 @@ template <class WorldT> class Drawer {
         });
     }
 
-    /// Where the shadow of a place is seen: aside in 2D, in 3D on the first of the planes.
+    /// Projection of shadows: offset on screen in 2D, onto the first plane along the light in 3D.
     struct Sun {
         explicit Sun(const Drawer& drawer) : view(drawer.view_), aside(shadow_offset * drawer.unit_) {
             if (D == 2) return;
             const auto& plane = drawer.scene_.world.bounds->planes.front();
             normal = direction(plane.normal.template as<3, double>());
             through = plane.through.template as<3, double>();
-            way = direction(normal + drawer.light_.towards_light * 0.5); // high above the plane
+            way = direction(normal + drawer.light_.towards_light * 0.5); // a steep light
         }
 
         std::optional<View::Seen> see(const Vec3<double>& place) const {
@@ -302,7 +302,7 @@ template <class WorldT> class Drawer {
         Vec3<double> normal{}, through{}, way{};
     };
 
-    /// A piece's shadow, into traced_.
+    /// Projects the shadow of a piece into traced_.
     bool trace_shadow(const Piece& piece, const Style& style) {
         const Sun sun(*this);
         return trace(piece, style, [&](const Vec3<double>& place) { return sun.see(place); });

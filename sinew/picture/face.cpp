@@ -8,12 +8,12 @@
 namespace sinew {
 namespace {
 
-/// Points of a line on the face: to the right and up from its middle, in radii.
+/// Polyline on the face: offsets to the right and upwards from the middle, in radii.
 using Line = std::span<const Vec2<double>>;
 
 constexpr double eye_right = 0.36, eye_above = 0.12, eye_width = 0.2, line_width = 0.1;
 
-/// Draws on a ball of radius 1.
+/// Draws on a sphere of radius 1.
 class FacePainter {
   public:
     FacePainter(const Head& head, const View& view, const Color& color, Picture& picture)
@@ -24,7 +24,7 @@ class FacePainter {
         shape_.clear();
     }
 
-    /// As much of a line as is in front; it is short enough to be wholly there or not.
+    /// Draws a short line if all of the points face the viewer, otherwise nothing.
     void line(Line points, double width) {
         bool seen = true;
         for (const auto& point : points) seen = see(point) && seen;
@@ -40,9 +40,9 @@ class FacePainter {
     Pixels shape_;
     float scale_ = 1;
 
-    /// Adds a point of the face to the shape, unless it is on the far side.
+    /// Appends a point of the face to shape_; false if the point is on the far side or behind the eye.
     bool see(const Vec2<double>& at) {
-        constexpr double edge = 0.12; // what is seen as flat as that is left out
+        constexpr double edge = 0.12; // least cosine between normal and view direction: grazing points are left out
         const double out = square_root(maximum(0.0, 1 - ::sinew::dot(at, at)));
         const auto way = head_.right * at[0] + head_.above * at[1] + head_.front * out;
         if (::sinew::dot(way, view_.towards_eye()) < edge) return false;

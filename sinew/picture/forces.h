@@ -11,13 +11,13 @@
 
 namespace sinew {
 
-/// Forces on particles, measured from the state that a step of physical mode leaves. In the world's own unit of force.
+/// Forces on particles, from the state after a step in physical mode. Unit: the world's own unit of force.
 template <class WorldT> class Forces {
   public:
     static constexpr int D = WorldT::dimension;
     using Force = Vec<D, double>;
 
-    /// The world is kept by reference.
+    /// Keeps a reference to the world.
     explicit Forces(const WorldT& world) : world_(world), internal_(world.particles.size()) {
         for_each_table(world, [&](const auto& table) {
             for (Row row = 0; row < table.size(); ++row) add_constraint(table, row);
@@ -36,10 +36,10 @@ template <class WorldT> class Forces {
     /// Sum of all constraint forces on a particle: F = lambda grad C / h^2.
     const Force& of_constraints(Row row) const { return internal_[row]; }
 
-    /// Reaction of a pin that stands still: the force that balances all others on its particle.
+    /// Reaction of a pin at rest: balances all other forces on the particle.
     Force of_pin(Row row) const { return -(of_fields(row) + of_constraints(row)); }
 
-    /// Normal force of a plane on a particle that stays on it, along the plane's normal; a plane only pushes.
+    /// Magnitude of a plane's normal force on a particle in resting contact, >= 0: a plane only pushes.
     double of_plane(Row row, const HalfSpace<D, typename WorldT::Real>& plane) const {
         return maximum(-dot(cast<double>(plane.normal), of_fields(row) + of_constraints(row)), 0.0);
     }

@@ -8,21 +8,21 @@
 
 namespace sinew {
 
-/// A piece in the order of drawing. Pieces of one group follow each other and have one outline around all of them.
+/// A piece with a depth and an outline group. Pieces of one group are consecutive and share one outline.
 struct Drawn {
     const Piece* piece = nullptr;
     float depth = 0;
     std::uint32_t group = 0;
 };
 
-/// The visible pieces of a figure, back to front: in 3D by depth, where pieces of one part through the same particles
-/// are one group; in 2D as they were built, where pieces of one part that hang together are one.
+/// Painter's order of a figure's visible pieces. 3D: back to front by depth; consecutive pieces of one part with the
+/// same particles form a group. 2D: in the order of construction; connected pieces of one part form a group.
 template <class WorldT> class DrawOrder {
   public:
-    /// The world is kept by reference.
+    /// Keeps a reference to the world.
     explicit DrawOrder(const WorldT& world) : world_(world) {}
 
-    /// `is_hidden` and `depth_of` tell of a piece.
+    /// `is_hidden(piece)` and `depth_of(piece)` classify a piece; `depth_of` is called in 3D only.
     template <class Hidden, class Depth>
     const std::vector<Drawn>& of(const Figure& figure, Hidden&& is_hidden, Depth&& depth_of) {
         pieces_.clear();
@@ -66,7 +66,7 @@ template <class WorldT> class DrawOrder {
                          [](const Drawn& a, const Drawn& b) { return a.group < b.group; });
     }
 
-    /// Two groups of a run become one.
+    /// Merges two groups of a run.
     void join(std::size_t run, std::size_t i, std::uint32_t a, std::uint32_t b) {
         if (a == b) return;
         const auto into = std::min(a, b), gone = std::max(a, b);

@@ -6,7 +6,7 @@
 namespace sinew {
 namespace {
 
-/// Points of an arc around a center, from one direction to another, angles in radians.
+/// Points of an arc around `center` from one angle to another, radians.
 void add_arc(Vec2<float> center, float radius, double from, double to, Pixels& points) {
     constexpr int steps = 8;
     for (int i = 0; i <= steps; ++i) {
@@ -19,7 +19,7 @@ double heading(Vec2<float> from, Vec2<float> to) {
     return arctangent(double(to[1] - from[1]), double(to[0] - from[0]));
 }
 
-/// Positive where the way round the shape turns from x to y.
+/// Signed area: positive if the shape turns from x to y.
 float area(std::span<const Vec2<float>> shape) {
     float twice = 0;
     for (std::size_t i = 0; i < shape.size(); ++i)
@@ -32,13 +32,13 @@ float area(std::span<const Vec2<float>> shape) {
 void smooth(std::span<const Vec2<float>> points, Pixels& curve) {
     curve.clear();
     if (points.empty()) return;
-    constexpr float piece = 4, off = 0.1F; // pixels: as short as parts need be, and as far from the curve
+    constexpr float piece = 4, off = 0.1F; // pixels: shortest useful chord, and largest error of the polyline
     constexpr int most = 8;
     const std::size_t last = points.size() - 1;
     for (std::size_t i = 0; i < last; ++i) {
         const auto bend =
             catmull_rom(points[i == 0 ? 0 : i - 1], points[i], points[i + 1], points[i + 2 > last ? last : i + 2]);
-        // of so many straight parts, none is further from the curve than `off`
+        // n chords of a cubic have an error of at most 0.75 bent / n^2, where 6 `bent` bounds the second derivative
         const float bent = maximum(norm(bend.a - bend.b * 2 + bend.c), norm(bend.b - bend.c * 2 + bend.d));
         const float needed = minimum(square_root(0.75F * bent / off), distance(points[i], points[i + 1]) / piece);
         const int parts = 1 + int(minimum(needed, float(most - 1)));
@@ -52,7 +52,7 @@ void taper(Vec2<float> from, float from_width, Vec2<float> to, float to_width, P
     const float length = distance(from, to), narrowing = (from_width - to_width) / 2;
     if (length <= absolute(narrowing))
         return add_arc(from, maximum(from_width, to_width) / 2, 0, 2 * pi<double>, shape);
-    // both discs are touched by the sides where the radius is at this angle to the way from one to the other
+    // angle between the line of centres and the radii to the points where the common tangents touch both discs
     const double side = arctangent(double(square_root(square(length) - square(narrowing))), double(narrowing));
     const double ahead = heading(from, to);
     add_arc(from, from_width / 2, ahead + side, ahead + 2 * pi<double> - side, shape);
@@ -62,7 +62,7 @@ void taper(Vec2<float> from, float from_width, Vec2<float> to, float to_width, P
 void ring(Vec2<float> from, Vec2<float> to, float width, float wire, Pixels& loop) {
     loop.clear();
     const float radius = maximum((width - wire) / 2, 0.5F);
-    const auto along = direction(to - from) * (radius - wire / 2); // the ends' wires hold the next rings'
+    const auto along = direction(to - from) * (radius - wire / 2); // neighbouring rings interlock
     const double ahead = heading(from, to), quarter = pi<double> / 2;
     add_arc(from + along, radius, ahead + quarter, ahead + 3 * quarter, loop);
     add_arc(to - along, radius, ahead - quarter, ahead + quarter, loop);
@@ -70,7 +70,7 @@ void ring(Vec2<float> from, Vec2<float> to, float width, float wire, Pixels& loo
 
 void widen(Pixels& shape, float by) {
     if (shape.empty()) return;
-    constexpr float longest = 3; // times `by`, the way of a sharp corner
+    constexpr float longest = 3; // miter limit at sharp corners, in multiples of `by`
     const auto is_at = [](Vec2<float> a, Vec2<float> b) { return distance(a, b) < 1e-3F; };
     const auto first = shape.front();
     auto before = shape.back();

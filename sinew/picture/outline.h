@@ -5,21 +5,22 @@
 #include <span>
 #include <vector>
 
-/// Shapes of pieces in pixels, made of the places of their particles.
+/// Outlines in pixels, built from the projected particles of a piece.
 namespace sinew {
 
 using Pixels = std::vector<Vec2<float>>;
 
-/// Points of a smooth curve through `points`, into `curve`.
+/// Polyline along a Catmull-Rom curve through `points`, written to `curve`.
 void smooth(std::span<const Vec2<float>> points, Pixels& curve);
 
-/// What two discs and the band between them cover, into `shape`: a limb that tapers.
+/// Convex hull of two discs, a tapered limb, written to `shape`. Widths are diameters.
 void taper(Vec2<float> from, float from_width, Vec2<float> to, float to_width, Pixels& shape);
 
-/// The middle line of a ring around two points, into `loop`: as wide as `width`, of a wire so thick.
+/// Centre line of a chain ring around two points, written to `loop`. `width`: outer width of the ring; `wire`:
+/// thickness of the wire; both in pixels.
 void ring(Vec2<float> from, Vec2<float> to, float width, float wire, Pixels& loop);
 
-/// Moves each side outwards, so that neighbours overlap instead of leaving a seam.
+/// Offsets every side outwards by `by` pixels, so that neighbours overlap instead of leaving a seam.
 void widen(Pixels& shape, float by);
 
 } // namespace sinew

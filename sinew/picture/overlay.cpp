@@ -8,13 +8,13 @@
 namespace sinew {
 namespace {
 
-/// Sizes in a picture of the nominal height; they grow with it.
+/// Sizes at the nominal height of a picture, nominal pixels; proportional to the height.
 constexpr float line = 3, casing = 1.8F /* times a line */, letters = 11, pin_size = 11;
 constexpr float longest_arrow = 70, contact_size = 8, legend_row = 34;
 
 constexpr Color stretched{0.85F, 0.15F, 0.12F, 1}, squeezed{0.12F, 0.35F, 0.85F, 1};
 
-/// The smallest of 1, 2, 5, 10, 20, 50, ... times `least` that is at least as large: a scale that seldom changes.
+/// Smallest of 1, 2, 5, 10, 20, 50, ... times `least` not below `value`: a scale that seldom changes.
 double round_up(double value, double least) {
     double scale = least;
     for (int i = 0; scale < value && i < 300; ++i) scale *= i % 3 == 1 ? 2.5 : 2;
@@ -55,7 +55,7 @@ template <class WorldT> class Overlayer {
         }
     }
 
-    /// The first of two that would lie on each other: figures before their particles.
+    /// Names of figures, then of particles; an overlapping later label is left out.
     void names() {
         for (const auto& figure : world_.figures) {
             Vec2<float> top{{0, 1e9F}};
@@ -73,7 +73,7 @@ template <class WorldT> class Overlayer {
                 if (const auto at = pixel_of(id)) write(name, *at + Vec2<float>{{0, letters * unit_}}, letters);
     }
 
-    /// Of particles that can move, all force fields; of those that a pin holds, the pin's reaction.
+    /// Arrows: the sum of all force fields on a movable particle, the pin's reaction on a pinned one.
     void forces() {
         if (!knows_forces("forces")) return;
         const Forces<WorldT> forces(world_);
@@ -90,7 +90,7 @@ template <class WorldT> class Overlayer {
         draw_arrows(arrows, "forces");
     }
 
-    /// In classic mode walls exert no force: places only.
+    /// Arrows of normal forces and dots at contact points; in classic mode, where walls exert no force, dots only.
     void contacts() {
         const bool known = knows_forces("contacts");
         const Forces<WorldT> forces(world_);
@@ -146,7 +146,7 @@ template <class WorldT> class Overlayer {
         return false;
     }
 
-    /// A particle at rest on a plane is above it by no more than rounding and a step's fall leave.
+    /// Tolerance of resting contact: rounding and the fall during a step leave a smaller gap.
     bool touches(Row row, const Plane& plane) const {
         constexpr double near = 1e-3; // metres
         const auto& p = world_.particles;
@@ -166,7 +166,7 @@ template <class WorldT> class Overlayer {
         picture_.add(Shape::disc, std::span(&seen->pixel, 1), 0.7F * contact_size * unit_, stretched);
     }
 
-    /// The scale of all arrows is a round number of newtons, which the legend tells.
+    /// Draws all arrows to one scale: a round number of newtons, stated in the legend.
     void draw_arrows(const std::vector<Arrow>& arrows, std::string_view what) {
         const auto units = scene_.measures();
         const double newtons = square(units.per_second) / units.per_metre;
@@ -196,7 +196,7 @@ template <class WorldT> class Overlayer {
         picture_.add(Shape::polygon, tip, 0, color);
     }
 
-    /// An arrow as long as the scale, and its name beside it.
+    /// Legend: an arrow of full scale and the label beside it.
     void arrow_legend(std::string_view what, double scale) {
         const float margin = 14 * unit_, long_as = longest_arrow * unit_, letter = 0.6F * letters * unit_;
         const float y = float(picture_.height) - margin - float(legends_++) * legend_row * unit_;
@@ -206,8 +206,8 @@ template <class WorldT> class Overlayer {
         if (scale > 0) draw_arrow({{margin, y}}, {{margin + long_as, y}}, text_);
     }
 
-    /// Every distance as a line, in the colour of its value; the palest has none. What only keeps apart is one while it
-    /// does.
+    /// Every distance as a line coloured by value; neutral lines take the pale colour. A one-sided distance that only
+    /// keeps particles apart is drawn only while active.
     template <class Value>
     void color_lines(Value&& value_of, double least, std::string_view what, std::string_view unit) {
         struct Line {
@@ -227,7 +227,7 @@ template <class WorldT> class Overlayer {
             largest = maximum(largest, absolute(lines.back().value));
         }
         const double scale = round_up(largest, least);
-        // Thinner where they lie closely.
+        // Thinner where lines are dense.
         const auto thick = [&](const auto& ends) { return minimum(line * unit_, 0.25F * distance(ends[0], ends[1])); };
         for (const auto& [ends, value] : lines) picture_.add(Shape::polyline, ends, casing * thick(ends), theme_.ink);
         for (const auto& [ends, value] : lines)
@@ -235,13 +235,13 @@ template <class WorldT> class Overlayer {
         legend(what, scale, unit);
     }
 
-    /// -1 squeezed, 0 neither, 1 stretched.
+    /// Colour of a share in [-1, 1]: -1 compressed, 0 neutral, 1 stretched.
     static Color color_of(double share) {
         constexpr Color rest{0.93F, 0.91F, 0.84F, 1};
         return mix(rest, share < 0 ? squeezed : stretched, float(clamp(absolute(share), 0.0, 1.0)));
     }
 
-    /// A bar of the colours with what they stand for, in the lower left corner; further ones above it.
+    /// Colour bar with its range, in the lower left corner; further legends stack above.
     void legend(std::string_view what, double scale, std::string_view unit) {
         const float margin = 14 * unit_, wide = 150 * unit_, high = 7 * unit_;
         const float y = float(picture_.height) - margin - float(legends_++) * legend_row * unit_;
@@ -262,7 +262,7 @@ template <class WorldT> class Overlayer {
     }
 
     void write(const std::string& text, Vec2<float> middle, float height) {
-        constexpr float letter_width = 0.6F; // of its height
+        constexpr float letter_width = 0.6F; // as a fraction of the height
         const Vec2<float> half{{float(text.size()) * letter_width * height * unit_ / 2, height * unit_ / 2}};
         middle[0] = clamp(middle[0], half[0], maximum(half[0], float(picture_.width) - half[0]));
         middle[1] = clamp(middle[1], half[1], maximum(half[1], float(picture_.height) - half[1]));

@@ -7,14 +7,14 @@
 #include <bitset>
 #include <string_view>
 
-/// What can be laid over a picture to see into the world.
+/// Debug overlays: quantities of the world drawn over a picture.
 namespace sinew {
 
 struct Overlay {
     std::string_view name, about;
 };
 
-/// All of them, in the order in which they are drawn. A new one is a line here and a function in overlay.cpp.
+/// All overlays, in drawing order. A new overlay takes a line here and a function in overlay.cpp.
 inline constexpr std::array<Overlay, 6> overlays = {{
     {"strain", "distances by how far they are stretched (red) or squeezed (blue)"},
     {"tension", "distances by what they pull (red) or push (blue) with, in newtons"},
@@ -24,10 +24,10 @@ inline constexpr std::array<Overlay, 6> overlays = {{
     {"contacts", "particles on a wall, and the force with which it carries them, in newtons"},
 }};
 
-/// By number in `overlays`.
+/// Indexed as `overlays`.
 using OverlaySet = std::bitset<overlays.size()>;
 
-/// Adds the overlays to a picture of the world.
+/// Adds the selected overlays to a picture of the world.
 void draw_overlays(OverlaySet which, const Scene& scene, const AnyWorld& world, const View& view, Picture& picture);
 
 } // namespace sinew

@@ -17,27 +17,26 @@ namespace sinew {
 enum class Shape : std::uint8_t {
     polyline, ///< `count` points joined by a stroke of `width` pixels, round caps and joins
     loop,     ///< the same, closed
-    disc,     ///< one point, filled, `width` pixels in diameter
+    disc,     ///< a point, filled, `width` pixels in diameter
     polygon,  ///< `count` points, filled (even-odd)
-    image,    ///< an image stretched evenly over a grid of points, rows of `across`; `color` lies over it where it is
-    text,     ///< a line of text, its middle at one point, letters `width` pixels high
-    pane      ///< the rectangle between two corners covered with the colour; later items are seen within it only
+    image,    ///< an image mapped onto a grid of points, rows of `across` points; `color` is blended over opaque pixels
+    text,     ///< a line of text centred on one point, letters `width` pixels high
+    pane      ///< the rectangle between two corners filled with `color`; later items are clipped to the rectangle
 };
 
-/// A display list: what a session looks like now, in pixels of the target (x right, y down, origin at the top left
-/// corner). Items are painted in order. All points lie in one column, so that a picture can be refilled without
-/// allocating.
+/// A display list in pixels of the target: x right, y down, origin at the top left corner. Items are painted in order.
+/// All points lie in one column, so that a picture is refilled without allocating.
 struct Picture {
-    static constexpr double nominal_height = 480; ///< pixels: sizes of letters, shadows and the like are told for it
+    static constexpr double nominal_height = 480; ///< pixels; reference height of letter sizes, shadows and the like
 
     struct Item {
         Shape shape = Shape::polyline;
-        std::uint32_t first = 0; ///< index of its first point
+        std::uint32_t first = 0; ///< index of the first point in `points`
         std::uint32_t count = 0;
         float width = 1; ///< pixels
         Color color;
-        std::uint32_t number = 0; ///< of the image or the text in its list
-        std::uint32_t across = 0; ///< points in a row of an image's grid, from left to right
+        std::uint32_t number = 0; ///< index of the image in `images` or of the text in `texts`
+        std::uint32_t across = 0; ///< points in a row of an image's grid
     };
 
     int width = 0;  ///< pixels
@@ -45,7 +44,7 @@ struct Picture {
     Color background{1, 1, 1, 1};
     std::vector<Vec2<float>> points;
     std::vector<Item> items;
-    std::vector<std::shared_ptr<const Image>> images; ///< those of the scene, whether or not they are seen
+    std::vector<std::shared_ptr<const Image>> images; ///< all images of the scene, used or not
     std::vector<std::string> texts;
 
     void clear() {
@@ -59,7 +58,7 @@ struct Picture {
         points.insert(points.end(), outline.begin(), outline.end());
     }
 
-    /// Rows from the image's top to its bottom. A transparent colour leaves it as it is.
+    /// Rows of `grid` run from the image's top to the bottom. A transparent colour leaves the image unchanged.
     void add_image(std::uint32_t number, std::span<const Vec2<float>> grid, std::uint32_t across, Color over) {
         add(Shape::image, grid, 0, over);
         items.back().number = number;
@@ -72,7 +71,8 @@ struct Picture {
         texts.push_back(std::move(text));
     }
 
-    /// A picture within the picture: up to the next pane, items are seen within it only, letters on its paper.
+    /// A picture within the picture: items up to the next pane are clipped to the rectangle, and letters are rimmed
+    /// with `paper`.
     void add_pane(Vec2<float> corner, Vec2<float> opposite, Color paper) {
         const std::array corners = {corner, opposite};
         add(Shape::pane, corners, 0, paper);

@@ -7,10 +7,10 @@ namespace {
 
 using Bend = CubicBezier<2, float>;
 
-/// Chords that each piece is measured by: of a quarter circle they are short by a ten-thousandth.
+/// Chords per curve for measuring length: 1e-4 short on a quarter circle.
 constexpr std::size_t chords = 32;
 
-/// Which way a curve goes at t; at an end whose handle has no length, as it goes from there on.
+/// Unit tangent at t; at an end with a zero-length handle, the direction of a nearby secant.
 Vec2<float> way_at(const Bend& bend, float t) {
     constexpr float aside = 0.01F;
     const auto way = bend.derivative(t);
@@ -42,7 +42,7 @@ void lay_out(std::span<const Bend> bends, std::size_t parts, float longest, Spin
     spine.length = 0;
     if (bends.empty()) return;
 
-    std::vector<float> length_until(1, 0.0F); // at each chord's end
+    std::vector<float> length_until(1, 0.0F); // at the end of each chord
     length_until.reserve(bends.size() * chords + 1);
     for (const auto& bend : bends)
         for (std::size_t k = 0; k < chords; ++k) {
@@ -50,7 +50,7 @@ void lay_out(std::span<const Bend> bends, std::size_t parts, float longest, Spin
             length_until.push_back(spine.length);
         }
 
-    if (!is_finite(spine.length)) return; // beyond all pictures
+    if (!is_finite(spine.length)) return; // overflow: nothing to draw
 
     const float wanted = minimum(spine.length / longest, float(most_parts - 1));
     parts = std::max({parts, std::size_t(1), std::size_t(wanted) + 1});

@@ -7,20 +7,20 @@
 #include <optional>
 #include <vector>
 
-/// Cloth as it catches the light.
+/// Lighting of cloth.
 namespace sinew {
 
-/// A patch of a surface: its corners, the way round, and the surface's normals there.
+/// A quadrilateral of a surface: the corners in order around the cell, and the surface normals there.
 struct Patch {
     std::array<Vec3<double>, 4> corner{}, normal{};
 };
 
-/// The normal of a patch by itself, as long as the patch is large: along a fold, where patches collapse, their threads
-/// lean anywhere. In 2D, where cloth has no depth, its folds are read from how threads lean.
+/// Normal of a patch, weighted by area: collapsed patches along a fold, whose threads point anywhere, count little. In
+/// 2D, where cloth has no depth, the directions of the threads suggest the folds.
 template <int D> Vec3<double> own_normal(const Patch& patch) {
     const auto& [a, b, c, d] = patch.corner;
     if constexpr (D == 3) return cross(c - a, d - b);
-    constexpr double depth = 1.6; // how deep folds look
+    constexpr double depth = 1.6; // apparent depth of folds
     const auto down = direction(d - a), along = direction(b - a);
     const double area = norm(cross(c - a, d - b));
     return direction(Vec3<double>{{-depth * down[0], -depth * along[1], 1}}) * area;
@@ -31,7 +31,7 @@ inline Vec3<double> flat(const Patch& patch, double u, double v) {
     return (a * (1 - u) + b * u) * (1 - v) + (d * (1 - u) + c * u) * v;
 }
 
-/// A point on the curved surface that the corners and their normals suggest (Phong tessellation: Boubekeur and Alexa
+/// Point of the curved surface through the corners with the given normals (Phong tessellation: Boubekeur and Alexa
 /// 2008); u along the first side, v along the last.
 inline Vec3<double> bulge(const Patch& patch, double u, double v) {
     constexpr double roundness = 0.6;
@@ -50,7 +50,7 @@ inline Vec3<double> normal_at(const Patch& patch, double u, double v) {
     return direction(sum);
 }
 
-/// Lit from the upper left behind the reader, with a sheen.
+/// Directional light from the upper left behind the viewer, with a specular highlight.
 struct Light {
     Vec3<double> towards_light, towards_eye, above, halfway;
     Color ink;
@@ -60,7 +60,7 @@ struct Light {
           towards_eye(view.towards_eye()), above(view.above()), halfway(direction(towards_light + towards_eye)),
           ink(darkest) {}
 
-    /// What a surface of these colours, front and back, looks like where it is turned so.
+    /// Shaded colour of a two-sided surface with this unit normal.
     Color shade(const Color& front, const Color& back, const Vec3<double>& normal) const {
         const bool is_front = dot(normal, towards_eye) >= 0;
         const auto n = is_front ? normal : -normal;

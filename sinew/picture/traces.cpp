@@ -9,13 +9,13 @@
 namespace sinew {
 namespace {
 
-/// Sizes in a picture of the nominal height; they grow with it.
+/// Sizes at the nominal height of a picture, nominal pixels; proportional to the height.
 constexpr float path_width = 2, curve_width = 2, rule_width = 1, letters = 11, inset = 5;
 
-constexpr float palest = 0.12F; ///< how much of its colour the oldest end of a path has
-constexpr int shades = 24;      ///< that a path fades in
+constexpr float palest = 0.12F; ///< share of colour at the oldest end of a path
+constexpr int shades = 24;      ///< colour steps along a fading path
 
-/// The values at the bottom of a frame and at its top.
+/// Values at the bottom and at the top of a frame.
 struct Range {
     double low = 0, high = 1;
 };
@@ -26,7 +26,7 @@ class TraceDrawer {
         : scene_(scene), view_(view), picture_(picture), theme_(theme_called(scene.view.theme)),
           unit_(float(picture.height / Picture::nominal_height)) {}
 
-    /// `shares`: in the frame of a curve that is already drawn.
+    /// `shares`: true if an earlier trace has drawn the same frame.
     void draw(const TraceSection& trace, std::span<const Sample> samples, bool shares) {
         if (samples.empty()) return;
         const double begin = trace.seconds > 0 ? samples.back().seconds - trace.seconds : samples.front().seconds;
@@ -43,7 +43,7 @@ class TraceDrawer {
     const float unit_;
     std::vector<Vec2<float>> line_;
 
-    /// That of the part which is called like the particle, or of the figure.
+    /// Colour of the part named like the particle, or of the figure.
     Color color_of(const TraceSection& trace) const {
         const auto slash = std::min(trace.of.find('/'), trace.of.size());
         const auto name = trace.of.substr(0, slash), part = trace.of.substr(std::min(slash + 1, trace.of.size()));
@@ -51,7 +51,7 @@ class TraceDrawer {
         return Wardrobe(scene_, theme_, std::size_t(found - scene_.figures.begin()), name).of(part).color;
     }
 
-    /// Paler the longer ago.
+    /// A polyline that fades towards the oldest sample.
     void path(std::span<const Sample> samples, const Color& color) {
         const std::size_t last = samples.size() - 1, parts = std::min(std::size_t(shades), last);
         for (std::size_t part = 0; part < parts; ++part) {
@@ -69,7 +69,7 @@ class TraceDrawer {
         const auto second = view_.see((*trace.box)[1].as<3, double>());
         if (!first || !second) return;
         const auto a = first->pixel, b = second->pixel;
-        const Vec2<float> low{{minimum(a[0], b[0]), maximum(a[1], b[1])}}; // bottom left; y grows downwards
+        const Vec2<float> low{{minimum(a[0], b[0]), maximum(a[1], b[1])}}; // bottom left; y points down
         const Vec2<float> high{{maximum(a[0], b[0]), minimum(a[1], b[1])}};
         const double length =
             trace.seconds > 0 ? trace.seconds : maximum(scene_.seconds, samples.back().seconds - begin);
@@ -90,7 +90,7 @@ class TraceDrawer {
             std::ranges::minmax(samples, {}, [](const Sample& sample) { return sample.value[0]; });
         const double low = trace.low.value_or(least.value[0]), high = trace.high.value_or(most.value[0]);
         if (low < high) return {low, high};
-        return {low - 0.5, low + 0.5}; // nothing has changed so far
+        return {low - 0.5, low + 0.5}; // constant so far
     }
 
     void frame(Vec2<float> low, Vec2<float> high) {
@@ -99,7 +99,7 @@ class TraceDrawer {
         picture_.add(Shape::loop, corners, rule_width * unit_, theme_.ground);
     }
 
-    /// The value it began with, dashed.
+    /// Dashed line at the value of the first sample shown.
     void rule(float left, float right, float y) {
         constexpr float dash = 4, gap = 3;
         for (float x = left; x < right; x += (dash + gap) * unit_) {
@@ -115,9 +115,9 @@ class TraceDrawer {
         picture_.add(Shape::disc, std::span(&line_.back(), 1), 2.5F * curve_width * unit_, color);
     }
 
-    /// The label above the frame, what it shows in its upper right corner.
+    /// Label above the frame; the quantity in the upper right corner.
     void words(const TraceSection& trace, Vec2<float> low, Vec2<float> high) {
-        constexpr float letter_width = 0.6F; // of its height
+        constexpr float letter_width = 0.6F; // as a fraction of the height
         const float size = letters * unit_;
         const float half = float(trace.shows.size()) * letter_width * size / 2;
         picture_.add_text(trace.shows, {{high[0] - inset * unit_ - half, high[1] + inset * unit_ + size / 2}}, size,

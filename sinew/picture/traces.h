@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// Adds what a scene's traces show: ways where they were gone, and curves over time in their frames (2D).
+/// Adds the scene's traces: paths in space, and curves over time in their frames (2D).
 void draw_traces(const Scene& scene, const History& history, const View& view, Picture& picture);
 
 } // namespace sinew

@@ -5,7 +5,7 @@
 namespace sinew {
 namespace {
 
-/// Where a look has a colour and no fill of its own, areas are filled with a tint of it.
+/// Merges a look into a style. A colour without a fill of the same look fills areas with a tint of the colour.
 void dress(Style& style, const Look& look, const Theme& theme) {
     constexpr float tint = 0.6F;
     if (const auto color = color_in(theme, look.color)) {

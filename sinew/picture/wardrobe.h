@@ -10,25 +10,25 @@
 
 namespace sinew {
 
-/// How a part is drawn.
+/// Resolved look of a part.
 struct Style {
     Color color, fill;
     std::optional<Color> hover;
     std::optional<double> width;
     std::optional<bool> hidden;
     std::span<const double> profile;
-    std::string_view face;            ///< one of `expressions`, or empty
-    const ImageLook* image = nullptr; ///< of the scene
+    std::string_view face;            ///< an element of `expressions`, or empty
+    const ImageLook* image = nullptr; ///< owned by the scene
 };
 
-/// The looks of one figure's parts, the general before the particular: theme, part anywhere, figure, all of it, its
-/// part.
+/// Resolves the looks of one figure's parts. Later ones override: the theme; the scene's looks of the part, then of the
+/// figure; the figure's own look "all", then of the part; the scene's look "figure/part".
 class Wardrobe {
   public:
-    /// All three are kept by reference.
+    /// Keeps references to scene, theme and name.
     Wardrobe(const Scene& scene, const Theme& theme, std::size_t figure, const std::string& name);
 
-    /// Good until the next call.
+    /// Valid until the next call.
     const Style& of(const std::string& part);
 
   private:
@@ -38,7 +38,7 @@ class Wardrobe {
     const Theme& theme_;
     std::size_t figure_;
     const std::string& name_;
-    const FigureSection* section_ = nullptr; ///< of the scene; none of a figure that came in another way
+    const FigureSection* section_ = nullptr; ///< null if the figure is not of the scene
     Style last_;
     std::string last_part_;
     bool dressed_ = false;

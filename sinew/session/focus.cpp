@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-/// Two corners around all that a world shows.
+/// Two opposite corners of the scene's box, or of the particles' bounds with room to swing.
 template <class WorldT> std::array<Point, 2> extent(const WorldT& world, const Scene& scene) {
     if (scene.world.bounds && scene.world.bounds->box) {
         auto corners = *scene.world.bounds->box;
@@ -22,7 +22,7 @@ template <class WorldT> std::array<Point, 2> extent(const WorldT& world, const S
             corners[0][i] = row == 0 ? x : std::min(corners[0][i], x);
             corners[1][i] = row == 0 ? x : std::max(corners[1][i], x);
         }
-    // what hangs swings: room for the larger side all around
+    // hanging figures swing: room of half the larger side all around
     const double side = std::max(corners[1][0] - corners[0][0], corners[1][1] - corners[0][1]);
     for (int i = 0; i < 2; ++i) {
         corners[0][i] -= side * 0.5;
