@@ -2,8 +2,8 @@
 
 #include "sinew/solver/world.h"
 
-/// Journal of changes between steps: the next step examines only the components with changed particles again
-/// (block_find.cpp). Nothing is recorded before the first step of a world, when everything is new.
+/// Journal of changes between steps: the next step examines only the components of changed particles again
+/// (block_find.cpp). Nothing is recorded while Blocks::stale, as in a new world or a copy: then everything is examined.
 namespace sinew::detail {
 
 /// Lists the constraints of each particle, if not listed yet. On demand, since a large world may never need the list.

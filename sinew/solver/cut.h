@@ -15,8 +15,8 @@ struct Cut {
     std::vector<FigureIndex> figures; ///< figures of the distances removed, sorted and unique; no_figure last
 };
 
-/// Cuts every distance whose visible ends the blade separates or comes near to. Links out of sight stay, and so do
-/// distances without an upper limit. Cells of cloth are sliced along the blade.
+/// Cuts every distance across the blade, or within reach of the blade, in the picture plane. Links with an end out of
+/// sight stay, and so do distances without an upper limit. Cells of cloth are sliced along the blade.
 template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade, const Projection<D>& see = along_z<D>);
 
 /// Cuts the given constraints. With a distance go its dependents: constraints of other kinds with both of its ends

@@ -50,7 +50,7 @@ template <class Real> constexpr Real furthest_move(Real h) {
 template <int D, class Real> struct Particles {
     std::vector<Vec<D, Real>> position;
     std::vector<Vec<D, Real>> previous; ///< position one step ago; the state of classic mode
-    std::vector<Vec<D, Real>> velocity; ///< mean over the last substep; in classic mode over the step
+    std::vector<Vec<D, Real>> velocity; ///< mean over the substep (in a block: at the end); classic mode: over the step
     std::vector<Vec<D, Real>> residual; ///< rounding error of position (Kahan 1965)
     std::vector<Vec<D, Real>> force;    ///< external force, applied for one step, then cleared
     bool any_force = false;             ///< set by whoever writes `force`; the step skips the column while false
