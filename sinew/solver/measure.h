@@ -29,12 +29,12 @@ template <int D, class Real> Energy energy_of(const World<D, Real>& world, Parti
 template <int D, class Real> Vec<D, double> momentum(const World<D, Real>& world);
 /// Angular momentum about the origin, at the same points as energy(); in 2D only the third component is used.
 template <int D, class Real> Vec3<double> angular_momentum(const World<D, Real>& world);
-/// Zero for a world without movable mass.
+/// Centre of mass of the movable particles; zero if there are none.
 template <int D, class Real> Vec<D, double> center_of_mass(const World<D, Real>& world);
 template <int D, class Real> double total_mass(const World<D, Real>& world);
 template <int D, class Real> double max_speed(const World<D, Real>& world);
 
-/// Strain of distance constraints, as fractions of their rest length; slack ropes have none.
+/// Strain of distance constraints, as a fraction of the rest length; slack ropes have none.
 struct Stretch {
     double max = 0, mean = 0;
     std::size_t count = 0;

@@ -38,7 +38,7 @@ template <int D, class Real> class MeshMaker {
     PlanRoom& room_;
     PlanParts<D, Real>& parts_;
     RunWriter<D, Real>& runs_;
-    Row begin_ = 0; ///< the sheet's first slot
+    Row begin_ = 0; ///< first slot of the component
     std::uint32_t families_ = 0;
     std::array<std::uint32_t, most_families> reaches_{}; ///< reach of each colour, in tiles
 

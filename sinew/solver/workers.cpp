@@ -73,7 +73,7 @@ class Pool {
                 threads_.emplace_back(
                     [this, number = int(threads_.size()) + 1, seen = calls_.load()] { serve(number, seen); });
             } catch (const std::system_error&) {
-                return; // the system has no more
+                return; // no more threads from the system
             }
         }
     }
