@@ -5,13 +5,13 @@
 namespace sinew {
 namespace {
 
-using Bend = CubicBezier<2, float>;
+using Arc = CubicBezier<2, float>;
 
 /// Chords per curve for measuring length: 1e-4 short on a quarter circle.
 constexpr std::size_t chords = 32;
 
 /// Unit tangent at t; at an end with a zero-length handle, the direction of a nearby secant.
-Vec2<float> way_at(const Bend& bend, float t) {
+Vec2<float> way_at(const Arc& bend, float t) {
     constexpr float aside = 0.01F;
     const auto way = bend.derivative(t);
     const auto nearby = bend.at(minimum(t + aside, 1.0F)) - bend.at(maximum(t - aside, 0.0F));
@@ -36,7 +36,7 @@ void rope_through(std::span<const Vec2<float>> points, Bends& bends) {
                                     points[std::min(i + 2, points.size() - 1)]));
 }
 
-void lay_out(std::span<const Bend> bends, std::size_t parts, float longest, Spine& spine) {
+void lay_out(std::span<const Arc> bends, std::size_t parts, float longest, Spine& spine) {
     spine.place.clear();
     spine.along.clear();
     spine.length = 0;
