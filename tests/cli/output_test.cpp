@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 /// What commands that do not draw tell, for people and as JSON.
 namespace sinew::cli_test {
@@ -105,11 +106,22 @@ TEST(Run, NeverPrintsWhatIsNoJson) {
     }
 }
 
-TEST(Run, StartsInThirtyMilliseconds) {
+/// Processor time of all ended child processes, seconds.
+double children_seconds() {
+    rusage used{};
+    getrusage(RUSAGE_CHILDREN, &used);
+    const auto seconds = [](const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); };
+    return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+TEST(Run, StartsInThirtyMillisecondsOfProcessorTime) {
     if (sanitized) GTEST_SKIP() << "sanitizers are slow to start";
     double fastest = 1;
-    for (int i = 0; i < 20; ++i)
-        fastest = std::min(fastest, sinew({"run", "pendulum", "--seconds", "0.1", "--json"}).seconds);
+    for (int i = 0; i < 20; ++i) {
+        const double before = children_seconds();
+        sinew({"run", "pendulum", "--seconds", "0.1", "--json"});
+        fastest = std::min(fastest, children_seconds() - before);
+    }
     EXPECT_LT(fastest, 0.030);
 }
 
