@@ -246,7 +246,7 @@ template <class WorldT> class RandomCalls {
         if (what == 1) settings.substeps = below(6);
         if (what == 2) settings.iterations = 1 + below(3);
         if (what == 3) settings.damping = one_in(2) ? 0 : number(0, 0.5);
-        if (what == 4) settings.classic.displaced_hold = one_in(2);
+        if (what == 4) settings.classic.moves_each_pass = one_in(2);
         if (what == 5) settings.classic.order = PassOrder(below(3));
         if (what == 6) world.threads = 1 + below(3);
     }
