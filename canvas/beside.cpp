@@ -9,7 +9,7 @@ namespace sinew::canvas {
 namespace {
 
 /// Sizes beside pictures of the nominal height; they grow with it.
-constexpr double gap = 4, caption = 26, letters = 14;
+constexpr double space_between = 4, caption = 26, letters = 14;
 
 int scaled(double nominal, int height) {
     return std::max(1, int(nominal * height / Picture::nominal_height + 0.5));
@@ -37,7 +37,7 @@ void append(const Picture& part, Vec2<float> offset, Picture& whole) {
 } // namespace
 
 BesideSize size_beside(std::size_t count, int width, int height) {
-    return {int(count) * width + int(count - 1) * scaled(gap, height), height + scaled(caption, height)};
+    return {int(count) * width + int(count - 1) * scaled(space_between, height), height + scaled(caption, height)};
 }
 
 void put_beside(std::span<const Labelled> parts, Picture& whole) {
@@ -50,7 +50,7 @@ void put_beside(std::span<const Labelled> parts, Picture& whole) {
     whole.width = size.width, whole.height = size.height;
     whole.background = theme.ground;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const float left = float(i) * float(first.width + scaled(gap, first.height));
+        const float left = float(i) * float(first.width + scaled(space_between, first.height));
         const Vec2<float> corner{{left, above}}, opposite{{left + float(first.width), above + float(first.height)}};
         whole.add_pane({{left, 0}}, {{opposite[0], above}}, theme.ground);
         whole.add_text(parts[i].label, {{(left + opposite[0]) / 2, above / 2}}, float(scaled(letters, first.height)),

@@ -110,6 +110,10 @@ MarkText mark_text(const Piece& piece) {
         return {"an area", "fill"};
     case Mark::surface:
         return {"a shaded surface", "fill"};
+    case Mark::face:
+        return {"eyes and a mouth", "color"};
+    case Mark::fragment:
+        return {"a part of a surface", "fill"};
     }
     return {};
 }

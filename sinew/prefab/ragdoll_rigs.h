@@ -66,7 +66,7 @@ inline constexpr Bone bones[] = {
 };
 // clang-format on
 
-// Knees point outwards and elbows up: the right side mirrors the left. A thigh opens 65 degrees from the trunk, so that
+// Knees point outwards and elbows up: the right side mirrors the left. A thigh opens 70 degrees from the trunk, so that
 // the legs cannot come down in a split. Turns of the trunk are limited so that a blow cannot leave it inside out: at
 // rest they are 104 and 90 degrees, and the nod 14.
 // clang-format off
@@ -76,8 +76,8 @@ inline constexpr Bend bends[] = {
     {"right_elbow",    "right_shoulder", "right_elbow",    "right_hand",  -150,    0, Rig::physical},
     {"left_knee",      "left_hip",       "left_knee",      "left_foot",      0,  140, Rig::physical},
     {"right_knee",     "right_hip",      "right_knee",     "right_foot",  -140,    0, Rig::physical},
-    {"left_hip",       "left_shoulder",  "left_hip",       "left_knee",    -65,   45, Rig::physical},
-    {"right_hip",      "right_shoulder", "right_hip",      "right_knee",   -45,   65, Rig::physical},
+    {"left_hip",       "left_shoulder",  "left_hip",       "left_knee",    -70,   45, Rig::physical},
+    {"right_hip",      "right_shoulder", "right_hip",      "right_knee",   -45,   70, Rig::physical},
     {"nod",            "left_hip",       "neck",           "head",         -21, 49, Rig::physical},
     {"trunk",          "left_hip",       "right_hip",      "neck",          60,  150, Rig::physical},
     {"left_shoulder",  "neck",           "left_shoulder",  "left_hip",      45,  135, Rig::physical},

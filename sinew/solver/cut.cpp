@@ -96,6 +96,7 @@ template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const Cons
 
 template <int D, class Real>
 std::size_t come_apart(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer) {
+    if (slicer) detail::list_bonds(world);
     sever(world, gone, slicer);
     const auto added = split(world, gone);
     bind(world);

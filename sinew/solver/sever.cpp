@@ -108,7 +108,7 @@ template <int D, class Real> class Severer {
     void cell(const Figure& figure, Piece& piece, PiecesLeft& left) const {
         const bool is_whole = piece.mark == Mark::surface, has_gaps = has_gap(figure, piece);
         if (slicer_ && (has_gaps || (!is_whole && slicer_->runs_through(figure, piece))))
-            slicer_->slice(figure, piece, gaps_, left);
+            slicer_->slice(figure, piece, left);
         else if (!is_whole && !has_gaps)
             add_unbound(world_, figure, piece, left);
         else if (!has_gaps)

@@ -146,8 +146,22 @@ std::array<std::vector<HalfPlane>, 4> sides_of(double reach, double length) {
              {above_low, below_high, {&Corner::along, 1, length + reach}}}};
 }
 
-/// A part keeps the particles at its own corners, and those that are joined to them.
-Cell corners_of(const Cell& cell, const Fragment& part, const Gaps& gaps) {
+template <int D, class Real> bool is_linked(const World<D, Real>& world, ParticleId a, ParticleId b) {
+    const auto from = row_of(world, a), to = row_of(world, b);
+    if (!from || !to) return false;
+    if (*from == *to) return true; // a triangle's corner counts as two
+    const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
+    bool linked = false;
+    world.blocks.bonds.each(world.particles.slots.slot_of(*from), [&](int kind, std::uint32_t slot) {
+        if (kind != kind_number<Distance, D>) return;
+        const auto& ends = distances.members.rows[distances.slots.row_at(slot)];
+        linked = linked || ends[0] == *to || ends[1] == *to;
+    });
+    return linked;
+}
+
+/// A part keeps the particles at its own corners, and those that sides of the cell still join to them.
+template <int D, class Real> Cell corners_of(const World<D, Real>& world, const Cell& cell, const Fragment& part) {
     std::array<bool, 4> own{};
     for (std::size_t i = 0; i < 4; ++i)
         own[i] =
@@ -156,7 +170,7 @@ Cell corners_of(const Cell& cell, const Fragment& part, const Gaps& gaps) {
     for (std::size_t i = 0; i < 4; ++i) {
         if (!cell.particle[i]) continue;
         const auto joined = [&](std::size_t k) {
-            return own[k] && !gaps.between(*cell.particle[i], *cell.particle[k]);
+            return own[k] && is_linked(world, *cell.particle[i], *cell.particle[k]);
         };
         if (own[i] || joined((i + 1) % 4) || joined((i + 3) % 4)) kept.particle[i] = cell.particle[i];
     }
@@ -196,7 +210,7 @@ template <int D, class Real> bool Slicer<D, Real>::runs_through(const Figure& fi
 }
 
 template <int D, class Real>
-void Slicer<D, Real>::slice(const Figure& figure, const Piece& piece, const Gaps& gaps, PiecesLeft& left) const {
+void Slicer<D, Real>::slice(const Figure& figure, const Piece& piece, PiecesLeft& left) const {
     constexpr double least_area = 1e-6; // of a cell
     const auto cell = cell_of(world_, figure, piece);
     const BladeView<D> view{cell.place, blade_, see_, along_};
@@ -217,7 +231,7 @@ void Slicer<D, Real>::slice(const Figure& figure, const Piece& piece, const Gaps
             part.add_tile(tile);
         });
         if (!has_own_corner(cell, part)) continue;
-        const auto kept = corners_of(cell, part, gaps);
+        const auto kept = corners_of(world_, cell, part);
         add_piece(piece, kept, std::move(part), left);
     }
 }

@@ -10,13 +10,13 @@ namespace sinew {
 /// the part hangs on. A part without a corner of its own is lost.
 template <int D, class Real> class Slicer {
   public:
-    /// All three are kept by reference.
+    /// All three are kept by reference; the bonds of the world are listed when cells are sliced.
     Slicer(const World<D, Real>& world, const Blade& blade, const Projection<D>& see);
 
     /// Whether the blade runs through a fragment, whatever it does to the links around.
     bool runs_through(const Figure& figure, const Piece& piece) const;
     /// Appends what is left of a cell.
-    void slice(const Figure& figure, const Piece& cell, const Gaps& gaps, PiecesLeft& left) const;
+    void slice(const Figure& figure, const Piece& cell, PiecesLeft& left) const;
 
   private:
     const World<D, Real>& world_;

@@ -86,6 +86,18 @@ double reach_across(const std::vector<std::vector<Vec3<double>>>& polygons, cons
     return worst;
 }
 
+/// The rows of what links join to a particle.
+std::vector<Row> reached_from(const World<2, double>& world, ParticleId first) {
+    std::vector<char> seen(world.particles.size(), 0);
+    std::vector<Row> rows{row_of(world, first).value()};
+    seen[rows[0]] = 1;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (const auto& ends : std::get<kind_number<Distance, 2>>(world.constraints).members.rows)
+            for (const auto& [a, b] : {std::pair(ends[0], ends[1]), std::pair(ends[1], ends[0])})
+                if (a == rows[i] && !seen[b]) seen[b] = 1, rows.push_back(b);
+    return rows;
+}
+
 /// Right through, askew: no two cells are crossed alike.
 const Blade askew{{{-0.6, -0.13}}, {{0.6, -0.71}}};
 
@@ -158,6 +170,18 @@ TEST(Slice, ASecondBladeSlicesFragmentsToo) {
     EXPECT_LT(reach_across(polygons_of(made.world), other), 1e-8);
     EXPECT_GT(area_drawn(made.world), before - spacing * spacing); // a part without a corner may be lost
     EXPECT_EQ(islands(made.world)[0], 4U);
+}
+
+// The first blade ends in a cell that the second one runs through: no fragment holds on to both sides.
+TEST(Slice, ABladeThroughTheEndOfAnotherPartsItsCell) {
+    auto made = sheet();
+    cut(made.world, Blade{{{-0.5, -0.2}}, {{0.08, -0.5}}});
+    cut(made.world, Blade{{{0.03, 0.1}}, {{0.06, -1}}});
+    ASSERT_EQ(islands(made.world)[0], 3U);
+    const double before = area_drawn(made.world);
+    const auto fallen = *find_particle(made.world, "it/particle_2_8");
+    for (const Row row : reached_from(made.world, fallen)) made.world.particles.position[row] += Vec2<double>{{0, -5}};
+    EXPECT_NEAR(area_drawn(made.world), before, 1e-6);
 }
 
 // The blade ends inside of the cloth: the cell around its end is slit, and the rest is whole.
