@@ -42,12 +42,15 @@ void declare_scene(CLI::App& parser, SceneWords& target);
 
 /// An option that is there or not.
 void declare_flag(CLI::App& parser, const std::string& names, bool& target, const std::string& help);
-/// An option that takes any text.
+/// An option that takes any text but an empty one.
 void declare_text(CLI::App& parser, const std::string& names, std::string& target, const std::string& placeholder,
                   const std::string& help);
 /// An option that takes a number in a range.
 void declare_number(CLI::App& parser, const std::string& names, std::optional<double>& target, Range range,
                     const std::string& placeholder, const std::string& help);
+/// An option that takes a whole number in a range.
+void declare_whole(CLI::App& parser, const std::string& names, std::optional<int>& target, Range range,
+                   const std::string& placeholder, const std::string& help);
 /// An option that takes two whole numbers: 640x480.
 void declare_pair(CLI::App& parser, const std::string& names, std::optional<std::array<int, 2>>& target,
                   const std::string& placeholder, const std::string& help);
