@@ -65,6 +65,7 @@ struct ViewSection {
     std::optional<double> height;
     CameraSection camera;
     std::string theme = "light";
+    bool plain = false;
 
     static constexpr std::array<std::string_view, 2> themes = {"light", "dark"};
 
@@ -80,6 +81,7 @@ struct ViewSection {
                                  .high = 1e8});
         visit(self.camera, Field{.name = "camera", .help = "Where a 3D scene is looked at from"});
         visit(self.theme, Field{.name = "theme", .help = "Colours of what has no looks of its own", .choices = themes});
+        visit(self.plain, Field{.name = "plain", .help = "Without outlines, shadows and highlights"});
     }
 };
 
