@@ -95,8 +95,8 @@ TEST(Draw, APlainPictureIsWhatWasAskedForAndNothingElse) {
         Session(std::move(*opened)).draw(picture);
         return picture.items.size();
     };
-    EXPECT_EQ(items("true"), 2U) << "a stroke and a ball";
-    EXPECT_EQ(items("false"), 2U + 2 * 3 + 2 + 1) << "three layers of shadow and an outline each, and a highlight";
+    EXPECT_EQ(items("true"), 3U) << "a stroke and two balls";
+    EXPECT_EQ(items("false"), 3U + 3 * 3 + 3 + 1) << "three layers of shadow and an outline each, and a highlight";
 }
 
 TEST(Draw, WhatIsHiddenIsNotThere) {
