@@ -10,7 +10,7 @@ namespace sinew {
 namespace {
 
 /// Sizes at the nominal height of a picture, nominal pixels; proportional to the height.
-constexpr float path_width = 2, curve_width = 2, rule_width = 1, letters = 11, inset = 5;
+constexpr float path_width = 2, curve_width = 2, rule_width = 1, text_size = 11, inset = 5;
 
 constexpr float palest = 0.12F; ///< share of colour at the oldest end of a path
 constexpr int shades = 24;      ///< colour steps along a fading path
@@ -118,7 +118,7 @@ class TraceDrawer {
     /// Label above the frame; the quantity in the upper right corner.
     void words(const TraceSection& trace, Vec2<float> low, Vec2<float> high) {
         constexpr float letter_width = 0.6F; // as a fraction of the height
-        const float size = letters * unit_;
+        const float size = text_size * unit_;
         const float half = float(trace.shows.size()) * letter_width * size / 2;
         picture_.add_text(trace.shows, {{high[0] - inset * unit_ - half, high[1] + inset * unit_ + size / 2}}, size,
                           mix(theme_.background, theme_.pen, 0.6F));

@@ -7,12 +7,12 @@ namespace {
 
 /// The man of the tearable cloth demo: masses, and positions at which every link has its rest length. Unit: heads; the
 /// figure is 7.5 heads from shoulder to foot.
-struct Point {
+struct PuppetPoint {
     std::string_view name;
     double x, y, mass;
 };
 // clang-format off
-constexpr Point points[] = {
+constexpr PuppetPoint points[] = {
     {"head",         0,     1.25,   4},
     {"shoulder",     0,     0,     26},
     {"pelvis",       0,    -3.5,   15},
