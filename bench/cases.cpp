@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view direct_suffix = "-direct";
 
-/// A whole number, or nothing.
+/// A whole number; empty for any other text.
 std::optional<double> whole(std::string_view text) {
     double number = 0;
     const auto* const end = text.data() + text.size();

@@ -9,14 +9,14 @@
 
 namespace sinew::bench {
 
-/// Somebody who can do a case's work.
+/// A solver under comparison.
 struct Contender {
     std::string name;
     std::function<std::unique_ptr<Simulation>(const Effort& effort)> make;
 };
 
-/// The textbook in list order, by which speed is told; the textbook in any order; the peers that are built and can do
-/// it. They are good as long as the work is.
+/// The textbook in list order (the unit of speed), the textbook in shuffled order, and all built peers able to do the
+/// work. Valid while `work` lives.
 std::vector<Contender> rivals(const Work& work);
 
 } // namespace sinew::bench

@@ -32,14 +32,13 @@ double timed_step(Simulation& simulation) {
     return milliseconds_since(begun);
 }
 
-/// Times of steps that followed each other, without the first, which finds the caches as somebody else left them;
-/// unless there is no other.
+/// Consecutive step times without the first, which starts with cold caches; a single time is kept.
 std::vector<double> warm(std::vector<double> times) {
     if (times.size() > 1) times.erase(times.begin());
     return times;
 }
 
-/// How many steps a turn has, of what takes so long: as many as fit, but in six turns all of them are done.
+/// Number of steps in a turn of `turn` milliseconds, at `step` milliseconds per step; at most a sixth of all steps.
 int turn_length(double step, double turn, int steps) {
     return std::max(1, int(std::min(turn / step, steps / 6.0)));
 }
@@ -54,7 +53,7 @@ template <class Real> class EngineRun final : public Simulation {
     World<3, Real> world_;
 };
 
-/// The bytes that a world's particles take by themselves.
+/// Bytes of the particles' own columns.
 template <class Real> std::size_t particle_bytes(const World<3, Real>& world) {
     std::size_t bytes = 0;
     Particles<3, Real>::columns(world.particles,
@@ -62,14 +61,14 @@ template <class Real> std::size_t particle_bytes(const World<3, Real>& world) {
     return bytes;
 }
 
-/// A watch of half of the work, of which so much is done before.
+/// Progress of one half of the work, after a share `before`.
 Watch half_of(const Watch& watch, double before) {
     return [&watch, before](double share) {
         if (watch) watch(before + share / 2);
     };
 }
 
-/// What a process takes for any world, however small, is there before a large one is looked at: the code, for one.
+/// Steps a small world first, so that memory a process needs for any world, such as code, is not counted.
 template <class Real> void step_a_small_one(Case chosen, int threads) {
     constexpr int small = 16;
     chosen.size = std::min(chosen.size, small);
@@ -93,7 +92,7 @@ Measured measure_as(const Case& chosen, const Work& work, const Engine& engine, 
     const auto particles = double(particle_bytes(world));
     EngineRun<Real> run(std::move(world));
     run.step();
-    constexpr std::size_t enough = 50'000; // constraints: below it pages and what the heap keeps are what is told
+    constexpr std::size_t enough = 50'000; // constraints: below, pages and the heap's reserve dominate
     if (const auto bytes = memory.risen(); bytes > 0 && work.constraints() >= enough)
         measured.bytes_per_constraint = (double(bytes) - particles) / double(work.constraints());
     constexpr double patience = 1.5; // seconds
@@ -108,7 +107,7 @@ Measured measure_as(const Case& chosen, const Work& work, const Engine& engine, 
 
 Timing time(Simulation& simulation, const Extent& extent, const Watch& watch, Simulation* pace) {
     Timing timing;
-    std::vector<double> times, ratios; // of steps; of turns
+    std::vector<double> times, ratios; // per step; per turn
     double spent = 0;                  // milliseconds
     const auto on = [&] { return timing.steps < extent.steps && spent < 1000 * extent.seconds; };
     int length = pace ? 1 : extent.steps, pace_length = pace ? 1 : 0;
@@ -160,7 +159,7 @@ Measured measure(const Case& chosen, const Work& work, const Engine& engine, int
 }
 
 int usual_steps(const Work& work) {
-    constexpr double constraints_stepped = 5e6; // half a second by the book
+    constexpr double constraints_stepped = 5e6; // about half a second of the textbook
     return int(std::clamp(constraints_stepped / double(work.constraints()), 3.0, 300.0));
 }
 

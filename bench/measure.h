@@ -8,62 +8,62 @@
 #include <string>
 #include <vector>
 
-/// How fast and how well a case is solved. Times are of whole steps: fields, integration, constraints, velocities.
+/// Speed and accuracy of a solver on a case. Times are of whole steps: force fields, integration, constraints,
+/// velocities.
 namespace sinew::bench {
 
 struct Timing {
-    double milliseconds = 0; ///< median of a step, the first of each turn not among them
-    double ratio = 0;        ///< how many times the speed of the pace that is: median of all turns; 0: there is none
-    int steps = 0;           ///< that were taken
+    double milliseconds = 0; ///< median of a step, without the first step of each turn
+    double ratio = 0;        ///< speed as a multiple of the pace's: median over turns; 0 without a pace
+    int steps = 0;           ///< number of steps taken
     Strain strain;           ///< max after any step, mean after the last
 };
 
-/// Called as often as something is done, with how much of all there is: 0 to 1.
+/// Progress callback; share of the work done, 0 to 1.
 using Watch = std::function<void(double share)>;
 
-/// How long a simulation is run.
+/// Length of a run: ends at whichever limit comes first.
 struct Extent {
     int steps = 0;
-    double seconds = 1e9; ///< after them no further step begins
+    double seconds = 1e9; ///< no further step begins afterwards
 };
-/// With a pace (the textbook, for one) they step by turns, some steps each, at most a tenth of a second: the clock of a
-/// processor changes under way, and so it does for both. Nobody looks at what they do: that would take their caches,
-/// and let their threads fall asleep.
+/// Times a simulation. A pace (usually the textbook) alternates with the simulation, in turns of about 30 and 100 ms:
+/// changes of the processor's clock then affect both. Positions are not read while timing, which would evict caches and
+/// let threads fall asleep.
 Timing time(Simulation& simulation, const Extent& extent, const Watch& watch = {}, Simulation* pace = nullptr);
 
-/// How far sticks are from their lengths in so many steps.
+/// Measures the strain of sticks over `steps` steps.
 Strain look_at(Simulation& simulation, const Work& work, int steps, const Watch& watch = {});
 
-/// Both, of one and then of another that does the same from its beginning.
+/// Timing and strain, from two simulations made alike.
 using Make = std::function<std::unique_ptr<Simulation>()>;
 Timing time_and_look(const Make& make, const Work& work, const Extent& extent, const Watch& watch = {},
                      Simulation* pace = nullptr);
 
-/// What of the engine was measured.
+/// Configuration of the engine.
 struct Engine {
     int threads = 1;
-    bool single = true; ///< float, else double
+    bool single = true; ///< true: float, false: double
 };
 
 struct Measured : Timing {
-    double build_ms = 0;             ///< from an empty world to one that is ready to step
-    double prepare_ms = 0;           ///< of that: orders, colours, runs, blocks
-    double bytes_per_constraint = 0; ///< most memory ever taken, over that of the particles and of
-                                     ///< a small world; 0: not known
+    double build_ms = 0;             ///< from an empty world to one ready to step
+    double prepare_ms = 0;           ///< part of build_ms: orders, colours, runs, blocks
+    double bytes_per_constraint = 0; ///< peak memory above the particles and a small world; 0: unknown
 };
 
-/// What a case asks of every solver.
+/// A case in solver-neutral form.
 Work work_of(const Case& chosen);
-/// The engine on a case, which is that work; by turns with the textbook.
+/// Measures the engine on a case, of which `work` is the neutral form, in turns with the textbook.
 Measured measure(const Case& chosen, const Work& work, const Engine& engine, int steps, const Watch& watch = {});
 
-/// How many steps are worth their time: enough for a median, and for small cloth to hang.
+/// Default number of steps, 3 to 300: enough for a median, and for small cloth to hang.
 int usual_steps(const Work& work);
 
-/// The engine as one of those that are compared.
+/// The engine as a contender.
 std::unique_ptr<Simulation> simulate(const Case& chosen, const Engine& engine, const Effort& effort);
 
-/// What the engine's lanes are on this processor: scalar, sse2, avx2, avx512, neon.
+/// Instruction set of the engine's kernels on this processor: scalar, sse2, avx2, avx512, neon.
 std::string_view simd();
 
 } // namespace sinew::bench

@@ -10,7 +10,7 @@
 namespace sinew::bench {
 namespace {
 
-/// Of /proc/self/status, in bytes; 0 where there is none.
+/// A field of /proc/self/status in bytes; 0 if missing.
 std::size_t status(const char* key) {
     std::size_t bytes = 0;
     if (std::FILE* file = std::fopen("/proc/self/status", "r")) {
@@ -26,7 +26,7 @@ std::size_t status(const char* key) {
     return bytes;
 }
 
-/// From now on the peak is what is taken from now on. Whether that could be said.
+/// Resets the process's peak memory; false on failure.
 bool forget_peak() {
     std::FILE* file = std::fopen("/proc/self/clear_refs", "w");
     if (!file) return false;
@@ -38,7 +38,7 @@ bool forget_peak() {
 
 PeakMemory::PeakMemory() {
 #ifdef __GLIBC__
-    malloc_trim(0); // what earlier worlds left is given back, else the next one fills it unseen
+    malloc_trim(0); // return free memory, or the next world would fill it unnoticed
 #endif
     if (forget_peak()) begun_ = status("VmRSS:");
 }

@@ -4,11 +4,11 @@
 
 namespace sinew::bench {
 
-/// How much more memory the process took at its peak than when this began. Linux only; elsewhere nothing is known.
+/// Rise of the process's peak memory since construction. Linux only; elsewhere unknown.
 class PeakMemory {
   public:
     PeakMemory();
-    /// Bytes; 0: not known.
+    /// Bytes; 0: unknown.
     std::size_t risen() const;
 
   private:

@@ -30,7 +30,7 @@ struct Axis {
         low = std::floor(std::log10(low) + 1e-9);
         high = std::max(std::ceil(std::log10(high) - 1e-9), low + 1);
     }
-    /// 0 at the low end, 1 at the high end; what cannot be shown is at the high end.
+    /// 0 at the low end, 1 at the high end; values without a logarithm are at the high end.
     double share(double value) const { return is_shown(value) ? (std::log10(value) - low) / (high - low) : 1; }
 };
 
@@ -67,7 +67,7 @@ class Drawing {
     const Plot& plot_;
     const double panel_width;
     Axis x_;
-    std::vector<std::array<double, 2>> labels_; ///< where those of a panel begin
+    std::vector<std::array<double, 2>> labels_; ///< origins of the present panel's labels
     std::string out_;
 
     template <class... Part> void add(fmt::format_string<Part...> form, Part&&... part) {
@@ -117,7 +117,8 @@ class Drawing {
         add(R"(<polyline points="{}" fill="none" stroke="{}" stroke-width="1.8"/>)", path, color);
     }
 
-    /// Beside a point, where no other label is: above or below it, to the right or to the left.
+    /// Places a label beside a point, at the first free of four positions: right above, right below, left above, left
+    /// below.
     void label(double px, double py, const std::string& words) {
         constexpr double height = 9, letter = 5.5, near = 6;
         const double width = letter * double(words.size());
@@ -138,7 +139,7 @@ class Drawing {
 
     static double legend_width(const Curve& curve) { return 44 + 6.6 * double(curve.name.size()); }
 
-    /// Which curves stand in which row below the panels.
+    /// Indices of curves, by row below the panels.
     std::vector<std::vector<std::size_t>> legend_rows(double width) const {
         std::vector<std::vector<std::size_t>> rows;
         double x = width;

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-/// A picture of what was measured: what one pays, what one gets.
+/// Plots of cost against accuracy.
 namespace sinew::bench {
 
 struct PlotPoint {
     double x = 0, y = 0;
-    std::string label{}; ///< beside it; may be empty
-    bool beaten = false; ///< faint, and no line goes through it
+    std::string label{}; ///< beside the point; may be empty
+    bool beaten = false; ///< true: drawn faintly, and left out of the line
 };
 struct Curve {
     std::string name;
@@ -17,7 +17,7 @@ struct Curve {
 };
 struct Panel {
     std::string title;
-    std::vector<Curve> curves; ///< a curve has the colour of its place in the list
+    std::vector<Curve> curves; ///< coloured by index
 };
 
 struct Plot {
@@ -25,7 +25,7 @@ struct Plot {
     std::vector<Panel> panels; ///< side by side, of the same curves
 };
 
-/// Marks every point where another is lower and no further right: nobody would choose it.
+/// Marks every dominated point: another point is lower and no further right.
 void mark_beaten(Curve& curve);
 
 /// An SVG file. Both axes are logarithmic; points that are not finite or not positive stand on the upper edge.

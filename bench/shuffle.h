@@ -7,7 +7,7 @@
 
 namespace sinew::bench {
 
-/// Any order, the same for the same seed (Fisher and Yates 1938).
+/// Random permutation, determined by the seed (Fisher and Yates 1938).
 template <class T> void shuffle(std::vector<T>& items, std::uint64_t seed) {
     for (std::size_t i = items.size(); i > 1; --i)
         std::swap(items[i - 1], items[std::size_t(random::whole(0, std::int64_t(i) - 1, seed, 0, i))]);

@@ -23,7 +23,7 @@ void Textbook::step() {
     }
 }
 
-/// x + (x - x_old) + a h^2
+/// Verlet: x + (x - x_old) + a h^2.
 void Textbook::move(float h) {
     for (auto& point : points_) {
         if (point.inverse_mass == 0) continue;

@@ -2,16 +2,16 @@
 
 #include "bench/simulation.h"
 
-/// The solver that tutorials teach (Jakobsen 2001, Advanced Character Physics): an array of points, Verlet's step, and
-/// one distance after the other with a square root. The unit in which speed is told. Nothing here is made slower than a
-/// reader of those would write it, and nothing faster.
+/// The solver of the tutorials (Jakobsen 2001, Advanced Character Physics): an array of points, a Verlet step, and one
+/// distance constraint after the other with a square root. The unit of speed. The code is written as a reader of a
+/// tutorial would write it, neither slower nor faster.
 namespace sinew::bench {
 
 class Textbook final : public Simulation {
   public:
     enum class Order {
-        listed,  ///< as the constraints were added
-        shuffled ///< at random, as a loader of meshes or an editor leaves them
+        listed,  ///< in the order of addition
+        shuffled ///< random, as from a mesh loader or an editor
     };
     Textbook(const Work& work, const Effort& effort, Order order = Order::listed);
 

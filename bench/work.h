@@ -6,19 +6,19 @@
 #include <span>
 #include <vector>
 
-/// What there is to solve, said in a way that every solver understands: points, and distances between them. Taken from
-/// a world, so that whoever is compared with the engine gets the same particles and the same constraints.
+/// A solver-neutral description of a world: points, and distances between points. Taken from a world of the engine, so
+/// that every solver gets the same particles and constraints.
 namespace sinew::bench {
 
-using Place = Vec<3, float>;  ///< given, to everyone alike
-using Found = Vec<3, double>; ///< where a solver has brought it, as exact as it has it
+using Place = Vec<3, float>;  ///< initial position, identical for all solvers
+using Found = Vec<3, double>; ///< position found by a solver, in full precision
 
 struct Stick {
     std::uint32_t a = 0, b = 0;
     float rest = 0;
 };
 
-/// A distance of at least `least`: what keeps a limb from folding further.
+/// A distance of at least `least`: limits the folding of a limb.
 struct Strut {
     std::uint32_t a = 0, b = 0;
     float least = 0;
@@ -26,23 +26,23 @@ struct Strut {
 
 struct Work {
     std::vector<Place> places, velocities;
-    std::vector<float> inverse_masses; ///< 0: held where it is
-    std::vector<Stick> sticks;         ///< in the order in which they were added
+    std::vector<float> inverse_masses; ///< 0: pinned
+    std::vector<Stick> sticks;         ///< in the order of addition
     std::vector<Strut> struts;
     Place gravity{};
 
     std::size_t constraints() const { return sticks.size() + struts.size(); }
 };
 
-/// Of a world of distances that are exact, at most (they count as exact: the textbook knows no slack) or at least.
-/// To be asked before its first step.
+/// Extracts the work from a world of exact distances, upper limits (treated as exact, because the textbook has no
+/// inequality for slack) and lower limits. Call before the first step.
 template <class Real> Work work_of(const World<3, Real>& world);
 
-/// How far sticks are from their lengths, as a fraction of them. Not a number if any place is none.
+/// Relative deviation of sticks from the rest length: |length / rest - 1|. NaN if any position is not finite.
 struct Strain {
-    double max = 0;  ///< of a run: after any step
-    double last = 0; ///< the worst after the last
-    double mean = 0; ///< after the last
+    double max = 0;  ///< over a run: after any step
+    double last = 0; ///< largest after the last step
+    double mean = 0; ///< mean after the last step
 };
 Strain strain_of(const Work& work, std::span<const Found> places);
 

@@ -1,6 +1,6 @@
 #include "canvas/beside.h"
 
-#include "sinew/session/theme.h"
+#include "sinew/picture/theme.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 namespace sinew::canvas {
 namespace {
 
-/// Sizes beside pictures of the nominal height; they grow with it.
+/// Sizes beside pictures of the nominal height, nominal pixels; proportional to the height.
 constexpr double space_between = 4, caption = 26, letters = 14;
 
 int scaled(double nominal, int height) {
@@ -19,7 +19,7 @@ bool is_light(const Color& color) {
     return 0.30F * color.red + 0.59F * color.green + 0.11F * color.blue > 0.5F;
 }
 
-/// Its items with all points moved; what they refer to by number is behind what the others brought.
+/// Appends the items of `part`, shifted by `offset`; indices of points, images and texts are renumbered.
 void append(const Picture& part, Vec2<float> offset, Picture& whole) {
     const auto first_point = std::uint32_t(whole.points.size());
     const auto first_image = std::uint32_t(whole.images.size()), first_text = std::uint32_t(whole.texts.size());

@@ -10,7 +10,7 @@ struct CairoRelease {
     void operator()(cairo_t* context) const { cairo_destroy(context); }
 };
 
-/// Owners of cairo objects. Cairo never returns null: an object that could not be made carries its error in its status.
+/// Owners of cairo objects. Cairo never returns null: a failed creation returns an object with the error in the status.
 using CairoSurface = std::unique_ptr<cairo_surface_t, CairoRelease>;
 using CairoContext = std::unique_ptr<cairo_t, CairoRelease>;
 

@@ -11,11 +11,10 @@ namespace {
 
 using Outline = std::span<const Vec2<float>>;
 
-/// Cairo counts in 24.8 fixed point and wraps beyond 8e6 device pixels. Further than any surface reaches (16384), well
-/// inside that.
+/// Coordinate limit, device pixels. Cairo's 24.8 fixed point wraps beyond 8e6; no surface reaches further than 16384.
 constexpr double farthest = 1e6;
 
-/// How many user units one device pixel spans.
+/// User units per device pixel.
 double pixel_of(cairo_t* context) {
     double dx = 1, dy = 0;
     cairo_device_to_user_distance(context, &dx, &dy);
@@ -30,7 +29,7 @@ void set_color(cairo_t* context, const Color& color) {
     cairo_set_source_rgba(context, double(color.red), double(color.green), double(color.blue), double(color.alpha));
 }
 
-/// Adds the outline to the path. A first line_to begins the path.
+/// Appends the outline to the path. A first line_to begins the path.
 void trace(cairo_t* context, Outline outline, double pixel) {
     const double far = farthest * pixel;
     for (const auto& p : outline)
@@ -69,22 +68,22 @@ void paint_item(cairo_t* context, Shape shape, Outline outline, double width, do
     case Shape::image:
     case Shape::text:
     case Shape::pane:
-        return; // not of a path alone
+        return; // not drawn as a path alone
     }
 }
 
-/// What lies between two corners, covered with a colour, and the only part that is painted on from now.
+/// Fills the rectangle between two corners with the paper colour and clips all further painting to the rectangle.
 void begin_pane(cairo_t* context, Outline corners, const Color& paper) {
     const auto low = [&](int i) { return double(minimum(corners[0][i], corners[1][i])); };
     const auto side = [&](int i) { return double(absolute(corners[1][i] - corners[0][i])); };
-    cairo_restore(context); // the pane before it
+    cairo_restore(context); // ends the previous pane
     cairo_save(context);
     cairo_rectangle(context, low(0), low(1), side(0), side(1));
     cairo_clip(context);
     cover(context, paper);
 }
 
-/// Of the height of letters: how wide the rim around them is, both sides together.
+/// Width of the rim around letters, both sides together, as a fraction of the letters' height.
 constexpr double text_rim = 0.25;
 
 void set_font(cairo_t* context, double height) {
@@ -116,7 +115,7 @@ void write(cairo_t* context, const std::string& text, Vec2<float> middle, double
     set_color(context, color);
     cairo_move_to(context, x, y);
     cairo_show_text(context, text.c_str());
-    cairo_new_path(context); // where it ends would be the beginning of the next
+    cairo_new_path(context); // show_text leaves a current point, where the next path would begin
 }
 
 Vec2<double> size_of_text(const std::string& text, double height) {
@@ -145,7 +144,7 @@ void paint(cairo_t* context, const Picture& picture) {
         if (item.shape == Shape::pane && outline.size() == 2) begin_pane(context, outline, paper = item.color);
         if (item.shape == Shape::image) images.paint(item);
         if (item.shape == Shape::image || item.color.alpha <= 0) continue;
-        // Written so that a width that is not a number also becomes one pixel.
+        // A width that is not a number also becomes one pixel.
         const double width = item.width >= pixel ? minimum(double(item.width), farthest * pixel) : pixel;
         set_color(context, item.color);
         if (item.shape == Shape::text && item.number < picture.texts.size())

@@ -8,7 +8,7 @@
 
 namespace sinew::canvas {
 
-/// A PNG, SVG or PDF file (by extension) that is drawn on with cairo. PNG keeps transparency; SVG and PDF keep vectors.
+/// A PNG, SVG or PDF file (by extension) drawn with cairo. PNG keeps transparency; SVG and PDF keep vectors.
 class Drawing {
   public:
     Drawing() = default;
@@ -19,14 +19,14 @@ class Drawing {
     [[nodiscard]] Failure create(const std::filesystem::path& path, int width, int height);
     cairo_t* context() const { return pen.get(); }
 
-    /// Writes all of it out and closes the file.
+    /// Flushes the drawing and closes the file.
     [[nodiscard]] Failure finish();
 
-    /// Closes the file, whatever is in it.
+    /// Closes the file without completing the drawing.
     void abandon();
 
   private:
-    /// Where cairo's output goes, and what went wrong on the way (an errno).
+    /// Output file of cairo, and the errno of the first failed write (0: none).
     struct Sink {
         std::FILE* file = nullptr;
         int error = 0;

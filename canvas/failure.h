@@ -5,7 +5,7 @@
 
 namespace sinew::canvas {
 
-/// Nothing when all went well; otherwise what went wrong, in words for the person who asked for the file.
+/// Empty on success; otherwise the reason, worded for the person who asked for the file.
 using Failure = std::optional<std::string>;
 
 } // namespace sinew::canvas

@@ -17,7 +17,7 @@
 namespace sinew::canvas {
 namespace {
 
-/// How much of what ffmpeg said last goes into a message. Its first error is usually the cause, and rarely far up.
+/// Number of ffmpeg's last lines quoted in a message. The first error is usually the cause, and rarely far up.
 constexpr std::size_t quoted_lines = 6;
 
 void close_and_forget(int& descriptor) {
@@ -25,8 +25,8 @@ void close_and_forget(int& descriptor) {
     descriptor = -1;
 }
 
-/// Moves a descriptor above 2. Where the process was started with a standard stream closed, new descriptors take those
-/// numbers, and wiring up the child would overwrite them.
+/// Moves a descriptor above 2. In a process started with a standard stream closed, new descriptors take numbers up to
+/// 2, and wiring up the child would overwrite them.
 int above_standard_streams(int descriptor) {
     if (descriptor < 0 || descriptor > STDERR_FILENO) return descriptor;
     const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -52,7 +52,7 @@ std::string tail(const std::string& text) {
     return result;
 }
 
-/// What a child starts with: the three standard streams, all signals at their default, a process group of its own.
+/// Attributes of a child process: the three standard streams, default signal handlers, a process group of its own.
 class SpawnPlan {
   public:
     SpawnPlan(int input, int errors) {
@@ -91,7 +91,7 @@ class SpawnPlan {
 
 Failure Ffmpeg::start(const std::vector<std::string>& arguments, const std::string& purpose) {
     abandon();
-    // A socket rather than a pipe: writing to one whose reader is gone can be told not to raise SIGPIPE.
+    // A socket rather than a pipe: MSG_NOSIGNAL suppresses SIGPIPE after the reader has gone.
     int ends[2] = {-1, -1};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         return std::string("ffmpeg cannot be started: ") + std::strerror(errno);
@@ -147,11 +147,11 @@ void Ffmpeg::abandon() {
     close_and_forget(words);
 }
 
-/// Ends the input, waits for the end of the child, and returns its status. An interruption ends it early.
+/// Closes the input, waits for the child to end, and returns the exit status. An interruption kills the child.
 int Ffmpeg::reap() {
     close_and_forget(socket);
     if (!running()) return 0;
-    // WNOWAIT: the number stays its own until it is off the list of what a second signal kills.
+    // WNOWAIT: the process id is not reused before spare() removes the child from the kill list of the second signal.
     if (interrupted()) kill(-child, SIGKILL);
     siginfo_t ignored;
     while (waitid(P_PID, id_t(child), &ignored, WEXITED | WNOWAIT) != 0 && errno == EINTR)
@@ -162,7 +162,7 @@ int Ffmpeg::reap() {
     return status;
 }
 
-/// The last lines of what it said.
+/// The last lines of the child's standard error.
 std::string Ffmpeg::last_words() const {
     std::string text(8192, '\0');
     const off_t length = lseek(words, 0, SEEK_END);

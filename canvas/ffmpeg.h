@@ -10,8 +10,8 @@
 
 namespace sinew::canvas {
 
-/// A running ffmpeg that reads from us. No shell is involved. It has a process group of its own, so that the Ctrl-C of
-/// a terminal reaches us alone and we decide what becomes of the file; what it says on stderr is kept for error
+/// A running ffmpeg that reads from this process. No shell is involved. A process group of the child's own keeps a
+/// terminal's Ctrl-C from the child: this process alone decides the fate of the file. Standard error is kept for error
 /// messages.
 class Ffmpeg {
   public:
@@ -20,18 +20,18 @@ class Ffmpeg {
     Ffmpeg& operator=(const Ffmpeg&) = delete;
     ~Ffmpeg() { abandon(); }
 
-    /// Starts ffmpeg, found on PATH. `purpose` says what needs it (".mp4") where it is not installed.
-    /// The arguments read the input from `pipe:0`.
+    /// Starts ffmpeg, found on PATH. `purpose` names the feature that needs ffmpeg (".mp4") in the message if ffmpeg is
+    /// not installed. The arguments read the input from `pipe:0`.
     [[nodiscard]] Failure start(const std::vector<std::string>& arguments, const std::string& purpose);
 
-    /// Hands bytes to its standard input; waits while it is busy. Comes back early, with success, when the process was
-    /// asked to end: whoever sends polls interrupted().
+    /// Writes bytes to the child's standard input; blocks while the child is busy. Returns early, with success, after
+    /// an interruption: callers poll interrupted().
     [[nodiscard]] Failure send(std::span<const std::byte> bytes);
 
-    /// Ends its input and waits until it is done.
+    /// Closes the child's input and waits for the child to end.
     [[nodiscard]] Failure finish();
 
-    /// Ends it at once. What it was writing is worthless.
+    /// Kills the child at once; the output is incomplete.
     void abandon();
 
     bool running() const { return child > 0; }
@@ -43,8 +43,8 @@ class Ffmpeg {
     int reap();
 
     pid_t child = 0;
-    int socket = -1; ///< our end of its standard input
-    int words = -1;  ///< an unnamed file that takes its standard error
+    int socket = -1; ///< write end of the child's standard input
+    int words = -1;  ///< unnamed file for the child's standard error
 };
 
 } // namespace sinew::canvas

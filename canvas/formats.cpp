@@ -25,7 +25,7 @@ Failure movie_fps(double fps) {
     return fmt::format("{:g} frames a second cannot be; use 1 to 240", fps);
 }
 
-/// A GIF holds each frame for a whole number of hundredths of a second, and viewers slow down where that number is 1.
+/// GIF frame delays are whole hundredths of a second, and viewers slow down a delay of 1.
 Failure gif_fps(double fps) {
     const double delay = 100 / fps;
     if (fps >= 1 && delay >= 2 && delay == std::round(delay)) return {};
@@ -42,7 +42,7 @@ constexpr std::array<Format, 6> list{{
     {".webp", "a looping animation, all colours", true, 30, 8192, 1, movie_fps, open_webp},
 }};
 
-/// Levenshtein's distance: how many letters to insert, remove or replace (1965).
+/// Levenshtein distance: number of letters to insert, remove or replace (1965).
 std::size_t edits_between(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t(0));

@@ -9,42 +9,43 @@
 
 namespace sinew::canvas {
 
-/// A kind of file that pictures can be written to.
+/// A file format for pictures.
 struct Format {
-    std::string_view extension; ///< with its dot, in lower case
-    std::string_view about;     ///< one line of help
-    bool moves;                 ///< many frames, or one
-    double usual_fps;           ///< what to take where nothing is asked for
+    std::string_view extension; ///< with the dot, in lower case
+    std::string_view about;     ///< a line of help
+    bool moves;                 ///< true: many frames; false: one
+    double usual_fps;           ///< frames per second by default
     int longest_side;           ///< pixels
-    int side_multiple;          ///< pixels: sides are padded to multiples of it
+    int side_multiple;          ///< pixels: sides are padded to multiples
     Failure (*fps_problem)(double fps);
     Opened (*open)(const std::filesystem::path&, const FrameFormat&);
 };
 
-/// All of them. Help texts, checks and open() walk this list.
+/// All formats. Help texts, checks and open() walk this list.
 std::span<const Format> formats();
 
-/// A picture has at most this many pixels: 8192 x 8192 fit, a quarter of a gigabyte of memory.
+/// Largest number of pixels of a picture: 8192 x 8192, a quarter of a gigabyte of memory.
 inline constexpr long most_pixels = 1L << 26;
 
-/// The extension with its dot, in lower case.
+/// Extension with the dot, in lower case.
 std::string extension_of(const std::filesystem::path& path);
 
-/// The format that the extension names (in any case), or null.
+/// Format named by the extension (in any case), or null.
 const Format* format_of(const std::filesystem::path& path);
 
-/// What is wrong with writing this path in this format: unknown extension (names the valid ones and the nearest), a
-/// size that is not positive or over the limits, frames a second that the format cannot keep.
+/// Reason why a file cannot be written in this format: unknown extension (the message names the valid ones and the
+/// nearest), a size that is not positive or over the limits, a frame rate the format cannot represent.
 [[nodiscard]] Failure check(const std::filesystem::path& path, const FrameFormat& format);
 
-/// Opens a file by its extension: checks, creates missing folders, starts ffmpeg where it is needed. An existing file
-/// is replaced at finish().
+/// Opens a file by extension: checks the format, creates missing folders, starts ffmpeg if needed. An existing file is
+/// replaced at finish().
 Opened open(const std::filesystem::path& path, const FrameFormat& format);
 
-/// How long a side of that many pixels is in a file of that format.
+/// Length of a side of `side` pixels after padding.
 int padded(int side, const Format& format);
 
-/// What is wrong with this size, where no side may be longer than `longest_side`. `what` begins the message ("a .gif").
+/// Reason why a size is not possible with sides up to `longest_side` pixels. The message begins with the first argument
+/// ("a .gif").
 [[nodiscard]] Failure size_problem(const std::string& what, long width, long height, int longest_side);
 
 } // namespace sinew::canvas

@@ -10,30 +10,30 @@ namespace {
 
 using Point = Vec2<float>;
 
-/// Cairo counts in fixed point: what reaches further than this is left out.
+/// Coordinate limit, user units: cairo counts in fixed point, and grids beyond the limit are skipped.
 constexpr float drawn_within = 1e6F;
 
-/// A grid of points with an image over it.
+/// A grid of points with an image mapped onto the cells.
 struct Grid {
     std::span<const Point> points;
     std::size_t across = 0, down = 0; ///< points
     cairo_surface_t* image = nullptr;
-    double width = 0, height = 0; ///< of the image, pixels
-    /// Cairo's better filters are several times slower. This is as good where the image is hardly larger than it is
-    /// seen.
+    double width = 0, height = 0; ///< size of the image, pixels
+    /// Cairo's better filters are several times slower. Bilinear is as good while the image is at most twice the size
+    /// on screen.
     cairo_filter_t filter = CAIRO_FILTER_BILINEAR;
 
     const Point& at(std::size_t row, std::size_t column) const { return points[row * across + column]; }
 };
 
-/// A part of a grid that an image is only moved, turned, scaled and sheared onto.
+/// A part of a grid onto which the image is mapped affinely.
 struct Facet {
     std::span<const Point> corners;
-    Point right{}, below{}; ///< what a pixel of the image to the right and one below are in the user's space
-    Point place{};          ///< where this pixel is:
+    Point right{}, below{}; ///< images of a step by one pixel to the right and by one pixel down, in user space
+    Point place{};          ///< image of the pixel (u, v), in user space
     double u = 0, v = 0;
 
-    /// From the user's space to the image; false where the facet has no area.
+    /// Matrix from user space to image pixels; false if the facet has no area.
     bool way_back(cairo_matrix_t& matrix) const {
         cairo_matrix_init(&matrix, double(right[0]), double(right[1]), double(below[0]), double(below[1]),
                           double(place[0]), double(place[1]));
@@ -48,7 +48,8 @@ void trace(cairo_t* context, std::span<const Point> corners) {
     cairo_close_path(context);
 }
 
-/// A surface as the source of the context, so turned; the pattern lives as long as it is the source.
+/// Sets the image as the source of the context under the given matrix. The returned pattern lives as long as the
+/// source.
 cairo_pattern_t* take(cairo_t* context, const Grid& grid, const cairo_matrix_t& matrix) {
     cairo_set_source_surface(context, grid.image, 0, 0);
     cairo_pattern_t* const pattern = cairo_get_source(context);
@@ -58,7 +59,7 @@ cairo_pattern_t* take(cairo_t* context, const Grid& grid, const cairo_matrix_t& 
     return pattern;
 }
 
-/// The grid's image on a facet, and a colour laid over it, which is as strong as the image is there.
+/// Paints the grid's image on a facet and blends a colour over the image, weighted by the image's alpha.
 void paint_facet(cairo_t* context, const Facet& facet, const Grid& grid, const Color& over) {
     cairo_matrix_t matrix;
     if (!facet.way_back(matrix)) return;
@@ -71,16 +72,16 @@ void paint_facet(cairo_t* context, const Facet& facet, const Grid& grid, const C
     if (over.alpha > 0) {
         cairo_clip_preserve(context);
         cairo_pattern_t* const mask = cairo_pattern_reference(take(context, grid, matrix));
-        cairo_pattern_set_extend(mask, CAIRO_EXTEND_NONE); // in a PDF a mask that goes on hides nothing
+        cairo_pattern_set_extend(mask, CAIRO_EXTEND_NONE); // a padded mask masks nothing in a PDF
         cairo_set_source_rgba(context, double(over.red), double(over.green), double(over.blue), double(over.alpha));
         cairo_mask(context, mask);
         cairo_pattern_destroy(mask);
     }
     cairo_restore(context);
-    cairo_new_path(context); // a path outlives restore
+    cairo_new_path(context); // the path outlives cairo_restore
 }
 
-/// Whether the whole grid is one facet: four corners of a parallelogram.
+/// True if the grid is a single facet: four corners of a parallelogram.
 bool is_flat(const Grid& grid) {
     if (grid.across != 2 || grid.down != 2) return false;
     constexpr float least = 0.05F; // pixels
@@ -95,8 +96,8 @@ void paint_flat(cairo_t* context, const Grid& grid, const Color& over) {
                 grid, over);
 }
 
-/// Two triangles a cell, in each of which the image is sheared evenly; together it bends without a gap. Each reaches by
-/// `seam` under those painted after it, which hides that cairo smooths its edges.
+/// Affine texture mapping of two triangles per cell: continuous across the grid. Each triangle extends by `seam` under
+/// later ones, which hides the antialiased edges.
 void paint_cells(cairo_t* context, const Grid& grid, float seam, const Color& over) {
     const double du = grid.width / double(grid.across - 1), dv = grid.height / double(grid.down - 1);
     for (std::size_t row = 0; row + 1 < grid.down; ++row)
@@ -115,7 +116,7 @@ void paint_cells(cairo_t* context, const Grid& grid, float seam, const Color& ov
         }
 }
 
-/// What a grid covers of what the context shows, in its user units; false if nothing.
+/// Part of the grid's bounding box inside the clip, in user units; false if empty.
 bool seen_part(cairo_t* context, std::span<const Point> points, cairo_rectangle_t& part) {
     double left = 0, top = 0, right = 0, bottom = 0;
     cairo_clip_extents(context, &left, &top, &right, &bottom);
@@ -129,8 +130,8 @@ bool seen_part(cairo_t* context, std::span<const Point> points, cairo_rectangle_
     return left < right && top < bottom;
 }
 
-/// Bends the image into a raster several times as fine as the device, without smoothing: every little pixel belongs to
-/// one triangle, so that there are no seams. Then that raster is painted like a flat image, which smooths all edges.
+/// Maps the image into a raster finer than the device, without antialiasing: every fine pixel belongs to one triangle,
+/// so that there are no seams. The raster is then painted like a flat image, which smooths all edges.
 void paint_bent(cairo_t* context, const Grid& grid, const Color& over) {
     cairo_rectangle_t part;
     if (!seen_part(context, grid.points, part)) return;
@@ -155,7 +156,7 @@ bool has_pixels(cairo_t* context) {
     return cairo_surface_get_type(cairo_get_target(context)) == CAIRO_SURFACE_TYPE_IMAGE;
 }
 
-/// The image as large as it is seen or up to twice that. `pixel` is how many user units a device pixel spans.
+/// Level of the image's pyramid: the smallest with at least the pixels on screen. `pixel`: user units per device pixel.
 const Image& fitting(const Image& whole, const Grid& grid, double pixel) {
     float across = 0, down = 0;
     for (std::size_t i = 0; i + 1 < grid.across; ++i) across += distance(grid.at(0, i), grid.at(0, i + 1));
@@ -178,7 +179,7 @@ void ImagePainter::paint(const Picture::Item& item) {
 
     double pixel = 1, unused = 0;
     cairo_device_to_user_distance(context_, &pixel, &unused);
-    const bool raster = has_pixels(context_); // vectors are seen at any size
+    const bool raster = has_pixels(context_); // vectors are viewed at any size
     const Image& whole = *picture_.images[item.number];
     const Image& image = raster ? fitting(whole, grid, pixel) : whole;
     grid.image = surface_of(image);
@@ -196,7 +197,7 @@ void ImagePainter::paint(const Picture::Item& item) {
 cairo_surface_t* ImagePainter::surface_of(const Image& image) {
     auto& surface = surfaces_[&image];
     if (!surface) {
-        // Cairo only reads it, and wants to be able to write.
+        // Cairo only reads the pixels but takes a mutable pointer.
         auto* const pixels = const_cast<std::uint32_t*>(image.pixels.data());
         surface.reset(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels), CAIRO_FORMAT_ARGB32,
                                                           image.width, image.height,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/session/picture.h"
+#include "sinew/picture/picture.h"
 
 #include "canvas/cairo_handle.h"
 
@@ -8,13 +8,13 @@
 
 namespace sinew::canvas {
 
-/// Paints the images of a picture. Each is handed to cairo once, so that SVG and PDF hold it once.
+/// Paints the images of a picture. Cairo receives each image once, so that SVG and PDF store each image once.
 class ImagePainter {
   public:
-    /// Both are kept by reference.
+    /// Keeps the context and a reference to the picture.
     ImagePainter(cairo_t* context, const Picture& picture) : context_(context), picture_(picture) {}
 
-    /// The image over its grid. An item whose image or whose grid is none paints nothing.
+    /// Paints the image over the grid. An item with a missing image or a grid below 2 x 2 points paints nothing.
     void paint(const Picture::Item& item);
 
   private:
@@ -22,7 +22,7 @@ class ImagePainter {
 
     cairo_t* context_;
     const Picture& picture_;
-    std::map<const Image*, CairoSurface> surfaces_; ///< made when first needed
+    std::map<const Image*, CairoSurface> surfaces_; ///< created on first use
 };
 
 } // namespace sinew::canvas

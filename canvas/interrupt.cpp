@@ -8,7 +8,7 @@
 namespace sinew::canvas {
 namespace {
 
-/// Filled and read without locks, because a signal handler reads it.
+/// Fixed array of atomics: lock-free, because a signal handler reads the slots.
 template <class T> struct Slots {
     std::array<std::atomic<T>, 32> slots{};
     static_assert(std::atomic<T>::is_always_lock_free);
@@ -19,7 +19,7 @@ template <class T> struct Slots {
     }
 };
 
-// Signals belong to the process, so these do too.
+// Global because signals belong to the process.
 std::atomic<int> received = 0;
 Slots<const char*> doomed_files;
 Slots<pid_t> doomed_children;
@@ -31,7 +31,7 @@ void take_down_with_us() {
         if (const char* const path = slot; path != nullptr) unlink(path);
 }
 
-/// Only calls what POSIX allows in a signal handler.
+/// Signal handler: calls only async-signal-safe functions (POSIX).
 void note(int signal_number) {
     if (received.exchange(signal_number) == 0) return;
     take_down_with_us();
@@ -45,7 +45,7 @@ void catch_signal(int signal_number) {
     struct sigaction ours {};
     ours.sa_handler = note;
     sigemptyset(&ours.sa_mask);
-    // No SA_RESTART: a write that waits for ffmpeg must come back and see the flag.
+    // No SA_RESTART: a blocked write to ffmpeg must return and poll the flag.
     sigaction(signal_number, &ours, nullptr);
 }
 

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
-/// A path as ffmpeg takes it literally: without the prefix "a:b.mp4" would be a protocol and "-x.mp4" an option.
+/// A path as ffmpeg takes paths literally: without the prefix "a:b.mp4" would be a protocol and "-x.mp4" an option.
 std::string url(const fs::path& path) {
     return "file:" + path.string();
 }
@@ -35,7 +35,7 @@ Arguments input(const Raster& raster, double fps) {
             "-i",          "pipe:0"};
 }
 
-/// What movies share: a raster, and an ffmpeg that takes its pixels.
+/// Common base of movie writers: a raster, and an ffmpeg that encodes the raster's pixels.
 class MovieWriter : public Writer {
   public:
     /// Sides are padded to multiples of `multiple`.
@@ -44,7 +44,7 @@ class MovieWriter : public Writer {
           raster(format.width, format.height, padding(format.width, multiple), padding(format.height, multiple)) {}
 
   protected:
-    /// How the raw frames are encoded into the file at partial.path().
+    /// Arguments that encode the raw frames into the file at partial.path().
     virtual Arguments encoding() const = 0;
 
     Failure start() override { return run(joined(input(raster, format.fps), encoding())); }
@@ -105,7 +105,7 @@ class WebpWriter final : public MovieWriter {
 
   private:
     Arguments encoding() const override {
-        // libwebp_anim stores what changed from frame to frame, but keeps all of it in memory until the end.
+        // libwebp_anim stores the differences between frames, but keeps the whole animation in memory until the end.
         const Arguments how = format.compact
                                   ? Arguments{"-c:v", "libwebp_anim", "-quality", "80", "-compression_level", "2"}
                                   : Arguments{"-c:v", "libwebp", "-quality", "85", "-compression_level", "1"};
@@ -113,14 +113,14 @@ class WebpWriter final : public MovieWriter {
     }
 };
 
-/// One pass with `split`, as it is often written, keeps every raw frame in memory until the palette is known (1.3 GB
-/// for 500 frames of 640x480). Two stages need 13 MB of disk for them, give the same bytes and take the same time.
+/// The common single pass with `split` keeps every raw frame in memory until the palette is known (1.3 GB for 500
+/// frames of 640x480). Two stages need 13 MB of disk for the same frames, give the same bytes and take the same time.
 class GifWriter final : public MovieWriter {
   public:
     GifWriter(const fs::path& path, const FrameFormat& frame_format) : MovieWriter(path, frame_format, 1) {}
     GifWriter(const GifWriter&) = delete;
     GifWriter& operator=(const GifWriter&) = delete;
-    ~GifWriter() override { ffmpeg.abandon(); } // before its files are removed, lest it makes them again
+    ~GifWriter() override { ffmpeg.abandon(); } // stops ffmpeg before removing the files ffmpeg writes
 
   private:
     Failure start() override {

@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Leaves room for the decoration within the 255 bytes that file systems allow a name.
+/// Bytes: leaves room for the decoration within the 255 bytes a file name may have.
 constexpr std::size_t longest_stem = 200;
 
-/// Where the file really lies: a link stays a link, and the file it points to is replaced.
+/// Target of a symbolic link: the link stays, and the file behind the link is replaced.
 fs::path behind_links(const fs::path& path) {
     std::error_code ignored;
     const fs::path real = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : path;
@@ -51,7 +51,7 @@ Failure check_replaceable(const fs::path& target) {
     return {};
 }
 
-/// Between the name of a file and the number of the process that writes it.
+/// Separator between the file's name and the writing process's id.
 constexpr std::string_view decoration = ".partial-";
 
 fs::path partial_name(const fs::path& target, std::string_view scratch) {
@@ -60,7 +60,7 @@ fs::path partial_name(const fs::path& target, std::string_view scratch) {
     return folder_of(target) / ("." + stem + std::string(decoration) + std::to_string(getpid()) + ending);
 }
 
-/// The process that writes the partial file of that name; 0 where it is not one.
+/// Id of the process writing a partial file, from the file's name; 0 for any other name.
 pid_t writer_of(std::string_view name) {
     const auto at = name.rfind(decoration);
     if (!name.starts_with('.') || at == std::string_view::npos) return 0;
@@ -75,7 +75,8 @@ bool is_gone(pid_t process) {
     return kill(process, 0) != 0 && errno == ESRCH;
 }
 
-/// Whether nobody holds it: a process of another container has a number that is not seen from here.
+/// True if no process holds the lock. A process of another container holds the lock although the process id is unknown
+/// here.
 bool is_abandoned(const fs::path& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (file < 0) return false;
@@ -84,7 +85,7 @@ bool is_abandoned(const fs::path& path) {
     return abandoned;
 }
 
-/// Removes what processes that were killed left in a folder. One that cannot be removed stays.
+/// Removes partial files of killed processes from a folder; failures are ignored.
 void sweep(const fs::path& folder) {
     std::error_code ignored;
     for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
@@ -105,7 +106,7 @@ Failure PartialFile::create(const fs::path& wanted, std::string_view scratch) {
     const fs::path name = partial_name(target, scratch);
     const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0) return "the folder " + folder_of(target).string() + " takes no file: " + std::strerror(errno);
-    flock(file, LOCK_EX | LOCK_NB); // until it is closed, also by a signal that kills
+    flock(file, LOCK_EX | LOCK_NB); // held until the descriptor is closed, also by a kill
     held = file;
     partial = name;
     doom(partial.c_str());
@@ -133,7 +134,7 @@ void PartialFile::let_go() {
 std::string reason_told(const std::string& reason, const std::string& called) {
     for (const int full : {ENOSPC, EDQUOT, EFBIG})
         if (reason.find(std::strerror(full)) != std::string::npos) return std::strerror(full);
-    constexpr std::string_view around = " \t\n'\":,()[]"; // what can stand before and behind a name
+    constexpr std::string_view around = " \t\n'\":,()[]"; // delimiters before and behind a file name
     std::string told;
     for (std::size_t begin = 0; begin < reason.size();) {
         const auto end = std::min(std::min(reason.find_first_of(around, begin), reason.size() - 1) + 1, reason.size());

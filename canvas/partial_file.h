@@ -8,9 +8,9 @@
 
 namespace sinew::canvas {
 
-/// A file that appears under its name only when it is whole. It is written as `.name.partial-PID.ext` beside its target
-/// (so that the last step is a rename on one file system) and removed unless committed. A process that was killed
-/// leaves its partial files behind: whoever next creates one in that folder removes those whose process is gone.
+/// A file with the final name only when complete. The content is written to `.name.partial-PID.ext` beside the target,
+/// because a rename needs one file system, and removed unless committed. A killed process leaves partial files behind;
+/// the next PartialFile created in the folder removes them.
 class PartialFile {
   public:
     PartialFile() = default;
@@ -18,12 +18,11 @@ class PartialFile {
     PartialFile& operator=(const PartialFile&) = delete;
     ~PartialFile() { discard(); }
 
-    /// Creates the empty partial file, and the folders that lead to it where they are missing. With a scratch extension
-    /// (".palette.png") it only helps to make the target and is to be discarded. Failures are bare reasons: "it is a
-    /// folder".
+    /// Creates the empty partial file and missing parent folders. With a scratch extension (".palette.png") the file
+    /// only helps to make the target and is to be discarded. Failures are bare reasons: "it is a folder".
     [[nodiscard]] Failure create(const std::filesystem::path& target, std::string_view scratch = {});
 
-    /// Gives the file its name. A file that had that name is replaced.
+    /// Renames the partial file to the target, replacing an existing file.
     [[nodiscard]] Failure commit();
 
     void discard();
@@ -34,11 +33,11 @@ class PartialFile {
     void let_go();
 
     std::filesystem::path target, partial;
-    int held = -1; ///< a descriptor that locks the partial file for as long as this process lives
+    int held = -1; ///< descriptor that locks the partial file while the process lives
 };
 
-/// Why a file could not be written, for those who know only what it is `called`: a full disk is told in the system's
-/// words alone, and names of partial files are replaced.
+/// Reason of a failed write, for a reader who knows the file only as `called`: a full disk is reported by the system's
+/// message alone, and names of partial files are replaced.
 std::string reason_told(const std::string& reason, const std::string& called);
 
 } // namespace sinew::canvas

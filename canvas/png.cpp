@@ -26,11 +26,11 @@ struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Why the file cannot be read; empty where `bytes` is all of it.
+/// Reads the whole file into `bytes`. Returns the reason of a failure, or an empty string.
 std::string read_file(const std::filesystem::path& path, std::size_t most, Bytes& bytes) {
     struct stat about {};
     if (stat(path.c_str(), &about) != 0) return std::strerror(errno);
-    if (!S_ISREG(about.st_mode)) return "it is not a file"; // a pipe would be waited for
+    if (!S_ISREG(about.st_mode)) return "it is not a file"; // reading a pipe would block
     const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rbe"));
     if (!file) return std::strerror(errno);
     if (std::size_t(about.st_size) > most)
@@ -40,8 +40,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t most, Bytes
     return std::ferror(file.get()) ? std::strerror(errno) : "";
 }
 
-/// A PNG begins with eight bytes of its own and a chunk that tells its width and height (PNG
-/// specification, 5.2, 11.2.2).
+/// Signature and size of a PNG: eight bytes, then the IHDR chunk with width and height (PNG specification, 5.2,
+/// 11.2.2).
 struct Header {
     bool is_png = false;
     std::uint32_t width = 0, height = 0;
@@ -70,11 +70,11 @@ cairo_status_t next_bytes(void* where, unsigned char* target, unsigned int lengt
     return CAIRO_STATUS_SUCCESS;
 }
 
-/// Cairo decodes to 32 bits with or without alpha. Null where it cannot.
+/// Decodes to 32 bits with or without alpha, as cairo does; null if the data is damaged.
 std::shared_ptr<const Image> decoded(std::span<const unsigned char> bytes) {
     const CairoSurface surface(cairo_image_surface_create_from_png_stream(next_bytes, &bytes));
     if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return nullptr;
-    // Other kinds (16 bits a channel) are painted over into the one that images have.
+    // Other formats (16 bits a channel) are converted by painting.
     Image image{cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}};
     image.pixels.resize(std::size_t(image.width) * std::size_t(image.height));
     const CairoSurface target(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(image.pixels.data()),

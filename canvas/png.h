@@ -6,8 +6,9 @@
 
 namespace sinew::canvas {
 
-/// Reads the PNG file at `path`: any colour type and depth, given as 8 bits a channel. `name` is what messages call it.
-/// Its size is known before its pixels are, so that a file of a few kilobytes cannot ask for gigabytes.
+/// Reads the PNG file at `path`: any colour type and depth, converted to 8 bits a channel. `name` stands for the file
+/// in messages. Limits are checked against the header's size before decoding: a file of a few kilobytes cannot claim
+/// gigabytes.
 ReadImage read_png(const std::filesystem::path& path, const std::string& name, const Limits& limits);
 
 } // namespace sinew::canvas

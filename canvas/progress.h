@@ -7,8 +7,8 @@
 
 namespace sinew::canvas {
 
-/// A line such as `ragdoll.mp4  [###########--------]  57 %  0:04 left`, redrawn in place while work goes on and wiped
-/// at the end. Where the stream is not a terminal nothing is ever written.
+/// A line such as `ragdoll.mp4  [###########--------]  57 %  0:04 left`, redrawn in place and wiped at the end. Writes
+/// nothing if the stream is not a terminal.
 class Progress {
   public:
     explicit Progress(std::string label, std::size_t total, std::FILE* stream = stderr);
@@ -16,7 +16,7 @@ class Progress {
     Progress& operator=(const Progress&) = delete;
     ~Progress();
 
-    /// `done` of `total` are done. Cheap: redraws at most ten times a second.
+    /// Reports `done` of `total`. Cheap: redraws at most ten times a second.
     void update(std::size_t done);
 
   private:

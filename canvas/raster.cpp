@@ -13,7 +13,7 @@ Raster::Raster(int width, int height, int padding_right, int padding_bottom)
 
 Failure Raster::paint(const Picture& picture) {
     cover(context.get(), {1, 1, 1, 1});
-    // The padding takes the background too: an edge that belongs to the picture is less seen than a white one.
+    // The padding takes the background too: an edge in the picture's colour is less visible than a white one.
     if (width() > picture_width || height() > picture_height) cover(context.get(), picture.background);
     paint_fitted(context.get(), picture, {0, 0, double(picture_width), double(picture_height)});
     cairo_surface_flush(surface.get());

@@ -16,14 +16,14 @@ constexpr int caption_height = 22;
 constexpr double caption_size = 13;
 constexpr double corner_radius = 5;
 
-/// A stroke font that cairo carries in itself: the same letters on every machine, those without fonts included.
+/// A stroke font built into cairo: the same letters on every machine, also without installed fonts.
 constexpr const char* caption_font = "@cairo:";
 
 long sheet_width(const SheetFormat& sheet) {
     return gap + long(sheet.columns) * (sheet.frame_width + gap);
 }
 
-/// The last row's captions make the lower margin.
+/// Height in pixels; the last row's captions form the lower margin.
 long sheet_height(const SheetFormat& sheet) {
     return gap + long(sheet.rows) * (sheet.frame_height + caption_height) + gap / 2;
 }
@@ -33,7 +33,7 @@ Color mixed(const Color& a, const Color& b, float part_of_b) {
     return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue), 1};
 }
 
-/// The mount and the lettering go with the pictures: a shade darker than light ones, a shade lighter than dark ones.
+/// Colours of mount and captions: a shade darker than light pictures, a shade lighter than dark ones.
 struct Mount {
     Color paper, ink;
 
@@ -117,7 +117,7 @@ class SheetWriter final : public Writer {
 Failure check_sheet(const std::filesystem::path& path, const SheetFormat& sheet) {
     const std::string grid = fmt::format("{}x{}", sheet.columns, sheet.rows);
     if (sheet.columns < 1 || sheet.rows < 1) return "a sheet of " + grid + " frames has no frames";
-    // Checks the extension too, at a size that always passes.
+    // Also checks the extension, at a size that always passes.
     if (auto failure = check(path, {1, 1, 1})) return failure;
     const Format& kind = *format_of(path);
     if (kind.moves) return path.string() + ": a contact sheet is a still image; use .png, .svg or .pdf";

@@ -4,7 +4,7 @@
 
 namespace sinew::canvas {
 
-/// How a contact sheet is laid out: frames in reading order, each with its time below it.
+/// Layout of a contact sheet: frames in reading order, each with a time stamp below.
 struct SheetFormat {
     int columns = 4;
     int rows = 3;
@@ -12,14 +12,14 @@ struct SheetFormat {
     int frame_height = 240;     ///< pixels
     double first_second = 0;    ///< time of the first frame
     double seconds_between = 1; ///< from frame to frame
-    std::string called = {};    ///< what messages call the file; empty: its path
+    std::string called = {};    ///< name of the file in messages; empty: the path
 };
 
-/// What is wrong with writing this sheet: not an image format, no or too many frames, too large in all.
+/// Reason why the sheet cannot be written: not an image format, no or too many frames, too large in all.
 [[nodiscard]] Failure check_sheet(const std::filesystem::path& path, const SheetFormat& format);
 
-/// A writer of a contact sheet, a still image (.png, .svg or .pdf). Takes up to columns x rows frames; fewer leave room
-/// at the end.
+/// A writer of a contact sheet, a still image (.png, .svg or .pdf). Takes up to columns x rows frames; unused cells
+/// stay empty.
 Opened open_sheet(const std::filesystem::path& path, const SheetFormat& format);
 
 } // namespace sinew::canvas

@@ -9,7 +9,7 @@ namespace sinew::canvas {
 Writer::Writer(std::filesystem::path target_, const FrameFormat& format_)
     : target(std::move(target_)), format(format_) {}
 
-/// Passes a step's outcome on. A failure or an interruption is final.
+/// Returns the outcome of a step. A failure or an interruption is final.
 Failure Writer::settle(const Failure& failure) {
     if (!failure && !interrupted()) return {};
     abandon();
@@ -36,7 +36,7 @@ Failure Writer::finish() {
     if (frames == 0) return settle("no picture was given");
     if (auto failure = settle(complete())) return failure;
     if (auto failure = settle(partial.commit())) return failure;
-    abandon(); // nothing more is to be written
+    abandon(); // releases the encoder; the file is complete
     settled = name() + " is already complete";
     return {};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/session/picture.h"
+#include "sinew/picture/picture.h"
 
 #include "canvas/failure.h"
 #include "canvas/partial_file.h"
@@ -12,20 +12,20 @@
 
 namespace sinew::canvas {
 
-/// What every frame of a file has in common.
+/// Properties common to all frames of a file.
 struct FrameFormat {
     int width = 640;  ///< pixels
     int height = 480; ///< pixels
-    double fps = 60;  ///< frames a second; of no meaning to a still image
-    /// A WebP that is half as large, in memory that grows with its length and more time: for short ones.
+    double fps = 60;  ///< frames per second; ignored by still images
+    /// WebP only: half the file size, for more time and memory proportional to the length; meant for short films.
     bool compact = false;
-    /// What messages call the file, where its own name would tell nobody anything; empty: its path.
+    /// Name of the file in messages; empty: the path.
     std::string called = {};
 };
 
-/// A file that pictures are written to. It appears under its name at finish(), whole, or not at all: a writer that
-/// failed, was interrupted, or is destroyed before finish() leaves nothing behind. After a failure every call returns
-/// it again.
+/// A file of pictures. The file appears under the final name at finish(), complete, or not at all: a writer that fails,
+/// is interrupted, or is destroyed before finish() leaves nothing behind. After a failure every call returns the same
+/// failure.
 class Writer {
   public:
     Writer(std::filesystem::path target, const FrameFormat& format);
@@ -33,7 +33,7 @@ class Writer {
     Writer& operator=(const Writer&) = delete;
     virtual ~Writer() = default;
 
-    /// Creates the file. Called once, first; the functions that open writers have called it.
+    /// Creates the file. Called once, first; functions that open writers have already called begin().
     [[nodiscard]] Failure begin();
 
     /// Adds a frame. A picture of another size is scaled to fit.
@@ -43,8 +43,8 @@ class Writer {
     [[nodiscard]] Failure finish();
 
   protected:
-    /// The steps, as a kind of file does them. All write to partial.path(), and give the bare reason of a failure.
-    /// Naming and cleaning up is not their concern, except that abandon() lets go of whatever still writes.
+    /// Steps of a file format. All write to partial.path() and return the bare reason of a failure. Naming and cleaning
+    /// up are left to Writer, except that abandon() stops whatever still writes.
     virtual Failure start() = 0;
     virtual Failure add(const Picture& picture) = 0;
     virtual Failure complete() = 0;
@@ -59,16 +59,16 @@ class Writer {
     Failure settle(const Failure& failure);
     std::string name() const { return format.called.empty() ? target.string() : format.called; }
 
-    Failure settled; ///< why no more is accepted
+    Failure settled; ///< reason why no more calls are accepted
 };
 
-/// Either a writer or the reason why there is none.
+/// A writer, or the reason why there is none.
 struct Opened {
     std::unique_ptr<Writer> writer;
     Failure failure;
 };
 
-/// Begins a writer.
+/// Calls begin() on a new writer.
 Opened begun(std::unique_ptr<Writer> writer);
 
 } // namespace sinew::canvas

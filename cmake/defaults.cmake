@@ -1,5 +1,4 @@
-# What every target gets unless the person configuring says otherwise. A project that adds Sinew as a subdirectory keeps
-# its own choices.
+# Defaults of a top-level build. A project that adds Sinew as a subdirectory keeps its own choices.
 if(PROJECT_IS_TOP_LEVEL)
     if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
         set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug, RelWithDebInfo or MinSizeRel" FORCE)
@@ -15,10 +14,11 @@ if(SINEW_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# -Wconversion finds lost precision; its sign half drowns that in index arithmetic. The last two are false alarms about the
-# standard library itself: g++ 12 at string concatenation (its bug 105651), clang 19 inside libstdc++'s std::stable_sort.
+# -Wconversion finds lost precision; -Wsign-conversion would add too many warnings about index arithmetic. The last two
+# flags silence false positives about the standard library: g++ 12 at string concatenation (GCC bug 105651), clang 19
+# inside libstdc++'s std::stable_sort.
 function(sinew_warnings target)
-    # Where several files are compiled as one, what is one file's own is in the others' sight.
+    # In a unity build the local names of one file are visible in the others.
     set(unity_warnings -Wno-shadow)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         list(APPEND unity_warnings -Wno-subobject-linkage -Wno-maybe-uninitialized)

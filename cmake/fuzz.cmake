@@ -1,4 +1,4 @@
-# fuzz/NAME.cpp -> bin/NAME, one fuzzer a file. Needs clang.
+# fuzz/NAME.cpp -> bin/NAME, a fuzzer per file. Needs clang.
 sinew_sources(fuzz)
 foreach(source IN LISTS sources)
     cmake_path(GET source STEM name)

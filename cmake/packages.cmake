@@ -1,5 +1,5 @@
-# Configures again, at the next build, when a package of pkg-config has been installed or removed since: every build
-# looks again for the files of a glob.
+# Reconfigures at the next build after a pkg-config package has been installed or removed: every build repeats globs
+# with CONFIGURE_DEPENDS.
 function(sinew_watch_packages)
     set(folders "$ENV{PKG_CONFIG_PATH}:$ENV{PKG_CONFIG_LIBDIR}")
     if(NOT DEFINED ENV{PKG_CONFIG_LIBDIR})

@@ -1,4 +1,4 @@
-# bench/peers/: other engines, for `sinew bench`. The packages are those of [peers] in packages.apt.
+# bench/peers/: other engines, for `sinew bench`. Packages: group [peers] of packages.apt.
 find_package(box2d REQUIRED)
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet)
 find_library(chipmunk chipmunk REQUIRED)

@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-/// Any bytes are a scene or are refused with places inside their sources. What follows a zero byte is an override.
+/// Any input is read as a scene or refused, with every diagnostic's span inside the source. Bytes after the first zero
+/// byte are an override.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string text(reinterpret_cast<const char*>(data), size);
     std::vector<sinew::Override> overrides;

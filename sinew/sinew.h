@@ -1,6 +1,6 @@
 #pragma once
 
-/// All that a program needs to make things and let them move. Scene files and pictures: sinew/session/session.h.
+/// Everything a program needs to build bodies and step a world. Scene files and pictures: sinew/session/session.h.
 #include "sinew/prefab/prefabs.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/measure.h"

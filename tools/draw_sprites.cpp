@@ -1,5 +1,5 @@
-/// draw_sprites FOLDER: draws the images of the catalogue, PNG files, into scenes/sprites. They are four times as large
-/// as they are seen. The colours are those of the light theme (sinew/session/theme.cpp), the lines its outlines.
+/// draw_sprites FOLDER: draws the images of the catalogue as PNG files (scenes/sprites), at four times the displayed
+/// size. Skin, denim, steel, hemp and red are colours of the light theme (sinew/picture/theme.cpp).
 #include <cairo.h>
 #include <cmath>
 #include <cstdio>
@@ -13,7 +13,7 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 constexpr unsigned ink = 0x4a4038, skin = 0xf2b58c, denim = 0x35507d, steel = 0x7b8794, hemp = 0xc0935a, red = 0xe4572e;
 
-/// A drawing in nominal pixels, its origin in the middle.
+/// A drawing in nominal pixels, with the origin in the middle.
 struct Sprite {
     cairo_surface_t* surface;
     cairo_t* pen;
@@ -79,8 +79,8 @@ struct Sprite {
 
 constexpr double outline = 1.4;
 
-/// A link from its broad side, between two seen from their narrow side, which its neighbours share: 26 from link to
-/// link.
+/// A link seen from the broad side, between two links seen from the narrow side, which neighbouring images share.
+/// Distance from link to link: 26.
 void link(Sprite& s) {
     constexpr double pitch = 26, wire = 5, length = 24, height = 17;
     s.rounded(-(length - wire) / 2, -(height - wire) / 2, length - wire, height - wire, (height - wire) / 2);
@@ -115,7 +115,7 @@ void loop(Sprite& s) {
     wire_ring(s, 0, 24, 5.4);
 }
 
-/// Its anchor: the same, and on top of it what holds it to the ceiling. The ring is in the middle.
+/// Anchor of the Godot chain: the loop, with a bracket to the ceiling on top. The ring is in the middle.
 void anchor(Sprite& s) {
     s.rounded(-5, -24, 10, 15, 2);
     s.fill(0x66717d);
@@ -123,7 +123,7 @@ void anchor(Sprite& s) {
     wire_ring(s, 0, 24, 5.4);
 }
 
-/// The side of a link, from the wire of one loop to that of the next.
+/// Side view of a link, from the wire of one loop to the next loop's wire.
 void chain_link(Sprite& s) {
     s.rounded(-8, -3, 16, 6, 3);
     s.fill(0x9aa5b1);
@@ -132,7 +132,7 @@ void chain_link(Sprite& s) {
     s.line(0xeef2f6, 0.9, 0.9);
 }
 
-/// One turn of a laid rope, three strands; begins again where it ends.
+/// A full turn of a laid rope with three strands; tiles seamlessly.
 void rope(Sprite& s) {
     const double w = s.width, h = s.height;
     cairo_rectangle(s.pen, -w / 2, -h / 2, w, h);
@@ -154,7 +154,7 @@ void rope(Sprite& s) {
     }
 }
 
-/// From shoulder to wrist, or from hip to ankle: cloth, then a cuff, then what is bare.
+/// A limb from shoulder to wrist, or from hip to ankle: cloth, a cuff, bare skin.
 void limb(Sprite& s, unsigned cloth, unsigned bare, double cloth_share) {
     const double w = s.width - outline, h = s.height - outline, cuff = -w / 2 + w * cloth_share;
     s.rounded(-w / 2, -h / 2, w, h, h / 2);
@@ -180,7 +180,7 @@ void limb(Sprite& s, unsigned cloth, unsigned bare, double cloth_share) {
     s.line(ink, outline);
 }
 
-/// Fingers to the right, as the arm ends.
+/// A hand with the fingers to the right, along the arm.
 void hand(Sprite& s) {
     s.rounded(-8.5, -6, 16.5, 12, 5.5);
     s.fill(skin);
@@ -194,7 +194,7 @@ void hand(Sprite& s) {
     s.line(ink, outline);
 }
 
-/// Its toe to the left when the leg comes from above: across the way the leg ends.
+/// A shoe with the toe to the left for a leg from above: across the limb.
 void shoe(Sprite& s) {
     s.rounded(-7.5, -14, 14, 23, 6);
     s.fill(0x3a3636);
@@ -256,7 +256,7 @@ void head(Sprite& s) {
     cairo_new_path(s.pen);
 }
 
-/// A landscape in a frame, to be put on four points.
+/// A framed landscape, mapped onto four points.
 void painting(Sprite& s) {
     const double w = s.width, h = s.height;
     cairo_rectangle(s.pen, -w / 2, -h / 2, w, h);
@@ -286,7 +286,7 @@ void painting(Sprite& s) {
     s.line(ink, outline);
 }
 
-/// Boards with their grain and two nails at either end.
+/// A board with grain and a nail at either end.
 void plank(Sprite& s) {
     const double w = s.width - outline, h = s.height - outline;
     s.rounded(-w / 2, -h / 2, w, h, 2);
@@ -358,7 +358,7 @@ void die(Sprite& s) {
     cairo_new_path(s.pen);
 }
 
-/// A creature from space, pixel by pixel: the left half of it, the right one is its mirror image.
+/// A space creature, pixel by pixel: the left half is given, the right half mirrored.
 void invader(Sprite& s) {
     constexpr const char* rows[] = {"...#..", "#...##", "#.####", "##.##.", "######", ".#####", "..#.#.", ".#.#.."};
     constexpr int wide = 6, high = 8;
@@ -376,7 +376,7 @@ void invader(Sprite& s) {
     }
 }
 
-/// From above, its head up: eight legs, two parts, a cross on its back.
+/// A spider from above, the head up: eight legs, two body parts, a cross on the back.
 void spider(Sprite& s) {
     for (const double side : {-1.0, 1.0})
         for (int leg = 0; leg < 4; ++leg) {

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <span>
 
-// scene_hash SECONDS SCENE [KEY=VALUE...]: the hash of the world at the end, and nothing else. It needs the library
-// alone, so that it can be built for processors that have no more (tools/same_bits).
+// scene_hash SECONDS SCENE [KEY=VALUE...]: prints the hash of the final world, and nothing else. Needs the library
+// alone: a cross compiler without other libraries can build the program (tools/same_bits).
 
 namespace {
 
@@ -33,7 +33,7 @@ int main(int count, char** words) {
     for (const char* word : std::span(words, std::size_t(count)).subspan(3)) overrides.push_back({word});
 
     auto document = load(text_of(path), path, overrides);
-    // what a world looks like does not move it
+    // images do not affect the motion
     const auto any_image = [](const std::string&, const Limits&) {
         return ReadImage{with_halves({1, 1, {0xffffffff}}), "", ""};
     };

@@ -22,7 +22,7 @@ std::vector<std::string> option_names(const CLI::App& parser) {
     return names;
 }
 
-/// "did you mean --seconds?", or else where to read on.
+/// "did you mean --seconds?", or a pointer to the manual.
 std::string option_help(const CLI::App& parser, std::string_view word) {
     const auto names = option_names(parser);
     const std::vector<std::string_view> views(names.begin(), names.end());
@@ -37,7 +37,7 @@ void refuse_unknown_options(const CLI::App& parser) {
             misused(fmt::format("{} has no option {}", parser.get_name(), printable(word)), option_help(parser, word));
 }
 
-/// What someone may have meant by a word where none was expected.
+/// Suggestion for an unexpected word.
 std::string stray_help(const CLI::App& parser, const std::string& word, const std::string* next) {
     if (word == "classic" || word == "physical") return fmt::format("did you mean mode={}?", word);
     if (word == "float" || word == "double") return fmt::format("did you mean precision={}?", word);
@@ -49,7 +49,8 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
 }
 
-/// Paths begin with a letter and have no slash: solver.substeps=16 is an override, ./a=b.json a file.
+/// Overrides begin with a letter and have no slash before the `=`: solver.substeps=16 is an override, ./a=b.json a
+/// file.
 bool is_override(std::string_view word) {
     const auto equals = word.find('=');
     return equals != std::string_view::npos && equals > 0 && is_letter(word[0]) &&
@@ -118,7 +119,7 @@ bool parse(Command& command, std::span<const std::string> arguments) {
     declare_all(command, parser);
     parser.allow_extras();
     try {
-        std::vector<std::string> from_the_end(arguments.rbegin(), arguments.rend()); // as CLI11 wants them
+        std::vector<std::string> from_the_end(arguments.rbegin(), arguments.rend()); // CLI11 expects the reverse order
         parser.parse(std::move(from_the_end));
     } catch (const CLI::CallForHelp&) {
         return false;
@@ -146,7 +147,7 @@ void declare_words(CLI::App& parser, Words& target) {
     const auto words = std::make_shared<std::vector<std::string>>();
     parser.add_option("words", *words);
     parser.final_callback([&parser, &target, words] {
-        refuse_unknown_options(parser); // first: what follows one may be its value, not a word
+        refuse_unknown_options(parser); // first: the word after an unknown option may be the option's value
         target = sorted(*words);
     });
 }

@@ -21,13 +21,13 @@ using bench::Measured;
 using bench::Timing;
 using bench::Work;
 
-/// Who else did it.
+/// Result of a contender other than the engine.
 struct Rival {
     std::string name;
     Timing timing;
 };
 
-/// Watches a measurement on the terminal.
+/// Progress bar of a measurement.
 class Watching {
   public:
     Watching(const Case& chosen, std::string_view who) : progress_(fmt::format("{}, {}", chosen.name, who), parts) {}
@@ -43,8 +43,8 @@ class Watching {
     canvas::Progress progress_;
 };
 
-/// What the rivals do with a case; the first is the textbook in list order, by which speed is told. The others step by
-/// turns with it and are stopped where they take long.
+/// Measures all rivals on a case. The first is the textbook in list order, the unit of speed; the others alternate with
+/// the textbook and stop after `patience` seconds.
 std::vector<Rival> measure_rivals(const Case& chosen, const Work& work, int steps) {
     constexpr double patience = 3; // seconds
     std::vector<Rival> all;
@@ -64,7 +64,7 @@ double projections_per_second(const Work& work, double milliseconds) {
     return double(work.constraints()) * Effort{}.substeps * Effort{}.iterations / (milliseconds / 1000);
 }
 
-/// "textbook, shuffled" as a key: textbook_shuffled.
+/// Name as a JSON key: "textbook, shuffled" becomes textbook_shuffled.
 std::string key_of(std::string_view name) {
     std::string key;
     for (const char c : name)
@@ -72,7 +72,7 @@ std::string key_of(std::string_view name) {
     return key;
 }
 
-/// One line of the report: the engine, and how it was asked to do it.
+/// Result of the engine with one configuration.
 struct Ours {
     bench::Engine engine;
     Measured measured;
@@ -88,7 +88,7 @@ json::Object in_json(const Case& chosen, const Work& work, const Ours& ours, con
                       {"particles", work.places.size()},
                       {"constraints", work.constraints()},
                       {"ms_per_step", measured.milliseconds}};
-    // At once there is no telling how often a constraint is projected.
+    // A direct solve has no number of projections.
     if (!chosen.direct) line.push_back({"projections_per_s", projections_per_second(work, measured.milliseconds)});
     for (json::Member& more : json::Object{{"ratio", measured.ratio},
                                            {"stretch_max", measured.strain.max},
@@ -132,10 +132,10 @@ std::vector<std::string> row(const std::string& name, const Case& chosen, const 
     return cells;
 }
 
-/// Float on one thread, two and four, and double on one, of what is large only float on one and on most; or what was
-/// asked for.
+/// Configurations to measure: float on 1, 2 and 4 threads and double on 1; for large cases float on 1 and on most
+/// threads only; or the configuration given by the options.
 std::vector<bench::Engine> engines(const BenchOptions& options, const Work& work) {
-    constexpr std::size_t large = 1'000'000; // constraints: building the world takes longer than its steps
+    constexpr std::size_t large = 1'000'000; // constraints: building the world takes longer than stepping
     const bool few = work.constraints() >= large;
     std::vector<int> counts;
     for (const int n : {1, 2, 4})
@@ -152,7 +152,7 @@ int steps_of(const BenchOptions& options, const Work& work) {
     return options.steps ? int(*options.steps) : bench::usual_steps(work);
 }
 
-/// What the engine does with a case.
+/// Measures the engine on a case in all configurations.
 std::vector<Ours> measure_engines(const BenchOptions& options, const Case& chosen, const Work& work) {
     std::vector<Ours> all;
     for (const auto& engine : engines(options, work)) {
@@ -179,8 +179,8 @@ void add_rows(std::vector<std::vector<std::string>>& rows, const Case& chosen, c
 
 } // namespace
 
-/// Rivals come last, and where nothing is told before the end, after all cases: what their heap keeps would be told as
-/// the engine's.
+/// Rivals are measured after the engine, and in the table only after all cases: memory kept by a rival's heap would be
+/// attributed to the engine.
 void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& cases) {
     if (options.as_json) {
         for (const auto& chosen : cases) {

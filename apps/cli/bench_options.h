@@ -8,24 +8,24 @@
 
 namespace sinew::cli {
 
-/// What `sinew bench` was told.
+/// Options of `sinew bench`.
 struct BenchOptions {
-    std::optional<double> threads, steps;         ///< of cases and quality
-    std::optional<double> links, weight, seconds; ///< of rope
-    std::string only, start;                      ///< of rope
-    std::string precision;                        ///< float or double; empty: the usual one
-    std::string plot;                             ///< of quality and weights: an SVG file
+    std::optional<double> threads, steps;         ///< for cases and quality
+    std::optional<double> links, weight, seconds; ///< for rope
+    std::string only, start;                      ///< for rope
+    std::string precision;                        ///< float or double; empty: the default
+    std::string plot;                             ///< for quality and weights: path of an SVG file
     bool as_json = false, as_markdown = false;
 };
 
-/// What it can measure; each prints its own table, or its lines of JSON.
+/// Measurements of `sinew bench`; each prints a table, or lines of JSON.
 void bench_ropes(const BenchOptions& options);
 void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& cases);
 
 void bench_quality(const BenchOptions& options, const bench::Case& chosen);
 void bench_weights(const BenchOptions& options);
 
-/// What help says about them.
+/// Help texts of the measurements.
 std::string rope_details();
 std::string case_details();
 std::string quality_details();

@@ -9,7 +9,8 @@
 #include <array>
 #include <fmt/format.h>
 
-/// `sinew bench quality`: what time buys. The same work with more and more effort, by everyone who can do it.
+/// `sinew bench quality`: accuracy against time. The same work with increasing effort, by every contender able to do
+/// the work.
 namespace sinew::cli {
 namespace {
 
@@ -22,7 +23,7 @@ constexpr std::array<Effort, 8> efforts = {{{1, 4}, {1, 10}, {1, 40}, {4, 1}, {1
 constexpr int usual_steps = 120; // two seconds
 
 struct Tried : bench::Contender {
-    std::vector<Timing> results{}; ///< of each effort
+    std::vector<Timing> results{}; ///< by effort
 };
 
 std::vector<Tried> contenders(const Case& chosen, const Work& work, const bench::Engine& engine) {

@@ -18,13 +18,13 @@ namespace {
 
 struct RopeResult {
     double milliseconds = 0; ///< median of a step
-    double stretch = 0;      ///< the largest of any link after any step, as a fraction
-    double outside = 0;      ///< the most an angle was outside its limits after any step, degrees
-    double cut = 0;          ///< of the case ropes: median milliseconds of one, and of finding the blocks again
-    double gain = 0;         ///< the most energy above that at the start, as a fraction of all weight times the length
+    double stretch = 0;      ///< largest strain of any link after any step, a fraction
+    double outside = 0;      ///< largest violation of an angle limit after any step, degrees
+    double cut = 0;          ///< case `ropes`: median milliseconds of cutting one rope and finding the blocks again
+    double gain = 0;         ///< largest energy above the initial energy, as a fraction of total weight times length
 };
 
-/// How far the worst angle is outside its limits, degrees.
+/// Largest violation of an angle limit, degrees.
 template <class Real> double worst_angle(const World<2, Real>& world) {
     double worst = 0;
     const auto& angles = std::get<kind_number<Angle, 2>>(world.constraints);
@@ -45,7 +45,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point before) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
 }
 
-/// Cuts some of many ropes in the middle, one after the other.
+/// Median time of a cut, milliseconds: 21 of the ropes are cut in the middle, one after the other.
 template <class Real> double time_of_a_cut(World<2, Real>& world, int links) {
     constexpr int cuts = 21;
     std::vector<double> times;
@@ -95,7 +95,7 @@ json::Object in_json(const RopeCase& rope, const RopeResult& result) {
                       {"stretch_max", result.stretch},
                       {"outside_limits", result.outside},
                       {"energy_gain", result.gain}};
-    // a shipped game gives all its ropes that much
+    // half a millisecond: a shipped game's budget for all ropes
     if (rope.name == "ropes") {
         line.emplace_back("ropes_per_half_ms", many_ropes * 0.5 / result.milliseconds);
         line.emplace_back("ms_per_cut", result.cut);

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-/// How measurements are told.
+/// Formatting of measurements.
 namespace sinew::cli {
 
-/// "1.2 %", or "lost" for what is no number.
+/// "1.2 %", or "lost" for infinities and NaN.
 std::string stretch_text(double fraction);
 
-/// The rows as a table of the terminal, or of Markdown; the first are the titles.
+/// The rows as a table for the terminal, or in Markdown; the first row holds the titles.
 std::string bench_table(const std::vector<std::vector<std::string>>& rows, const BenchOptions& options);
 
-/// Throws GiveUp where the file cannot be written.
+/// Throws GiveUp if the file cannot be written.
 void write_plot(const std::string& path, const bench::Plot& plot);
 
 } // namespace sinew::cli

@@ -11,14 +11,14 @@
 #include <array>
 #include <fmt/format.h>
 
-/// `sinew bench weights`: a rope under heavier and heavier weights, by everyone.
+/// `sinew bench weights`: a rope under increasing weights, by every contender.
 namespace sinew::cli {
 namespace {
 
-constexpr std::array weights = {100, 1000, 10'000, 100'000}; // links; the rope is 100
+constexpr std::array weights = {100, 1000, 10'000, 100'000}; // links; the rope has 100
 constexpr int usual_steps = 300;                             // five seconds
 
-/// The same work, told in two ways: solvers of impulses want iterations, those of positions substeps.
+/// Equal work split in two ways: impulse solvers favour iterations, position-based solvers substeps.
 constexpr std::array<bench::Effort, 2> efforts = {{{10, 1}, {1, 10}}};
 
 struct Hung {
@@ -53,7 +53,7 @@ std::vector<Hung> hang_all(int weight, int steps) {
     return results;
 }
 
-/// The better of what it did is its point.
+/// Adds a result to the contender's curve; at each weight the better effort counts.
 void add(std::vector<bench::Curve>& curves, const Hung& hung, double weight) {
     auto curve = std::ranges::find(curves, hung.by, &bench::Curve::name);
     if (curve == curves.end()) curve = curves.insert(curves.end(), {hung.by, {}});
@@ -88,7 +88,7 @@ void bench_weights(const BenchOptions& options) {
                                 stretch_text(timing.strain.last)});
             add(curves, hung, weight / 100.0);
         }
-    std::ranges::rotate(curves, curves.end() - 1); // the engine first, as in other pictures
+    std::ranges::rotate(curves, curves.end() - 1); // the engine first, as in other plots
     if (!options.as_json) print(bench_table(rows, options));
     if (!options.plot.empty())
         write_plot(options.plot, {"A rope of 100 links under a weight on its end, five seconds",

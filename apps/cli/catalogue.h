@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-/// The folder of scenes that can be called by name.
+/// Folder of scenes with a name.
 namespace sinew::cli {
 
-/// Where it is, the first of these: what SINEW_SCENES in the environment says; ../share/sinew/scenes beside the folder
-/// of the executable, where an installed Sinew has it; the scenes of the sources that this was built from.
+/// Path of the catalogue, the first of: SINEW_SCENES in the environment; ../share/sinew/scenes beside the executable's
+/// folder, if present (installed); the scenes of the source tree.
 std::filesystem::path catalogue_folder();
 
-/// The names of its scenes, in alphabetical order.
+/// Names of all scenes, in alphabetical order.
 std::vector<std::string> catalogue_names();
 
 std::filesystem::path catalogue_path(const std::string& name);

@@ -10,35 +10,35 @@ class App;
 
 namespace sinew::cli {
 
-/// What a shell is told about how it ended. After a signal it is 128 + its number, as shells expect: 130 after Ctrl-C.
+/// Exit code of the process. After a signal: 128 + the signal's number, as shells expect, 130 after Ctrl-C.
 enum ExitCode : int {
     done = 0,
-    bad_input = 1,  ///< what was given cannot be used: a scene, a file to write
-    wrong_usage = 2 ///< what was asked for makes no sense
+    bad_input = 1,  ///< unusable input or output: a scene, a file to write
+    wrong_usage = 2 ///< meaningless arguments
 };
 
-/// What help says about a command.
+/// Help text of a command.
 struct Manual {
     std::string_view name;
-    std::string_view usage;    ///< what follows the name: "SCENE [key=value...]"
-    std::string_view about;    ///< one line, begins with a verb
-    std::string_view details;  ///< below the options; lines end as they shall be seen
+    std::string_view usage;    ///< arguments after the name: "SCENE [key=value...]"
+    std::string_view about;    ///< a line, begins with a verb
+    std::string_view details;  ///< below the options; line breaks are kept
     std::string_view examples; ///< a line each
 };
 
-/// A sub-command: its members are what its options set.
+/// A sub-command. Options set the members.
 class Command {
   public:
     virtual ~Command() = default;
     virtual Manual manual() const = 0;
     /// Declares options on an empty parser.
     virtual void declare(CLI::App& parser) = 0;
-    /// Called once the options are read. Gives the exit code; throws GiveUp.
+    /// Runs the command once the options are read. Returns the exit code; throws GiveUp.
     virtual int run() = 0;
 };
 
-/// The list of sub-commands, in the order of the help. A new one is one new file, NAME.cpp, that defines
-/// `std::unique_ptr<Command> command::NAME()`, and one word here. A build may want but one.
+/// List of sub-commands, in the order of the help. A new command takes one new file, NAME.cpp, which defines
+/// `std::unique_ptr<Command> command::NAME()`, and one word here. SINEW_ONLY_COMMAND reduces a build to one command.
 #ifdef SINEW_ONLY_COMMAND
 #define SINEW_COMMANDS(X) X(SINEW_ONLY_COMMAND)
 #else

@@ -15,21 +15,21 @@
 namespace sinew::cli {
 namespace {
 
-// Standard output belongs to the process, so this does too.
+// Global because standard output belongs to the process.
 int output_error = 0;
 
 std::string painted(std::string_view text, const char* code, std::FILE* stream) {
     return has_color(stream) ? fmt::format("\033[{}m{}\033[0m", code, text) : std::string(text);
 }
 
-/// Columns of the terminal that is written to; without one, no line is too long.
+/// Columns of the terminal behind `stream`; without a terminal, unlimited.
 std::size_t columns_of(std::FILE* stream) {
     winsize size{};
     const bool known = ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
     return known ? size.ws_col : std::string::npos;
 }
 
-/// How wide it is on a terminal: characters, not bytes.
+/// Width on a terminal: UTF-8 characters, not bytes.
 std::size_t width_of(std::string_view text) {
     return std::size_t(std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
 }
@@ -84,7 +84,7 @@ void flush_output() {
 }
 
 void print_error(std::string_view text) {
-    std::fflush(stdout); // on a terminal both are seen in the order they were said
+    std::fflush(stdout); // on a terminal both streams appear in order
     std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
@@ -111,7 +111,7 @@ std::string count_of(std::size_t count, std::string_view thing) {
 }
 
 std::string table(const std::vector<std::vector<std::string>>& rows) {
-    constexpr std::size_t narrowest = 24; // what the last column keeps on a narrow terminal
+    constexpr std::size_t narrowest = 24; // least width of the last column on a narrow terminal
     const auto widths = widths_of(rows);
     const auto columns = columns_of(stdout);
     std::string out;

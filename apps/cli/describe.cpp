@@ -15,20 +15,20 @@
 namespace sinew::cli {
 namespace {
 
-/// Something that has a table: a section of a scene file, or one of several things that a section can be.
+/// A record with a table of fields: a section of a scene file, or an alternative of a section.
 struct Topic {
     std::string path; ///< "solver.rules", "figures.rope"
     std::string_view about;
     const Layout* record;
-    bool shadowed = false; ///< an outer one has the same name
+    bool shadowed = false; ///< an outer topic has the same last name
 
     std::string_view last() const { return std::string_view(path).substr(path.rfind('.') + 1); } // npos + 1 is 0
-    /// What it is called: "rope".
+    /// Name on the command line: "rope".
     std::string_view name() const { return shadowed ? std::string_view(path) : last(); }
     auto depth() const { return std::ranges::count(path, '.'); }
 };
 
-/// The record that a field holds, one or many of.
+/// Record in a field: the field itself, or the elements of a list or map; null if none.
 const Layout* record_in(const Layout& shape) {
     if (shape.type == Layout::Type::record) return &shape;
     const bool many = shape.type == Layout::Type::list || shape.type == Layout::Type::map;
@@ -48,7 +48,7 @@ void collect(std::vector<Topic>& topics, const Layout& record, const std::string
     }
 }
 
-/// Layouts that topics point into.
+/// Owner of the layouts topics point to.
 struct Layouts {
     Layout scene = scene_layout();
     Layout limits = layout_of<Limits>();

@@ -1,3 +1,4 @@
+#include "sinew/picture/draw.h"
 #include "sinew/scene/text.h"
 
 #include "apps/cli/arguments.h"
@@ -34,12 +35,12 @@ std::unique_ptr<canvas::Writer> open(const Scrap& scrap, const Picture& picture)
     return std::move(writer);
 }
 
-/// A scene in one mode: a film of its beginning, and a picture after a fifth of its time.
+/// A scene in one mode: a film of the beginning, and a still after a fifth of the scene's time.
 struct Reel {
     std::string film, still;
 };
 
-/// As wide for its height as the scene is.
+/// Picture with the scene's aspect ratio.
 Picture paper_of(const Scene& scene) {
     const double width = scene.view.size[0], height = scene.view.size[1];
     const double scale = minimum(most_width / width, most_height / height);
@@ -49,7 +50,7 @@ Picture paper_of(const Scene& scene) {
     return picture;
 }
 
-/// `number` parts the files of reels that are shot at once.
+/// Renders film and still of a scene. `number` distinguishes the files of concurrent calls.
 Reel shoot(const std::string& name, std::string_view mode, const fs::path& page, std::size_t number) {
     const std::vector<Override> overrides = {{concat("mode=", mode)}};
     Run run(open_file(name, overrides));
@@ -62,7 +63,7 @@ Reel shoot(const std::string& name, std::string_view mode, const fs::path& page,
     const auto film_writer = open(film, picture), still_writer = open(still, picture);
     for (std::size_t frame = 0; frame < frames; ++frame) {
         run.advance(steps_before(run.session.scene(), double(frame) / film_fps));
-        run.session.draw(picture);
+        draw(run.session, picture);
         settle(film_writer->frame(picture));
         if (frame == still_frame) settle(still_writer->frame(picture));
     }
@@ -117,7 +118,7 @@ class GalleryCommand final : public Command {
         return done;
     }
 
-    /// Every mode of every scene, as many at once as there are processors.
+    /// Renders every mode of every scene, several concurrently.
     std::vector<Reel> shoot_all(const std::vector<std::string>& names) const {
         std::vector<Reel> reels(names.size() * modes.size());
         canvas::Progress progress(path_, reels.size());

@@ -7,14 +7,14 @@
 
 namespace sinew::cli {
 
-/// A scene and what it looks like in each mode, in the order of `modes`.
+/// A scene with film and still in each mode, in the order of `modes`.
 struct Exhibit {
     ScenePage page;
     std::vector<std::string> films;  ///< bytes of WebP files
-    std::vector<std::string> stills; ///< of PNG files: for readers who do not want things to move
+    std::vector<std::string> stills; ///< bytes of PNG files, for readers who prefer reduced motion
 };
 
-/// One HTML page that needs nothing but itself: pictures are in it, scripts and styles too, and nothing is loaded.
+/// A self-contained HTML page: pictures, scripts and styles are embedded, nothing is loaded.
 std::string gallery_html(const std::vector<Exhibit>& exhibits);
 
 } // namespace sinew::cli

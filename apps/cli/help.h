@@ -6,10 +6,10 @@
 
 namespace sinew::cli {
 
-/// What `sinew --help` prints.
+/// Output of `sinew --help`.
 std::string overview_text();
 
-/// What `sinew help COMMAND` prints.
+/// Output of `sinew help COMMAND`.
 std::string manual_text(Command& command);
 
 } // namespace sinew::cli

@@ -3,14 +3,15 @@
 #include <string>
 #include <vector>
 
-/// What the files of the catalogue say they are, without reading more of them than that.
+/// Index of the catalogue: name, description and category of every scene, without building the scenes.
 namespace sinew::cli {
 
 struct IndexEntry {
     std::string name, about, category, file;
 };
 
-/// By category, in the order of `Scene::categories`; in one by name. What cannot be read is in the last.
+/// All scenes by category, in the order of `Scene::categories`, then by name. Unreadable scenes are in the last
+/// category.
 std::vector<IndexEntry> catalogue_index();
 
 } // namespace sinew::cli

@@ -19,19 +19,19 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// How many constraints there are of each kind, in the order of the list of kinds.
+/// Number of constraints of one kind; lists follow the order of the list of kinds.
 struct KindCount {
     std::string_view kind;
     std::size_t count = 0;
 };
 using KindCounts = std::vector<KindCount>;
 
-/// What a world says about one of its figures.
+/// Summary of a figure.
 struct FigureSummary {
     std::string name, prefab;
     std::size_t particles = 0;
     double mass = 0;
-    std::size_t islands = 0; ///< in the end
+    std::size_t islands = 0; ///< at the end
     KindCounts constraints;
     std::vector<std::string> particle_names, constraint_names;
 };
@@ -52,7 +52,7 @@ template <int D, class Real> double mass_of(const World<D, Real>& world, const F
     return mass;
 }
 
-/// Names that were given, then those by number.
+/// Given names, then numbered ones.
 template <class Id> std::vector<std::string> names_in(const NameTable<Id>& named, std::span<const Numbered> numbered) {
     std::vector<std::string> names;
     for (const auto& [name, id] : named) names.push_back(name);
@@ -84,7 +84,7 @@ std::vector<FigureSummary> figures_of(const AnyWorld& any) {
     return figures;
 }
 
-/// Into how many islands each has fallen by now.
+/// Sets each figure's present number of islands.
 void count_islands(const AnyWorld& any, std::vector<FigureSummary>& figures) {
     const auto counts = std::visit([](const auto& world) { return islands(world); }, any);
     for (std::size_t i = 0; i < figures.size() && i < counts.size(); ++i) figures[i].islands = counts[i];
@@ -135,7 +135,7 @@ json::Object in_json(const KindCounts& counts) {
     return object;
 }
 
-/// Gravity first, which is no force field in the file but a property of the world.
+/// Names of force fields, gravity first: in the scene file gravity is a property of the world.
 std::vector<std::string> forces_of(const Scene& scene) {
     std::vector<std::string> names;
     if (scene.world.gravity != Point{}) names.push_back("gravity");
@@ -195,7 +195,7 @@ json::Array figures_json(const std::vector<FigureSummary>& figures, bool names) 
     return items;
 }
 
-/// Two columns of values beside one of names.
+/// Two columns of values beside the names.
 Rows side_by_side(const Rows& before, const Rows& after) {
     Rows rows{{"", "at the start", "then"}};
     for (std::size_t i = 0; i < before.size(); ++i) rows.push_back({before[i][0], before[i][1], after[i][1]});

@@ -6,7 +6,7 @@
 
 namespace sinew::cli {
 
-/// The value on one line. What is infinite or not a number is null: JSON has no word for it.
+/// The value on one line. Infinities and NaN become null, because JSON cannot represent either.
 std::string to_line(const json::Value& value);
 
 } // namespace sinew::cli

@@ -32,7 +32,8 @@ namespace {
 
 using Arguments = std::span<const std::string>;
 
-/// "did you mean "render"? (commands: ...)"; of a scene's name, what can be done with it.
+/// Suggestion for an unknown command: "did you mean "render"? (commands: ...)"; for a scene's name, how to draw the
+/// scene.
 std::string command_help(const std::string& word) {
     if (std::ranges::count(catalogue_names(), word) > 0 || word.ends_with(".json"))
         return fmt::format("to draw a scene: sinew render {}", word);
@@ -71,8 +72,8 @@ int run(Arguments arguments) {
     return run_command(*command_of(first), rest);
 }
 
-/// What is large is taken from the system by itself, and given back as soon as it is not needed: else a large world
-/// keeps all that it was once worked out with.
+/// Maps large blocks separately, so that freed blocks return to the system at once; otherwise a large world's process
+/// keeps all temporary memory of building the world.
 void give_back_at_once() {
 #ifdef __GLIBC__
     mallopt(M_MMAP_THRESHOLD, 1 << 18);

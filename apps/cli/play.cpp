@@ -24,7 +24,7 @@ using play::Play;
 
 constexpr std::size_t longest_script = 1 << 20; // bytes
 
-/// The text without what colours it on a terminal.
+/// The text without terminal escape sequences.
 std::string plain(const std::string& text) {
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {

@@ -36,7 +36,7 @@ bool is_separator(char c) {
     return c == ',' || c == ';' || c == ' ' || c == '\t';
 }
 
-/// The numbers of a line, between commas or blanks; nothing where it does not hold four.
+/// Four numbers of a line, separated by commas or blanks; empty if the line differs.
 std::optional<std::array<double, 4>> numbers_of(std::string_view line) {
     std::array<double, 4> numbers{};
     const char *at = line.data(), *end = at + line.size();
@@ -49,7 +49,7 @@ std::optional<std::array<double, 4>> numbers_of(std::string_view line) {
     return at == end ? std::optional(numbers) : std::nullopt;
 }
 
-/// Empty lines, comments, and the names of the columns.
+/// True for empty lines, comments, and the column headings.
 bool is_no_sample(std::string_view line, std::size_t number) {
     return line.empty() || line[0] == '#' || (number == 1 && line.starts_with("time"));
 }
@@ -87,7 +87,7 @@ PointerPath PointerPath::read(const std::filesystem::path& path) {
     return read;
 }
 
-/// A button is as the last line says; a place is on the way to the next.
+/// Sample at `time`: the button of the last line, the position interpolated linearly to the next line.
 PointerSample PointerPath::now(double time) {
     const double rounding = 1e-9 * std::fabs(time);
     while (next_ < samples_.size() && samples_[next_].time <= time + rounding) ++next_;

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <vector>
 
-/// A pointer's path from a file, in place of somebody's hand: `--pointer FILE`.
+/// A pointer's path from a file, in place of a user's hand: `--pointer FILE`.
 namespace sinew::cli {
 
-/// One line: from this time on the button is up or down; the pointer goes straight to the next line's place.
+/// A line of the file: from `time` on the button is up or down; the pointer moves straight to the next line's position.
 struct PointerSample {
-    double time = 0; ///< in the scene's time unit
+    double time = 0; ///< in the scene's unit of time
     double x = 0;    ///< 2D: in the scene's unit of length; 3D: pixels of the scene's own picture
     double y = 0;
     bool pressed = false;
@@ -19,17 +19,17 @@ struct PointerSample {
 
 class PointerPath {
   public:
-    /// Throws GiveUp with the number of a line that is not TIME, X, Y, BUTTON.
+    /// Throws GiveUp with the number of a line other than TIME, X, Y, BUTTON.
     static PointerPath read(const std::filesystem::path& path);
 
-    /// Moves the session's pointer to its place at the end of the step that comes next, and presses or lets go. A
-    /// press takes hold of what is nearest, as in the window. Before the first line there is no pointer.
+    /// Moves the session's pointer to the position at the end of the next step, and presses or releases. A press grabs
+    /// the nearest candidate, as in the window. Before the first line there is no pointer.
     void lead(Session& session);
 
   private:
     std::vector<PointerSample> samples_; ///< in the order of time
-    std::size_t next_ = 0;               ///< of the samples: the first that is still ahead
-    double depth_ = 1;                   ///< 3D: of what is held, from the eye
+    std::size_t next_ = 0;               ///< index of the first future sample
+    double depth_ = 1;                   ///< 3D: depth of the grabbed point (View::Seen)
     bool pressed_ = false;
 
     PointerSample now(double time);

@@ -34,13 +34,14 @@ const NameRun* same_run(const std::vector<NameRun>& runs, const NameRun& run) {
     return found == runs.end() ? nullptr : &*found;
 }
 
-/// slope * parameter + offset, as a scene's author would write it.
+/// slope * parameter + offset, in the syntax of a scene file.
 std::string linear(long slope, std::string_view parameter, long offset) {
     const auto product = slope == 1 ? std::string(parameter) : fmt::format("{} {}", slope, parameter);
     return offset == 0 ? fmt::format("{{{}}}", product) : fmt::format("{{{}{:+}}}", product, offset);
 }
 
-/// The last number at one position of a run, by the one integer parameter that it grows with; else as it is.
+/// Last number at one position of a run: an expression of the integer parameter the number grows with, or the plain
+/// number if several parameters change the number.
 template <class RunsOf>
 std::string last_number(const NameRun& run, std::size_t position, const std::vector<Varied>& varied, RunsOf&& runs_of) {
     const long last = run.indices[position].last;
@@ -67,7 +68,7 @@ template <class RunsOf> std::string run_text(const NameRun& run, const std::vect
     return single && first.ends_with(last) ? first : first + " .. " + last;
 }
 
-/// Names with the default parameters, then those that another value of one parameter adds.
+/// Names with the default parameters, then names added by another value of one parameter.
 template <class RunsOf>
 std::string names_text(const Survey& usual, const std::vector<Varied>& varied, RunsOf&& runs_of) {
     std::string text;
@@ -85,7 +86,7 @@ std::string names_text(const Survey& usual, const std::vector<Varied>& varied, R
 
 // --- parts ------------------------------------------------------------------------------------------------------
 
-/// A mark in words, and what a look can say of it.
+/// Description of a mark, and the look properties the mark accepts.
 struct MarkText {
     std::string_view name, looks;
 };
@@ -146,7 +147,7 @@ std::string point_text(const std::vector<double>& point) {
     return "[" + text + "]";
 }
 
-/// The origin in words, as seen from the box around the figure.
+/// Position of the origin relative to the figure's bounding box, in words.
 std::string place_in_box(const Survey& survey) {
     const auto side = [&](std::size_t axis, std::array<std::string_view, 3> words) -> std::string_view {
         const double low = survey.low[axis], high = survey.high[axis], close = 1e-3 * (high - low);

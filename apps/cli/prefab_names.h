@@ -5,8 +5,8 @@
 
 namespace sinew::cli {
 
-/// How a scene file speaks of a prefab's figure: the place of `at`, names of particles and constraints, parts for
-/// "looks". All of it is read from built figures, so it is never out of date. Empty for what is no prefab.
+/// Names in a scene file of a prefab's figure: the point placed at `at`, particles and constraints, parts for "looks".
+/// The text is derived from built figures, so never out of date. Empty if `prefab` is not a prefab.
 std::string prefab_names(std::string_view prefab);
 
 } // namespace sinew::cli

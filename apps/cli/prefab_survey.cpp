@@ -9,7 +9,7 @@
 namespace sinew::cli {
 namespace {
 
-/// Takes "_12" off the end of a name.
+/// Removes "_12" from the end of a name.
 std::optional<long> take_number(std::string_view& name) {
     const auto bar = name.rfind('_');
     if (bar == std::string_view::npos || bar == 0) return std::nullopt;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// What a built figure shows of a prefab: its names, its parts, its extent.
+/// Facts about a prefab, read from a built figure: names, parts, extent.
 namespace sinew::cli {
 
 /// Names that differ by numbers: link_0 to link_19, particle_0_0 to particle_31_20. A single name has no numbers.
@@ -21,25 +21,25 @@ struct NameRun {
 
 struct Survey {
     std::vector<NameRun> particles, constraints;
-    std::vector<std::string> parts;     ///< in the order in which they are drawn
-    std::map<std::string, Piece> drawn; ///< the first piece of each part, of those that are not hidden if any is
-    std::string at;                     ///< the particle at the origin; empty where none is
-    std::vector<double> low, high;      ///< corners of the figure's box, metres
+    std::vector<std::string> parts;     ///< in drawing order
+    std::map<std::string, Piece> drawn; ///< first piece of each part, a visible piece if there is any
+    std::string at;                     ///< name of the particle at the origin; empty if none
+    std::vector<double> low, high;      ///< corners of the figure's bounding box, metres
 };
 
-/// The figure of a prefab placed at the origin; nothing where its parameters do not go together.
+/// Surveys the figure of a prefab placed at the origin; empty if the parameters are inconsistent.
 std::optional<Survey> survey(const AnyPrefab& prefab);
 
 /// A prefab with one parameter changed.
 struct Variation {
     std::string parameter, value;
-    bool counts = false; ///< the parameter is an integer, and was raised by one
-    long before = 0;     ///< its default
+    bool counts = false; ///< true: an integer parameter, raised by one
+    long before = 0;     ///< value before the change
     AnyPrefab prefab;
 };
 
-/// Each parameter that can change what there is: integers raised, words and switches set to each value, numbers that
-/// are 0 set to 1.
+/// Variations of every parameter that can change the structure: integers raised by one, choices and switches set to
+/// each other value, numbers of 0 set to 1.
 std::vector<Variation> variations_of(const AnyPrefab& prefab);
 
 } // namespace sinew::cli

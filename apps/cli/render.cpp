@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The overlays that a list like "strain,names" asks for.
+/// Overlays named in a list like "strain,names".
 OverlaySet overlay_of(const std::string& list) {
     OverlaySet set;
     for (std::size_t begin = 0; begin < list.size();) {
@@ -114,7 +114,7 @@ class RenderCommand final : public Command {
         return stage;
     }
 
-    /// What to say about it.
+    /// Renders into the file at path; returns the message for the user.
     std::string draw_into_file(WatchedFiles* read) {
         auto stage = begin_stage(read);
         auto shooting = begin_file(path, path, wishes, stage);
@@ -123,7 +123,7 @@ class RenderCommand final : public Command {
         return written_text(path, shooting, fs::file_size(path, unknown));
     }
 
-    /// All or nothing, like a file: it goes out once it is whole.
+    /// Renders into a scrap file first: standard output receives a complete file or nothing.
     void draw_into_pipe() {
         const std::string called = "standard output";
         const auto kind = fmt::format(".{}", format.empty() ? "png" : format.substr(format.starts_with('.')));
@@ -138,9 +138,9 @@ class RenderCommand final : public Command {
         print_error(written_text(called, shooting, bytes.size()));
     }
 
-    /// What is wrong with the scene, or with the file to write, is told; the next change may mend it.
+    /// Renders after every change of a file. Errors in the scene or in writing are printed, and watching continues.
     int draw_again_and_again() {
-        const auto scene = scene_path(words.scene); // gives up where there is none
+        const auto scene = scene_path(words.scene); // throws if missing
         while (!canvas::interrupted()) {
             WatchedFiles read;
             read.add(scene);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What run and info say about a scene, for people and as JSON.
+/// Reports of run and info about a scene, for people and as JSON.
 namespace sinew::cli {
 
 /// "2D, px kg frame; classic, double, 60 steps a second, 6 passes"
@@ -14,9 +14,9 @@ std::string scene_text(const Scene& scene);
 /// Names and values.
 std::vector<std::vector<std::string>> report_rows(const Report& report, const Scene& scene);
 
-/// scene, mode, precision, dimension, units.
+/// Members scene, mode, precision, dimension, units.
 json::Object scene_json(const std::string& name, const Scene& scene);
-/// Everything in a report.
+/// All members of a report.
 json::Object report_json(const Report& report);
 
 /// "1.25 px/frame"

@@ -21,7 +21,7 @@ Rope rope_of(const RopeCase& rope) {
             .weight = rope.weight};
 }
 
-/// Three arms of as many links, from the held end of the first.
+/// Three arms of links / 2 links each, from the first arm's pinned end.
 template <class Real> void build_tree(World<2, Real>& world, const RopeCase& rope) {
     const double piece = rope_length / rope.links;
     const auto arm = [&](ParticleId from, double x, double y, double dx, double dy) {

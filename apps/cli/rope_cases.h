@@ -6,21 +6,21 @@
 #include <string>
 #include <string_view>
 
-/// What `sinew bench rope` hangs up: 10 m of rope, each link 1 kg, with weights counted in links.
+/// Cases of `sinew bench rope`: 10 m of rope, 1 kg per link, weights counted in links.
 namespace sinew::cli {
 
 struct RopeCase {
-    std::string name = "rope"; ///< or one of rope_cases
+    std::string name = "rope"; ///< "rope", or a name in rope_cases
     int links = 0;
-    double weight = 0; ///< in links; of the ragdoll in its own weight
+    double weight = 0; ///< in links; for the ragdoll in masses of the ragdoll
     std::string start; ///< hang or level
     std::string precision;
     int threads = 1;
 };
 
-inline constexpr int many_ropes = 1000; ///< of the case `ropes`
+inline constexpr int many_ropes = 1000; ///< number of ropes in the case `ropes`
 
-/// Beside the rope: name, links, weight, start.
+/// Cases beside the plain rope.
 struct RopeExample {
     std::string_view name;
     int links;
@@ -36,7 +36,7 @@ inline constexpr std::array<RopeExample, 6> rope_cases = {{
     {"ropes", 50, 100000, "level", "a thousand ropes, weights from 1 to this"},
 }};
 
-/// The world of a case. `scale` becomes all its weight times the length: what energies are told in.
+/// World of a case. `scale` is set to total weight times length, the unit of energies.
 template <class Real> World<2, Real> world_of(const RopeCase& rope, double& scale);
 
 } // namespace sinew::cli

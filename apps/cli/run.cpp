@@ -17,7 +17,7 @@
 namespace sinew::cli {
 namespace {
 
-/// Times of the last steps: as many as make a good median.
+/// Times of the latest steps, at most 65536, for the median.
 class StepTimes {
   public:
     void add(double milliseconds) {
@@ -28,7 +28,7 @@ class StepTimes {
         ++count;
     }
 
-    /// Zero where there was no step.
+    /// Milliseconds; 0 without a step.
     double median() const {
         if (times.empty()) return 0;
         auto sorted = times;
@@ -43,7 +43,7 @@ class StepTimes {
     std::size_t count = 0;
 };
 
-/// The state before the first step is always a frame of a trace, and so is every `every`th after it.
+/// Frames of a trace: the initial state and every `every`-th step.
 struct Tracing {
     Trace& trace;
     std::uint64_t every = 1;

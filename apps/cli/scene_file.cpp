@@ -23,7 +23,7 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
-/// Bare words are names; what has a dot or a slash is a path.
+/// True for bare words; a word with a dot or a slash is a path.
 bool is_name(const std::string& word) {
     return word.find_first_of("./") == std::string::npos;
 }
@@ -38,7 +38,7 @@ bool is_name(const std::string& word) {
     refuse("sinew", message, suggest(word, {names.begin(), names.end()}));
 }
 
-/// A name of the catalogue comes before a file that has the same name.
+/// Path of a scene; a name in the catalogue precedes a file of the same name.
 fs::path path_of(const std::string& word) {
     if (!is_name(word)) return word;
     std::error_code unknown;
@@ -51,7 +51,7 @@ struct ReadText {
     std::string text, problem, help;
 };
 
-/// What comes out of the file, and one byte more than is allowed at most: enough to see that it is too long.
+/// Reads at most `most` bytes, and one more to detect a longer file.
 ReadText read_bytes(std::FILE* file, std::size_t most) {
     std::string text;
     while (text.size() <= most) {
@@ -71,7 +71,7 @@ std::string read_at_most(std::FILE* file, const std::string& name, std::size_t m
     return std::move(text);
 }
 
-/// The OBJ file at `path`, which messages call `name`.
+/// Reads the OBJ file at `path`, called `name` in messages.
 ReadModel read_model_at(const fs::path& path, const std::string& name, const Limits& limits) {
     const auto refused = [&](std::string_view problem, std::string help = {}) {
         return ReadModel{nullptr, fmt::format("{}: {}", printable(name), problem), std::move(help)};
@@ -100,13 +100,13 @@ std::string read_path(const fs::path& path, std::size_t most) {
     return read_at_most(file.get(), path.string(), most);
 }
 
-/// It can be read once; who asks again is given the same.
+/// Standard input can be read only once: later calls return the same text.
 const std::string& standard_input(std::size_t most) {
     static const std::string text = read_at_most(stdin, "<stdin>", most);
     return text;
 }
 
-/// What the overrides alone say about it.
+/// Limit of a scene file's bytes, from the overrides alone.
 std::size_t bytes_allowed(std::span<const Override> overrides) {
     return std::size_t(load("{}", {}, overrides).limits.bytes);
 }
@@ -122,7 +122,7 @@ Document open_document(const std::string& word, std::span<const Override> overri
 
 namespace {
 
-/// Files that are read are noted in `read`.
+/// Builds the scene of a document. Images and models are looked up in `folder` and noted in `read`.
 Opened open_in(const fs::path& folder, Document document, WatchedFiles* read = nullptr) {
     const auto note = [&](const fs::path& path) {
         if (read) read->add(path);

@@ -11,24 +11,24 @@
 
 namespace sinew::cli {
 
-/// Finds, reads and builds a scene: `word` is the path of a file, the name of one of the catalogue, or - for standard
-/// input, which is read once and stays the same. Throws GiveUp with all that is wrong with it. Files that are read are
-/// noted in `read`: the scene, its images and its models, those that cannot be opened among them.
+/// Finds, reads and builds a scene. `word`: path of a file, name in the catalogue, or - for standard input, which is
+/// read once and cached. Throws GiveUp with all diagnostics. `read` collects the scene's file, images and models, even
+/// if missing.
 Opened open_file(const std::string& word, std::span<const Override> overrides = {}, WatchedFiles* read = nullptr);
 
-/// Builds a scene from its text, which messages call `name`; pictures and models are looked for in the folder.
+/// Builds a scene from text, called `name` in messages; images and models are looked up in `folder`.
 Opened open_text(const std::string& text, const std::string& name, const std::filesystem::path& folder);
 
-/// The file as it is, unchecked; what is wrong with it is in its diagnostics.
+/// The file as read, unchecked; errors are in the document's diagnostics.
 Document open_document(const std::string& word, std::span<const Override> overrides = {});
 
-/// The scene's file; none for standard input. Throws GiveUp where no scene has that name.
+/// Path of the scene's file; empty for standard input. Throws GiveUp if no scene has the name.
 std::filesystem::path scene_path(const std::string& word);
 
-/// A text file, of at most so many bytes. Throws GiveUp.
+/// Reads a text file of at most `most` bytes. Throws GiveUp.
 std::string read_text(const std::filesystem::path& path, std::size_t most);
 
-/// What files made of the scene are called: "ragdoll", "mine", "scene".
+/// Base name of files made from the scene: "ragdoll", "mine", "scene".
 std::string title_of(const std::string& word);
 
 } // namespace sinew::cli

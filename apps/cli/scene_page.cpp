@@ -12,8 +12,7 @@
 namespace sinew::cli {
 namespace {
 
-/// The field of a record that a key stands for, also where an alternative has it; null for a key that says which
-/// alternative it is.
+/// Field of a record, or of the chosen alternative of a choice, for a key; null for a choice's tag.
 const Layout* field_called(const Layout& record, const json::Object& object, std::string_view key) {
     for (const auto& part : record.parts) {
         if (part.type != Layout::Type::choice) {
@@ -32,8 +31,7 @@ const Layout* field_called(const Layout& record, const json::Object& object, std
     return nullptr;
 }
 
-/// What an element of a list is called in an override: by its name, or its prefab where that is the only one, or its
-/// number.
+/// Key of a list element in an override: the name, or the prefab if unique, or the index.
 std::string step_of(const json::Array& list, std::size_t index) {
     const auto text = [&](std::size_t i, std::string_view key) -> const std::string* {
         const auto* value = json::find(list[i], concat("/", key));
@@ -59,15 +57,15 @@ class Collector {
   private:
     const Units& units_;
     std::vector<Parameter>& found_;
-    std::set<std::string> kinds_; ///< that were told of: the others of the five chains are like the first
-    bool listed_ = false;         ///< what such an element lists in turn, its points, is its substance
+    std::set<std::string> kinds_; ///< kinds reported so far: of five equal chains only the first is
+    bool listed_ = false;         ///< inside an element of a list: nested lists, such as points, are not reported
 
-    /// Whether an element of a list is the first of its prefab or driver, or has no kind.
+    /// True for the first element of a prefab or driver, or an element without a kind.
     bool is_first_of_its_kind(const json::Object& element) {
         for (const std::string_view key : {"prefab", "driver"})
             if (const auto* kind = json::find(element, key))
                 if (const auto* name = kind->value.as<std::string>()) return kinds_.insert(*name).second;
-        return !json::find(element, "particle"); // a pin without a driver only holds
+        return !json::find(element, "particle"); // a pin without a driver has nothing to report
     }
 
     void value(const json::Value& value, const Layout& shape, const std::string& path) {

@@ -3,27 +3,26 @@
 #include <string>
 #include <vector>
 
-/// What can be told of a scene of the catalogue without playing it.
+/// Description of a catalogue scene, without running the scene.
 namespace sinew::cli {
 
-/// A value that a scene file states.
+/// A value stated in a scene file.
 struct Parameter {
-    std::string path;  ///< as it is overridden: "figures.rope.length"
-    std::string value; ///< as the file has it
+    std::string path;  ///< path in an override: "figures.rope.length"
+    std::string value; ///< text in the file
     std::string unit;  ///< "px/frame^2", or empty
-    std::string help;  ///< one line
+    std::string help;  ///< a line of help
 };
 
 struct ScenePage {
     std::string name, about, source;
-    std::string made_of; ///< "2 ropes, a box"
-    std::string text;    ///< the file
-    double seconds = 0;  ///< that it is worth watching
-    std::vector<Parameter>
-        parameters; ///< of its world, its solver, the first figure of each prefab and pin of each driver
+    std::string made_of;               ///< "2 ropes, a box"
+    std::string text;                  ///< contents of the file
+    double seconds = 0;                ///< length worth watching
+    std::vector<Parameter> parameters; ///< world, solver, first figure of each prefab, first pin of each driver
 };
 
-/// Throws GiveUp where the scene is broken.
+/// Throws GiveUp if the scene is broken.
 ScenePage page_of(const std::string& name);
 
 } // namespace sinew::cli

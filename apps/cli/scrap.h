@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/session/picture.h"
+#include "sinew/picture/picture.h"
 
 #include "canvas/partial_file.h"
 #include "canvas/writer.h"
@@ -11,11 +11,11 @@
 
 namespace sinew::cli {
 
-/// A file that is read again as soon as it is written, and then is no more: what goes into another file, or into a
-/// pipe.
+/// A temporary file, read back after writing and then removed: input of another file, or of a pipe.
 class Scrap {
   public:
-    /// In the folder of `beside`, of the kind that the ending says. Messages call it `called`. Throws GiveUp.
+    /// Creates the file in the folder of `beside`, with the extension `ending`, called `called` in messages. Throws
+    /// GiveUp.
     Scrap(const std::filesystem::path& beside, std::string_view ending, std::string called);
 
     const std::filesystem::path& path() const { return file_.path(); }
@@ -27,7 +27,7 @@ class Scrap {
     canvas::PartialFile file_;
 };
 
-/// Passes a failure on as the end of the command. A failure that an interruption caused is told as that.
+/// Throws GiveUp on a failure; a failure caused by an interruption is reported as an interruption.
 void settle(const canvas::Failure& failure);
 
 } // namespace sinew::cli

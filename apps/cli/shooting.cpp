@@ -10,8 +10,7 @@
 namespace sinew::cli {
 namespace {
 
-/// A picture of a scene that says nothing else shows it at this part of its time: something has happened, and it is
-/// not over.
+/// Default time of a still picture, as a fraction of the scene's time: the action has begun and is not over.
 constexpr double telling_moment = 0.2;
 
 double duration(const Wishes& wishes, const Scene& scene) {
@@ -28,7 +27,7 @@ Frames film_frames(const Wishes& wishes, const Scene& scene, double fps) {
     return {first, 1 / fps, std::size_t(count), first + count / fps};
 }
 
-/// The last frame is the end.
+/// Frames of a sheet; the last frame shows the end.
 Frames sheet_frames(const Wishes& wishes, const Scene& scene) {
     const auto count = std::size_t((*wishes.sheet)[0]) * std::size_t((*wishes.sheet)[1]);
     const auto first = wishes.at.value_or(0), length = duration(wishes, scene);
@@ -72,7 +71,7 @@ Shooting begin_file(const std::filesystem::path& path, const std::string& called
     const auto whole = stage.size(one);
     const auto* kind = canvas::format_of(path);
     const double fps = wishes.fps.value_or(kind ? kind->usual_fps : 60);
-    auto writer = checked(canvas::open(path, {whole[0], whole[1], fps, false, called})); // refuses an unknown kind
+    auto writer = checked(canvas::open(path, {whole[0], whole[1], fps, false, called})); // throws on an unknown kind
     const auto frames = kind->moves ? film_frames(wishes, stage.scene(), fps) : still_frame(wishes, stage.scene());
     return {std::move(writer), frames, one, whole, {canvas::padded(whole[0], *kind), canvas::padded(whole[1], *kind)}};
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/picture/draw.h"
+
 #include "apps/cli/stage.h"
 #include "canvas/writer.h"
 
@@ -8,16 +10,16 @@
 #include <optional>
 #include <string>
 
-/// Frames of a stage into a file: how many, when, how large.
+/// Rendering of a stage's frames into a file: number, times and size.
 namespace sinew::cli {
 
-/// What is asked for, as far as options say it.
+/// Requested frames, as far as options are given.
 struct Wishes {
     std::optional<double> seconds, fps, at;
     std::optional<std::array<int, 2>> size, sheet;
 };
 
-/// Times, in seconds, of the frames of a file.
+/// Times of a file's frames, seconds.
 struct Frames {
     double first = 0;
     double between = 0;
@@ -27,16 +29,16 @@ struct Frames {
     double time(std::size_t frame) const { return first + between * double(frame); }
 };
 
-/// A file that was begun, and what goes into it.
+/// A file in progress.
 struct Shooting {
     std::unique_ptr<canvas::Writer> writer;
     Frames frames;
-    std::array<int, 2> one{};     ///< pixels of one picture
-    std::array<int, 2> whole{};   ///< of a frame: several beside each other
-    std::array<int, 2> written{}; ///< of a frame in the file
+    std::array<int, 2> one{};     ///< pixels of a single picture
+    std::array<int, 2> whole{};   ///< pixels of a frame: several pictures beside each other
+    std::array<int, 2> written{}; ///< pixels of a frame in the file, with padding
 };
 
-/// Begins the file at `path`, which messages call `called`. Throws GiveUp.
+/// Begins the file at `path`, called `called` in messages. Throws GiveUp.
 Shooting begin_file(const std::filesystem::path& path, const std::string& called, const Wishes& wishes,
                     const Stage& stage);
 

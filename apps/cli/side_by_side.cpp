@@ -10,7 +10,7 @@
 namespace sinew::cli {
 namespace {
 
-/// Each has files and a child that an interruption must find (canvas/interrupt.h remembers 32 of each).
+/// Each thread has files and a child process to clean up on an interruption (canvas/interrupt.h remembers 32 of each).
 constexpr std::size_t most_at_once = 4;
 
 } // namespace

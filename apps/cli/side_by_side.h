@@ -5,8 +5,8 @@
 
 namespace sinew::cli {
 
-/// Does `work(0)` to `work(count - 1)`, several at once, each on one thread; tells `finished` how many are done, one at
-/// a time. After the first that throws no more are begun; of what was thrown the lowest number's is thrown on.
+/// Calls `work(0)` to `work(count - 1)` on several threads; calls `finished` with the number done, under a lock. After
+/// an exception no more calls begin, and the exception with the lowest index is rethrown.
 void side_by_side(std::size_t count, const std::function<void(std::size_t)>& work,
                   const std::function<void(std::size_t)>& finished);
 

@@ -1,5 +1,6 @@
 #include "apps/cli/stage.h"
 
+#include "sinew/picture/draw.h"
 #include "sinew/scene/diagnostic.h"
 #include "sinew/scene/text.h"
 #include "sinew/session/view.h"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_variants = 4;
 
-/// A comma within brackets, braces or quotes belongs to a value: "world.gravity=[0,1]".
+/// Splits at commas outside brackets, braces and quotes: "world.gravity=[0,1]" stays whole.
 std::vector<std::string> split_at_commas(const std::string& list) {
     std::vector<std::string> parts(1);
     int depth = 0;
@@ -37,7 +38,7 @@ bool is_mode(std::string_view word) {
     return std::ranges::find(SolverSection::modes, word) != SolverSection::modes.end();
 }
 
-/// A mode can be another scene, with a view of its own: then the scale is its own too.
+/// True if two variants can share a view; a mode may replace the scene together with the view section.
 bool has_same_view(const Scene& a, const Scene& b) {
     const auto key = [](const Scene& scene) {
         const auto& [eye, target, field_of_view, projection] = scene.view.camera;
@@ -110,7 +111,7 @@ void Stage::draw(Picture& picture, std::array<int, 2> one, OverlaySet overlay) {
         part.width = one[0], part.height = one[1];
         const auto& session = runs_[i].session;
         const bool shares = has_same_view(first.scene(), session.scene());
-        session.draw(part, overlay, shares ? shared : View(session.scene(), session.focus(), one[0], one[1]));
+        sinew::draw(session, shares ? shared : session.view(one[0], one[1]), part, overlay);
         if (!pictures_.empty()) parts.push_back({&part, labels_[i]});
     }
     if (!parts.empty()) canvas::put_beside(parts, picture);

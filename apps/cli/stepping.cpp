@@ -11,7 +11,7 @@
 namespace sinew::cli {
 namespace {
 
-/// Parts of a step. 0.1 s at 60 Hz are 6 steps, though rounding makes them 6.000000000000001 or 5.999999999999999.
+/// Tolerance, in steps: 0.1 s at 60 Hz are 6 steps, although rounding gives 6.000000000000001 or 5.999999999999999.
 constexpr double rounding = 1e-6;
 
 } // namespace
@@ -27,7 +27,7 @@ std::uint64_t steps_until(const Scene& scene, double seconds) {
 Run::Run(Opened opened) : session(std::move(opened)) {
     std::visit(
         [](auto& world) {
-            constexpr std::size_t soon = 30'000; // particles that are ready in a blink
+            constexpr std::size_t soon = 30'000; // particles; smaller worlds are prepared in no time
             if (world.settings.mode == Mode::classic || world.particles.size() < soon) return;
             canvas::Progress progress("getting ready", 100);
             const Waiting waiting([&](double share) { progress.update(std::size_t(100 * share)); });

@@ -10,26 +10,26 @@
 
 namespace sinew::cli {
 
-/// How many steps of the scene's rate are over when it is so late.
+/// Number of steps of the scene's rate completed by `seconds`.
 std::uint64_t steps_before(const Scene& scene, double seconds);
-/// How many it takes until at least so many seconds are simulated.
+/// Number of steps until at least `seconds` are simulated.
 std::uint64_t steps_until(const Scene& scene, double seconds);
 
-/// A session and how many steps it took.
+/// A session with a count of steps.
 class Run {
   public:
-    /// With a progress bar where getting the world ready takes a while.
+    /// Prepares a large world at once, with a progress bar.
     explicit Run(Opened opened);
 
-    /// Steps on until `steps` are taken in all. Gives up on Ctrl-C.
+    /// Steps until `steps` are taken in all. Throws GiveUp after Ctrl-C.
     void advance(std::uint64_t steps);
-    /// With a progress bar, which also counts `others`.
+    /// As above, with a progress bar at `others` plus the steps taken.
     void advance(std::uint64_t steps, canvas::Progress& progress, std::uint64_t others = 0);
 
     std::uint64_t steps() const { return taken; }
 
     Session session;
-    std::optional<PointerPath> pointer; ///< leads the session's pointer
+    std::optional<PointerPath> pointer; ///< drives the session's pointer
 
   private:
     std::uint64_t taken = 0;
@@ -37,7 +37,7 @@ class Run {
     void step();
 };
 
-/// Throws what ends a command after Ctrl-C, if that was pressed.
+/// Throws GiveUp if Ctrl-C was pressed.
 void give_up_if_interrupted();
 
 } // namespace sinew::cli

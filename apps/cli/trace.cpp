@@ -33,7 +33,7 @@ std::vector<std::string> names_of_all(const AnyWorld& world) {
     return names;
 }
 
-/// The particles that a word of --of stands for.
+/// Particles named by a word of --of: a figure, a single particle, or a stem.
 std::vector<ParticleId> particles_of(const AnyWorld& world, const std::string& word) {
     return std::visit(
         [&](const auto& any) {
@@ -47,7 +47,7 @@ std::vector<ParticleId> particles_of(const AnyWorld& world, const std::string& w
         world);
 }
 
-/// The shortest text that reads back as the same number.
+/// Shortest decimal representation with an exact round trip.
 void put_number(std::string& text, double number) {
     fmt::format_to(std::back_inserter(text), "{}", number);
 }

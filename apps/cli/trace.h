@@ -8,18 +8,18 @@
 #include <string>
 #include <vector>
 
-/// Positions and velocities of particles, frame by frame, into a file: `--trace FILE`.
+/// Positions and velocities of particles, frame by frame, in a file: `--trace FILE`.
 namespace sinew::cli {
 
 class Trace {
   public:
-    /// `path` ends in .csv for a table, otherwise each row is a JSON object; - is standard output. `names` are
-    /// particles (figure/name), stems (figure/stem_*) or figures, between commas; empty means all. Throws GiveUp.
+    /// `path`: a table if the name ends in .csv, otherwise a JSON object per row; - is standard output. `names`:
+    /// particles (figure/name), stems (figure/stem_*) or figures, separated by commas; empty means all. Throws GiveUp.
     Trace(const std::string& path, const std::string& names, const Session& session);
 
-    /// One row for each particle that is still there.
+    /// Writes a row for each remaining particle.
     void write(const Session& session);
-    /// Throws GiveUp where a row could not be written.
+    /// Throws GiveUp if a row could not be written.
     void close();
 
   private:
@@ -28,15 +28,15 @@ class Trace {
     };
     struct Traced {
         ParticleId particle;
-        std::string name; ///< as it is written
+        std::string name; ///< quoted for the file's format
     };
 
     std::string path_;
-    std::unique_ptr<std::FILE, Close> file_; ///< none for standard output
+    std::unique_ptr<std::FILE, Close> file_; ///< null for standard output
     bool is_table_ = false;
-    bool all_ = false; ///< further particles may come: those of torn cloth
+    bool all_ = false; ///< true: particles added by tearing cloth are traced too
     std::vector<Traced> traced_;
-    std::string text_; ///< the rows of one frame
+    std::string text_; ///< rows of the present frame
 
     void choose(const std::string& names, const Session& session);
     void choose_all(const Session& session);

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How often they are looked at: editors replace files in many ways, which all show here, on every file system.
+/// Polling interval: polling detects every way of replacing a file, on every file system.
 constexpr std::chrono::milliseconds between_looks{100};
 
 } // namespace

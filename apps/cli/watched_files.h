@@ -6,14 +6,14 @@
 
 namespace sinew::cli {
 
-/// Files as they were when they were added.
+/// A set of files, each with the state at the time of adding.
 class WatchedFiles {
   public:
-    /// Added before it is read, a change while it is read is seen too.
+    /// Adds a file. Call before reading: a change during the read is then detected.
     void add(const std::filesystem::path& path);
 
-    /// Returns once one of them was written, replaced, removed or made, and nothing more happened to them for a moment;
-    /// or on Ctrl+C.
+    /// Returns once a file has been written, replaced, removed or created, and all have been stable for one polling
+    /// interval (0.1 s); or on Ctrl-C.
     void wait_for_change() const;
 
   private:

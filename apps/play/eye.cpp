@@ -82,8 +82,7 @@ void Eye::zoom(const Session& session, Vec2<double> about, double factor) {
             section.camera.eye = section.camera.target + away;
         return;
     }
-    const double usual =
-        shown_height(View(session.scene(), session.focus(), width_, height_), section, width_, height_);
+    const double usual = shown_height(session.view(width_, height_), section, width_, height_);
     const auto before = view(session).place_of(about);
     section.height = std::clamp(*section.height / factor, usual * nearest, usual * farthest);
     const auto offset = before - view(session).place_of(about);

@@ -1,5 +1,5 @@
 #include "sinew/math/trig.h"
-#include "sinew/session/theme.h"
+#include "sinew/picture/theme.h"
 
 #include "apps/play/files.h"
 #include "apps/play/play.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/session/picture.h"
+#include "sinew/picture/picture.h"
 
 #include "apps/play/clock.h"
 #include "apps/play/input.h"

@@ -1,5 +1,7 @@
 #include "apps/play/tape.h"
 
+#include "sinew/picture/draw.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -104,7 +106,7 @@ void Tape::go_to(std::uint64_t step) {
 void Tape::draw(Picture& picture, OverlaySet overlay, const View& view, double share, const std::string& theme) {
     const auto own = session_.scene().view.theme;
     if (!theme.empty()) session_.set_theme(theme);
-    between_.show(session_.world(), share, [&] { session_.draw(picture, overlay, view); });
+    between_.show(session_.world(), share, [&] { sinew::draw(session_, view, picture, overlay); });
     session_.set_theme(own);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/picture/draw.h"
+
 #include "apps/play/action_log.h"
 #include "apps/play/between.h"
 

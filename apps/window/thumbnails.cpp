@@ -1,5 +1,6 @@
 #include "apps/window/thumbnails.h"
 
+#include "sinew/picture/draw.h"
 #include "sinew/session/session.h"
 
 #include "canvas/raster.h"
@@ -28,7 +29,7 @@ std::vector<std::byte> draw(const play::Shelf& shelf, const std::string& name, c
     const double scale = std::min(Thumbnails::width / double(size[0]), Thumbnails::height / double(size[1]));
     picture.width = std::max(1, int(size[0] * scale + 0.5));
     picture.height = std::max(1, int(size[1] * scale + 0.5));
-    session.draw(picture);
+    draw(session, picture);
     canvas::Raster raster(Thumbnails::width, Thumbnails::height);
     if (raster.paint(picture)) return {};
     const auto bytes = raster.bytes();

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double cell = 0.03; // metres
 
-/// A square cloth held at two corners, each particle of 1 kg. A thousandth of a cell out of its plane, so that it can
-/// leave it.
+/// A square cloth pinned at two corners, 1 kg per particle. Random offsets of up to a thousandth of a cell out of the
+/// plane break the symmetry.
 template <class Real> void hold(World<3, Real>& world, int side, const char* plane, int across) {
     build(world,
           Cloth{.columns = side,
@@ -40,7 +40,7 @@ template <class Real> void let_go(World<3, Real>& world, int side) {
     hold(world, side, "horizontal", 1);
 }
 
-/// About so many constraints: 4 a particle.
+/// Cloth of about `constraints` constraints: 4 per particle.
 template <class Real> void hang_for(World<3, Real>& world, int constraints) {
     hang(world, int(std::ceil(0.5 * std::sqrt(double(constraints)) + 0.75)));
 }

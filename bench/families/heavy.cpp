@@ -7,7 +7,7 @@ namespace {
 
 constexpr int links = 100;
 
-/// 10 m of rope, each link 1 kg, and a weight of so many links on its end.
+/// 10 m of rope, 1 kg per link, and a weight of `weight` links at the end.
 template <class Real> void hang(World<3, Real>& world, int weight) {
     build(world, Rope{.length = 10, .segments = links, .mass = links, .weight = double(weight), .links = "exact"},
           "rope");

@@ -12,17 +12,17 @@ namespace {
 
 constexpr double cell = 0.03; // metres
 
-/// The cloth of cloth-SIZE as a file that lists its points and its faces in no order. The four triangles over the
-/// corners of a cell have its sides and both its diagonals for edges.
+/// The cloth of cloth-SIZE as a mesh with points and faces in random order. Four triangles per cell have the cell's
+/// sides and both diagonals for edges.
 MeshModel shuffled_cloth(int side) {
     std::vector<std::uint32_t> number(std::size_t(side) * side);
     for (std::size_t i = 0; i < number.size(); ++i) number[i] = std::uint32_t(i);
-    // The corners that are pinned stay the first two.
+    // The two pinned corners stay the first two points.
     std::swap(number[1], number[std::size_t(side) - 1]);
     std::vector<std::uint32_t> inner(number.begin() + 2, number.end());
     shuffle(inner, 1);
     std::vector<std::uint32_t> grid{number[0], number[1]};
-    grid.insert(grid.end(), inner.begin(), inner.end()); // grid[point of the file] = place in the grid
+    grid.insert(grid.end(), inner.begin(), inner.end()); // grid[point of the file] = index in the grid
     MeshModel model;
     for (std::size_t i = 0; i < grid.size(); ++i) {
         number[grid[i]] = std::uint32_t(i);
@@ -46,7 +46,7 @@ MeshModel shuffled_cloth(int side) {
     return model;
 }
 
-/// Of which no more than the text is left when it is read.
+/// OBJ text of the shuffled cloth; the model itself is freed.
 std::string shuffled_file(int side) {
     return to_obj(shuffled_cloth(side));
 }
@@ -65,7 +65,7 @@ template <class Real> void hang(World<3, Real>& world, int side) {
 Family family::mesh() {
     return {.name = "mesh",
             .about = "the same cloth as a mesh read from an OBJ file, its points and triangles in no order",
-            .sizes = {"64", "256"}, // 1024 takes minutes to build and is measured when it is asked for
+            .sizes = {"64", "256"}, // 1024 takes minutes to build: on request only
             .most = 2048,
             .build_float = hang<float>,
             .build_double = hang<double>};

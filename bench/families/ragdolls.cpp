@@ -9,14 +9,14 @@
 namespace sinew::bench {
 namespace {
 
-/// Elbows and knees fold no further than until their ends are this share of the straight limb apart.
+/// Least distance between the ends of a bent arm or leg, as a fraction of the straight length.
 constexpr double folded = 0.5;
 constexpr std::array<std::array<const char*, 3>, 4> joints = {{{"left_shoulder", "left_elbow", "left_hand"},
                                                                {"right_shoulder", "right_elbow", "right_hand"},
                                                                {"left_hip", "left_knee", "left_foot"},
                                                                {"right_hip", "right_knee", "right_foot"}}};
 
-/// The fifteen points and twenty-one segments of classic mode, as tutorials have them.
+/// The fifteen points and twenty-one segments of classic mode, as in tutorials.
 template <class Real> World<2, Real> model() {
     World<2, Real> flat;
     flat.settings.mode = Mode::classic;
@@ -35,7 +35,7 @@ template <class Real> void tumble(World<3, Real>& world, int ragdolls) {
         std::vector<ParticleId> ids;
         for (Row row = 0; row < points; ++row) {
             const auto at = flat.particles.position[row];
-            // Thrown about, so that they tumble and come to the ends of their joints.
+            // Random velocities: ragdolls tumble into the limits of the joints.
             const auto throw_along = [&](int axis) {
                 return Real(3 * random::symmetric(1, std::uint64_t(axis), std::uint64_t(i) * points + row));
             };

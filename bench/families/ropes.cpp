@@ -9,7 +9,7 @@ namespace {
 
 constexpr int links = 20;
 
-/// Ropes of 2 m released level, 1 kg a link: they swing down.
+/// Ropes of 2 m released level, 1 kg per link, which swing down.
 template <class Real> void hang(World<3, Real>& world, int ropes) {
     reserve(world, {.particles = std::size_t(ropes) * (links + 1), .constraints = std::size_t(ropes) * links});
     for (int i = 0; i < ropes; ++i)

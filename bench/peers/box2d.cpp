@@ -2,7 +2,7 @@
 
 #include <box2d/box2d.h>
 
-/// Box2D 2.4 (Catto): bodies and distance joints, in its plane.
+/// Box2D 2.4 (Catto): bodies and distance joints, in the xy plane.
 namespace sinew::bench {
 namespace {
 

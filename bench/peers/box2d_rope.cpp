@@ -3,17 +3,17 @@
 #include <box2d/b2_draw.h>
 #include <box2d/b2_rope.h>
 
-/// The rope of Box2D 2.4 (Catto): position-based, made for nothing but single strands. It shows where it is only by
-/// being drawn.
+/// The rope of Box2D 2.4 (Catto): position-based, for single strands only. Positions are accessible only through
+/// drawing.
 namespace sinew::bench {
 namespace {
 
-/// Where a strand begins, and how many particles it has; they follow each other.
+/// First particle and number of consecutive particles of a strand.
 struct Strand {
     std::size_t first, count;
 };
 
-/// The strands that all of the work consists of; none where it is more than strands.
+/// Decomposes the work into strands; empty if impossible.
 std::vector<Strand> strands_of(const Work& work) {
     std::vector<Strand> strands;
     if (!work.struts.empty()) return {};

@@ -6,7 +6,7 @@
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
-/// Bullet 3 (Coumans), its soft body: one of nodes and links, as stiff as they get, undamped, collisions off.
+/// Bullet 3 (Coumans): a soft body of nodes and links, at maximal stiffness, undamped, without collisions.
 namespace sinew::bench {
 namespace {
 

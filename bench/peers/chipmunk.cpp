@@ -6,11 +6,11 @@
 #include <limits>
 #include <unistd.h>
 
-/// Chipmunk 7 (Lembcke): bodies, pin joints, and slide joints for limits, in its plane.
+/// Chipmunk 7 (Lembcke): bodies, pin joints, and slide joints for limits, in the xy plane.
 namespace sinew::bench {
 namespace {
 
-/// The space of Debian's Chipmunk greets on standard output, where results are told.
+/// Silences cpSpaceNew: Debian's Chipmunk prints a greeting on standard output, where results are printed.
 cpSpace* make_space() {
     std::fflush(stdout);
     const int kept = dup(STDOUT_FILENO), nowhere = open("/dev/null", O_WRONLY);

@@ -1,6 +1,6 @@
 #include "bench/simulation.h"
 
-/// Where no peers are built.
+/// Empty list of peers, for builds without SINEW_PEERS.
 namespace sinew::bench {
 
 std::span<const Solver> peers() {

@@ -5,7 +5,7 @@
 /// Other engines, from Debian's packages, on the same work. Built with -D SINEW_PEERS=ON.
 namespace sinew::bench {
 
-/// The list of peers. A new one is one new file here and one word.
+/// List of peers. A new peer takes one new file here and one word.
 #define SINEW_PEER_LIST(X) X(bullet) X(box2d) X(box2d_rope) X(chipmunk)
 
 namespace peer {

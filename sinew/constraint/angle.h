@@ -5,12 +5,14 @@
 
 namespace sinew {
 
-/// The turn at b on the way a -> b -> c, in radians: 0 where the three lie straight.   u = b - a,  v = c - b
+/// Angle between the directions a -> b and b -> c, radians; 0 where the three points are in line.
+///     u = b - a,  v = c - b
 ///
 ///     2D   C = atan2(u x v, u . v)      signed, counter-clockwise positive in a y-up frame, in (-pi, pi]
 ///     3D   C = atan2(|u x v|, u . v)    in [0, pi]
 ///
-/// dC = dtheta_v - dtheta_u, where turning a leg by its unit normal m over its length gives m / |leg|.
+/// Gradient: dC = dtheta_v - dtheta_u, and the direction of a leg changes by m / |leg| for a displacement of its end,
+/// where m is the unit normal of the leg.
 template <int D> struct Angle {
     static constexpr auto name = "angle";
     static constexpr int arity = 3;
@@ -27,7 +29,7 @@ template <int D> struct Angle {
     }
 
   private:
-    /// The turn, and the unit normals of u and v towards which it grows.
+    /// The angle, and the unit normals of u and v in the direction of increasing angle.
     template <class T> struct Turn {
         T angle;
         Vec<D, T> across_u, across_v;

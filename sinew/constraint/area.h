@@ -6,11 +6,11 @@
 
 namespace sinew {
 
-/// Signed area of a polygon, counter-clockwise positive in a y-up frame (the shoelace formula).
+/// Signed area of a polygon, counter-clockwise positive in a y-up frame (shoelace formula).
 ///
 ///     C = 1/2 sum x_i x x_(i+1)          dC/dx_i = 1/2 perp(x_(i-1) - x_(i+1))
 ///
-/// Points are taken relative to the first, so that a polygon far from the origin loses no precision.
+/// Coordinates are taken relative to the first point, so a polygon far from the origin keeps its precision.
 template <int D> struct Area {
     static constexpr auto name = "area";
     static constexpr int arity = any_arity;

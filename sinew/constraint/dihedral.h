@@ -5,14 +5,14 @@
 
 namespace sinew {
 
-/// The bend across the edge b c shared by the triangles a b c and d c b, in radians, in (-pi, pi]: 0 where they lie
-/// flat, positive where a and d are folded towards the side that both normals point to.
+/// Bending angle across the edge b c shared by the triangles a b c and d c b, radians, in (-pi, pi]. The angle is 0
+/// where the triangles are coplanar, positive where a and d are folded towards the side both normals point to.
 ///
 ///     e = c - b,   m = (b - a) x (c - a)   normal of a b c,   n = (c - d) x (b - d)   normal of d c b
 ///     C = atan2(-(m x n) . e/|e|, m . n)
 ///
-/// Gradient after Bridson, Marino and Fedkiw 2003: a moves along |e| m / |m|^2, d along |e| n / |n|^2, and b and c take
-/// the rest in proportion to where a and d stand along the edge.
+/// Gradient after Bridson, Marino and Fedkiw 2003: |e| m / |m|^2 for a, |e| n / |n|^2 for d. The gradients of b and c
+/// balance the sum, weighted by the positions of a and d along the edge.
 template <int D> struct Dihedral {
     static constexpr auto name = "dihedral";
     static constexpr int arity = 4;
@@ -26,7 +26,7 @@ template <int D> struct Dihedral {
         const auto m = cross(b - a, c - a), n = cross(c - d, b - d);
         const auto m1 = direction(m), n1 = direction(n);
         const T length = norm(e), per_length = inverse_or_zero(length);
-        const auto da = m1 * (length * inverse_or_zero(norm(m))); // |m| / |e| is a's height over the edge
+        const auto da = m1 * (length * inverse_or_zero(norm(m))); // |m| / |e| is the height of a over the edge
         const auto dd = n1 * (length * inverse_or_zero(norm(n)));
         const T a_along = dot(a - b, e) * per_length * per_length; // 0 at b, 1 at c
         const T d_along = dot(d - b, e) * per_length * per_length;

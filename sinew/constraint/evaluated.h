@@ -6,22 +6,21 @@
 #include <cstdint>
 #include <limits>
 
-/// What a constraint kind is: a struct that measures a few particles and knows the measure's gradient.
+/// A constraint kind is a struct that measures a few particles and gives the gradient of the measure.
 ///
-///     name              what scene files call it
-///     arity             how many particles; any_arity for as many as a constraint was given
-///     dimensions        {lowest, highest} dimension it exists in
-///     length_power      how the measure grows with size: 1 a length, 2 an area, 3 a volume, 0 an angle
-///     period            for angles: a whole turn; 0 for the rest
-///     sided             optional: true if it changes its sign in a mirror though its length_power and period do not
-///                       say so
-///     invariant         optional: false if moving or turning all particles together changes the measure; such a
-///                       constraint joins its particles to the world, and may take momentum
-///     drawn_as          optional: a line through its particles, or a fill between them; else it is not drawn
-///     evaluate(points)  the measure and its gradient with respect to each point
+///     name              name in scene files
+///     arity             number of particles; any_arity where each constraint has its own number
+///     dimensions        {lowest, highest} dimension the kind exists in
+///     length_power      power of length in the measure: 1 a length, 2 an area, 3 a volume, 0 an angle
+///     period            a whole turn for periodic angles; 0 otherwise
+///     sided             optional: true if mirroring flips the sign although length_power and period do not imply so
+///     invariant         optional: false if a rigid motion of all particles changes the measure; such a constraint
+///                       ties its particles to the world and need not conserve momentum
+///     drawn_as          optional: a line through the particles, or a filled polygon; not drawn by default
+///     evaluate(points)  the measure, and its gradient with respect to each point
 ///
-/// The scalar T is open: one number, a pack of lanes, or a dual number in tests. Degenerate points (coincident,
-/// collinear) give a zero gradient, never NaN; the solver knows what to do then.
+/// The scalar type T is open: a number, a SIMD pack, or a dual number in tests. Degenerate points (coincident,
+/// collinear) give a zero gradient, never NaN; the solver skips a constraint without a gradient.
 namespace sinew {
 
 inline constexpr int any_arity = 0;
@@ -33,7 +32,7 @@ struct Dimensions {
 
 enum class DrawnAs : std::uint8_t { nothing, line, fill };
 
-/// The optional members of a kind, with their defaults.
+/// Optional members of a kind, with their defaults.
 template <class Kind>
 inline constexpr bool is_invariant = [] {
     if constexpr (requires { Kind::invariant; }) return bool(Kind::invariant);

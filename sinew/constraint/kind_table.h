@@ -7,15 +7,15 @@
 #include <optional>
 #include <string_view>
 
-/// The list of kinds at run time, for scene files, schemas, messages and panels.
+/// Constraint kinds at run time, for scene files, schemas, messages and panels.
 namespace sinew {
 
 struct KindInfo {
     std::string_view name;
-    int least_arity = 0;    ///< number of particles, at least
-    bool any_arity = false; ///< more particles are allowed
+    int least_arity = 0;    ///< least number of particles
+    bool any_arity = false; ///< true if more than least_arity particles are allowed
     Dimensions dimensions;
-    bool angle = false; ///< radians in a world, degrees in a file
+    bool angle = false; ///< true if the measure is an angle: radians in a world, degrees in a file
     DrawnAs drawn_as = DrawnAs::nothing;
 };
 
@@ -43,11 +43,11 @@ template <class... Kind> constexpr std::array<std::string_view, sizeof...(Kind)>
 
 } // namespace detail
 
-/// Every kind, whatever its dimensions.
+/// All kinds, of every dimension.
 inline constexpr auto every_kind = detail::infos_of(EveryKind<2>{});
 inline constexpr auto kind_names = detail::names_of_kinds(EveryKind<2>{});
 
-/// The kinds of worlds of D dimensions. The index is `ConstraintId::kind`, and the number of the world's table.
+/// Kinds of D-dimensional worlds. The index is `ConstraintId::kind` and the index of the world's table.
 template <int D> inline constexpr auto kinds_in = detail::infos_of(Kinds<D>{});
 
 constexpr std::optional<KindInfo> kind_called(std::string_view name) {
@@ -56,7 +56,7 @@ constexpr std::optional<KindInfo> kind_called(std::string_view name) {
                                      : std::optional(every_kind[std::size_t(found - kind_names.begin())]);
 }
 
-/// The position of a name in `kinds_in<D>`; -1 where there is none.
+/// Index of a name in `kinds_in<D>`, or -1.
 template <int D> constexpr int kind_index(std::string_view name) {
     for (std::size_t i = 0; i < kinds_in<D>.size(); ++i)
         if (kinds_in<D>[i].name == name) return int(i);

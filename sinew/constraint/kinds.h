@@ -22,11 +22,11 @@ template <class... Types> struct TypeList {
         return found;
     }();
 
-    /// Calls visit with a value-less tag of each type, in order.
+    /// Calls visit(std::type_identity<Type>{}) for each type, in order.
     template <class Visit> static constexpr void for_each(Visit&& visit) { (visit(std::type_identity<Types>{}), ...); }
 };
 
-/// The list of constraint kinds. A new kind is one new file, and here its header and one word.
+/// The list of constraint kinds. A new kind is one new header, included here, and one word in this list.
 template <int D> using EveryKind = TypeList<Distance<D>, Angle<D>, Area<D>, Volume<D>, Dihedral<D>, Pulley<D>, Rail<D>>;
 
 namespace detail {
@@ -44,10 +44,10 @@ auto in_dimension(TypeList<Kind...>) -> typename InDimension<D, TypeList<>, Kind
 
 } // namespace detail
 
-/// The kinds that exist in D dimensions, in the order of the list: a world has a table for each.
+/// Kinds that exist in D dimensions, in list order. A world has one table for each.
 template <int D> using Kinds = decltype(detail::in_dimension<D>(EveryKind<D>{}));
 
-/// Where a kind stands in the list of its dimension: kind_number<Distance, 2>.
+/// Index of a kind in the list of its dimension: kind_number<Distance, 2>.
 template <template <int> class Kind, int D> inline constexpr int kind_number = Kinds<D>::template index_of<Kind<D>>;
 
 } // namespace sinew

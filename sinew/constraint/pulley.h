@@ -6,10 +6,11 @@
 
 namespace sinew {
 
-/// Length of the way from the first particle over those between to the last: of a rope that runs freely over all but
-/// its ends.            C = sum |x_(i+1) - x_i|
+/// Length of the polyline through all particles: a rope that slides freely over every particle but the first and the
+/// last.
+///                       C = sum |x_(i+1) - x_i|
 ///
-/// Over one point it is a pulley; to a block and back, a tackle that pulls twice as hard; and so on.
+/// Three particles make a pulley. A rope that runs to a block and back is a tackle, with twice the force.
 template <int D> struct Pulley {
     static constexpr auto name = "pulley";
     static constexpr int arity = any_arity;

@@ -5,13 +5,13 @@
 
 namespace sinew {
 
-/// How far the particle p is from the line through a and b, positive to the left of the way from a to b where y is up:
-/// 0 is a slider on a rail, limits are a slot.   u = (b - a) / |b - a|
+/// Signed distance of the particle p from the line through a and b, positive to the left of the direction a -> b where
+/// y is up. A rest value of 0 is a slider on a rail; limits make a slot.   u = (b - a) / |b - a|
 ///
 ///     C = u x (p - a)        t = u . (p - a) / |b - a|
 ///     dC/dp = perp(u)        dC/da = -(1 - t) perp(u)        dC/db = -t perp(u)
 ///
-/// A line shorter than a millionth of the way to p is none: t is held there.
+/// The parameter t is clamped to +-1e6, which matters where a and b nearly coincide.
 template <int D> struct Rail {
     static constexpr auto name = "rail";
     static constexpr int arity = 3;

@@ -4,7 +4,7 @@
 
 #include <array>
 
-/// Smooth curves through and along points; t runs from 0 to 1.
+/// Bezier and Catmull-Rom curves, with parameter t in [0, 1].
 namespace sinew {
 
 ///     B(t) = (1-t)^2 a + 2 (1-t) t b + t^2 c
@@ -31,14 +31,14 @@ template <int D, class T> struct CubicBezier {
     }
 };
 
-/// The same curve, one degree higher.
+/// Degree elevation: the quadratic curve as a cubic one.
 template <int D, class T> constexpr CubicBezier<D, T> elevated(const QuadraticBezier<D, T>& low) {
     constexpr T part = T(2) / 3;
     return {low.a, low.a + (low.b - low.a) * part, low.c + (low.b - low.c) * part, low.c};
 }
 
-/// The piece from b to c of the smooth curve through a, b, c, d (Catmull and Rom 1974): its tangent in b is that from a
-/// to c. At an end of the curve, where there is no further point, the end itself stands in for it.
+/// Segment from b to c of the Catmull-Rom spline through a, b, c, d (Catmull and Rom 1974): the tangent at b is
+/// parallel to c - a. Where the curve ends and a further point is missing, pass the end point itself in its place.
 template <int D, class T>
 constexpr CubicBezier<D, T> catmull_rom(const Vec<D, T>& a, const Vec<D, T>& b, const Vec<D, T>& c,
                                         const Vec<D, T>& d) {
@@ -46,8 +46,8 @@ constexpr CubicBezier<D, T> catmull_rom(const Vec<D, T>& a, const Vec<D, T>& b, 
     return {b, b + (c - a) * sixth, c - (d - b) * sixth, c};
 }
 
-/// How long a curve is from t = 0 to t: five-point Gauss-Legendre quadrature of |B'| in each of eight parts, good to a
-/// millionth for the gently bent.
+/// Arc length from 0 to t: five-point Gauss-Legendre quadrature of |B'| on eight equal parts. Relative error about 1e-6
+/// for gently bent curves.
 template <template <int, class> class Curve, int D, class T> T arc_length(const Curve<D, T>& curve, T t = T(1)) {
     struct Node {
         T place, weight;

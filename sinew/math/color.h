@@ -11,10 +11,11 @@ struct Color {
     friend constexpr bool operator==(const Color&, const Color&) = default;
 };
 
-/// #rgb, #rrggbb, #rrggbbaa, "none" (fully transparent) or a name of CSS (color_names.h); nothing for other text.
+/// Parses #rgb, #rrggbb, #rrggbbaa, "none" (fully transparent) or a CSS colour name (color_names.h). Returns nothing
+/// for any other text.
 std::optional<Color> parse_color(std::string_view text);
 
-/// a + (b - a) t, channel by channel.
+/// Linear interpolation a + (b - a) t of each channel.
 constexpr Color mix(const Color& a, const Color& b, float t) {
     return {a.red + (b.red - a.red) * t, a.green + (b.green - a.green) * t, a.blue + (b.blue - a.blue) * t,
             a.alpha + (b.alpha - a.alpha) * t};

@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// A running hash of plain data: XXH3, 64 bits, each piece seeded with the hash so far. Bytes are hashed as they lie in
-/// memory, on the little-endian machines this runs on.
+/// Running hash of plain data: XXH3, 64 bits, each piece seeded with the hash of the pieces before. Bytes are hashed in
+/// memory order; all supported machines are little-endian.
 class Hash {
   public:
     void add(std::span<const std::byte> bytes);

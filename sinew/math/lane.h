@@ -9,9 +9,10 @@
 #include <immintrin.h>
 #endif
 
-/// Several numbers at once. A pack of one is the number itself, and +, -, *, /, comparisons, `a < b ? a : b` and the
-/// functions below mean the same for both: text written on an open type V runs on either, lane by lane in the same
-/// bits. Everything here has internal linkage: each file that includes it may be compiled for other processors.
+/// Packs of numbers for SIMD code. A pack of width 1 is the plain number; +, -, *, /, comparisons, `a < b ? a : b` and
+/// the functions below mean the same for both. Code templated on an open type V therefore runs on either and gives the
+/// same bits in every lane. All names here have internal linkage, because each including file may be compiled for
+/// another instruction set.
 namespace sinew {
 namespace {
 namespace lane {
@@ -22,7 +23,7 @@ template <class Real, int width> struct PackOf {
 template <class Real> struct PackOf<Real, 1> { using type = Real; };
 template <class Real, int width> using Pack = typename PackOf<Real, width>::type;
 
-/// The widest pack of the processor that this file is compiled for.
+/// Widest pack, in bytes, of the instruction set this file is compiled for.
 #if defined(SINEW_ONE_LANE)
 inline constexpr int bytes = 0;
 #elif defined(__AVX512F__)
@@ -42,7 +43,7 @@ template <class V, class Real> [[gnu::always_inline]] inline V load(const Real* 
 template <class V, class Real> [[gnu::always_inline]] inline void store(Real* to, const V& pack) {
     __builtin_memcpy(to, &pack, sizeof pack);
 }
-/// The same number in every lane.
+/// Broadcasts a number to every lane.
 template <class V, class Real> [[gnu::always_inline]] inline V spread(Real number) {
     return number - V{};
 }
@@ -71,7 +72,7 @@ template <class V, class Real> [[gnu::always_inline]] inline V spread(Real numbe
 #endif
 #if defined(__AVX512F__)
 [[gnu::always_inline]] inline Pack<float, 16> root(Pack<float, 16> x) {
-    return _mm512_maskz_sqrt_ps(0xffff, x); // g++ 12 warns of the plain one
+    return _mm512_maskz_sqrt_ps(0xffff, x); // the unmasked intrinsic draws a warning from g++ 12
 }
 [[gnu::always_inline]] inline Pack<double, 8> root(Pack<double, 8> x) {
     return _mm512_maskz_sqrt_pd(0xff, x);
@@ -90,7 +91,7 @@ template <class V> [[gnu::always_inline]] inline V most(V a, V b) {
     return a < b ? b : a;
 }
 #if defined(__AVX2__)
-// g++ 12 takes two instructions where one does exactly that
+// g++ 12 emits two instructions for the generic form; min and max have the same meaning, NaN included.
 [[gnu::always_inline]] inline Pack<float, 8> least(Pack<float, 8> a, Pack<float, 8> b) {
     return _mm256_min_ps(b, a);
 }
@@ -121,7 +122,7 @@ template <class V, class Real> [[gnu::always_inline]] inline void put_lane(V& pa
         pack[i] = number;
 }
 
-/// Numbers from anywhere in a column, and back; as many as there are lanes.
+/// Gathers one number for each lane from the indices `at` of a column; `scatter` writes them back.
 template <class V, class Real> [[gnu::always_inline]] inline V gather(const Real* column, const unsigned* at) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
@@ -157,7 +158,7 @@ template <class V, class Real>
     for (unsigned i = 0; i < sizeof(V) / sizeof(Real); ++i) column[at[i]] = numbers[i];
 }
 
-/// Whether a comparison holds in some lane.
+/// True if the comparison holds in at least one lane.
 [[gnu::always_inline]] inline bool any(bool holds) {
     return holds;
 }
@@ -186,7 +187,7 @@ template <class Mask> [[gnu::always_inline]] inline bool any(const Mask& holds) 
     }
 }
 
-/// Whether a number is less than the other's in some lane.
+/// True if a < b in at least one lane.
 template <class V> [[gnu::always_inline]] inline bool any_less(const V& a, const V& b) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(V) == 64) {
@@ -207,7 +208,7 @@ template <class V, std::size_t packs> [[gnu::always_inline]] inline bool any_les
     return any(less);
 }
 
-/// Stores the first `count` lanes and touches nothing behind them.
+/// Stores the first `count` lanes; memory behind them is not touched.
 template <class V, class Real> [[gnu::always_inline]] inline void store_first(Real* to, const V& pack, int count) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
@@ -230,7 +231,7 @@ template <class V, class Real> [[gnu::always_inline]] inline void store_first(Re
     }
 }
 
-/// Stores all lanes, or the first `count`, each `apart` numbers from the one before, and touches nothing in between.
+/// Strided store of all lanes, or of the first `count`: lane i goes to to[i * apart]. Memory in between is not touched.
 template <bool all, class V, class Real>
 [[gnu::always_inline]] inline void put_apart(Real* to, const V& pack, int count, std::size_t apart) {
 #if defined(__AVX512F__)
@@ -251,7 +252,7 @@ template <bool all, class V, class Real>
         for (int i = 0; i < count; ++i) to[std::size_t(i) * apart] = lane_of(pack, i);
 }
 
-/// The first `count` lanes, and another number in those behind them.
+/// The first `count` lanes of the pack, and the number `behind` in all lanes after.
 template <class V, class Real> [[gnu::always_inline]] inline V first_lanes(const V& pack, int count, Real behind) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
@@ -274,7 +275,7 @@ template <class V, class Real> [[gnu::always_inline]] inline V first_lanes(const
     }
 }
 
-/// Stores a pack: all lanes, or the first `count`.
+/// Stores all lanes, or the first `count`.
 template <bool all, class V, class Real> [[gnu::always_inline]] inline void put(Real* to, const V& pack, int count) {
     if constexpr (all)
         store(to, pack);

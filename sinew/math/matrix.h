@@ -4,7 +4,7 @@
 
 namespace sinew {
 
-/// A square matrix, as its columns.
+/// A square matrix, stored as columns.
 template <int D, class T> struct Matrix {
     std::array<Vec<D, T>, D> column{};
 
@@ -38,14 +38,14 @@ template <int D, class T> constexpr Matrix<D, T> operator*(const Matrix<D, T>& a
     return product;
 }
 
-/// a b^T
+/// Outer product a b^T.
 template <int D, class T> Matrix<D, T> outer(const Vec<D, T>& a, const Vec<D, T>& b) {
     Matrix<D, T> m;
     for (int i = 0; i < D; ++i) m.column[std::size_t(i)] = a * b[i];
     return m;
 }
 
-/// Zero where m is singular.
+/// Inverse of m, or the zero matrix where m is singular.
 template <class T> constexpr Matrix<2, T> inverse(const Matrix<2, T>& m) {
     const auto& [x, y] = m.column;
     const T determinant = cross(x, y);

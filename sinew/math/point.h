@@ -4,8 +4,8 @@
 
 namespace sinew {
 
-/// A place or a direction in a scene of 2 or 3 dimensions, which is known only once the scene is read. In 2D the third
-/// number stays 0.
+/// A point or a direction in a scene of 2 or 3 dimensions, where the dimension is known only at run time. The third
+/// component is 0 in 2D.
 struct Point {
     std::array<double, 3> component{};
 

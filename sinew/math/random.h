@@ -4,8 +4,9 @@
 
 namespace sinew {
 
-/// Counter-based random numbers: the n-th number of a stream is a pure function of (seed, stream, n), so nothing has to
-/// be stored, restored or drawn in order. The mixing is splitmix64's finaliser (Steele, Lea and Flood 2014).
+/// Counter-based random numbers: the n-th number of a stream is a pure function of (seed, stream, n). A generator has
+/// no state to store or restore, and numbers can be drawn in any order. Mixing: the finaliser of splitmix64 (Steele,
+/// Lea and Flood 2014).
 namespace random {
 
 constexpr std::uint64_t mix(std::uint64_t x) {
@@ -29,7 +30,7 @@ template <class Real = double> constexpr Real symmetric(std::uint64_t seed, std:
     return Real(2) * uniform<Real>(seed, stream, n) - Real(1);
 }
 
-/// A whole number in [low, high], each equally likely but for a bias below 2^-32.
+/// A random integer in [low, high]. All values are equally likely up to a bias below 2^-32.
 constexpr std::int64_t whole(std::int64_t low, std::int64_t high, std::uint64_t seed, std::uint64_t stream,
                              std::uint64_t n) {
     const auto choices = std::uint64_t(high - low) + 1;

@@ -5,20 +5,20 @@
 #include <span>
 #include <string_view>
 
-/// A record is a struct that says, once, what its fields are called, what they measure and which values make sense:
+/// A record is a struct that states once the names, units and valid ranges of its fields:
 ///
 ///     struct Rope {
 ///         int segments = 20;
 ///         template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-///             visit(self.segments, Field{.name = "segments", .help = "How many links", .low = 1, .high = 100000});
+///             visit(self.segments, Field{.name = "segments", .help = "Number of links", .low = 1, .high = 100000});
 ///         }
 ///     };
 ///
-/// Reading it from a scene file, checking its ranges, `sinew describe`, the JSON Schema, sliders and web forms all walk
-/// `fields`; a default is the member's initialiser.
+/// Scene reading, range checks, `sinew describe`, the JSON Schema, sliders and web forms all walk `fields`. The default
+/// of a field is its member initialiser.
 namespace sinew {
 
-/// What a number measures, as powers of length, mass and time; files write it in the units their scene states.
+/// Unit of a number, as powers of length, mass and time. A file states numbers in the units its scene declares.
 struct Unit {
     int length = 0, mass = 0, time = 0;
     bool angle = false; ///< degrees in a file, radians in the program
@@ -36,17 +36,17 @@ inline constexpr Unit speed{.length = 1, .time = -1};
 inline constexpr Unit acceleration{.length = 1, .time = -2};
 inline constexpr Unit force{.length = 1, .mass = 1, .time = -2};
 inline constexpr Unit impulse{.length = 1, .mass = 1, .time = -1};
-inline constexpr Unit drag{.mass = 1, .time = -1};       ///< force over speed
-inline constexpr Unit compliance{.mass = -1, .time = 2}; ///< length over force: 1/k of a spring
+inline constexpr Unit drag{.mass = 1, .time = -1};       ///< force / speed
+inline constexpr Unit compliance{.mass = -1, .time = 2}; ///< length / force: 1/k of a spring
 } // namespace unit
 
 struct Field {
     std::string_view name = {};
-    std::string_view help = {}; ///< one line
+    std::string_view help = {}; ///< a single line
     Unit unit = {};
-    double low = -std::numeric_limits<double>::infinity(); ///< smallest value allowed, in the field's own unit
+    double low = -std::numeric_limits<double>::infinity(); ///< lowest value allowed, in SI units and radians
     double high = std::numeric_limits<double>::infinity();
-    std::span<const std::string_view> choices = {}; ///< for a string: the words allowed; empty allows any
+    std::span<const std::string_view> choices = {}; ///< the words a string field allows; empty allows any
     bool required = false;
 };
 

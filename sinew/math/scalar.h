@@ -4,8 +4,8 @@
 #include <concepts>
 #include <limits>
 
-/// Scalar helpers that give the same bits on every machine: only +, -, *, /, sqrt and comparisons, all of which IEEE
-/// 754 rounds in one way. Nothing here calls a libm function whose result differs between platforms.
+/// Scalar helpers that give the same bits on every machine: only +, -, *, /, sqrt and comparisons, which IEEE 754
+/// rounds in exactly one way. No function here calls a libm function whose result depends on the platform.
 namespace sinew {
 
 template <std::floating_point T> inline constexpr T pi = T(3.14159265358979323846L);
@@ -22,7 +22,7 @@ template <class T> constexpr T maximum(T a, T b) {
     return a < b ? b : a;
 }
 
-/// x held within [low, high]; not-a-number becomes low, so that what was clamped is always finite.
+/// x clamped to [low, high]. NaN becomes low, so the result is always finite for finite bounds.
 template <class T> constexpr T clamp(T x, T low, T high) {
     return minimum(high, maximum(low, x));
 }
@@ -35,8 +35,8 @@ template <class T> constexpr T square(T x) {
     return x * x;
 }
 
-/// 1/x, and 0 where x is zero, negative or so small that 1/x would overflow. The one guard of every division in a
-/// constraint.
+/// 1/x, or 0 where x is zero, negative or so small that 1/x would overflow. Every division in a constraint goes through
+/// this guard.
 template <std::floating_point T> constexpr T inverse_or_zero(T x) {
     return x >= std::numeric_limits<T>::min() ? T(1) / x : T(0);
 }

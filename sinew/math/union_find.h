@@ -7,7 +7,8 @@
 
 namespace sinew {
 
-/// Sets that join: each begins as one element.
+/// Disjoint sets (union-find) with path halving; each element begins as a set of one. The smallest element represents a
+/// set.
 class UnionFind {
   public:
     explicit UnionFind(std::size_t elements) : parent_(elements) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -17,7 +18,7 @@ class UnionFind {
         return i;
     }
 
-    /// False if they were together before.
+    /// Merges the sets of a and b. False if a and b were already in one set.
     bool join(std::size_t a, std::size_t b) {
         a = first_of(a);
         b = first_of(b);

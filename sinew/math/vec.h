@@ -66,7 +66,7 @@ template <int D, class T> T distance(const Vec<D, T>& a, const Vec<D, T>& b) {
     return norm(b - a);
 }
 
-/// a / |a|, or zero where a has no length.
+/// a / |a|, or the zero vector where |a| is 0.
 template <int D, class T> Vec<D, T> direction(const Vec<D, T>& a) {
     return a * inverse_or_zero(norm(a));
 }
@@ -80,12 +80,12 @@ template <class T> constexpr Vec<3, T> cross(const Vec<3, T>& a, const Vec<3, T>
     return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
-/// a turned by +90 degrees (counter-clockwise in a y-up frame).
+/// a rotated by +90 degrees (counter-clockwise in a y-up frame).
 template <class T> constexpr Vec<2, T> perpendicular(const Vec<2, T>& a) {
     return {{-a[1], a[0]}};
 }
 
-/// Each component held within [-limit, limit].
+/// Each component clamped to [-limit, limit].
 template <int D, class T> constexpr Vec<D, T> clamp_components(const Vec<D, T>& a, T limit) {
     return Vec<D, T>::map([&](int i) { return clamp(a[i], -limit, limit); });
 }
@@ -96,7 +96,7 @@ template <int D, class T> constexpr bool is_finite(const Vec<D, T>& a) {
     return true;
 }
 
-/// The same vector in another precision.
+/// Conversion to another precision.
 template <class To, int D, class From> constexpr Vec<D, To> cast(const Vec<D, From>& a) {
     return Vec<D, To>::map([&](int i) { return To(a[i]); });
 }

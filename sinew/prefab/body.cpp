@@ -15,7 +15,9 @@ std::vector<Joint> posed(std::span<const Joint> joints, std::span<const PoseTurn
             const double angle = degrees * pi<double> / 180, c = cosine(angle), s = sine(angle);
             while (++beyond != limb.end()) {
                 const auto joint = find(*beyond);
-                const double x = joint->x - hinge.x, y = joint->y - hinge.y; // y down: as seen, the other way round
+                const double x = joint->x - hinge.x,
+                             y = joint->y - hinge.y; // y points down, so a turn that is counter-clockwise on screen has
+                                                     // the opposite sign here
                 joint->x = hinge.x + c * x + s * y;
                 joint->y = hinge.y - s * x + c * y;
             }

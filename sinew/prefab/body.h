@@ -8,47 +8,50 @@
 #include <string_view>
 #include <vector>
 
-/// Bodies are tables: of joints, of bones between them, of how far they bend, and of what to draw. Places, widths and
-/// radii are in the tables' own unit, x right and y DOWN, as their sources have them; left and right are the screen's.
+/// A body is a set of tables: joints, bones between joints, limits of bending angles, and parts to draw. Positions,
+/// widths and radii are in the table's own unit, x right and y DOWN as in the sources; left and right are those of the
+/// screen.
 namespace sinew {
 
-/// Whether a row belongs to the rig of one mode only.
+/// Mode in which a row of a table is used.
 enum class Rig : char { both, classic, physical };
 
 struct Joint {
     std::string_view name;
     double x, y;
-    double share;      ///< of the body's mass, in percent
-    double radius = 0; ///< how far it stays away from walls
+    double share;      ///< share of the body's mass, percent
+    double radius = 0; ///< collision radius, table units
     Rig rig = Rig::both;
-    double z = 0; ///< in space: towards the front
+    double z = 0; ///< 3D only: depth, positive towards the front
 };
 
 struct Bone {
     std::string_view name, from, to;
     std::string_view part;
-    double classic_width, width; ///< as drawn; 0: a support, drawn only when asked for
+    double classic_width, width; ///< line width as drawn; 0: a support, drawn only on request
     Rig rig = Rig::both;
-    double least = 1, most = 1; ///< how far apart its ends may be, as shares of their distance in the table
+    double least = 1, most = 1; ///< range of the distance between the ends, as shares of the distance in the table
 };
 
-/// The turn at `at` on the way from -> at -> to stays in a range: degrees, counter-clockwise as seen on screen.
+/// Range of the angle at `at` between the directions from -> at and at -> to, degrees, counter-clockwise on screen.
 struct Bend {
     std::string_view name, from, at, to;
     double least, most;
     Rig rig = Rig::both;
 };
 
-/// In space: a limb bends to one side only. The volume of four particles, as a share of the product of the lengths
-/// from the first to the others as the table has them (a sixth of it), stays in a range: the sine of the turn from the
-/// third to the fourth about the line from the first to the second, if all are square to that line.
+/// A 3D limit that lets a limb bend to one side only: a range of the tetrahedron's volume. The volume is stated as a
+/// share of a sixth of the product of the lengths from the first particle to the other three, as the table has them.
+/// Where these edges are perpendicular to the axis first -> second, the share is the sine of the angle from the third
+/// particle to the fourth about the axis.
 struct Fold {
     std::string_view name;
     std::array<std::string_view, 4> between;
     double least, most;
 };
 
-/// Turns what hangs on a joint about it, before the body is built: degrees, counter-clockwise as seen on screen.
+/// Rotation, about a joint, of the joints further along the same limb, applied before the body is built; degrees,
+/// counter-clockwise on screen.
 struct PoseTurn {
     std::string_view at;
     double degrees;
@@ -65,13 +68,13 @@ struct Body {
     }
 };
 
-/// Limbs as rows of joints; a turn at one of them moves those behind it.
+/// Limbs as rows of joints, from the trunk outwards; a rotation at a joint moves the joints after it.
 inline constexpr std::array<std::array<std::string_view, 3>, 4> limbs{{{"left_shoulder", "left_elbow", "left_hand"},
                                                                        {"right_shoulder", "right_elbow", "right_hand"},
                                                                        {"left_hip", "left_knee", "left_foot"},
                                                                        {"right_hip", "right_knee", "right_foot"}}};
 
-/// The joints of a table in a pose, in the order of the table.
+/// Joints of a table in a pose, in table order.
 std::vector<Joint> posed(std::span<const Joint> joints, std::span<const PoseTurn> pose);
 
 constexpr bool shares_are_whole(std::span<const Joint> joints, Rig rig) {
@@ -81,14 +84,14 @@ constexpr bool shares_are_whole(std::span<const Joint> joints, Rig rig) {
     return absolute(sum - 100) < 1e-9;
 }
 
-/// A place of a body's table in the prefab's frame.
+/// Position of a joint in the prefab's frame.
 template <int D> Vec<D, double> place_of(const Joint& joint, double scale) {
     auto place = on_screen<D>(scale * joint.x, -scale * joint.y);
     if constexpr (D == 3) place[2] = scale * joint.z;
     return place;
 }
 
-/// The row of a name in a body's table. Tables only ask for names they have.
+/// Joint of a given name. The name must be in the table.
 inline const Joint& joint_of(const Body& body, std::string_view name) {
     return *std::find_if(body.joints.begin(), body.joints.end(),
                          [&](const Joint& joint) { return joint.name == name; });
@@ -98,7 +101,7 @@ template <int D> double length_in_table(const Body& body, const Bone& bone, doub
     return distance(place_of<D>(joint_of(body, bone.from), scale), place_of<D>(joint_of(body, bone.to), scale));
 }
 
-/// Builds the rows of a body that belong to the builder's mode.
+/// Builds the rows of a body that the builder's mode uses.
 template <int D, class Real>
 void build_body(Builder<D, Real>& figure, const Body& body, double scale, double mass,
                 std::span<const PoseTurn> pose = {}) {

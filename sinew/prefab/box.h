@@ -8,8 +8,9 @@
 
 namespace sinew {
 
-/// Four corners about the point where it stands: top_left, top_right, bottom_right, bottom_left. Constraints top,
-/// right, bottom, left, then diagonal (top left to bottom right) and other_diagonal.
+/// Four corners around the figure's position: particles top_left, top_right, bottom_right, bottom_left. Constraints
+/// top, right, bottom, left (in classic mode left comes first), then diagonal (top left to bottom right) and
+/// other_diagonal.
 struct Box {
     static constexpr std::string_view name = "box";
     static constexpr std::string_view about = "A crate: four corners, four edges, one or two braces across.";
@@ -26,24 +27,26 @@ struct Box {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         constexpr double least = 1e-6, most = 1e6;
-        visit(self.width,
-              Field{.name = "width", .help = "From left to right", .unit = unit::length, .low = least, .high = most});
-        visit(self.height,
-              Field{.name = "height", .help = "From top to bottom", .unit = unit::length, .low = least, .high = most});
-        visit(self.braces, Field{.name = "braces",
-                                 .help = "Diagonals: one from the top left to the bottom right, both, or none, "
-                                         "which lets it fold",
-                                 .choices = bracings});
+        visit(self.width, Field{.name = "width", .help = "Width", .unit = unit::length, .low = least, .high = most});
+        visit(self.height, Field{.name = "height", .help = "Height", .unit = unit::length, .low = least, .high = most});
+        visit(
+            self.braces,
+            Field{.name = "braces",
+                  .help = "Diagonals: one from the top left to the bottom right, both, or none (the box can then fold)",
+                  .choices = bracings});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How soft edges and diagonals are; 0 is rigid",
+                                     .help = "Compliance of edges and diagonals; 0 is rigid",
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e9});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
-        visit(self.thickness,
-              Field{.name = "thickness", .help = "Of the drawn edges", .unit = unit::length, .low = 0, .high = most});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.thickness, Field{.name = "thickness",
+                                    .help = "Thickness of the drawn edges",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = most});
         visit(self.dot, Field{.name = "dot",
-                              .help = "Diameter of the corners, which stay half of it away from walls",
+                              .help = "Diameter of the corners; collision radius is half",
                               .unit = unit::length,
                               .low = 0,
                               .high = most});

@@ -9,8 +9,8 @@ Sizes Bridge::sizes() const {
 }
 
 template <int D, class Real> void Bridge::build(Builder<D, Real>& figure) const {
-    const double rope_share = rail > 0 ? 0.05 : 0; // of the mass
-    constexpr double rope_width = 0.3;             // of the thickness of the planks
+    const double rope_share = rail > 0 ? 0.05 : 0; // share of the mass
+    constexpr double rope_width = 0.3;             // share of the planks' thickness
     const double length = span * (1 + slack), plank = length / planks;
     Strand strand{.pieces = planks,
                   .length = length,

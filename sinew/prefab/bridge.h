@@ -4,12 +4,14 @@
 
 namespace sinew {
 
-/// Planks joined end to end between two banks, standing on the left one. Particles joint_0 (also called left_bank),
-/// ..., the last also called right_bank; constraints plank_0 (joint_0 to joint_1), .... With a rail also rail_0, ...
-/// above the joints, held above the banks; rail_link_0, ... between them and hanger_0 (joint_1 to rail_1), ....
+/// A bridge of planks joined end to end between two banks, positioned by the left bank. Particles joint_0 (also called
+/// left_bank), ..., the last also called right_bank; constraints plank_0 (joint_0 to joint_1), .... A rail adds
+/// particles rail_0, ... above the joints, held above the banks, constraints rail_link_0, ... along the rail, and
+/// hanger_0 (joint_1 to rail_1), ....
 struct Bridge {
     static constexpr std::string_view name = "bridge";
-    static constexpr std::string_view about = "Planks that hang between two banks, with or without a rail of rope.";
+    static constexpr std::string_view about =
+        "A bridge of planks hanging between two banks, with or without a rail of rope.";
     static constexpr Dimensions dimensions{2, 3};
 
     double span = 4;
@@ -21,21 +23,24 @@ struct Bridge {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         constexpr double least = 1e-6, most = 1e6;
-        visit(self.span,
-              Field{.name = "span", .help = "From bank to bank", .unit = unit::length, .low = least, .high = most});
-        visit(self.planks, Field{.name = "planks", .help = "How many", .low = 2, .high = 1e9});
+        visit(self.span, Field{.name = "span",
+                               .help = "Distance between the banks",
+                               .unit = unit::length,
+                               .low = least,
+                               .high = most});
+        visit(self.planks, Field{.name = "planks", .help = "Number of planks", .low = 2, .high = 1e9});
         visit(self.slack, Field{.name = "slack",
-                                .help = "How much longer it is than the way between the banks: 0.1 is a tenth",
+                                .help = "Excess of the length over the distance between the banks: 0.1 is 10 %",
                                 .low = 0,
                                 .high = 100});
         visit(self.rail, Field{.name = "rail",
-                               .help = "How high above the planks a rope runs; 0: there is none",
+                               .help = "Height of a rope above the planks; 0 for no rope",
                                .unit = unit::length,
                                .low = 0,
                                .high = most});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.thickness, Field{.name = "thickness",
-                                    .help = "Of a plank; it stays half of it away from walls",
+                                    .help = "Thickness of a plank; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = most});

@@ -9,26 +9,27 @@
 #include <string_view>
 #include <vector>
 
-/// What prefabs build with: a figure under construction in a world. A prefab works in its own frame (x right, y up,
-/// metres by default); the builder places it: scaled units are already in the parameters, `Placement` turns and moves.
+/// A figure under construction in a world. A prefab works in a frame of its own: x right, y up, lengths already in the
+/// world's unit (metres by default). The builder transforms the frame into the world by a `Placement`.
 namespace sinew {
 
-/// Where a figure stands: its frame's origin and a turn about it; `up` is -1 in worlds whose y axis points down.
+/// Transform from a figure's frame to the world: origin and rotation; `up` is -1 in worlds whose y axis points down.
 template <int D, class Real> struct Placement {
     Vec<D, Real> at{};
-    double turn = 0; ///< radians, counter-clockwise as seen on screen; about z in 3D
+    double turn = 0; ///< radians, counter-clockwise on screen; about z in 3D
     int up = 1;
 
     Vec<D, Real> place(const Vec<D, double>& local) const { return Frame(*this).place(local); }
 
-    /// The same, for many places.
+    /// The same transform with sine and cosine evaluated once, for many points.
     class Frame {
       public:
         explicit Frame(const Placement& placement)
             : at_(placement.at), cosine_(cosine(placement.turn)), sine_(sine(placement.turn)), up_(placement.up) {}
 
         Vec<D, Real> place(const Vec<D, double>& local) const { return at_ + cast<Real>(turned(local)); }
-        /// What rounding takes from it: links shorter than a float's grain is fine would begin slack or stretched.
+        /// Rounding error of `place`. Kept with the particle, because a link shorter than the resolution of float at
+        /// its position would otherwise begin slack or stretched.
         Vec<D, Real> residual(const Vec<D, double>& local) const {
             return cast<Real>(cast<double>(at_) + turned(local) - cast<double>(place(local)));
         }
@@ -47,7 +48,7 @@ template <int D, class Real> struct Placement {
     };
 };
 
-/// A place in the plane of the screen, in any dimension.
+/// A point in the plane of the screen, in any dimension.
 template <int D> constexpr Vec<D, double> on_screen(double x, double y) {
     Vec<D, double> place;
     place[0] = x;
@@ -55,21 +56,21 @@ template <int D> constexpr Vec<D, double> on_screen(double x, double y) {
     return place;
 }
 
-/// A breaking strain as prefabs take it, where 0 means that nothing tears.
+/// Breaking strain of a prefab's field, where 0 means unbreakable, as the solver takes it.
 inline double tears_beyond(double strain) {
     return strain > 0 ? strain : std::numeric_limits<double>::infinity();
 }
 
-/// How slowly something tears that has a breaking strain.
+/// Field shared by every prefab with a breaking strain.
 inline constexpr Field toughness_field{.name = "toughness",
-                                       .help = "Strain beyond breaking_strain, times time, that it bears before it "
-                                               "tears: 0.1 is a tenth too far for a second; 0 tears at once",
+                                       .help = "Time integral of the strain above breaking_strain needed to tear: 0.1 "
+                                               "is an excess of 10 % for one second; 0 tears at once",
                                        .unit = unit::time,
                                        .low = 0,
                                        .high = 1e6};
 
-/// Whether a measure changes its sign in a mirror: signed angles do, and areas in the plane, and volumes in space, and
-/// what says so.
+/// True if mirroring flips the sign of a measure: signed angles, areas in 2D, volumes in 3D, and kinds that declare
+/// `sided`.
 template <class Kind, int D> inline constexpr bool mirrors = Kind::period > 0 || Kind::length_power == D || requires {
     Kind::sided;
 };
@@ -84,18 +85,20 @@ template <int D, class RealT> class Builder {
         : world_(world), figure_(figure), placement_(placement), frame_(placement), mode_(mode),
           first_(Row(world.particles.size())) {}
 
-    /// Prefabs may build a classic rig (equal masses, hidden beams) and a physical one.
+    /// Mode of the world. A prefab may build one rig for classic mode (equal masses, hidden supports) and another for
+    /// physical mode.
     Mode mode() const { return mode_; }
     Figure& figure() { return world_.figures[figure_]; }
 
-    /// A particle at a place of the prefab's frame. An empty name leaves it nameless. The originals of classic mode
-    /// know points, all alike: there the mass is 1 and the radius 0.
+    /// Adds a particle at a point of the prefab's frame. An empty name leaves the particle nameless. Classic mode sets
+    /// the mass to 1 and the radius to 0, as the original demos do.
     ParticleId particle(std::string_view name, const Local& local, double mass, double radius = 0) {
         const bool classic = mode_ == Mode::classic;
         return weighed_particle(name, local, classic ? 1 : mass, classic ? 0 : radius);
     }
 
-    /// The same for the few originals that did weigh their points, and gave them a size.
+    /// Adds a particle with its mass and radius in every mode, for the few originals that give points a mass and a
+    /// size.
     ParticleId weighed_particle(std::string_view name, const Local& local, double mass, double radius = 0) {
         const auto id = add_particle(
             world_, {.position = frame_.place(local), .mass = Real(mass), .radius = Real(radius), .figure = figure_});
@@ -106,10 +109,10 @@ template <int D, class RealT> class Builder {
         return id;
     }
 
-    /// The particle of that name. Prefabs only ask for names they gave.
+    /// Particle of a given name. The name must belong to the figure.
     ParticleId named(std::string_view name) { return figure().particle_names.find(name).value_or(ParticleId{}); }
 
-    /// What a kind measures in the prefab's frame.
+    /// Measure of a constraint kind in the prefab's frame.
     template <template <int> class KindOf> double measure(std::span<const ParticleId> members) const {
         using Kind = KindOf<D>;
         if constexpr (Kind::arity == any_arity) {
@@ -123,8 +126,8 @@ template <int D, class RealT> class Builder {
         }
     }
 
-    /// A constraint between particles of the figure; without limits, exactly as they stand. Limits are meant in the
-    /// prefab's frame, and so is what is measured: a figure has the same lengths wherever it stands, to the last digit.
+    /// Adds a constraint between particles of the figure; without limits, at its present measure. Limits and measures
+    /// refer to the prefab's frame in double precision, so a figure has identical rest lengths at every position.
     template <template <int> class Kind>
     void constrain(std::string_view name, std::initializer_list<ParticleId> members, ConstraintSpec<double> spec = {}) {
         constrain<Kind>(name, std::span(members.begin(), members.size()), spec);
@@ -138,12 +141,12 @@ template <int D, class RealT> class Builder {
         if (!name.empty()) figure().constraint_names.emplace_back(name, *id);
     }
 
-    /// Many distances of the same limits, all nameless.
+    /// Adds many nameless distances with the same limits.
     void link(std::span<const std::array<ParticleId, 2>> ends, const ConstraintSpec<double>& spec) {
         add_distances(world_, ends, in_world<Distance>(spec, *spec.limits), figure().constraints);
     }
 
-    /// The next `count` particles are called stem_0, stem_1, ...; in rows of `columns`, stem_COLUMN_ROW.
+    /// Names the next `count` particles stem_0, stem_1, ..., or stem_COLUMN_ROW where `columns` is not 0.
     void number_particles(std::string_view stem, std::size_t count, std::size_t columns = 0) {
         figure().particle_numbers.push_back({std::string(stem), figure().particles.size(), count, columns});
     }
@@ -153,13 +156,13 @@ template <int D, class RealT> class Builder {
 
     void hold(ParticleId id) { pin(world_, id); }
 
-    /// A drawn piece: `width` in world units, 0 leaves it to the looks.
+    /// Adds a drawn piece; `width` in world units, 0: taken from the looks.
     void draw(Mark mark, std::string_view part, std::vector<ParticleId> particles, double width = 0,
               bool hidden = false) {
         figure().pieces.push_back({mark, std::string(part), std::move(particles), width, 0, hidden});
     }
 
-    /// A stroke or limb as wide as `width` where it begins, as `end_width` where it ends.
+    /// Adds a stroke or limb that tapers from `width` to `end_width`.
     void draw_tapered(Mark mark, std::string_view part, std::vector<ParticleId> particles, double width,
                       double end_width) {
         figure().pieces.push_back({mark, std::string(part), std::move(particles), width, end_width, false});
@@ -178,7 +181,7 @@ template <int D, class RealT> class Builder {
                 .figure = figure_};
     }
 
-    /// Rows are given out in order, and nothing is removed while a figure is built.
+    /// Position of a particle in the prefab's frame. Rows are consecutive while a figure is built: nothing is removed.
     const Local& local(ParticleId id) const { return locals_[row_of(world_, id).value_or(first_) - first_]; }
 
     World<D, Real>& world_;
@@ -190,7 +193,8 @@ template <int D, class RealT> class Builder {
     std::vector<Local> locals_;
 };
 
-/// Adds a figure to a world: build(world, Rope{.length = 3}, "rope", {.at = {{1, 2}}}).
+/// Adds a figure to a world: build(world, Rope{.length = 3}, "rope", {.at = {{1, 2}}}). Returns the index of the
+/// figure.
 template <class Prefab, int D, class Real>
 requires(Prefab::dimensions.include(D)) FigureIndex
     build(World<D, Real>& world, const Prefab& prefab, std::string_view name,
@@ -198,7 +202,7 @@ requires(Prefab::dimensions.include(D)) FigureIndex
     const auto figure = add_figure(world, name, Prefab::name);
     const auto sizes = prefab.sizes();
     if (sizes.particles > world.particles.size())
-        reserve(world, sizes); // of many small ones each would move all before
+        reserve(world, sizes); // with many small figures, each reservation would copy the whole world
     Builder<D, Real> builder(world, figure, placement, world.settings.mode);
     prefab.build(builder);
     return figure;

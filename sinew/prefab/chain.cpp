@@ -5,21 +5,21 @@
 namespace sinew {
 namespace {
 
-/// The original's: round loops, all seen from their broad side, and links over them from one to the next; the first
-/// loop is the anchor.
+/// Draws the original's chain: round loops, all seen from the broad side, and links between consecutive loops. The
+/// first loop is the anchor.
 template <int D, class Real>
 void draw_loops(Builder<D, Real>& figure, const std::vector<ParticleId>& row, double loop) {
-    constexpr double link = 0.25; // of a loop's diameter
+    constexpr double link = 0.25; // share of the loop's diameter
     for (std::size_t i = 0; i < row.size(); ++i)
         figure.draw(Mark::ring, i == 0 ? "anchor" : "loop", {row[i], row[i]}, loop);
     for (std::size_t i = 0; i + 1 < row.size(); ++i)
         figure.draw(Mark::stroke, "link", {row[i], row[i + 1]}, link * loop);
 }
 
-/// Seen from the broad side and from the narrow one, in turns; the last from the broad one.
+/// Draws links alternately from the broad and the narrow side; the last link is seen from the broad side.
 template <int D, class Real>
 void draw_links(Builder<D, Real>& figure, const std::vector<ParticleId>& row, double thickness) {
-    constexpr double narrow = 0.3; // as thick as the wire of a ring
+    constexpr double narrow = 0.3; // thickness of the wire of a ring, as a share of the ring's
     for (std::size_t i = 0; i + 1 < row.size(); ++i) {
         const bool broad = (row.size() - i) % 2 == 0;
         figure.draw(broad ? Mark::ring : Mark::stroke, "link", {row[i], row[i + 1]},
@@ -56,7 +56,7 @@ template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {
                                            .mass = mass,
                                            .weight = weight,
                                            .radius = thickness / 2});
-    // The original moves the lower of two loops only.
+    // The original corrects the lower of two loops only.
     link(figure, row,
          {.limits = exactly(pitch),
           .split = classic ? 0 : 0.5,

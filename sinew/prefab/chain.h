@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-/// A chain hanging from the point where it stands: stiff links, each from one particle to the next. Particles
-/// particle_0 (also called start), ..., the last also called end; constraints link_0, ..., and with bend_limit bend_0
-/// (at particle_1), ....
+/// A chain of stiff links between consecutive particles, hanging from the figure's position. Particles particle_0 (also
+/// called start), ..., the last also called end; constraints link_0, ..., and with bend_limit bend_0 (at particle_1),
+/// ....
 struct Chain {
     static constexpr std::string_view name = "chain";
     static constexpr std::string_view about = "A chain of stiff links.";
@@ -30,47 +30,49 @@ struct Chain {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         constexpr double least = 1e-6, most = 1e6, lightest = 1e-6, heaviest = 1e9;
-        visit(self.links, Field{.name = "links", .help = "How many links", .low = 1, .high = 1e9});
-        visit(self.loop, Field{.name = "loop",
-                               .help = "Length of a link as it is drawn",
-                               .unit = unit::length,
-                               .low = least,
-                               .high = most});
+        visit(self.links, Field{.name = "links", .help = "Number of links", .low = 1, .high = 1e9});
+        visit(
+            self.loop,
+            Field{
+                .name = "loop", .help = "Length of a link as drawn", .unit = unit::length, .low = least, .high = most});
         visit(self.gap, Field{.name = "gap",
-                              .help = "Between one drawn link and the next",
+                              .help = "Gap between consecutive drawn links",
                               .unit = unit::length,
                               .low = 0,
                               .high = most});
         visit(self.angle, Field{.name = "angle",
-                                .help = "Which way it lies at first: 0 hangs straight down, 90 is level to the right",
+                                .help = "Initial direction: 0 hangs straight down, 90 is level to the right",
                                 .unit = unit::angle,
                                 .low = -4 * pi<double>,
                                 .high = 4 * pi<double>});
         visit(self.slack, Field{.name = "slack",
-                                .help = "How much longer it is than the way between its ends: 0.1 is a tenth",
+                                .help = "Excess of the length over the distance between the ends: 0.1 is 10 %",
                                 .low = 0,
                                 .high = 100});
-        visit(self.pinned, Field{.name = "pinned", .help = "Which ends are held", .choices = strand_ends});
+        visit(self.pinned, Field{.name = "pinned", .help = "Ends held in place", .choices = strand_ends});
         visit(self.mass, Field{.name = "mass",
-                               .help = "Of the whole chain, without the weight",
+                               .help = "Mass of the chain, without the weight",
                                .unit = unit::mass,
                                .low = lightest,
                                .high = heaviest});
-        visit(self.weight,
-              Field{.name = "weight", .help = "Mass hung on its end", .unit = unit::mass, .low = 0, .high = heaviest});
-        visit(self.bend_limit, Field{.name = "bend_limit",
-                                     .help = "The most a link turns against the one before it; 180 does not limit. In "
-                                             "physical mode only",
-                                     .unit = unit::angle,
-                                     .low = pi<double> / 180,
-                                     .high = pi<double>});
+        visit(self.weight, Field{.name = "weight",
+                                 .help = "Additional mass at the end",
+                                 .unit = unit::mass,
+                                 .low = 0,
+                                 .high = heaviest});
+        visit(self.bend_limit,
+              Field{.name = "bend_limit",
+                    .help = "Largest angle between consecutive links; 180 for no limit. Physical mode only",
+                    .unit = unit::angle,
+                    .low = pi<double> / 180,
+                    .high = pi<double>});
         visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "A link stretched by this fraction tears; 0 never tears",
+                                          .help = "Strain at which a link tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
         visit(self.toughness, toughness_field);
         visit(self.thickness, Field{.name = "thickness",
-                                    .help = "Of a link seen from its broad side; it stays half of it away from walls",
+                                    .help = "Width of a link seen from its broad side; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = most});

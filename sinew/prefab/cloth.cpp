@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-/// A cloth's particles by column and row.
+/// Particles of a cloth by column and row.
 struct Grid {
     std::size_t columns, rows;
     std::vector<ParticleId> particles;
@@ -16,16 +16,16 @@ struct Grid {
     ParticleId at(std::size_t column, std::size_t row) const { return particles[row * columns + column]; }
 };
 
-/// Threads that lead `across` columns and `down` rows on: from the upper left to the lower right, or rising from the
-/// lower left to the upper right.
+/// A family of threads that span `across` columns and `down` rows: from the upper left to the lower right, or with
+/// `rising` from the lower left to the upper right.
 struct Thread {
     std::string_view stem;
     std::size_t across, down;
     bool rising = false;
-    double shortest = 1; ///< it may become, as part of its length
+    double shortest = 1; ///< shortest length allowed, as a share of the length
 };
 
-/// A particle's share of one direction's length: half at the ends.
+/// Share of one direction's length that belongs to a particle: half a cell at the ends.
 double share(std::size_t i, std::size_t n) {
     return (i == 0 || i + 1 == n ? 0.5 : 1.0) / double(n - 1);
 }
@@ -70,7 +70,7 @@ void weave(Builder<D, Real>& figure, const Grid& grid, const Thread& thread, Con
     spec.limits = between(thread.shortest * length, length);
     figure.number_constraints(thread.stem, columns * rows, columns);
     const double weakest = spec.breaking_strain;
-    std::vector<std::array<ParticleId, 2>> links; // that are alike
+    std::vector<std::array<ParticleId, 2>> links; // pending links with equal parameters
     const auto link = [&] { figure.link(links, spec), links.clear(); };
     for (std::size_t r = 0; r < rows; ++r) {
         for (std::size_t c = 0; c < columns; ++c) {
@@ -126,7 +126,7 @@ template <int D, class Real> void draw_threads(Builder<D, Real>& figure, const G
     }
 }
 
-/// Column by column: the folds of what hangs run down, and are overlaid from one side to the other.
+/// Draws cells column by column: folds of hanging cloth run down, so cells must overlap from one side to the other.
 template <int D, class Real> void draw_cells(Builder<D, Real>& figure, const Grid& grid) {
     for (std::size_t c = 0; c + 1 < grid.columns; ++c)
         for (std::size_t r = 0; r + 1 < grid.rows; ++r)

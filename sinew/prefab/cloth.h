@@ -9,13 +9,13 @@
 
 namespace sinew {
 
-/// A grid of particles, standing where the middle of its top row is. Particles particle_0_0 (top left), particle_1_0 to
-/// its right, particle_0_1 below it, ...; the corners are also called top_left, top_right, bottom_left, bottom_right.
+/// A grid of particles, positioned by the middle of the top row. Particles particle_0_0 (top left), particle_1_0 to the
+/// right, particle_0_1 below, ...; the corners are also called top_left, top_right, bottom_left, bottom_right.
 ///
-/// Constraints, in this order: across_0_0 (particle_0_0 to particle_1_0), ... all rows; down_0_0 (to particle_0_1),
-/// ...; falling_0_0 (to particle_1_1), ...; rising_0_0 (particle_1_0 to particle_0_1), ...; with bend bend_across_0_0
-/// (to particle_2_0), ... and bend_down_0_0 (to particle_0_2), .... The order matters: all threads of one direction,
-/// then those of the next, left a quarter of the stretch of a random order, where cell by cell grew without bound.
+/// Constraints, in this order: across_0_0 (particle_0_0 to particle_1_0), ... of all rows; down_0_0 (to particle_0_1),
+/// ...; falling_0_0 (to particle_1_1), ...; rising_0_0 (particle_1_0 to particle_0_1), ...; with bend also
+/// bend_across_0_0 (to particle_2_0), ... and bend_down_0_0 (to particle_0_2), .... The order matters for convergence:
+/// one direction after the other left a quarter of the stretch of a random order, and cell by cell diverged.
 struct Cloth {
     static constexpr std::string_view name = "cloth";
     static constexpr std::string_view about = "A piece of cloth: a grid of threads that drapes, flutters and can tear.";
@@ -50,65 +50,68 @@ struct Cloth {
         visit(self.columns, Field{.name = "columns", .help = "Particles from left to right", .low = 2, .high = 1e9});
         visit(self.rows, Field{.name = "rows", .help = "Particles from top to bottom", .low = 2, .high = 1e9});
         visit(self.spacing, Field{.name = "spacing",
-                                  .help = "From one particle to the next",
+                                  .help = "Distance between neighbouring particles",
                                   .unit = unit::length,
                                   .low = least,
                                   .high = most});
         visit(self.plane, Field{.name = "plane",
-                                .help = "vertical hangs from its top row; horizontal (3D) lies level, its top row "
-                                        "furthest away",
+                                .help = "Initial plane: vertical hangs from the top row; horizontal (3D) is level, "
+                                        "with the top row furthest away",
                                 .choices = planes});
         visit(self.pins, Field{.name = "pins",
-                               .help = "What holds it: its top row, the two corners of that, all four corners, "
-                                       "the particles in pin_list, or nothing",
+                               .help = "Particles held in place: the top row, its two corners, all four corners, the "
+                                       "particles in pin_list, or none",
                                .choices = pin_rules});
         visit(self.pin_list, Field{.name = "pin_list",
-                                   .help = "With pins = list: particles counted row by row, 0 at the top left",
+                                   .help = "Particles held with pins = list, counted row by row, 0 at the top left",
                                    .low = 0,
                                    .high = 4e9});
         visit(self.diagonals, Field{.name = "diagonals",
-                                    .help = "Threads across each cell, which resist shear",
+                                    .help = "Diagonal threads in each cell, against shear",
                                     .choices = diagonal_rules});
-        visit(self.buckling, Field{.name = "buckling",
-                                   .help = "By what part of its length a thread may become shorter, as in cloth that "
-                                           "buckles between two particles; diagonals then only pull. With 0 all push, "
-                                           "and crumpled cloth can jam",
-                                   .low = 0,
-                                   .high = 1});
-        visit(self.bend, Field{.name = "bend", .help = "Springs from each particle to the next but one"});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.buckling,
+              Field{.name = "buckling",
+                    .help =
+                        "Largest shortening of a thread as a share of its length, for cloth that buckles between "
+                        "particles; diagonals then only pull. With 0 all threads also push, and crumpled cloth can jam",
+                    .low = 0,
+                    .high = 1});
+        visit(self.bend, Field{.name = "bend", .help = "Bending springs from each particle to the next but one"});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How much a thread gives under a force; 0 does not stretch",
+                                     .help = "Compliance of a thread; 0 is inextensible",
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = softest});
         visit(self.shear_compliance, Field{.name = "shear_compliance",
-                                           .help = "The same of the diagonals",
+                                           .help = "Compliance of the diagonals; 0 is inextensible",
                                            .unit = unit::compliance,
                                            .low = 0,
                                            .high = softest});
         visit(self.bend_compliance, Field{.name = "bend_compliance",
-                                          .help = "The same of the bend springs",
+                                          .help = "Compliance of the bending springs; 0 is rigid",
                                           .unit = unit::compliance,
                                           .low = 0,
                                           .high = softest});
         visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "A thread stretched by this fraction tears; 0 never tears",
+                                          .help = "Strain at which a thread tears; 0 for never",
                                           .low = 0,
                                           .high = most});
         visit(self.toughness, toughness_field);
-        visit(self.uneven, Field{.name = "uneven",
-                                 .help = "How much more than breaking_strain some threads bear, at random: 1 is up to "
-                                         "twice as much",
-                                 .low = 0,
-                                 .high = 1e3});
+        visit(
+            self.uneven,
+            Field{.name = "uneven",
+                  .help =
+                      "Random extra strength of each thread, as a share of breaking_strain: 1 is up to twice as strong",
+                  .low = 0,
+                  .high = 1e3});
         visit(self.tethers, Field{.name = "tethers",
-                                  .help = "Nothing gets further from a pin than the threads reach. Where threads may "
-                                          "tear or give there are none"});
+                                  .help = "Limit on the distance from the pins, the length of the threads between, "
+                                          "which reduces stretch. None where threads can tear or stretch"});
         visit(self.drawn,
-              Field{.name = "drawn", .help = "Its threads, its cells filled, or both", .choices = drawings});
+              Field{.name = "drawn", .help = "Drawn as threads, as filled cells, or both", .choices = drawings});
         visit(self.thickness, Field{.name = "thickness",
-                                    .help = "Of a drawn thread; it stays half of it away from walls",
+                                    .help = "Thickness of a drawn thread; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = most});

@@ -22,7 +22,7 @@ template <int D, class Real> void Crank::build(Builder<D, Real>& figure) const {
         draw(figure, hub, pin, end);
         return;
     }
-    // Where on the line through the hub the rod ends: s^2 - 2 s (pin . along) + radius^2 = rod^2.
+    // End of the rod on the line through the hub, at distance s: s^2 - 2 s (pin . along) + radius^2 = rod^2.
     const double over = dot(on_rim, along);
     const double reach = over + square_root(rod * rod - radius * radius + over * over);
     const auto end = figure.particle("end", along * reach, mass / 4);

@@ -7,13 +7,13 @@
 
 namespace sinew {
 
-/// A wheel, standing where its hub is, with a rod from a pin on its rim, which is to the right at first. Particles hub
-/// (held), pin and end (of the rod); constraints arm (hub to pin) and rod. A scene turns it by a pin on "crank/pin"
-/// that is driven on an orbit about the hub. With a cylinder the end is a piston on a line through the hub: also face
+/// A wheel, positioned by its hub, with a rod at a pin on the rim; the pin starts on the right. Particles hub (held),
+/// pin and end (of the rod); constraints arm (hub to pin) and rod. A scene turns the wheel by a pin on "crank/pin" with
+/// an orbit driver about the hub. With a cylinder the end is a piston on a line through the hub: also particles face
 /// (of the piston), mouth and head (of the cylinder, held); constraints rail, piston and face_rail.
 struct Crank {
     static constexpr std::string_view name = "crank";
-    static constexpr std::string_view about = "A wheel with a rod at its rim, and a piston if wanted.";
+    static constexpr std::string_view about = "A wheel with a rod at its rim, and optionally a piston.";
     static constexpr Dimensions dimensions{2, 2};
 
     double radius = 0.5;
@@ -26,21 +26,24 @@ struct Crank {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         constexpr double least = 1e-6, most = 1e6;
         visit(self.radius, Field{.name = "radius",
-                                 .help = "From the hub to the pin on the rim",
+                                 .help = "Distance from the hub to the pin on the rim",
                                  .unit = unit::length,
                                  .low = least,
                                  .high = most});
         visit(self.rod,
               Field{.name = "rod", .help = "Length of the rod", .unit = unit::length, .low = least, .high = most});
         visit(self.angle, Field{.name = "angle",
-                                .help = "Which way the rod leads at first: 0 to the right, 90 upwards",
+                                .help = "Initial direction of the rod: 0 to the right, 90 upwards",
                                 .unit = unit::angle,
                                 .low = -2 * pi<double>,
                                 .high = 2 * pi<double>});
-        visit(self.cylinder, Field{.name = "cylinder", .help = "Whether the end of the rod is a piston in one"});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
-        visit(self.thickness,
-              Field{.name = "thickness", .help = "Of the rod as drawn", .unit = unit::length, .low = 0, .high = most});
+        visit(self.cylinder, Field{.name = "cylinder", .help = "A piston in a cylinder at the end of the rod"});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.thickness, Field{.name = "thickness",
+                                    .help = "Thickness of the rod as drawn",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = most});
     }
 
     Sizes sizes() const { return {.particles = 6, .constraints = 5}; }

@@ -4,9 +4,8 @@
 
 namespace sinew {
 
-/// A cloth on a rod, standing where the middle of the rod is; particles and constraints are called as a Cloth's. Its
-/// threads run across and down only, so that it tears along them. As it comes it is the curtain of the tearable cloth
-/// tutorial.
+/// A cloth on a rod, positioned by the middle of the rod; names of particles and constraints as in Cloth. Threads run
+/// across and down only, so tears follow the threads. The defaults are the curtain of the tearable cloth tutorial.
 struct Curtain {
     static constexpr std::string_view name = "curtain";
     static constexpr std::string_view about = "A curtain on a rod, to be pulled aside, torn and cut.";
@@ -30,39 +29,42 @@ struct Curtain {
         visit(self.columns, Field{.name = "columns", .help = "Particles from left to right", .low = 2, .high = 1e9});
         visit(self.rows, Field{.name = "rows", .help = "Particles from top to bottom", .low = 2, .high = 1e9});
         visit(self.spacing, Field{.name = "spacing",
-                                  .help = "From one particle to the next",
+                                  .help = "Distance between neighbouring particles",
                                   .unit = unit::length,
                                   .low = least,
                                   .high = most});
-        visit(self.hook_every, Field{.name = "hook_every",
-                                     .help = "Of its top row the ends and every so manieth particle hang on the rod",
-                                     .low = 1,
-                                     .high = 1e9});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.hook_every,
+              Field{.name = "hook_every",
+                    .help = "Spacing of the hooks: every n-th particle of the top row, and both ends, hang on the rod",
+                    .low = 1,
+                    .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How much a thread gives under a force; 0 does not stretch",
+                                     .help = "Compliance of a thread; 0 is inextensible",
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e9});
         visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "A thread stretched by this fraction tears; 0 never tears",
+                                          .help = "Strain at which a thread tears; 0 for never",
                                           .low = 0,
                                           .high = most});
         visit(self.toughness, toughness_field);
-        visit(self.uneven, Field{.name = "uneven",
-                                 .help = "How much more than breaking_strain some threads bear, at random: 1 is up to "
-                                         "twice as much",
-                                 .low = 0,
-                                 .high = 1e3});
+        visit(
+            self.uneven,
+            Field{.name = "uneven",
+                  .help =
+                      "Random extra strength of each thread, as a share of breaking_strain: 1 is up to twice as strong",
+                  .low = 0,
+                  .high = 1e3});
         visit(self.drawn,
-              Field{.name = "drawn", .help = "Its threads, its cells filled, or both", .choices = Cloth::drawings});
+              Field{.name = "drawn", .help = "Drawn as threads, as filled cells, or both", .choices = Cloth::drawings});
         visit(self.thickness, Field{.name = "thickness",
-                                    .help = "Of a drawn thread; it stays half of it away from walls",
+                                    .help = "Thickness of a drawn thread; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = most});
         visit(self.rod, Field{.name = "rod",
-                              .help = "Thickness of the rod as drawn; 0 has none",
+                              .help = "Thickness of the rod as drawn; 0 for no rod",
                               .unit = unit::length,
                               .low = 0,
                               .high = most});

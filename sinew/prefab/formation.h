@@ -4,10 +4,10 @@
 
 namespace sinew {
 
-/// Ships in rows and columns, each on a spring to an anchor of its own, standing where the middle of the top row is.
-/// Particles anchor_0_0 (held, top left), anchor_1_0 to its right, anchor_0_1 below it, ...; ship_0_0, ...; constraints
-/// spring_0_0, .... A scene moves them by a pin on "formation/anchor_*" with a driver. In
-/// classic mode give it a relaxation, and a split of 1: ships follow, anchors do not.
+/// Ships in rows and columns, each on a spring to an anchor of its own, positioned by the middle of the top row.
+/// Particles anchor_0_0 (held, top left), anchor_1_0 to the right, anchor_0_1 below, ...; ship_0_0, ...; constraints
+/// spring_0_0, .... A scene moves the formation by a pin on "formation/anchor_*" with a driver. Classic mode needs a
+/// relaxation, and a split of 1, so that corrections move the ships and not the anchors.
 struct Formation {
     static constexpr std::string_view name = "formation";
     static constexpr std::string_view about = "Ships in rows, held by springs to anchors that can move.";
@@ -24,19 +24,22 @@ struct Formation {
         visit(self.columns, Field{.name = "columns", .help = "Ships from left to right", .low = 1, .high = 1e9});
         visit(self.rows, Field{.name = "rows", .help = "Ships from top to bottom", .low = 1, .high = 1e9});
         visit(self.spacing, Field{.name = "spacing",
-                                  .help = "From one ship to the next",
+                                  .help = "Distance between neighbouring ships",
                                   .unit = unit::length,
                                   .low = 1e-6,
                                   .high = 1e6});
-        visit(self.size,
-              Field{.name = "size", .help = "Of a ship as drawn", .unit = unit::length, .low = 1e-6, .high = 1e6});
+        visit(self.size, Field{.name = "size",
+                               .help = "Diameter of a ship as drawn; collision radius is half",
+                               .unit = unit::length,
+                               .low = 1e-6,
+                               .high = 1e6});
         visit(self.mass, Field{.name = "mass",
-                               .help = "Of the whole: of each ship as much as of its anchor",
+                               .help = "Total mass, in equal parts for every ship and anchor",
                                .unit = unit::mass,
                                .low = 1e-6,
                                .high = 1e9});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How much a spring gives under a force",
+                                     .help = "Compliance of a spring",
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e9});

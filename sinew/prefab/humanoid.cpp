@@ -6,8 +6,8 @@ namespace sinew {
 namespace humanoid_rig {
 namespace {
 
-// The GameMaker tutorial's rig at its scale of 2, pixels: a right arm of 40 and 40, all other limbs of 64 and 64. It
-// begins with its arms stretched out; here that is classic mode's.
+// The GameMaker tutorial's rig at its scale of 2, in pixels: right arm 40 and 40, all other limbs 64 and 64. The
+// tutorial begins with outstretched arms; classic mode does the same here.
 // clang-format off
 constexpr Joint joints[] = {
     // name               x       y   share  radius

@@ -4,24 +4,26 @@
 
 namespace sinew {
 
-/// A cartoon of a man, standing where his root, between the shoulders, is. Particles root, head and, left and right as
-/// one sees them, left_ and right_ shoulder, hip, elbow, hand, knee, foot. Each arm and leg is drawn as one band bent
-/// along the quadratic Bezier curve of its three particles; hands and shoes are turned as the curves end.
+/// A cartoon man, positioned by the root particle between the shoulders. Particles root, head and, left and right as on
+/// screen, left_ and right_ shoulder, hip, elbow, hand, knee, foot. Each arm and leg is drawn as one band along the
+/// quadratic Bezier curve of its three particles; hands and shoes follow the end tangent of the curve.
 ///
-/// Classic: the original's 14 particles and 11 links; its trunk is held by the game. Physical: eight more links make
-/// the trunk a whole of its own.
+/// Classic mode: the original's 14 particles and 11 links, whose trunk the game holds. Physical mode: eight more links
+/// make the trunk rigid.
 struct Humanoid {
     static constexpr std::string_view name = "humanoid";
-    static constexpr std::string_view about = "A cartoon man whose limbs bend as hoses do.";
+    static constexpr std::string_view about = "A cartoon man with limbs that bend like hoses.";
     static constexpr Dimensions dimensions{2, 2};
 
     double height = 2.16;
     double mass = 25;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.height,
-              Field{.name = "height", .help = "From head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(
+            self.height,
+            Field{
+                .name = "height", .help = "Height from head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
     }
 
     Sizes sizes() const;

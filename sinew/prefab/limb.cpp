@@ -16,7 +16,7 @@ template <int D, class Real> void Limb::build(Builder<D, Real>& figure) const {
         return on_screen<D>(sine(heading) * length, -cosine(heading) * length);
     };
     const auto elbow = along(angle, upper);
-    // Each bone weighs as it is long, half of it at either end.
+    // The mass of a bone is proportional to its length, and half of it goes to either end.
     const double heavy = mass * upper / (upper + lower) / 2, light = mass / 2 - heavy;
     const auto root = figure.particle("root", {}, heavy, width / 2);
     const auto joint = figure.particle("joint", elbow, mass / 2, (width + end_width) / 4);

@@ -7,12 +7,12 @@
 
 namespace sinew {
 
-/// Two bones and the joint between them, from the point where it stands: particles root, joint, end; constraints upper,
-/// lower, and in physical mode bend, which keeps the turn at the joint in its range. Drawn as one band bent along the
-/// quadratic Bezier curve of the three, with a tip at its end that is turned as the curve ends.
+/// Two bones with a joint between, starting at the figure's position: particles root, joint, end; constraints upper,
+/// lower, and in physical mode bend, a range for the angle at the joint. Drawn as one band along the quadratic Bezier
+/// curve of the three particles, with a tip along the end tangent of the curve.
 struct Limb {
     static constexpr std::string_view name = "limb";
-    static constexpr std::string_view about = "An arm or a leg: two bones, drawn as one band bent along a curve.";
+    static constexpr std::string_view about = "An arm or a leg: two bones, drawn as one band along a curve.";
     static constexpr Dimensions dimensions{2, 2};
 
     double upper = 0.4;
@@ -30,47 +30,47 @@ struct Limb {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         constexpr double least = 1e-6, most = 1e6, turn = 2 * pi<double>, fold = 175 * pi<double> / 180;
         visit(self.upper, Field{.name = "upper",
-                                .help = "Length of the bone from its root to its joint",
+                                .help = "Length of the bone from the root to the joint",
                                 .unit = unit::length,
                                 .low = least,
                                 .high = most});
         visit(self.lower, Field{.name = "lower",
-                                .help = "Length of the bone from its joint to its end",
+                                .help = "Length of the bone from the joint to the end",
                                 .unit = unit::length,
                                 .low = least,
                                 .high = most});
-        visit(self.angle, Field{.name = "angle",
-                                .help = "Which way the upper bone lies at first: 0 hangs straight down, 90 is level to "
-                                        "the right",
-                                .unit = unit::angle,
-                                .low = -turn,
-                                .high = turn});
+        visit(self.angle,
+              Field{.name = "angle",
+                    .help = "Initial direction of the upper bone: 0 hangs straight down, 90 is level to the right",
+                    .unit = unit::angle,
+                    .low = -turn,
+                    .high = turn});
         visit(self.bend, Field{.name = "bend",
-                               .help = "Turn at the joint at first, counter-clockwise as seen",
+                               .help = "Initial angle at the joint, counter-clockwise on screen",
                                .unit = unit::angle,
                                .low = -fold,
                                .high = fold});
         visit(self.bend_least, Field{.name = "bend_least",
-                                     .help = "Smallest turn at the joint. In physical mode only",
+                                     .help = "Smallest angle at the joint. Physical mode only",
                                      .unit = unit::angle,
                                      .low = -fold,
                                      .high = 0});
         visit(self.bend_most, Field{.name = "bend_most",
-                                    .help = "Largest turn at the joint. In physical mode only",
+                                    .help = "Largest angle at the joint. Physical mode only",
                                     .unit = unit::angle,
                                     .low = 0,
                                     .high = fold});
-        visit(self.pinned, Field{.name = "pinned", .help = "Whether its root is held"});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.pinned, Field{.name = "pinned", .help = "Root held in place"});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(
             self.width,
-            Field{.name = "width", .help = "Thickness at its root", .unit = unit::length, .low = least, .high = most});
+            Field{.name = "width", .help = "Thickness at the root", .unit = unit::length, .low = least, .high = most});
         visit(
             self.end_width,
             Field{
-                .name = "end_width", .help = "Thickness at its end", .unit = unit::length, .low = least, .high = most});
+                .name = "end_width", .help = "Thickness at the end", .unit = unit::length, .low = least, .high = most});
         visit(self.tip, Field{.name = "tip",
-                              .help = "Diameter of the hand or foot; 0 has none",
+                              .help = "Diameter of the hand or foot; 0 for none",
                               .unit = unit::length,
                               .low = 0,
                               .high = most});

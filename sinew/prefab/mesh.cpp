@@ -16,7 +16,7 @@ const MeshModel& shape_of(const Mesh& mesh) {
     return mesh.model ? *mesh.model : usual_square;
 }
 
-/// How many sides and diagonals the faces have; some are those of several.
+/// Number of sides and diagonals of all faces; those of several faces are counted several times.
 std::size_t count_named(const MeshModel& model, bool diagonals) {
     std::size_t count = model.corners.size();
     for (std::size_t i = 0; i < model.faces() && diagonals; ++i)
@@ -24,7 +24,8 @@ std::size_t count_named(const MeshModel& model, bool diagonals) {
     return count;
 }
 
-/// Calls visit(a, b) for the sides of all faces, then for their diagonals: two points, the lower number first.
+/// Calls visit(a, b), a < b, for the sides of all faces, then for the diagonals. A side shared by faces is visited once
+/// for each face.
 template <class Visit> void each_named(const MeshModel& model, bool diagonals, Visit&& visit) {
     for (std::size_t apart = 1; apart <= (diagonals ? 2U : 1U); ++apart)
         for (std::size_t i = 0; i < model.faces(); ++i) {
@@ -38,8 +39,8 @@ template <class Visit> void each_named(const MeshModel& model, bool diagonals, V
         }
 }
 
-/// Which of what is named has been named before. To find that, what each point is the lower one of is sorted, of an
-/// eighth of all at once: there may be more of it than of all that is built.
+/// Marks each visit of each_named whose pair (a, b) has been visited before. Pairs are grouped by a and sorted, in
+/// batches of about an eighth of all pairs, because the list of pairs can need more memory than the built mesh.
 std::vector<bool> repeats_of(const MeshModel& model, bool diagonals) {
     struct Turn {
         std::uint32_t b, turn;
@@ -47,11 +48,11 @@ std::vector<bool> repeats_of(const MeshModel& model, bool diagonals) {
     };
     const auto points = std::uint32_t(model.points.size());
     const auto named = count_named(model, diagonals), most = std::max(named / 8, std::size_t(1) << 16);
-    std::vector<std::uint32_t> count(points); // of what is named of each point; then how many of them are listed
+    std::vector<std::uint32_t> count(points); // pairs of each a; then the number of pairs already in the batch
     each_named(model, diagonals, [&](std::uint32_t a, std::uint32_t) { ++count[a]; });
     std::vector<bool> repeats(named);
     std::vector<Turn> turns;
-    std::vector<std::uint32_t> end; // of what is listed of each
+    std::vector<std::uint32_t> end; // end of the pairs of each a in the batch
     for (std::uint32_t first = 0, last = 0; first < points; first = last) {
         std::size_t listed = 0;
         for (end.clear(); last < points && (last == first || listed + count[last] <= most); ++last) {
@@ -112,7 +113,7 @@ template <int D, class Real> void Mesh::build(Builder<D, Real>& figure) const {
     for (std::size_t i = 0; i < shape.faces() && !unseen; ++i) {
         std::vector<ParticleId> corners;
         for (const auto corner : shape.face(i)) corners.push_back(particles[corner]);
-        if (corners.size() == 3) corners.push_back(corners.back()); // a patch has four
+        if (corners.size() == 3) corners.push_back(corners.back()); // a surface patch has four corners
         const bool patch = corners.size() == 4;
         if (drawn == "threads")
             figure.draw(Mark::loop, "thread", std::move(corners), thickness);

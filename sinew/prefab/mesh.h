@@ -11,12 +11,12 @@
 
 namespace sinew {
 
-/// Cloth of any cut: the points of an OBJ file are particles, the edges of its faces threads. Particles vertex_0 (the
-/// file's first), vertex_1, ...; constraints edge_0, ... in the order in which faces first name them,
+/// Cloth of any shape: the points of an OBJ file become particles, the edges of its faces threads. Particles vertex_0
+/// (the first of the file), vertex_1, ...; constraints edge_0, ... in the order in which the faces first use each edge,
 /// diagonals last.
 struct Mesh {
     static constexpr std::string_view name = "mesh";
-    static constexpr std::string_view about = "Cloth of any cut, from an OBJ file: its points tied along the edges.";
+    static constexpr std::string_view about = "Cloth of any shape from an OBJ file: points linked along the edges.";
     static constexpr Dimensions dimensions{2, 3};
     static constexpr std::array<std::string_view, 2> drawings{"fill", "threads"};
 
@@ -33,41 +33,51 @@ struct Mesh {
     std::string drawn = "fill";
     double thickness = 0.01;
 
-    /// What the file holds: whoever opens a scene reads it. Without one it is a square of four triangles.
+    /// Content of the file, read by whoever opens the scene. Without a file the mesh is a square of four triangles.
     std::shared_ptr<const MeshModel> model{};
-    bool unseen = false; ///< nothing of it is drawn, which takes no room
+    bool unseen = false; ///< true: nothing is drawn, which saves the memory of the pieces
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.file, Field{.name = "file", .help = "An OBJ file in the scene's folder; left out: a square"});
+        visit(self.file, Field{.name = "file", .help = "OBJ file in the scene's folder; a square if left out"});
+        visit(self.size, Field{.name = "size",
+                               .help = "Length of one unit of the file",
+                               .unit = unit::length,
+                               .low = 1e-6,
+                               .high = 1e6});
         visit(
-            self.size,
-            Field{.name = "size", .help = "How long 1 in the file is", .unit = unit::length, .low = 1e-6, .high = 1e6});
-        visit(self.diagonals,
-              Field{.name = "diagonals",
-                    .help = "Faces of four corners and more are also tied from each corner to the next but one"});
-        visit(self.buckling, Field{.name = "buckling",
-                                   .help = "By what part of its length an edge may become shorter, as in cloth that "
-                                           "buckles between two points. With 0 all push, and crumpled cloth can jam",
-                                   .low = 0,
-                                   .high = 1});
+            self.diagonals,
+            Field{
+                .name = "diagonals",
+                .help =
+                    "Extra threads from each corner of a face to the next but one, for faces of four corners or more"});
+        visit(self.buckling,
+              Field{.name = "buckling",
+                    .help = "Largest shortening of an edge as a share of its length, for cloth that buckles between "
+                            "points. With 0 all edges also push, and crumpled cloth can jam",
+                    .low = 0,
+                    .high = 1});
         visit(self.pin_list,
-              Field{.name = "pin_list", .help = "Points that are held, counted from 0", .low = 0, .high = 4e9});
-        visit(self.tethers, Field{.name = "tethers",
-                                  .help = "Nothing gets further from what is held than the edges reach: it sags less"});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+              Field{.name = "pin_list", .help = "Points held in place, counted from 0", .low = 0, .high = 4e9});
+        visit(
+            self.tethers,
+            Field{
+                .name = "tethers",
+                .help =
+                    "Limit on the distance from held points, the length of the edges between, which reduces stretch"});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How much an edge gives under a force; 0 does not stretch",
+                                     .help = "Compliance of an edge; 0 is inextensible",
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e9});
         visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "An edge stretched by this fraction tears; 0 never tears",
+                                          .help = "Strain at which an edge tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
         visit(self.toughness, toughness_field);
-        visit(self.drawn, Field{.name = "drawn", .help = "Its faces filled, or its edges", .choices = drawings});
+        visit(self.drawn, Field{.name = "drawn", .help = "Drawn as filled faces or as edges", .choices = drawings});
         visit(self.thickness, Field{.name = "thickness",
-                                    .help = "Of a drawn edge; it stays half of it away from walls",
+                                    .help = "Thickness of a drawn edge; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = 1e6});

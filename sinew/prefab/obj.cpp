@@ -9,9 +9,9 @@
 namespace sinew {
 namespace {
 
-/// Beyond it nothing can be placed.
+/// Largest absolute coordinate accepted.
 constexpr double furthest = 1e6;
-constexpr std::size_t most_shown = 40; ///< bytes of what was found
+constexpr std::size_t most_shown = 40; ///< bytes of the offending word in a message
 
 constexpr std::array<std::string_view, 12> passed_over = {"vn", "vt", "vp", "o",      "g",      "s",
                                                           "l",  "p",  "mg", "usemtl", "mtllib", "usemap"};
@@ -20,7 +20,7 @@ constexpr bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// Takes the first word off a line.
+/// Removes and returns the first word of a line.
 std::string_view take_word(std::string_view& line) {
     while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
     std::size_t end = 0;
@@ -30,7 +30,7 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
-/// What was found, fit to be shown: printable and not too long.
+/// The offending word for a message: printable and cut to `most_shown`.
 std::string shown(std::string_view word) {
     if (word.empty()) return "nothing";
     std::string text;
@@ -78,7 +78,7 @@ class ReadingObj {
         problem_ = fmt::format("a line of a mesh begins with v, f or the like, found {}", shown(keyword));
     }
 
-    /// Three numbers; a weight or a colour may follow.
+    /// Reads three numbers; a weight or a colour may follow and is ignored.
     void read_point(std::string_view rest) {
         if (model_.points.size() >= limits_.points) {
             problem_ = fmt::format("more than {} points", limits_.points);

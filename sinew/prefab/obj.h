@@ -11,10 +11,11 @@
 
 namespace sinew {
 
-/// Points and the faces between them. Corners of all faces in one list; `ends` says where each face's end.
+/// Points and faces of a mesh. The corners of all faces are in one list; `ends` holds the end of each face in
+/// `corners`.
 struct MeshModel {
     std::vector<Vec3<double>> points;
-    std::vector<std::uint32_t> corners; ///< numbers of points, from 0
+    std::vector<std::uint32_t> corners; ///< indices of points, from 0
     std::vector<std::uint32_t> ends;
 
     std::size_t faces() const { return ends.size(); }
@@ -24,7 +25,7 @@ struct MeshModel {
     }
 };
 
-/// Why a file cannot be used, and in which of its lines, from 1; 0 where it is about the whole.
+/// Reason why a file cannot be used, and the number of the line, from 1; 0 for the file as a whole.
 struct ObjProblem {
     std::size_t line = 0;
     std::string message;
@@ -35,12 +36,12 @@ struct ObjLimits {
     std::size_t corners = 8'000'000;
 };
 
-/// Reads a Wavefront OBJ file: its `v` and `f` lines. Corners are `v`, `v/vt`, `v//vn` or `v/vt/vn`, counted from 1, or
-/// back from the last with a minus. Normals, texture places, names, groups, materials, lines and points are passed
-/// over; curves, and whatever else no mesh has, are refused. A point that no face names is kept.
+/// Reads the `v` and `f` lines of a Wavefront OBJ file. Corners are `v`, `v/vt`, `v//vn` or `v/vt/vn`, counted from 1,
+/// or backwards from the last with a minus. Normals, texture coordinates, names, groups, materials, lines and points
+/// are ignored. Curves and all other keywords are errors. Points that no face uses are kept.
 std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits = {});
 
-/// The model as an OBJ file that read_obj gives back bit by bit.
+/// Writes the model as an OBJ file. Reading the file back gives identical bits.
 std::string to_obj(const MeshModel& model);
 
 } // namespace sinew

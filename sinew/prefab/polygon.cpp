@@ -10,7 +10,7 @@ Sizes Polygon::sizes() const {
 }
 
 std::optional<std::string> Polygon::problem(int) const {
-    // a triangle has no corners to brace, and is none the worse for it
+    // A triangle has no diagonals and is rigid without.
     if (braced != "braces" || sides == 3 || brace_span <= sides - 2) return std::nullopt;
     return fmt::format("brace_span is {}: in a polygon of {} sides braces span 2 to {}", brace_span, sides, sides - 2);
 }
@@ -38,7 +38,7 @@ template <int D, class Real> void Polygon::build(Builder<D, Real>& figure) const
             figure.template constrain<Distance>("", {center, corners[i]}, {.compliance = compliance});
     } else if (braced == "braces" && n > 3) {
         const auto span = std::size_t(brace_span);
-        const auto braces = 2 * span == n ? span : n; // opposite corners share theirs
+        const auto braces = 2 * span == n ? span : n; // braces between opposite corners coincide in pairs
         figure.number_constraints("brace", braces);
         for (std::size_t i = 0; i < braces; ++i)
             figure.template constrain<Distance>("", {corners[i], corners[(i + span) % n]}, {.compliance = compliance});

@@ -8,9 +8,9 @@
 
 namespace sinew {
 
-/// A regular polygon standing on one of its sides. Particles corner_0 (the right one of the lowest side), corner_1, ...
-/// counter-clockwise, and `center` if it has spokes; constraints edge_0 (corner_0 to corner_1), ..., then spoke_0, ...
-/// or brace_0, ... or `area`.
+/// A regular polygon that rests on one of its sides, positioned by its centre. Particles corner_0 (the right end of the
+/// lowest side), corner_1, ... counter-clockwise, and `center` if there are spokes; constraints edge_0 (corner_0 to
+/// corner_1), ..., then spoke_0, ... or brace_0, ... or `area`.
 struct Polygon {
     static constexpr std::string_view name = "polygon";
     static constexpr std::string_view about = "A regular polygon: three sides make a triangle, many a wheel.";
@@ -26,28 +26,26 @@ struct Polygon {
     double thickness = 0.04;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.sides, Field{.name = "sides", .help = "How many sides", .low = 3, .high = 1e9});
+        visit(self.sides, Field{.name = "sides", .help = "Number of sides", .low = 3, .high = 1e9});
         visit(self.radius, Field{.name = "radius",
-                                 .help = "From the centre, where it stands, to a corner",
+                                 .help = "Distance from the centre (the figure's position) to a corner",
                                  .unit = unit::length,
                                  .low = 1e-6,
                                  .high = 1e6});
         visit(self.braced, Field{.name = "braced",
-                                 .help = "What keeps its shape: spokes to a centre, braces between corners, its area "
-                                         "(jelly, if the edges are soft) or nothing",
+                                 .help = "Support of the shape: spokes to a centre, braces between corners, constant "
+                                         "area (jelly, if the edges are soft) or none",
                                  .choices = bracings});
-        visit(self.brace_span, Field{.name = "brace_span",
-                                     .help = "A brace joins a corner and the one so many further on",
-                                     .low = 2,
-                                     .high = 1e9});
+        visit(self.brace_span,
+              Field{.name = "brace_span", .help = "Number of sides spanned by a brace", .low = 2, .high = 1e9});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How soft edges, spokes and braces are; 0 is rigid",
+                                     .help = "Compliance of edges, spokes and braces; 0 is rigid",
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e9});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.thickness, Field{.name = "thickness",
-                                    .help = "Of the outline, which keeps the corners half of it away from walls",
+                                    .help = "Thickness of the outline; collision radius of the corners is half",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = 1e6});

@@ -25,16 +25,16 @@
 #include <string_view>
 #include <variant>
 
-/// What a prefab is: a Record whose fields are its parameters, with
+/// A prefab is a Record whose fields are its parameters, with
 ///
-///     name, about        what scene files call it, and one sentence about it
-///     dimensions         {lowest, highest} dimension it exists in
-///     sizes()            the most particles and constraints it makes, told without making any
-///     problem(dimension) optional: what is wrong with parameters that are each in range
-///     build(builder)     makes it
+///     name, about        name in scene files, and one sentence of description
+///     dimensions         {lowest, highest} dimension the prefab exists in
+///     sizes()            upper bounds on the numbers of particles and constraints, known before building
+///     problem(dimension) optional: an error for a combination of parameters that are each in range
+///     build(builder)     builds the figure
 namespace sinew {
 
-/// The list of prefabs. A new prefab is one new pair of files and one word here.
+/// The list of prefabs. A new prefab is one new pair of files and one word in this list.
 using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh, Curtain, Spiderweb, Tree,
                          Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
 
@@ -46,17 +46,17 @@ template <class... Types> struct VariantOf<TypeList<Types...>> { using type = st
 /// Any prefab, with its parameters.
 using AnyPrefab = detail::VariantOf<Prefabs>::type;
 
-/// The prefab of that name with its default parameters.
+/// The prefab of a given name with default parameters; nothing for an unknown name.
 std::optional<AnyPrefab> make_prefab(std::string_view name);
 
 std::string_view name_of(const AnyPrefab& prefab);
 Sizes sizes_of(const AnyPrefab& prefab);
 
-/// Why it cannot be built in a world of that dimension, or nothing. Ranges of single parameters are not looked at:
-/// those are in its fields.
+/// Reason why a prefab cannot be built in a world of that dimension; nothing if it can. Ranges of single parameters are
+/// not checked here; they are in the fields.
 std::optional<std::string> problem_of(const AnyPrefab& prefab, int dimension);
 
-/// Adds it to a world; nothing if it does not exist in that dimension.
+/// Adds a prefab to a world. Returns nothing if the prefab does not exist in D dimensions.
 template <int D, class Real>
 std::optional<FigureIndex> build(World<D, Real>& world, const AnyPrefab& prefab, std::string_view name,
                                  const Placement<D, Real>& placement = {});

@@ -5,13 +5,14 @@
 namespace sinew {
 namespace {
 
-/// The tearable cloth's man: masses, and places such that every link has its length; in heads, of which he is 7.5 tall.
-struct Point {
+/// The man of the tearable cloth demo: masses, and positions at which every link has its rest length. Unit: heads; the
+/// figure is 7.5 heads from shoulder to foot.
+struct PuppetPoint {
     std::string_view name;
     double x, y, mass;
 };
 // clang-format off
-constexpr Point points[] = {
+constexpr PuppetPoint points[] = {
     {"head",         0,     1.25,   4},
     {"shoulder",     0,     0,     26},
     {"pelvis",       0,    -3.5,   15},
@@ -29,7 +30,7 @@ constexpr double whole = 83;
 struct Link {
     std::string_view name, from, to;
     double length, relaxation;
-    bool support = false; // of the classic rig, not drawn
+    bool support = false; // true: a hidden link of the classic rig
 };
 constexpr Link links[] = {
     {"neck",            "head",        "shoulder",    1.25, 1},
@@ -78,7 +79,7 @@ template <int D, class Real> void Puppet::build(Builder<D, Real>& figure) const 
         figure.template constrain<Distance>(
             link.name, {from, to},
             {.limits = exactly(unit * link.length),
-             .compliance = link.support ? 1.0 : 0.0, // it is not met at first, nor later
+             .compliance = link.support ? 1.0 : 0.0, // soft: the rest length is satisfied neither at first nor later
              .relaxation = classic ? link.relaxation : 1});
         figure.draw(Mark::stroke, link.support ? "support" : "limb", {from, to}, thickness, link.support);
     }

@@ -7,11 +7,11 @@ namespace ragdoll_flesh {
 namespace {
 
 constexpr double tallness = 160;
-// Widths of flesh.
+// Widths as drawn.
 constexpr double torso = 14, hip = 14, ankle = 8, elbow = 9, sleeve = 12, bare_elbow = 8, wrist = 6;
 constexpr double head_size = 29, hand_size = 9, foot_size = 12;
 
-// Turns that the joint limits of the plane and those of space allow. Up is away from the feet.
+// Rotations within the joint limits of the 2D and the 3D rig. "Up" points away from the feet.
 constexpr std::array star{PoseTurn{"left_shoulder", -35}, PoseTurn{"right_shoulder", 35}, PoseTurn{"left_hip", -20},
                           PoseTurn{"right_hip", 20}};
 constexpr std::array hands_up{PoseTurn{"left_shoulder", -90}, PoseTurn{"right_shoulder", 90}};
@@ -43,7 +43,7 @@ template <int D, class Real> void draw_head(Builder<D, Real>& figure, double sca
                 scale * head_size);
 }
 
-/// Flesh on the bones, back to front: legs, trunk, arms.
+/// Draws the body, back to front: legs, trunk, arms.
 template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double scale, double girth) {
     const auto named = [&](std::initializer_list<std::string_view> names) { return all_named(figure, names); };
     const auto limb = [&](std::string_view part, std::initializer_list<std::string_view> names, double from,

@@ -8,14 +8,13 @@
 
 namespace sinew {
 
-/// A human figure seen from the front, standing where the middle between its shoulders is. Left and right are as one
-/// sees them: left_hand is on the left of the screen. Particles left_ and right_ shoulder, hip, elbow, hand, knee,
-/// foot.
+/// A human figure seen from the front, positioned by the point midway between the shoulders. Left and right are those
+/// of the screen: left_hand is on the left. Particles left_ and right_ shoulder, hip, elbow, hand, knee, foot.
 ///
-/// Classic: the original's 15 points (besides these head_left, head_right and center, which is tied to nothing) and 21
-/// segments, all alike. Physical: particles neck and head, masses by body part, knees and elbows that bend one way,
-/// head and hips in a range, and none of the original's hidden beams. In space its front is towards z, in either mode;
-/// classic mode draws its bones as sticks and what keeps joints in their ranges as threads.
+/// Classic mode in 2D: the original's 15 points (besides these head_left, head_right and center, which has no
+/// constraints) and 21 segments of equal masses. Physical mode: particles neck and head, masses by body part, knees and
+/// elbows that bend one way only, limited head and hips, and none of the original's hidden beams. In 3D the front faces
+/// +z in both modes, and classic mode draws bones as sticks and joint limits as threads.
 struct Ragdoll {
     static constexpr std::string_view name = "ragdoll";
     static constexpr std::string_view about = "A limp human figure to drop, throw and drag about.";
@@ -29,11 +28,13 @@ struct Ragdoll {
     std::string pose = "standing";
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.height,
-              Field{.name = "height", .help = "From head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
-        visit(self.stature, Field{.name = "build", .help = "How broad trunk and limbs are", .choices = builds});
-        visit(self.pose, Field{.name = "pose", .help = "How it holds its limbs at first", .choices = poses});
+        visit(
+            self.height,
+            Field{
+                .name = "height", .help = "Height from head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.stature, Field{.name = "build", .help = "Breadth of trunk and limbs", .choices = builds});
+        visit(self.pose, Field{.name = "pose", .help = "Initial pose of the limbs", .choices = poses});
     }
 
     Sizes sizes() const;

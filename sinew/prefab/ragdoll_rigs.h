@@ -2,12 +2,12 @@
 
 #include "sinew/prefab/body.h"
 
-/// The rigs of the ragdoll, in pixels: how it is built in the plane and in space.
+/// Tables of the ragdoll in 2D and in 3D, in pixels.
 namespace sinew::ragdoll_in_plane {
 
-// Places: the Roblox ragdoll, pixels. Shares, which count in physical mode only: the segments of the body after de Leva
-// 1996, each divided between the joints at its ends; the upper trunk's also to the neck, for a light joint between
-// heavy ones is what a blow crushes first.
+// Positions: the Roblox ragdoll, pixels. Mass shares (physical mode only): body segments after de Leva 1996, each
+// divided between the joints at its ends. The upper trunk also gives a share to the neck, because a light joint between
+// heavy ones is the first to be crushed by a blow.
 // clang-format off
 inline constexpr Joint joints[] = {
     // name              x    y    share  radius
@@ -66,9 +66,9 @@ inline constexpr Bone bones[] = {
 };
 // clang-format on
 
-// Knees point outwards and elbows up: the right side mirrors the left. A thigh opens 70 degrees from the trunk, so that
-// the legs cannot come down in a split. Turns of the trunk are limited so that a blow cannot leave it inside out: at
-// rest they are 104 and 90 degrees, and the nod 14.
+// Knees bend outwards and elbows up; the right side mirrors the left. A thigh opens at most 70 degrees from the trunk,
+// so the legs cannot come down in a split. Limits on the trunk's angles prevent a blow from turning it inside out: at
+// rest the angles are 104 and 90 degrees, and the nod is 14.
 // clang-format off
 inline constexpr Bend bends[] = {
     // name              from              at                to             least  most
@@ -91,9 +91,9 @@ inline constexpr Body body{joints, bones, bends};
 
 namespace sinew::ragdoll_in_space {
 
-// The same body with depth: its front is towards positive z. Shoulders and neck are one rigid triangle, hips and neck
-// another; all other joints are kept in their ranges by distances that have room (Jakobsen 2001), and by folds. The
-// knees come 0.78 m apart at the most, as thighs do that open 46 degrees each.
+// The same body with depth; the front faces +z. Shoulders and neck form one rigid triangle, hips and neck another. All
+// other joints are limited by distances with a range (Jakobsen 2001) and by folds. The knees come at most 0.78 m apart,
+// as for thighs that open 46 degrees each.
 // clang-format off
 inline constexpr Joint joints[] = {
     // name              x    y    share  radius
@@ -115,7 +115,7 @@ inline constexpr Joint joints[] = {
 static_assert(shares_are_whole(joints, Rig::both));
 
 inline constexpr double no_limit = 100;
-inline constexpr double stick = 5, thread = 1; // lines of classic mode: bones, and what keeps joints in their ranges
+inline constexpr double stick = 5, thread = 1; // line widths of classic mode: bones, and joint limits
 
 inline constexpr Bone bones[] = {
     // name                from              to               part        widths        least  most

@@ -26,14 +26,14 @@ template <int D, class Real> void Rope::build(Builder<D, Real>& figure) const {
           .compliance = compliance,
           .breaking_strain = tears_beyond(breaking_strain),
           .toughness = toughness});
-    // A joint stands for the bending of one piece: energy E I / 2 turn^2 / piece.
+    // Each inner joint carries the bending energy of one piece: E I / 2 angle^2 / piece.
     if (bend_stiffness > 0 && segments > 1)
         stiffen(figure, row, {.limits = exactly(0.0), .compliance = piece / bend_stiffness});
     hold_ends(figure, row, pinned);
 
     const auto end = row.back();
     figure.draw(Mark::curve, "rope", std::move(row), thickness);
-    constexpr double weight_size = 4; // times as thick as the rope
+    constexpr double weight_size = 4; // multiple of the rope's thickness
     if (weight > 0) figure.draw(Mark::dot, "weight", {end}, weight_size * thickness);
 }
 

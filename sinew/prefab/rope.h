@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// A rope hanging from the point where it stands. Particles particle_0 (also called start), ..., the last also called
-/// end; constraints link_0 (particle_0 to particle_1), ..., and with bend_stiffness bend_0 (at particle_1), ....
+/// A rope hanging from the figure's position. Particles particle_0 (also called start), ..., the last also called end;
+/// constraints link_0 (particle_0 to particle_1), ..., and with bend_stiffness bend_0 (at particle_1), ....
 struct Rope {
     static constexpr std::string_view name = "rope";
     static constexpr std::string_view about =
@@ -32,35 +32,35 @@ struct Rope {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         constexpr double least = 1e-6, most = 1e6, lightest = 1e-6, heaviest = 1e9;
-        visit(self.length, Field{.name = "length",
-                                 .help = "From end to end along the rope",
-                                 .unit = unit::length,
-                                 .low = least,
-                                 .high = most});
-        visit(self.segments,
-              Field{.name = "segments", .help = "How many straight pieces it is made of", .low = 1, .high = 1e9});
+        visit(
+            self.length,
+            Field{.name = "length", .help = "Length along the rope", .unit = unit::length, .low = least, .high = most});
+        visit(self.segments, Field{.name = "segments", .help = "Number of straight pieces", .low = 1, .high = 1e9});
         visit(self.angle, Field{.name = "angle",
-                                .help = "Which way it lies at first: 0 hangs straight down, 90 is level to the right",
+                                .help = "Initial direction: 0 hangs straight down, 90 is level to the right",
                                 .unit = unit::angle,
                                 .low = -4 * pi<double>,
                                 .high = 4 * pi<double>});
         visit(self.slack, Field{.name = "slack",
-                                .help = "How much longer it is than the way between its ends: 0.1 is a tenth",
+                                .help = "Excess of the length over the distance between the ends: 0.1 is 10 %",
                                 .low = 0,
                                 .high = 100});
-        visit(self.pinned, Field{.name = "pinned", .help = "Which ends are held", .choices = strand_ends});
+        visit(self.pinned, Field{.name = "pinned", .help = "Ends held in place", .choices = strand_ends});
         visit(self.mass, Field{.name = "mass",
-                               .help = "Of the whole rope, without the weight",
+                               .help = "Mass of the rope, without the weight",
                                .unit = unit::mass,
                                .low = lightest,
                                .high = heaviest});
-        visit(self.weight,
-              Field{.name = "weight", .help = "Mass hung on its end", .unit = unit::mass, .low = 0, .high = heaviest});
+        visit(self.weight, Field{.name = "weight",
+                                 .help = "Additional mass at the end",
+                                 .unit = unit::mass,
+                                 .low = 0,
+                                 .high = heaviest});
         visit(self.links, Field{.name = "links",
-                                .help = "at_most: a piece can go slack; exact: it can also push, as a rod does",
+                                .help = "Type of the links. at_most: can go slack; exact: can also push, like a rod",
                                 .choices = link_rules});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How much a piece gives under a force; 0 does not stretch",
+                                     .help = "Compliance of a piece; 0 is inextensible",
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e9});
@@ -70,12 +70,12 @@ struct Rope {
                                          .low = 0,
                                          .high = 1e12});
         visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "A piece stretched by this fraction tears; 0 never tears",
+                                          .help = "Strain at which a piece tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
         visit(self.toughness, toughness_field);
         visit(self.thickness, Field{.name = "thickness",
-                                    .help = "As drawn; it stays half of it away from walls",
+                                    .help = "Thickness as drawn; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = most});

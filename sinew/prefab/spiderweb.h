@@ -4,9 +4,9 @@
 
 namespace sinew {
 
-/// A web about the point where it stands: one thread laid in a spiral from the rim inwards, each of its particles also
-/// tied to the one a turn further in. Particles particle_0, ..., the last of them also called center; constraints
-/// thread_0, ... along the spiral, spoke_0, ... across it. (After the web of verlet-js, a little uneven as real ones.)
+/// A web around the figure's position: one thread in a spiral from the rim inwards, each particle also linked to the
+/// one a turn further in. Particles particle_0, ..., the last also called center; constraints thread_0, ... along the
+/// spiral, the last closing the rim, and spoke_0, ... across. (After the web of verlet-js, made a little uneven.)
 struct Spiderweb {
     static constexpr std::string_view name = "spiderweb";
     static constexpr std::string_view about = "A web stretched between a few anchors.";
@@ -24,31 +24,36 @@ struct Spiderweb {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.radius, Field{.name = "radius",
-                                 .help = "From the centre, where it stands, to the rim",
+                                 .help = "Distance from the centre (the figure's position) to the rim",
                                  .unit = unit::length,
                                  .low = 1e-6,
                                  .high = 1e6});
         visit(self.spokes, Field{.name = "spokes", .help = "Particles in a turn", .low = 3, .high = 1e5});
         visit(self.rings, Field{.name = "rings", .help = "Turns of the spiral", .low = 2, .high = 1e4});
-        visit(self.anchor_every,
-              Field{.name = "anchor_every",
-                    .help = "On the rim, the first particle and every so manieth from it are held; 0 holds none",
-                    .low = 0,
-                    .high = 1e5});
+        visit(self.anchor_every, Field{.name = "anchor_every",
+                                       .help = "Spacing of the anchors: every n-th particle of the rim is held, "
+                                               "beginning with the first; 0 for none",
+                                       .low = 0,
+                                       .high = 1e5});
         visit(self.rest, Field{.name = "rest",
-                               .help = "How long threads would be if nothing pulled, as a share of how long they are",
+                               .help = "Rest length of the threads, as a share of the initial length",
                                .low = 0.01,
                                .high = 1});
-        visit(self.unevenness,
-              Field{.name = "unevenness", .help = "0 makes a perfect spiral, 1 a natural one", .low = 0, .high = 1});
+        visit(self.unevenness, Field{.name = "unevenness",
+                                     .help = "Irregularity: 0 for a perfect spiral, 1 for a natural one",
+                                     .low = 0,
+                                     .high = 1});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How much a thread gives under a force",
+                                     .help = "Compliance of a thread",
                                      .unit = unit::compliance,
                                      .low = 1e-9,
                                      .high = 1e9});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
-        visit(self.thickness,
-              Field{.name = "thickness", .help = "Of a thread as drawn", .unit = unit::length, .low = 0, .high = 1e6});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.thickness, Field{.name = "thickness",
+                                    .help = "Thickness of a thread as drawn",
+                                    .unit = unit::length,
+                                    .low = 0,
+                                    .high = 1e6});
     }
 
     Sizes sizes() const {

@@ -6,7 +6,7 @@ namespace sinew {
 namespace stick_figure_rig {
 namespace {
 
-// Shares: the segments of the body after de Leva 1996, each halved between the joints at its ends.
+// Mass shares: body segments after de Leva 1996, each halved between the joints at its ends.
 // clang-format off
 constexpr Joint joints[] = {
     // name           x    y    share  radius
@@ -48,7 +48,7 @@ constexpr Bone bones[] = {
 };
 // clang-format on
 
-// Supports hold thighs and upper arms; what is beyond elbows and knees stays on its own side of the trunk.
+// Supports hold thighs and upper arms; forearms and shins are kept on their own side of the trunk by angle limits.
 // clang-format off
 constexpr Bend bends[] = {
     // name          from    at             to            least most

@@ -4,22 +4,23 @@
 
 namespace sinew {
 
-/// Standing where its neck is. Particles head, neck, hips and, left and right as one sees them, left_elbow, left_hand,
-/// left_knee, left_foot, right_elbow, right_hand, right_knee, right_foot. Its sticks are drawn, the supports that keep
-/// it in shape are not.
+/// A matchstick man, positioned by the neck. Particles head, neck, hips and, left and right as on screen, left_elbow,
+/// left_hand, left_knee, left_foot, right_elbow, right_hand, right_knee, right_foot. The sticks are drawn; the supports
+/// that hold the figure in shape are hidden.
 struct StickFigure {
     static constexpr std::string_view name = "stick_figure";
-    static constexpr std::string_view about =
-        "A matchstick man: drawn sticks, held in shape by supports one does not see.";
+    static constexpr std::string_view about = "A matchstick man: drawn sticks, held in shape by hidden supports.";
     static constexpr Dimensions dimensions{2, 2};
 
     double height = 1.6;
     double mass = 70;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.height,
-              Field{.name = "height", .help = "From head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(
+            self.height,
+            Field{
+                .name = "height", .help = "Height from head to foot", .unit = unit::length, .low = 1e-3, .high = 1e5});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
     }
 
     Sizes sizes() const;

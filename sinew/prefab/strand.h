@@ -6,29 +6,29 @@
 #include <string_view>
 #include <vector>
 
-/// What ropes and chains share: particles in a row, hanging from the point where the figure stands.
+/// A row of particles hanging from the figure's position: shared by ropes, chains, bridges and swings.
 namespace sinew {
 
 inline constexpr std::array<std::string_view, 4> strand_ends{"start", "end", "both", "none"};
 
 struct Strand {
-    int pieces = 1; ///< between pieces + 1 particles
+    int pieces = 1; ///< links between pieces + 1 particles
     double length = 1;
-    double angle = 0; ///< which way the end lies: 0 straight down, a quarter turn to the right
-    double slack = 0; ///< how much longer it is than the way between its ends, as a fraction of that way
+    double angle = 0; ///< direction towards the end, radians: 0 straight down, pi/2 to the right
+    double slack = 0; ///< excess of the length over the distance between the ends, as a fraction of that distance
     double mass = 1;
-    double weight = 0; ///< added to the last particle
+    double weight = 0; ///< mass added to the last particle
     double radius = 0;
-    double x = 0, y = 0;                                               ///< where it begins
-    std::string_view stem = "particle", first = "start", last = "end"; ///< names of all, of the first, of the last
+    double x = 0, y = 0;                                               ///< position of the first particle
+    std::string_view stem = "particle", first = "start", last = "end"; ///< names: stem, first, last
 };
 
-/// Half the turn from one piece to the next of a strand that hangs with some slack in an arc of a circle:
-/// n chords of half angle a span  sin(n a) / (n sin a) = 1 / (1 + slack)  of their length.
+/// Half the angle between consecutive pieces of a strand that hangs with some slack as a circular arc: n chords of half
+/// angle a span  sin(n a) / (n sin a) = 1 / (1 + slack)  of their length.
 double half_turn_of_slack(int pieces, double slack);
 
-/// The particles of a strand, at equal steps along an arc that hangs through. Each weighs the half of the pieces it
-/// ends, so that what a piece carries is the weight below its middle.
+/// Builds the particles of a strand at equal steps along a hanging arc. Each particle has half the mass of the pieces
+/// at it, so the load of a piece is the weight below its middle.
 template <int D, class Real> std::vector<ParticleId> build_strand(Builder<D, Real>& figure, const Strand& strand) {
     const auto pieces = std::size_t(strand.pieces);
     const double piece = strand.length / strand.pieces, share = strand.mass / strand.pieces;
@@ -37,7 +37,7 @@ template <int D, class Real> std::vector<ParticleId> build_strand(Builder<D, Rea
     std::vector<ParticleId> particles;
     particles.reserve(pieces + 1);
     figure.number_particles(strand.stem, pieces + 1);
-    double x = 0, y = 0; // from where it begins, so that strands side by side are alike to the last digit
+    double x = 0, y = 0; // relative to the first particle, so strands side by side are identical to the last bit
     particles.push_back(figure.particle(strand.first, on_screen<D>(strand.x, strand.y), share / 2, strand.radius));
     for (std::size_t i = 0; i < pieces; ++i) {
         const double heading = strand.angle + half_turn * (2 * double(i) - double(pieces - 1));
@@ -50,7 +50,7 @@ template <int D, class Real> std::vector<ParticleId> build_strand(Builder<D, Rea
     return particles;
 }
 
-/// Joins each particle of a row to the next; the links are called stem_0, stem_1, ...
+/// Links consecutive particles of a row by distances called stem_0, stem_1, ...
 template <int D, class Real>
 void link(Builder<D, Real>& figure, const std::vector<ParticleId>& row, const ConstraintSpec<double>& spec,
           std::string_view stem = "link") {
@@ -59,7 +59,7 @@ void link(Builder<D, Real>& figure, const std::vector<ParticleId>& row, const Co
         figure.template constrain<Distance>("", {row[i], row[i + 1]}, spec);
 }
 
-/// Limits or resists the turn at each inner particle of a row; called bend_0, bend_1, ... from its second particle on.
+/// Adds an angle constraint at each inner particle of a row; called bend_0, bend_1, ... from the second particle on.
 template <int D, class Real>
 void stiffen(Builder<D, Real>& figure, const std::vector<ParticleId>& row, const ConstraintSpec<double>& spec) {
     figure.number_constraints("bend", row.size() - 2);

@@ -4,12 +4,12 @@
 
 namespace sinew {
 
-/// A seat on two ropes, hanging from the point in the middle between its hooks. Particles left_0 (also called
-/// left_hook), ..., the last also called seat_left; right_0 (right_hook), ..., seat_right. Constraints left_link_0,
-/// ..., right_link_0, ... from the hooks down, and seat. In classic mode the pieces of the ropes are sticks.
+/// A seat on two ropes, positioned by the point midway between the hooks. Particles left_0 (also called left_hook),
+/// ..., the last also called seat_left; right_0 (right_hook), ..., seat_right. Constraints left_link_0, ...,
+/// right_link_0, ... from the hooks down, and seat. In classic mode the links are rigid rods.
 struct Swing {
     static constexpr std::string_view name = "swing";
-    static constexpr std::string_view about = "A seat on two ropes, to be pushed.";
+    static constexpr std::string_view about = "A seat on two ropes.";
     static constexpr Dimensions dimensions{2, 3};
 
     double length = 1.8;
@@ -23,32 +23,33 @@ struct Swing {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         constexpr double least = 1e-6, most = 1e6;
         visit(self.length, Field{.name = "length",
-                                 .help = "Of each rope, from hook to seat",
+                                 .help = "Length of each rope, from hook to seat",
                                  .unit = unit::length,
                                  .low = least,
                                  .high = most});
         visit(self.width, Field{.name = "width",
-                                .help = "Of the seat: from rope to rope",
+                                .help = "Width of the seat, from rope to rope",
                                 .unit = unit::length,
                                 .low = least,
                                 .high = most});
         visit(self.segments,
-              Field{.name = "segments", .help = "How many straight pieces a rope is made of", .low = 1, .high = 1e9});
-        visit(self.angle, Field{.name = "angle",
-                                .help = "How far it is drawn aside at first: 0 hangs straight down, 90 is level to the "
-                                        "right",
-                                .unit = unit::angle,
-                                .low = -2 * pi<double>,
-                                .high = 2 * pi<double>});
+              Field{.name = "segments", .help = "Number of straight pieces of a rope", .low = 1, .high = 1e9});
+        visit(self.angle,
+              Field{.name = "angle",
+                    .help = "Initial direction of the ropes: 0 hangs straight down, 90 is level to the right",
+                    .unit = unit::angle,
+                    .low = -2 * pi<double>,
+                    .high = 2 * pi<double>});
         visit(self.mass, Field{.name = "mass",
-                               .help = "Of the ropes and the seat, which weighs half of it",
+                               .help = "Total mass, half of which belongs to the seat",
                                .unit = unit::mass,
                                .low = 1e-6,
                                .high = 1e9});
-        visit(self.weight,
-              Field{.name = "weight", .help = "Mass that sits on it", .unit = unit::mass, .low = 0, .high = 1e9});
+        visit(
+            self.weight,
+            Field{.name = "weight", .help = "Additional mass on the seat", .unit = unit::mass, .low = 0, .high = 1e9});
         visit(self.thickness, Field{.name = "thickness",
-                                    .help = "Of a rope as drawn; the seat is twice as thick",
+                                    .help = "Thickness of a rope as drawn; the seat is twice as thick",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = most});

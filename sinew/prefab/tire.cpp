@@ -24,7 +24,7 @@ template <int D, class Real> void Tire::build(Builder<D, Real>& figure) const {
 
     const auto span = std::size_t(brace_span) % n;
     if (span > 1 && span < n - 1) {
-        const auto braces = 2 * span == n ? span : n; // opposite corners share theirs
+        const auto braces = 2 * span == n ? span : n; // braces between opposite corners coincide in pairs
         figure.number_constraints("brace", braces);
         for (std::size_t i = 0; i < braces; ++i) {
             figure.template constrain<Distance>("", {corners[i], corners[(i + span) % n]}, tread);

@@ -4,12 +4,12 @@
 
 namespace sinew {
 
-/// Particles corner_0, ... counter-clockwise about center; constraints tread_0, ... along the rim, brace_0, ... from a
-/// corner to one further on, spoke_0, ... from the centre. (After the tire of verlet-js.)
+/// A tire, positioned by its hub. Particles corner_0, ... counter-clockwise around center; constraints tread_0, ...
+/// along the rim, brace_0, ... from a corner to one further on, spoke_0, ... from the centre. (After the tire of
+/// verlet-js.)
 struct Tire {
     static constexpr std::string_view name = "tire";
-    static constexpr std::string_view about =
-        "A tire that gives where it stands: a tread with braces, and spokes to a hub.";
+    static constexpr std::string_view about = "A soft tire: a tread with braces, and spokes to a hub.";
     static constexpr Dimensions dimensions{2, 2};
 
     int segments = 30;
@@ -23,38 +23,40 @@ struct Tire {
     double thickness = 0.1;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.segments, Field{.name = "segments", .help = "Corners, each with a spoke", .low = 3, .high = 1e9});
+        visit(self.segments,
+              Field{.name = "segments", .help = "Number of corners, each with a spoke", .low = 3, .high = 1e9});
         visit(self.radius, Field{.name = "radius",
-                                 .help = "From the hub, where it stands, to the tread",
+                                 .help = "Distance from the hub (the figure's position) to the tread",
                                  .unit = unit::length,
                                  .low = 1e-6,
                                  .high = 1e6});
-        visit(self.brace_span, Field{.name = "brace_span",
-                                     .help = "A brace joins a corner and the one so many further on, unless those are "
-                                             "one, or neighbours",
-                                     .low = 2,
-                                     .high = 1e9});
+        visit(self.brace_span,
+              Field{.name = "brace_span",
+                    .help = "Number of sides spanned by a brace; no braces where the ends coincide or are neighbours",
+                    .low = 2,
+                    .high = 1e9});
         visit(self.spoke_compliance, Field{.name = "spoke_compliance",
-                                           .help = "How soft the spokes are; 0 is rigid",
+                                           .help = "Compliance of the spokes; 0 is rigid",
                                            .unit = unit::compliance,
                                            .low = 0,
                                            .high = 1e9});
         visit(self.tread_compliance, Field{.name = "tread_compliance",
-                                           .help = "The same of tread and braces",
+                                           .help = "Compliance of tread and braces; 0 is rigid",
                                            .unit = unit::compliance,
                                            .low = 0,
                                            .high = 1e9});
         visit(self.spoke_relaxation, Field{.name = "spoke_relaxation",
-                                           .help = "Share of their error that spokes lose in a pass (classic mode)",
+                                           .help = "Share of the spokes' error removed in a pass (classic mode)",
                                            .low = 0,
                                            .high = 1});
-        visit(self.tread_relaxation, Field{.name = "tread_relaxation",
-                                           .help = "The same of tread and braces (classic mode)",
-                                           .low = 0,
-                                           .high = 1});
-        visit(self.mass, Field{.name = "mass", .help = "Of the whole", .unit = unit::mass, .low = 1e-6, .high = 1e9});
+        visit(self.tread_relaxation,
+              Field{.name = "tread_relaxation",
+                    .help = "Share of the error of tread and braces removed in a pass (classic mode)",
+                    .low = 0,
+                    .high = 1});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.thickness, Field{.name = "thickness",
-                                    .help = "Of the tread, which keeps the corners half of it away from walls",
+                                    .help = "Thickness of the tread; collision radius of the corners is half",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = 1e6});

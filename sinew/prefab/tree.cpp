@@ -3,11 +3,11 @@
 namespace sinew {
 namespace {
 
-/// A branch from the top of another (or the base) to its own top.
+/// A branch from the top of its parent (or the base) to its own top.
 struct Branch {
-    std::size_t below; ///< the branch it grows from; itself for the trunk
+    std::size_t below; ///< index of the parent branch; its own index for the trunk
     int level;
-    double length, heading; ///< to the left of straight up, radians
+    double length, heading; ///< heading: radians to the left of straight up
     Vec2<double> top;
 };
 
@@ -23,7 +23,8 @@ void grow(const Tree& tree, Vec2<double> from, std::size_t below, int level, dou
     grow(tree, top, self, level + 1, next, heading - tree.spread, grown);
 }
 
-/// Of a branch so many forks up, if the trunk's is 1: two above a fork have the cross section of the one below.
+/// Thickness of a branch relative to the trunk's, `level` forks up: the cross sections of the two branches above a fork
+/// add up to the one below.
 double thickness_at(int level) {
     double section = 1;
     for (int i = 0; i < level; ++i) section /= 2;
@@ -42,7 +43,7 @@ template <int D, class Real> void Tree::build(Builder<D, Real>& figure) const {
     double whole = 0;
     for (const auto& b : branches) whole += weight(b);
 
-    // The roots and the foot are held, so that whatever they weigh weighs nothing; all but a little is above.
+    // Root and base are held, so their mass has no effect; all but a little of the mass goes to the branches.
     constexpr double below_ground = 0.01;
     const auto root = figure.particle("root", on_screen<D>(0, -branch * shrink / 2), mass * below_ground / 2);
     const auto base = figure.particle("base", {}, mass * below_ground / 2);
@@ -77,7 +78,7 @@ template <int D, class Real> void Tree::build(Builder<D, Real>& figure) const {
     };
     for (const std::size_t which : {0U, 1U, 2U}) leaves("shade", depth - 1, which, 1.3 * leaf);
     leaves("shade", depth, 0, 1.2 * leaf);
-    for (std::size_t i = branches.size(); i-- > 0;) // twigs first, the trunk over them
+    for (std::size_t i = branches.size(); i-- > 0;) // from the twigs to the trunk, which is drawn on top
         figure.draw_tapered(Mark::stroke, "branch", {foot(i), tops[i]}, thickness * thickness_at(branches[i].level),
                             thickness * thickness_at(branches[i].level + 1));
     leaves("leaf", depth, 1, leaf);

@@ -14,7 +14,7 @@
 namespace sinew {
 namespace {
 
-/// Whether one of the names stands for many particles.
+/// True if one of the names ends in a star and so stands for many particles.
 bool has_star(std::span<const std::string> names) {
     return std::ranges::any_of(names, [](const std::string& name) { return name.ends_with('*'); });
 }
@@ -74,7 +74,7 @@ class ValueCheck {
         count(std::int64_t(scene_.figures.size()), limits.figures, "figures", "/figures");
         count(std::int64_t(scene_.events.size()), limits.events, "events", "/events");
         Sizes sum;
-        std::map<std::string_view, std::size_t> particles; // what a star can stand for
+        std::map<std::string_view, std::size_t> particles; // upper bound on the particles a star can stand for
         for (const auto& figure : scene_.figures)
             particles[name_of(figure)] = std::min(sizes_of(figure).particles, std::size_t(1e12));
         const auto most = [&](const std::string_view name) {
@@ -116,7 +116,7 @@ class ValueCheck {
         }
     }
 
-    /// Whether there are too many.
+    /// Reports a count above its limit; true if the count is above.
     bool count(std::int64_t found, std::int64_t allowed, std::string_view what, std::string place) {
         if (found <= allowed) return false;
         document_.error(std::move(place),
@@ -146,7 +146,7 @@ class ValueCheck {
             look(seen, under("figures", i, "looks") + json::pointer_step(part));
     }
 
-    /// How many particles a mark is drawn through, in the order of mark_names.
+    /// Checks the number of particles a mark is drawn through. `counts` is in the order of mark_names.
     void piece(const PieceSection& section, const std::string& place) {
         constexpr std::array<std::array<std::size_t, 2>, mark_names.size()> counts = {
             {{2, 1000}, {2, 1000}, {2, 1000}, {2, 1000}, {3, 1000}, {2, 2}, {1, 1000}, {3, 1000}, {4, 4}, {1, 4}}};

@@ -2,23 +2,23 @@
 
 #include "sinew/scene/scene.h"
 
-/// What a scene must keep beyond the types and ranges of single values.
+/// Checks of a scene beyond the types and ranges of single values.
 namespace sinew {
 
-/// Before anything is built: names used once, sizes within the limits, prefabs that exist in the scene's dimension,
-/// constraints that make sense.
+/// Checks before building: unique names, sizes within the limits, prefabs that exist in the scene's dimension,
+/// constraints with consistent values.
 void check_values(const Scene& scene, Document& document);
 
-/// Once it is built: every particle, constraint, figure and part that is spoken of exists.
+/// Checks after building: every particle, constraint, figure and part referred to exists.
 void check_references(const Scene& scene, const AnyWorld& world, Document& document);
 
-/// A place in a document: "/figures/2/looks".
+/// A JSON pointer in a document: "/figures/2/looks".
 std::string under(std::string_view list, std::size_t index, std::string_view key = {});
 
-/// What the scene calls a figure: its name, else its prefab's.
+/// Name of a figure in the scene, or of its prefab if the figure has none.
 std::string_view name_of(const FigureSection& figure);
 
-/// A particle's name as figure/name; where it has no figure, of the one that `prefix`, "figure/", says.
+/// Full name figure/name of a particle. A name without a figure gets `prefix`, which ends in a slash: "figure/".
 std::string full_name(std::string_view name, std::string_view prefix);
 
 } // namespace sinew

@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// Checks references against the world they are made to.
+/// Checks the references of a scene against the built world.
 template <int D, class Real> class ReferenceCheck {
   public:
     ReferenceCheck(const Scene& scene, const World<D, Real>& world, Document& document)
@@ -43,7 +43,7 @@ template <int D, class Real> class ReferenceCheck {
         return names;
     }
 
-    /// `also` tells of further names, for which the candidates are no place.
+    /// Reports an unknown name. `also` lists further valid names that cannot serve as candidates for a suggestion.
     void unknown(std::string_view what, std::string_view name, const std::string& place,
                  std::vector<std::string_view> candidates, const std::string& also = {}) {
         constexpr std::size_t most_listed = 40;
@@ -95,7 +95,7 @@ template <int D, class Real> class ReferenceCheck {
              });
     }
 
-    /// The figure that a force is meant for alone.
+    /// Checks the figure of an attractor; empty stands for all figures.
     void pulled(std::string_view name, const std::string& place) {
         if (!name.empty() && !find_figure(world_, name)) unknown("figure", name, place, figure_names());
     }
@@ -127,7 +127,7 @@ template <int D, class Real> class ReferenceCheck {
                                    under("figures", i) + under("pieces", k) + fmt::format("/through/{}", m));
     }
 
-    /// Inside a figure: one of its own, or as figure/name one of a figure before it.
+    /// Checks a particle's name inside figure i: a particle of the figure itself, or figure/name of an earlier figure.
     void particle_seen_from(std::size_t i, std::string_view name, const std::string& place) {
         particle(full_name(name, world_.figures[i].name + "/"), place);
         const auto index = find_figure(world_, name.substr(0, std::min(name.find('/'), name.size())));
@@ -136,7 +136,7 @@ template <int D, class Real> class ReferenceCheck {
                             "figures are made in their order: put the one that joins others behind them");
     }
 
-    /// Whether an event makes a constraint of that full name.
+    /// True if an event adds a constraint of that full name.
     bool is_joined_later(std::string_view path) const {
         return std::ranges::any_of(scene_.events, [&](const EventSection& section) {
             const auto* join = std::get_if<JoinEvent>(&section.event);
@@ -159,7 +159,7 @@ template <int D, class Real> class ReferenceCheck {
         return parts;
     }
 
-    /// A key of "looks": figure/part, figure, or the part of any figure.
+    /// Checks a key of "looks": figure/part, figure, or a part of any figure.
     void look(std::string_view key) {
         const auto place = "/looks" + json::pointer_step(key);
         const auto slash = key.find('/');

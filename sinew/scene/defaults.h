@@ -6,7 +6,7 @@
 
 namespace sinew::detail {
 
-/// Multiplies every number of a value by what its unit is worth in these units: a declared default becomes the scene's.
+/// Converts declared defaults to the units of a scene: each number of the value is multiplied by the scale of its unit.
 template <class T> void scale_defaults(T& value, const Field& field, const Units& units) {
     if constexpr (std::floating_point<T>) {
         if (const double scale = units.scale(field.unit); scale != 1) value = T(rounded(double(value) * scale));
@@ -27,7 +27,7 @@ template <class T> void scale_defaults(T& value, const Field& field, const Units
     }
 }
 
-/// A default value in these units.
+/// A default value in the given units.
 template <class T> T fresh(const Field& field, const Units& units) {
     T value{};
     scale_defaults(value, field, units);

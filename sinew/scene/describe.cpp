@@ -6,13 +6,13 @@
 namespace sinew {
 namespace {
 
-/// One line of a table.
+/// A row of a table.
 struct Described {
     std::string name, type, unit, usual, range;
     std::string_view help;
 };
 
-/// A table of its own for a record and for each alternative inside it.
+/// A table of fields: of a record, or of an alternative inside a record.
 struct Section {
     std::string title;
     std::string_view about;
@@ -46,7 +46,7 @@ std::string type_text(const Layout& shape) {
     return {};
 }
 
-/// The default as a file in the units would state it.
+/// A default value as a file in the given units states it.
 json::Value in_units(const json::Value& value, double scale) {
     if (const auto* number = value.as<json::Number>())
         return scale == 1 ? value : json::Value(rounded(number->value * scale));
@@ -85,7 +85,7 @@ Described row_of(const Layout& shape, std::string name, const Units& units) {
             usual_text(shape, units), range_of(shape, units), shape.field.help};
 }
 
-/// The record inside a field, however deep in lists it is, and how its fields' names begin.
+/// The record inside a field, however deeply nested in lists and maps, and the prefix of its fields' names.
 struct Inside {
     const Layout* record;
     std::string prefix;
@@ -155,7 +155,7 @@ std::array<std::size_t, 5> widths_of(const std::vector<Described>& rows) {
     return widths;
 }
 
-/// Cells in columns; one that is too wide pushes what follows to the right.
+/// Aligns cells in columns. A cell wider than its column shifts the following cells to the right.
 template <class Cells> std::string columns(const Cells& cells, const std::array<std::size_t, 5>& widths) {
     std::string line;
     for (std::size_t i = 0, column = 0; i < widths.size(); ++i) {

@@ -34,7 +34,8 @@ std::vector<Diagnostic> Diagnostics::in_order() const {
 
 namespace {
 
-/// Walks forward through sources, so that the places of sorted errors are found in one pass over a file of any size.
+/// Converts byte offsets to lines and columns. The walk only goes forward, so sorted errors cost one pass over a file
+/// of any size.
 class LineFinder {
   public:
     explicit LineFinder(const Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -53,7 +54,7 @@ class LineFinder {
         return place_;
     }
 
-    /// Of the line of the last place found.
+    /// First byte of the line of the last place found.
     std::size_t line_begin() const { return line_begin_; }
 
   private:
@@ -73,7 +74,7 @@ class LineFinder {
     Place place_;
 };
 
-/// The part of a source line that is shown, [begin, end), and whether it was cut on either side.
+/// Part [begin, end) of a source line to print, and whether text before or after is cut off.
 struct Window {
     std::size_t begin = 0, end = 0;
     bool cut_before = false, cut_after = false;
@@ -109,12 +110,12 @@ Window window_around(std::string_view text, std::size_t line_begin, std::size_t 
 constexpr std::string_view tab = "    ";
 constexpr std::string_view cut = "...";
 
-/// Two lines of a terminal, the source above its marks.
+/// Two terminal lines: the source text and the marks below.
 struct Excerpt {
     std::string source, marks;
 };
 
-/// What a terminal shows of a character, and over how many columns.
+/// Text a terminal prints for a character, and its width in columns.
 std::pair<std::string_view, std::size_t> shown(std::string_view text, std::size_t at, utf8::Decoded character) {
     if (character.code == U'\t') return {tab, tab.size()};
     if (!character.valid || utf8::is_control(character.code)) return {"?", 1};
@@ -198,7 +199,7 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
 }
 
-/// Edits that turn a into b, both at most `longest_word` long.
+/// Edit distance (optimal string alignment) between a and b, both at most `longest_word` long.
 std::size_t edits(std::string_view a, std::string_view b) {
     std::array<std::array<std::size_t, longest_word + 1>, 3> rows{};
     auto *before = &rows[0], *last = &rows[1], *row = &rows[2];
@@ -221,7 +222,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
     if (word.size() > longest_word) return {};
     const auto difference = [](std::size_t a, std::size_t b) { return a < b ? b - a : a - b; };
-    std::size_t tries = 500; // a file can have thousands of names, and as many slips
+    std::size_t tries = 500; // bounds the cost for files with thousands of names and as many misspellings
     std::size_t best_edits = std::max<std::size_t>(1, word.size() / 3) + 1;
     std::string_view best;
     for (const auto candidate : candidates) {
@@ -240,7 +241,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 
 namespace {
 
-/// Length of the longest stretch of letters that both have.
+/// Length of the longest common substring, ignoring case.
 std::size_t common_stretch(std::string_view a, std::string_view b) {
     std::size_t longest = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -277,7 +278,7 @@ std::vector<std::string_view> similar(std::string_view word, std::span<const std
 
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates) {
     if (candidates.empty()) return "nothing is allowed here";
-    constexpr std::size_t most_listed = 32, few_more = 8; // "and 1 more" would take the place of the one
+    constexpr std::size_t most_listed = 32, few_more = 8; // "and 1 more" would take as much space as the name itself
     constexpr std::size_t most_sorted = 1000;
     const auto unsorted = candidates.size() - std::min(candidates.size(), most_sorted);
     std::string help;

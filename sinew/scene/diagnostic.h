@@ -11,7 +11,7 @@
 
 namespace sinew {
 
-/// Bytes [begin, end) of one source.
+/// Bytes [begin, end) of a source.
 struct Span {
     std::uint32_t source = 0;
     std::uint32_t begin = 0;
@@ -19,24 +19,24 @@ struct Span {
     friend constexpr bool operator==(const Span&, const Span&) = default;
 };
 
-/// A text that values come from: a scene file, or one key=value pair of a command line.
+/// A source text: a scene file, or one key=value pair of a command line.
 struct Source {
     std::string name;
     std::string text;
 };
 
-/// Something the author of a source has to mend.
+/// An error in a source, for its author.
 struct Diagnostic {
     Span span;
-    std::string path;    ///< of the value, as a JSON pointer: "/figures/0/mass"
-    std::string message; ///< says what was expected and what was found
+    std::string path;    ///< JSON pointer of the value: "/figures/0/mass"
+    std::string message; ///< states the expected and the actual value
     std::string help;    ///< may be empty
 };
 
-/// Everything that is wrong with some sources, all of it in one run.
+/// Collects all errors of one or more sources in one run.
 class Diagnostics {
   public:
-    /// Errors beyond this many are counted but not kept: they cost memory and nobody reads them.
+    /// Errors beyond this number are counted but not stored.
     static constexpr std::size_t most_kept = 200;
 
     std::uint32_t add_source(std::string name, std::string text);
@@ -45,13 +45,13 @@ class Diagnostics {
     std::string_view text(Span span) const;
 
     void error(Span span, std::string path, std::string message, std::string help = {});
-    /// Where `full`, callers can spare themselves the message.
+    /// True if no further error is stored; callers can then skip composing the message and call count_one_more().
     bool full() const { return kept_.size() >= most_kept; }
     void count_one_more() { ++uncounted_; }
 
     bool ok() const { return kept_.empty() && uncounted_ == 0; }
     std::size_t count() const { return in_order().size() + uncounted_; }
-    /// Sorted by place, each once.
+    /// The stored errors, sorted by position, without duplicates.
     std::vector<Diagnostic> in_order() const;
 
   private:
@@ -69,10 +69,10 @@ Place place_of(const Diagnostics& diagnostics, Span span);
 struct PrintStyle {
     bool color = false;
     std::size_t most = 100;  ///< then "and N more errors"
-    std::size_t width = 100; ///< of the part of a long source line that is shown, in characters
+    std::size_t width = 100; ///< characters of a long source line to print
 };
 
-/// For people, in the shape of a compiler's messages:
+/// Formats the errors like a compiler's messages:
 ///
 ///     ragdoll.json:8:33: error: unknown property "masss" at /points/2
 ///         8 |     {"id": "hip", "pos": [0.3], "masss": 1.0 }
@@ -80,16 +80,16 @@ struct PrintStyle {
 ///           = help: did you mean "mass"? (allowed here: id, mass, pinned, pos)
 std::string to_text(const Diagnostics& diagnostics, const PrintStyle& style = {});
 
-/// The candidate that `word` is most likely a slip of, or nothing where none is close: insertions, deletions, changes
-/// and swaps of neighbours count (optimal string alignment), case does not.
+/// The candidate closest to a misspelt `word`; empty where none is close. Distance: insertions, deletions,
+/// substitutions and swaps of neighbours (optimal string alignment), ignoring case.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
-/// The candidates most like `word`, best first: those that share a stretch of at least three letters with it, the
-/// longest first, then those of the fewest edits.
+/// The candidates most similar to `word`, best first: candidates that share a substring of at least three letters with
+/// the word, sorted by decreasing length of the substring, then by edit distance. At most `most` of them.
 std::vector<std::string_view> similar(std::string_view word, std::span<const std::string_view> candidates,
                                       std::size_t most);
 
-/// `did you mean "mass"? (allowed here: id, mass, pinned, pos)`
+/// Help text for an unknown word: `did you mean "mass"? (allowed here: id, mass, pinned, pos)`
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates);
 
 } // namespace sinew

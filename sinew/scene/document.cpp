@@ -32,7 +32,8 @@ std::string_view name_of(const Value& element) {
     return name.empty() ? text_of(element, "prefab") : name;
 }
 
-/// Positions of keys, found in logarithmic time: patches of hostile files are as long as what they patch.
+/// Positions of keys with logarithmic lookup. A hostile file can have a patch as long as the patched array, so linear
+/// lookup would be quadratic.
 class Index {
   public:
     using Entry = std::pair<std::string_view, std::size_t>;
@@ -48,7 +49,7 @@ class Index {
     std::vector<Entry> sorted_;
 };
 
-/// The elements of an array by name, by prefab where that is unique, or by index.
+/// Finds elements of an array by name, by prefab where a single unnamed element has that prefab, or by index.
 class ElementNames {
   public:
     explicit ElementNames(const Array& items) : size_(items.size()) {
@@ -103,7 +104,7 @@ template <class T> void erase_marked(std::vector<T>& items, const std::vector<bo
 
 void merge(Value& target, const Value& patch, const Path& path, Diagnostics& diagnostics);
 
-/// A patch without its nulls: what it becomes where there is nothing to merge it into.
+/// A patch without nulls: the value to insert where the target has no such member.
 Value without_nulls(const Value& patch) {
     const auto* members = patch.as<Object>();
     if (!members) return patch;
@@ -115,7 +116,7 @@ Value without_nulls(const Value& patch) {
     return value;
 }
 
-/// For each member of the patch the element it means; all of them before any is changed.
+/// The element each member of the patch refers to, looked up before any element changes.
 std::vector<std::optional<std::size_t>> elements_meant(const Array& items, const Object& patch) {
     const ElementNames names(items);
     std::vector<std::optional<std::size_t>> meant;
@@ -170,7 +171,7 @@ void merge(Value& target, const Value& patch, const Path& path, Diagnostics& dia
         target = without_nulls(patch);
 }
 
-/// Applies the patch of the mode and removes "modes". A patch for a mode that there is not is an error.
+/// Applies the patch of the document's mode and removes "modes". A patch for an unknown mode is an error.
 void apply_mode(Document& document) {
     auto& root = *document.root.as<Object>();
     const auto found = std::ranges::find(root, "modes", &Member::key);
@@ -208,7 +209,7 @@ struct Step {
     Span span;
 };
 
-/// An override taken apart. Places in it are places in its own source.
+/// A parsed override. Spans refer to the override's own source.
 struct Assignment {
     std::vector<Step> steps;
     Value value;
@@ -240,7 +241,7 @@ void shift(Value& value, std::uint32_t source, std::uint32_t by) {
         }
 }
 
-/// As JSON, or else the text itself.
+/// Parses a text as JSON; a text that is no JSON becomes a string.
 Value value_of(std::string_view text, std::uint32_t source, std::uint32_t begin, const Limits& limits) {
     Diagnostics unused;
     if (auto value = json::parse(unused.add_source({}, std::string(text)), unused, limits); value && unused.ok()) {
@@ -274,7 +275,8 @@ std::optional<Assignment> take_apart(const Override& override, Diagnostics& diag
                       value_of(pair.substr(equals + 1), source, std::uint32_t(equals + 1), limits)};
 }
 
-/// Sets the value that the steps lead to, making objects on the way; the reader finds those that mean nothing.
+/// Sets the value at the end of the steps and creates missing objects along the path. Unknown keys are left for the
+/// reader to report.
 void assign(Value& target, std::span<const Step> steps, const Value& value, const Path& path,
             Diagnostics& diagnostics) {
     if (steps.empty()) {
@@ -311,7 +313,7 @@ void assign(Value& target, std::span<const Step> steps, const Value& value, cons
     assign(member->value, rest, value, Path(path, step.key), diagnostics);
 }
 
-/// Reads those that begin with "limits." and takes them out.
+/// Reads the assignments to "limits." and removes them from the list.
 Limits take_limits(std::vector<Assignment>& assignments, Diagnostics& diagnostics) {
     Value given{Object{}};
     for (const auto& assignment : assignments)
@@ -324,7 +326,7 @@ Limits take_limits(std::vector<Assignment>& assignments, Diagnostics& diagnostic
     return limits;
 }
 
-/// What the last of the assignments to solver.mode says, else the document.
+/// Mode of the last assignment to solver.mode, else of the document.
 std::string mode_of(const Document& document, const std::vector<Assignment>& assignments) {
     std::string mode(modes[0]);
     const auto take = [&](const Value* value) {

@@ -9,26 +9,26 @@
 #include <variant>
 #include <vector>
 
-/// What moves a pin by itself: "driver" of an entry of "pins". All are functions of time alone but the pointer.
+/// Drivers that move a pin: "driver" of an entry of "pins". All but the pointer are functions of time alone.
 namespace sinew {
 
 struct OrbitDriver {
     static constexpr std::string_view name = "orbit";
-    static constexpr std::string_view about = "Goes round the place where it is held, in the plane of the screen.";
+    static constexpr std::string_view about = "Circular motion around the held position, in the plane of the screen.";
     double radius = 1;
     double rate = pi<double>;
     double phase = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.radius,
-              Field{.name = "radius", .help = "Of the circle", .unit = unit::length, .low = 0, .high = 1e6});
+              Field{.name = "radius", .help = "Radius of the circle", .unit = unit::length, .low = 0, .high = 1e6});
         visit(self.rate, Field{.name = "rate",
-                               .help = "How fast it turns, counter-clockwise as seen; negative the other way",
+                               .help = "Angular velocity, counter-clockwise on screen; negative for clockwise",
                                .unit = {.time = -1, .angle = true},
                                .low = -2000 * pi<double>,
                                .high = 2000 * pi<double>});
         visit(self.phase, Field{.name = "phase",
-                                .help = "Where it begins: 0 to the right, 90 above",
+                                .help = "Initial angle: 0 to the right, 90 above",
                                 .unit = unit::angle,
                                 .low = -100 * pi<double>,
                                 .high = 100 * pi<double>});
@@ -37,22 +37,21 @@ struct OrbitDriver {
 
 struct BobDriver {
     static constexpr std::string_view name = "bob";
-    static constexpr std::string_view about =
-        "Swings to and fro about the place where it is held, each axis in its own "
-        "time.";
+    static constexpr std::string_view about = "Oscillation around the held position, with a period for each axis.";
     Point by{};
     Point period{{1, 1, 1}};
     double phase = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.by, Field{.name = "by", .help = "How far to either side", .unit = unit::length, .required = true});
+        visit(self.by,
+              Field{.name = "by", .help = "Amplitude along each axis", .unit = unit::length, .required = true});
         visit(self.period, Field{.name = "period",
-                                 .help = "How long a swing to and fro lasts, along each axis",
+                                 .help = "Period of the oscillation along each axis",
                                  .unit = unit::time,
                                  .low = 1e-3,
                                  .high = 1e6});
         visit(self.phase, Field{.name = "phase",
-                                .help = "Where in its swing it begins; 0 in the middle",
+                                .help = "Initial phase; 0 in the middle",
                                 .unit = unit::angle,
                                 .low = -100 * pi<double>,
                                 .high = 100 * pi<double>});
@@ -65,39 +64,40 @@ struct Keyframe {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.at,
-              Field{.name = "at", .help = "When", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
-        visit(self.to, Field{.name = "to", .help = "Where it is then", .unit = unit::length, .required = true});
+              Field{.name = "at", .help = "Time", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
+        visit(self.to, Field{.name = "to", .help = "Position at that time", .unit = unit::length, .required = true});
     }
 };
 
 struct PathDriver {
     static constexpr std::string_view name = "path";
-    static constexpr std::string_view about = "Goes from place to place on a timetable.";
+    static constexpr std::string_view about = "Motion along keyframes.";
     std::vector<Keyframe> keys;
     bool smooth = false;
     bool repeat = false;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.keys, Field{.name = "keys",
-                               .help = "Where it is when, in the order of time; it sets out from where it is held",
+                               .help = "Keyframes in order of time; the path begins at the held position",
                                .required = true});
-        visit(self.smooth, Field{.name = "smooth", .help = "On a curve through the places, not straight"});
-        visit(self.repeat, Field{.name = "repeat", .help = "Again from time 0 after the last"});
+        visit(self.smooth,
+              Field{.name = "smooth", .help = "Smooth curve through the positions instead of straight lines"});
+        visit(self.repeat, Field{.name = "repeat", .help = "Repetition from time 0 after the last key"});
     }
 };
 
 struct PointerDriver {
     static constexpr std::string_view name = "pointer";
-    static constexpr std::string_view about =
-        "Follows the pointer; where there is none, the path that stands in for it.";
+    static constexpr std::string_view about = "The pointer's position; without a pointer, a substitute path.";
     std::vector<Keyframe> keys;
     bool smooth = true;
     bool repeat = false;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.keys, Field{.name = "keys", .help = "Where a pointer would be when, in the order of time"});
-        visit(self.smooth, Field{.name = "smooth", .help = "On a curve through the places, not straight"});
-        visit(self.repeat, Field{.name = "repeat", .help = "Again from time 0 after the last"});
+        visit(self.keys, Field{.name = "keys", .help = "Keyframes of a substitute path, in order of time"});
+        visit(self.smooth,
+              Field{.name = "smooth", .help = "Smooth curve through the positions instead of straight lines"});
+        visit(self.repeat, Field{.name = "repeat", .help = "Repetition from time 0 after the last key"});
     }
 };
 

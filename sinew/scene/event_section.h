@@ -11,12 +11,12 @@
 #include <variant>
 #include <vector>
 
-/// What happens when: the section "events" of a scene file. Times are in the scene's time unit, from its start.
+/// Timed events: the section "events" of a scene file. Times are in the scene's time unit, from the start of the scene.
 namespace sinew {
 
 struct GrabEvent {
     static constexpr std::string_view name = "grab";
-    static constexpr std::string_view about = "Takes hold of a particle and carries it to a place.";
+    static constexpr std::string_view about = "A grab that holds a particle and carries it to a destination.";
     std::string particle;
     std::optional<Point> to;
     double over = 0;
@@ -25,24 +25,25 @@ struct GrabEvent {
     double max_force = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.particle, Field{.name = "grab", .help = "Which particle, as figure/name", .required = true});
-        visit(self.to, Field{.name = "to", .help = "Where it is carried; left out: held", .unit = unit::length});
+        visit(self.particle, Field{.name = "grab", .help = "Particle, as figure/name", .required = true});
+        visit(self.to, Field{.name = "to",
+                             .help = "Destination; if left out, the particle is held in place",
+                             .unit = unit::length});
         visit(self.over,
-              Field{.name = "over", .help = "How long that takes", .unit = unit::time, .low = 0, .high = 1e9});
-        visit(self.within,
-              Field{.name = "within",
-                    .help = "What of its figure is as near is carried along; in classic mode, what is as near to "
-                            "its way",
-                    .unit = unit::length,
-                    .low = 0,
-                    .high = 1e6});
+              Field{.name = "over", .help = "Duration of the motion", .unit = unit::time, .low = 0, .high = 1e9});
+        visit(self.within, Field{.name = "within",
+                                 .help = "Distance within which particles of the same figure move along; in classic "
+                                         "mode, distance from the path",
+                                 .unit = unit::length,
+                                 .low = 0,
+                                 .high = 1e6});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How much the hold gives under a force; 0 holds fast",
+                                     .help = "Compliance of the hold; 0 is rigid",
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e12});
         visit(self.max_force, Field{.name = "max_force",
-                                    .help = "Most it pulls with; 0 means no limit",
+                                    .help = "Largest force; 0 for no limit",
                                     .unit = unit::force,
                                     .low = 0,
                                     .high = 1e15});
@@ -51,52 +52,52 @@ struct GrabEvent {
 
 struct ReleaseEvent {
     static constexpr std::string_view name = "release";
-    static constexpr std::string_view about = "Lets go of a particle that is grabbed or pinned; it keeps its velocity.";
+    static constexpr std::string_view about = "A release of a grabbed or pinned particle, which keeps its velocity.";
     std::string particle;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.particle, Field{.name = "release", .help = "Which particle, as figure/name", .required = true});
+        visit(self.particle, Field{.name = "release", .help = "Particle, as figure/name", .required = true});
     }
 };
 
 struct ImpulseEvent {
     static constexpr std::string_view name = "impulse";
-    static constexpr std::string_view about = "A blow: a change of momentum at once.";
+    static constexpr std::string_view about = "A blow: an instantaneous change of momentum.";
     std::string target;
     Point by{};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.target, Field{.name = "impulse",
-                                 .help = "A particle as figure/name, or a figure, whose particles share it by mass",
-                                 .required = true});
-        visit(self.by, Field{.name = "by", .help = "Mass times velocity", .unit = unit::impulse, .required = true});
+        visit(self.target,
+              Field{.name = "impulse",
+                    .help = "Particle as figure/name, or a figure, whose particles share the impulse by mass",
+                    .required = true});
+        visit(self.by, Field{.name = "by", .help = "Change of momentum", .unit = unit::impulse, .required = true});
     }
 };
 
 struct KickEvent {
     static constexpr std::string_view name = "kick";
-    static constexpr std::string_view about =
-        "A random change of velocity, another one each time and for each particle.";
+    static constexpr std::string_view about = "A random change of velocity, different each time and for each particle.";
     std::string target;
     Point by{};
     std::int64_t seed = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.target, Field{.name = "kick",
-                                 .help = "Which particle, as figure/name; figure/stem_* are all that begin so",
+                                 .help = "Particle, as figure/name; figure/stem_* for all names with that stem",
                                  .required = true});
         visit(self.by, Field{.name = "by",
-                             .help = "The largest change, to either side along each axis",
+                             .help = "Largest change along each axis, in both directions",
                              .unit = unit::speed,
                              .required = true});
-        visit(self.seed, Field{.name = "seed", .help = "Another number, other kicks"});
+        visit(self.seed, Field{.name = "seed", .help = "Seed of the random kicks"});
     }
 };
 
 struct JoinEvent {
     static constexpr std::string_view name = "join";
-    static constexpr std::string_view about =
-        "Joins particles by a constraint of the figure of the first, unless one of its name is there; snip parts them.";
+    static constexpr std::string_view about = "A new constraint between particles, owned by the first particle's "
+                                              "figure, unless one of that name exists; snip removes it.";
     ConstraintSection constraint;
     double within = 0;
 
@@ -105,17 +106,19 @@ struct JoinEvent {
             if (field.name == "between") field.name = "join";
             visit(member, field);
         });
-        visit(self.within, Field{.name = "within",
-                                 .help = "Only if the first two are as near as that; 0: however far",
-                                 .unit = unit::length,
-                                 .low = 0,
-                                 .high = 1e8});
+        visit(self.within,
+              Field{.name = "within",
+                    .help =
+                        "Largest distance between the first two particles at which they are joined; 0 for any distance",
+                    .unit = unit::length,
+                    .low = 0,
+                    .high = 1e8});
     }
 };
 
 struct GustEvent {
     static constexpr std::string_view name = "gust";
-    static constexpr std::string_view about = "A wind that blows for a while.";
+    static constexpr std::string_view about = "A wind of limited duration.";
     Point velocity{};
     double strength = 0.1;
     double over = 1;
@@ -123,67 +126,74 @@ struct GustEvent {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.velocity,
               Field{.name = "gust", .help = "Velocity of the air", .unit = unit::speed, .required = true});
-        visit(self.strength, Field{.name = "strength",
-                                   .help = "Force on one particle over its speed against the air",
-                                   .unit = unit::drag,
-                                   .low = 0,
-                                   .high = 1e9});
-        visit(self.over, Field{.name = "over", .help = "How long", .unit = unit::time, .low = 0, .high = 1e9});
+        visit(self.strength,
+              Field{.name = "strength",
+                    .help = "Drag coefficient: force on a particle divided by its speed relative to the air",
+                    .unit = unit::drag,
+                    .low = 0,
+                    .high = 1e9});
+        visit(self.over, Field{.name = "over", .help = "Duration", .unit = unit::time, .low = 0, .high = 1e9});
     }
 };
 
 struct CutEvent {
     static constexpr std::string_view name = "cut";
     static constexpr std::string_view about =
-        "Cuts every distance that crosses a line, as seen in the picture; cloth is sliced along it.";
+        "A cut of every distance that crosses a line in the picture; cloth is sliced along the line.";
     std::array<Point, 2> line{};
     std::optional<double> within;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.line, Field{.name = "cut", .help = "From here to there", .unit = unit::length, .required = true});
-        visit(self.within, Field{.name = "within",
-                                 .help = "What comes as near to the line is cut too; left out: as a pointer does",
-                                 .unit = unit::length,
-                                 .low = 0,
-                                 .high = 1e6});
+        visit(self.line, Field{.name = "cut",
+                               .help = "Line of the cut, from one point to the other",
+                               .unit = unit::length,
+                               .required = true});
+        visit(self.within,
+              Field{.name = "within",
+                    .help = "Distance from the line within which links are cut too; pointer.cuts_within if left out",
+                    .unit = unit::length,
+                    .low = 0,
+                    .high = 1e6});
     }
 };
 
 struct SnipEvent {
     static constexpr std::string_view name = "snip";
-    static constexpr std::string_view about = "Removes constraints by name.";
+    static constexpr std::string_view about = "Removal of constraints by name.";
     std::vector<std::string> constraints;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.constraints, Field{.name = "snip", .help = "Which, as figure/name", .required = true});
+        visit(self.constraints, Field{.name = "snip", .help = "Constraints, as figure/name", .required = true});
     }
 };
 
-/// What can be changed while a scene runs; what is left out stays.
+/// Settings that can change while a scene runs; absent members keep their values.
 struct Changes {
     std::optional<Point> gravity;
     std::optional<double> damping, bounce, friction, time_scale;
     std::optional<int> substeps, iterations, passes;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.gravity, Field{.name = "gravity", .help = "As in world", .unit = unit::acceleration});
-        visit(self.damping, Field{.name = "damping", .help = "As in world", .low = 0, .high = 1e6});
-        visit(self.bounce, Field{.name = "bounce", .help = "Of all walls", .low = 0, .high = 1});
-        visit(self.friction, Field{.name = "friction", .help = "Of all walls", .low = 0, .high = 100});
-        visit(self.time_scale, Field{.name = "time_scale", .help = "As in solver.rules", .low = 0, .high = 100});
-        visit(self.substeps, Field{.name = "substeps", .help = "As in solver", .low = 0, .high = 1000});
-        visit(self.iterations, Field{.name = "iterations", .help = "As in solver", .low = 1, .high = 1000});
-        visit(self.passes, Field{.name = "passes", .help = "As in solver", .low = 0, .high = 1000});
+        visit(self.gravity, Field{.name = "gravity", .help = "New value of world.gravity", .unit = unit::acceleration});
+        visit(self.damping, Field{.name = "damping", .help = "New value of world.damping", .low = 0, .high = 1e6});
+        visit(self.bounce, Field{.name = "bounce", .help = "New bounce of all walls", .low = 0, .high = 1});
+        visit(self.friction, Field{.name = "friction", .help = "New friction of all walls", .low = 0, .high = 100});
+        visit(self.time_scale,
+              Field{.name = "time_scale", .help = "New value of solver.rules.time_scale", .low = 0, .high = 100});
+        visit(self.substeps, Field{.name = "substeps", .help = "New value of solver.substeps", .low = 0, .high = 1000});
+        visit(self.iterations,
+              Field{.name = "iterations", .help = "New value of solver.iterations", .low = 1, .high = 1000});
+        visit(self.passes, Field{.name = "passes", .help = "New value of solver.passes", .low = 0, .high = 1000});
     }
 };
 
 struct SetEvent {
     static constexpr std::string_view name = "set";
-    static constexpr std::string_view about = "Changes how the world behaves from now on.";
+    static constexpr std::string_view about = "A permanent change of settings.";
     Changes changes;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.changes, Field{.name = "set", .help = "What is changed, and to what", .required = true});
+        visit(self.changes, Field{.name = "set", .help = "New values", .required = true});
     }
 };
 
@@ -196,14 +206,14 @@ struct EventSection {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.at,
-              Field{.name = "at", .help = "When", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
+              Field{.name = "at", .help = "Time", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
         visit(self.every, Field{.name = "every",
-                                .help = "Again and again, after as long each time; 0: once",
+                                .help = "Interval of repetition; 0 for a single event",
                                 .unit = unit::time,
                                 .low = 0,
                                 .high = 1e12});
         visit(self.times,
-              Field{.name = "times", .help = "How often in all, if again; 0: without end", .low = 0, .high = 1e9});
+              Field{.name = "times", .help = "Total number of repeated events; 0 for no limit", .low = 0, .high = 1e9});
         visit(self.event, Field{.required = true});
     }
 };

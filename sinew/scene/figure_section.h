@@ -12,24 +12,24 @@
 #include <utility>
 #include <vector>
 
-/// What there is in a scene: its figures, and what joins and holds them.
+/// Figures of a scene, and the constraints and pins on figures.
 namespace sinew {
 
-/// What moves the limits of a constraint: "drive". Of a distance it is a winch, of an angle a motor.
+/// A keyframe of "drive", which moves the limits of a constraint: a winch for a distance, a motor for an angle.
 struct DriveKey {
     double at = 0;
     std::optional<double> to, strength;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.at,
-              Field{.name = "at", .help = "When", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
+              Field{.name = "at", .help = "Time", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
         visit(self.to,
-              Field{.name = "to", .help = "From then on it goes to this rest, or high limit, and stops there"});
-        visit(self.strength, Field{.name = "strength",
-                                   .help = "Share of its max_force that it has then, and more or less of it on the way "
-                                           "to the next key that tells",
-                                   .low = 0,
-                                   .high = 1000});
+              Field{.name = "to", .help = "Target of the rest value, or of the high limit, from this time on"});
+        visit(self.strength,
+              Field{.name = "strength",
+                    .help = "Share of max_force at this time, interpolated linearly to the next key with a strength",
+                    .low = 0,
+                    .high = 1000});
     }
 };
 
@@ -39,11 +39,11 @@ struct DriveSection {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.speed, Field{.name = "speed",
-                                .help = "Of its limits, a length (or degrees) a time unit; without keys it goes on for "
-                                        "ever, in if it is negative",
+                                .help = "Speed of the limits, length units (or degrees) per time unit; without keys "
+                                        "the motion never ends, and a negative speed shortens",
                                 .low = -1e9,
                                 .high = 1e9});
-        visit(self.keys, Field{.name = "keys", .help = "Where it goes when, in the order of time"});
+        visit(self.keys, Field{.name = "keys", .help = "Keyframes in order of time"});
     }
 };
 
@@ -62,42 +62,43 @@ struct ConstraintSection {
     bool hidden = false;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.kind, Field{.name = "kind", .help = "What is measured", .choices = kind_names});
+        visit(self.kind, Field{.name = "kind", .help = "Measured quantity", .choices = kind_names});
         visit(self.between,
               Field{.name = "between",
-                    .help = "The particles, as figure/name; inside a figure its own need no figure/, and "
-                            "others come before. One can end in a star: a constraint for each that begins so",
+                    .help = "Particles, as figure/name; inside a figure its own need no figure/, and other figures "
+                            "must come earlier. A name may end in a star, for one constraint per matching particle",
                     .required = true});
-        visit(self.name, Field{.name = "name", .help = "For events and reports"});
-        visit(self.rest, Field{.name = "rest", .help = "The measure is kept at this value; left out, at what it is"});
-        visit(self.low, Field{.name = "low", .help = "The measure is kept at least this"});
-        visit(self.high, Field{.name = "high", .help = "The measure is kept at most this: a rope"});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How much it gives under a force (1/stiffness); 0 is rigid",
-                                     .low = 0,
-                                     .high = 1e12});
+        visit(self.name, Field{.name = "name", .help = "Name for events and reports"});
+        visit(self.rest, Field{.name = "rest", .help = "Value of the measure to keep; the initial value if left out"});
+        visit(self.low, Field{.name = "low", .help = "Smallest value of the measure"});
+        visit(self.high, Field{.name = "high", .help = "Largest value of the measure: a rope"});
+        visit(self.compliance,
+              Field{.name = "compliance", .help = "Compliance (1/stiffness); 0 is rigid", .low = 0, .high = 1e12});
         visit(self.relaxation,
-              Field{.name = "relaxation", .help = "Share of the error removed at once", .low = 0, .high = 1});
+              Field{.name = "relaxation", .help = "Share of the error removed in one correction", .low = 0, .high = 1});
         visit(self.split, Field{.name = "split",
-                                .help = "Share of the correction the first particle takes: 0.5 is fair",
+                                .help = "Share of the correction applied to the first particle: 0.5 is even",
                                 .low = 0,
                                 .high = 1});
         visit(self.max_force, Field{.name = "max_force",
-                                    .help = "Most it pulls or pushes with; beyond, a length slips and an angle gives "
-                                            "way. Of an angle a torque; 0 means no limit",
+                                    .help = "Largest force (torque for an angle); above it a length slips and an angle "
+                                            "gives way; 0 for no limit",
                                     .low = 0,
                                     .high = 1e15});
-        visit(self.lead, Field{.name = "lead",
-                               .help = "Of one with a compliance: it aims where its measure will be so much later, "
-                                       "which damps it",
-                               .unit = unit::time,
-                               .low = 0,
-                               .high = 1e6});
-        visit(self.drive, Field{.name = "drive", .help = "A winch or motor that moves its limits"});
-        visit(self.breaking_strain,
-              Field{.name = "breaking_strain", .help = "Torn beyond it; 0 never tears", .low = 0, .high = 1e6});
+        visit(
+            self.lead,
+            Field{.name = "lead",
+                  .help = "Damping time of a compliant constraint, which acts on the measure expected that much later",
+                  .unit = unit::time,
+                  .low = 0,
+                  .high = 1e6});
+        visit(self.drive, Field{.name = "drive", .help = "Winch or motor that moves the limits"});
+        visit(self.breaking_strain, Field{.name = "breaking_strain",
+                                          .help = "Strain at which the constraint tears; 0 for never",
+                                          .low = 0,
+                                          .high = 1e6});
         visit(self.toughness, toughness_field);
-        visit(self.hidden, Field{.name = "hidden", .help = "A support that is not drawn"});
+        visit(self.hidden, Field{.name = "hidden", .help = "Hidden support, not drawn"});
     }
 };
 
@@ -111,19 +112,17 @@ struct ParticleSection {
     double size = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.at, Field{.name = "at", .help = "Where it starts", .unit = unit::length, .required = true});
-        visit(self.velocity, Field{.name = "velocity", .help = "How fast it starts", .unit = unit::speed});
+        visit(self.at, Field{.name = "at", .help = "Initial position", .unit = unit::length, .required = true});
+        visit(self.velocity, Field{.name = "velocity", .help = "Initial velocity", .unit = unit::speed});
         visit(self.previous, Field{.name = "previous",
-                                   .help = "Instead of a velocity: where it was one frame ago",
+                                   .help = "Position one frame earlier, in place of a velocity",
                                    .unit = unit::length});
-        visit(self.mass, Field{.name = "mass", .help = "Its mass", .unit = unit::mass, .low = 1e-12, .high = 1e12});
-        visit(
-            self.radius,
-            Field{
-                .name = "radius", .help = "How far it stays from walls", .unit = unit::length, .low = 0, .high = 1e6});
-        visit(self.pinned, Field{.name = "pinned", .help = "Held where it starts"});
+        visit(self.mass, Field{.name = "mass", .help = "Mass", .unit = unit::mass, .low = 1e-12, .high = 1e12});
+        visit(self.radius,
+              Field{.name = "radius", .help = "Collision radius", .unit = unit::length, .low = 0, .high = 1e6});
+        visit(self.pinned, Field{.name = "pinned", .help = "Held at the initial position"});
         visit(self.size, Field{.name = "size",
-                               .help = "Diameter of its dot as drawn; 0 leaves it to the looks",
+                               .help = "Diameter of the drawn dot; 0 for that of the looks",
                                .unit = unit::length,
                                .low = 0,
                                .high = 1e6});
@@ -133,7 +132,7 @@ struct ParticleSection {
 inline constexpr std::array<std::string_view, 10> mark_names = {"stroke", "curve", "limb", "tip",     "loop",
                                                                 "ring",   "dot",   "fill", "surface", "face"};
 
-/// What is drawn of a figure made by hand, beside its dots and its lines.
+/// A drawn piece of a hand-made figure, besides its dots and lines.
 struct PieceSection {
     std::string mark = "stroke";
     std::string part;
@@ -141,23 +140,23 @@ struct PieceSection {
     double width = 0, end_width = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.mark, Field{.name = "mark", .help = "What it is drawn as", .choices = mark_names});
-        visit(self.part, Field{.name = "part", .help = "What looks call it; left out: as its mark"});
-        visit(self.through, Field{.name = "through", .help = "Its particles, as between names them", .required = true});
+        visit(self.mark, Field{.name = "mark", .help = "Type of the drawn shape", .choices = mark_names});
+        visit(self.part, Field{.name = "part", .help = "Name of the part in looks; the mark's name if left out"});
+        visit(self.through, Field{.name = "through", .help = "Particles, named as in between", .required = true});
         visit(self.width, Field{.name = "width",
-                                .help = "Thickness or diameter; 0 leaves it to the looks",
+                                .help = "Thickness or diameter; 0 for that of the looks",
                                 .unit = unit::length,
                                 .low = 0,
                                 .high = 1e6});
         visit(self.end_width, Field{.name = "end_width",
-                                    .help = "Of a stroke or limb that tapers: its thickness at the end",
+                                    .help = "Thickness at the end of a tapered stroke or limb",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = 1e6});
     }
 };
 
-/// A figure made by hand, of single particles and constraints.
+/// A hand-made figure: a list of particles and constraints.
 struct ByHand {
     static constexpr std::string_view name = "by_hand";
     static constexpr std::string_view about = "Particles and constraints listed one by one.";
@@ -167,8 +166,8 @@ struct ByHand {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.particles, Field{.name = "particles", .help = "Particles by name"});
-        visit(self.constraints, Field{.name = "constraints", .help = "What joins them"});
-        visit(self.pieces, Field{.name = "pieces", .help = "What is drawn on them, above lines and below dots"});
+        visit(self.constraints, Field{.name = "constraints", .help = "Constraints between the particles"});
+        visit(self.pieces, Field{.name = "pieces", .help = "Drawn pieces, above lines and below dots"});
     }
 };
 
@@ -190,26 +189,31 @@ struct FigureSection {
     detail::WithByHand<Prefabs>::type made; ///< a prefab with its parameters, or by hand
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.name, Field{.name = "name", .help = "What the scene calls it; the prefab's name if left out"});
-        visit(self.at, Field{.name = "at", .help = "Where its origin is", .unit = unit::length});
+        visit(self.name, Field{.name = "name", .help = "Name in the scene; the prefab's name if left out"});
+        visit(self.at, Field{.name = "at", .help = "Position of the origin", .unit = unit::length});
         visit(self.turn, Field{.name = "turn",
-                               .help = "Turned about its origin, counter-clockwise as seen",
+                               .help = "Rotation about the origin, counter-clockwise on screen",
                                .unit = unit::angle,
                                .low = -100 * pi<double>,
                                .high = 100 * pi<double>});
-        visit(self.velocity, Field{.name = "velocity", .help = "How fast all of it starts", .unit = unit::speed});
-        visit(self.kicks,
-              Field{.name = "kicks", .help = "More velocity for single particles, by name", .unit = unit::speed});
-        visit(self.relaxation, Field{.name = "relaxation", .help = "Of all its constraints", .low = 0, .high = 1});
-        visit(self.split, Field{.name = "split", .help = "Of all its constraints", .low = 0, .high = 1});
-        visit(self.direct, Field{.name = "direct",
-                                 .help = "As solver.direct, for what this figure is part of; left out: as there",
-                                 .choices = direct_names});
+        visit(self.velocity,
+              Field{.name = "velocity", .help = "Initial velocity of the whole figure", .unit = unit::speed});
+        visit(self.kicks, Field{.name = "kicks",
+                                .help = "Additional initial velocity of single particles, by name",
+                                .unit = unit::speed});
+        visit(self.relaxation,
+              Field{.name = "relaxation", .help = "Relaxation of all constraints of the figure", .low = 0, .high = 1});
+        visit(self.split,
+              Field{.name = "split", .help = "Split of all constraints of the figure", .low = 0, .high = 1});
+        visit(self.direct,
+              Field{.name = "direct",
+                    .help = "solver.direct for the connected component of this figure; the solver's value if left out",
+                    .choices = direct_names});
         visit(self.integrator, Field{.name = "integrator",
-                                     .help = "As solver.rules.integrator, for this figure; left out: as there",
+                                     .help = "solver.rules.integrator for this figure; the rules' value if left out",
                                      .choices = integrator_names});
-        visit(self.looks, Field{.name = "looks", .help = "How its parts look, by part; \"all\" for the whole"});
-        visit(self.made, Field{.name = "prefab", .help = "What it is; left out: by_hand"});
+        visit(self.looks, Field{.name = "looks", .help = "Looks by part; \"all\" for the whole figure"});
+        visit(self.made, Field{.name = "prefab", .help = "Type of the figure; by_hand if left out"});
     }
 };
 
@@ -225,36 +229,37 @@ struct PinSection {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.particle, Field{.name = "particle",
-                                   .help = "Which, as figure/name; figure/stem_* are all that begin so",
+                                   .help = "Particle, as figure/name; figure/stem_* for all names with that stem",
                                    .required = true});
-        visit(self.to, Field{.name = "to", .help = "Where it is held; left out: where it is", .unit = unit::length});
+        visit(self.to,
+              Field{.name = "to", .help = "Held position; the initial position if left out", .unit = unit::length});
         visit(self.compliance, Field{.name = "compliance",
-                                     .help = "How much it gives under a force; 0 holds fast",
+                                     .help = "Compliance of the pin; 0 is rigid",
                                      .unit = unit::compliance,
                                      .low = 0,
                                      .high = 1e12});
-        visit(
-            self.damping,
-            Field{.name = "damping", .help = "Of a pin that gives, as a fraction of critical", .low = 0, .high = 1000});
+        visit(self.damping, Field{.name = "damping",
+                                  .help = "Damping of a compliant pin, as a fraction of critical damping",
+                                  .low = 0,
+                                  .high = 1000});
         visit(self.max_force, Field{.name = "max_force",
-                                    .help = "Most it pulls with; 0 means no limit",
+                                    .help = "Largest force; 0 for no limit",
                                     .unit = unit::force,
                                     .low = 0,
                                     .high = 1e15});
-        visit(self.steer,
-              Field{.name = "steer",
-                    .help = "Accelerates the particle towards the target instead of holding it there, by so much for "
-                            "each unit of distance, along each axis. In classic mode nothing else accelerates it; in "
-                            "physical mode a spring as stiff as their mean does it",
-                    .unit = {.time = -2},
-                    .low = 0,
-                    .high = 1e6});
+        visit(self.steer, Field{.name = "steer",
+                                .help = "Acceleration towards the target for each unit of distance, along each axis, "
+                                        "instead of holding the particle there. In classic mode no other acceleration "
+                                        "acts on it; in physical mode it becomes a spring with the mean stiffness",
+                                .unit = {.time = -2},
+                                .low = 0,
+                                .high = 1e6});
         visit(self.steer_damping, Field{.name = "steer_damping",
-                                        .help = "Of a pin that steers: acceleration against each unit of velocity",
+                                        .help = "Deceleration for each unit of velocity, of a pin that steers",
                                         .unit = {.time = -1},
                                         .low = 0,
                                         .high = 1e6});
-        visit(self.driver, Field{.name = "driver", .help = "What moves it by itself; left out: nothing"});
+        visit(self.driver, Field{.name = "driver", .help = "Motion of the pin; none if left out"});
     }
 };
 

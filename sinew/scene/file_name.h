@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// Whether a file that a scene names at `place` lies in its folder; else that is reported. A scene must not look
-/// elsewhere on the machine it is opened on.
+/// True if the file that a scene names at `place` lies in the scene's folder; otherwise an error is reported. A scene
+/// must not access other files of the machine.
 bool in_its_folder(std::string_view name, const std::string& place, std::string_view example, Document& document);
 
 } // namespace sinew

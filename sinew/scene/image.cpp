@@ -6,7 +6,7 @@
 namespace sinew {
 namespace {
 
-/// Channel by channel, rounded; premultiplied colours average as they are.
+/// Mean of four pixels, channel by channel, rounded. Premultiplied colours can be averaged directly.
 std::uint32_t mean(const std::array<std::uint32_t, 4>& pixels) {
     std::uint32_t sum = 0;
     for (const unsigned shift : {0U, 8U, 16U, 24U}) {

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// Makes the world of a scene, section by section.
+/// Builds the world of a scene, section by section.
 template <int D, class Real> class Maker {
   public:
     explicit Maker(const Scene& scene) : scene_(scene) {}
@@ -64,7 +64,8 @@ template <int D, class Real> class Maker {
     }
 
     void forces() {
-        world_.forces.push_back(Gravity<D, Real>{vector(scene_.world.gravity)}); // the first is the world's own
+        world_.forces.push_back(
+            Gravity<D, Real>{vector(scene_.world.gravity)}); // the first field is the world's gravity
         for (const auto& section : scene_.world.forces)
             detail::visit_held(section.force, [&](const auto& force) { world_.forces.push_back(field(force)); });
     }
@@ -82,7 +83,8 @@ template <int D, class Real> class Maker {
     Attractor<D, Real> field(const AttractorForce& force) const {
         return {vector(force.center), Real(force.strength), Real(force.softness), figure_called(force.figure)};
     }
-    /// Figures are made in their order; no_figure where the name is empty.
+    /// Index of a figure by name, known before the figure is built, because figures are built in scene order; no_figure
+    /// for an empty name.
     FigureIndex figure_called(std::string_view name) const {
         for (std::size_t i = 0; i < scene_.figures.size(); ++i)
             if (!name.empty() && name_of(scene_.figures[i]) == name) return FigureIndex(i);
@@ -159,7 +161,7 @@ template <int D, class Real> class Maker {
             return no_figure;
     }
 
-    /// Listed places are meant in the scene's own axes: only turned and moved, never mirrored.
+    /// Builds a hand-made figure. Positions are in the scene's own axes: rotated and translated, never mirrored.
     FigureIndex build_figure(const ByHand& by_hand, std::string_view name, const FigureSection& section) {
         const auto figure = add_figure(world_, name, ByHand::name);
         const Placement<D, Real> placement{.at = vector(section.at), .turn = section.turn * up(), .up = 1};
@@ -187,7 +189,8 @@ template <int D, class Real> class Maker {
         return figure;
     }
 
-    /// Marks are named in their order. Names are checked later: one of nothing is left out.
+    /// Adds a drawn piece. The enum Mark has the order of mark_names. Unknown particles get an empty id;
+    /// check_references reports such names.
     void add_piece(const PieceSection& section, FigureIndex figure, const std::string& prefix) {
         const auto mark = std::find(mark_names.begin(), mark_names.end(), section.mark) - mark_names.begin();
         Piece piece{.mark = Mark(mark),
@@ -213,7 +216,8 @@ template <int D, class Real> class Maker {
         }
     }
 
-    /// Physical mode: a spring of the mean stiffness k m, with as much of the critical damping 2 sqrt(k) m.
+    /// In physical mode the pin becomes a spring of the mean stiffness k m, damped by a fraction of the critical
+    /// damping 2 sqrt(k) m.
     void steer(PinSpec<D, Real>& spec, const PinSection& section, ParticleId id) const {
         const auto gain = vector(*section.steer);
         if (world_.settings.mode == Mode::classic) {

@@ -19,7 +19,8 @@ template <class Real> std::optional<Interval<Real>> limits_of(const ConstraintSe
     return limits;
 }
 
-/// The mark of a constraint made by hand: a line is called "line", an area by its kind.
+/// Adds the drawn piece of a hand-made constraint. Part: the constraint's name, else "line" for a line and the kind's
+/// name for an area.
 void draw(Figure& figure, const ConstraintSection& section, const std::vector<ParticleId>& members) {
     const auto drawn_as = kind_called(section.kind)->drawn_as;
     if (drawn_as == DrawnAs::nothing) return;
@@ -57,7 +58,7 @@ void join_members(World<D, Real>& world, const ConstraintSection& section, Figur
 template <int D, class Real>
 void join(World<D, Real>& world, const ConstraintSection& section, FigureIndex figure, const std::string& prefix) {
     std::vector<ParticleId> members, each;
-    std::size_t many = 0; // the place of the star
+    std::size_t many = 0; // index of the member with a star
     for (const auto& name : section.between) {
         auto found = find_particles(world, full_name(name, prefix));
         if (found.empty()) return;
@@ -69,7 +70,7 @@ void join(World<D, Real>& world, const ConstraintSection& section, FigureIndex f
     if (each.empty()) return join_members(world, section, figure, members);
     for (const auto id : each) {
         members[many] = id;
-        if (std::count(members.begin(), members.end(), id) == 1) // never with itself
+        if (std::count(members.begin(), members.end(), id) == 1) // no particle twice in one constraint
             join_members(world, section, figure, members);
     }
 }

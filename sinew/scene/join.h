@@ -4,9 +4,9 @@
 
 namespace sinew {
 
-/// A constraint as a scene tells of it, between particles whose names begin with `prefix`; where one of them ends in a
-/// star, one for each particle called so. It belongs to the figure, which draws it. A reference to nothing is left out,
-/// for others to report.
+/// Adds a constraint from its section; names of members without a figure get `prefix`. Where a name ends in a star,
+/// adds one constraint for each matching particle. The constraint belongs to the figure, which draws the piece. A
+/// constraint with an unknown member is not added; check_references reports the name.
 template <int D, class Real>
 void join(World<D, Real>& world, const ConstraintSection& section, FigureIndex figure = no_figure,
           const std::string& prefix = {});

@@ -29,7 +29,7 @@ Member* find(Object& object, std::string_view key) {
 
 namespace {
 
-/// The key that a step of a pointer stands for.
+/// The key that a step of a JSON pointer stands for: ~1 is a slash, ~0 a tilde.
 std::string key_of(std::string_view step) {
     std::string key;
     for (std::size_t i = 0; i < step.size(); ++i) {

@@ -12,18 +12,18 @@
 #include <variant>
 #include <vector>
 
-/// JSON as it was written: objects keep their order, and every value and every key knows its bytes in the source.
+/// JSON values that keep the order of members and the source span of every value and key.
 namespace sinew::json {
 
 struct Value;
 struct Member;
 using Null = std::monostate;
 using Array = std::vector<Value>;
-using Object = std::vector<Member>; ///< in document order, no key twice
+using Object = std::vector<Member>; ///< in document order, without duplicate keys
 
 struct Number {
     double value = 0;
-    std::optional<std::int64_t> integer; ///< exact, where the number is whole: 7, 1e9 and 3.0, not 3.5
+    std::optional<std::int64_t> integer; ///< exact value of a whole number that fits 64 bits: 7, 1e9 and 3.0, not 3.5
     friend constexpr bool operator==(const Number&, const Number&) = default;
 };
 
@@ -47,7 +47,7 @@ struct Value {
     template <class T> T* as() { return std::get_if<T>(&data); }
     bool is_null() const { return std::holds_alternative<Null>(data); }
 
-    /// The same value; where it was written does not matter.
+    /// Equality of values; spans are ignored.
     friend bool operator==(const Value& a, const Value& b);
 };
 
@@ -58,7 +58,7 @@ struct Member {
     friend bool operator==(const Member& a, const Member& b) { return a.key == b.key && a.value == b.value; }
 };
 
-// Defined where a Member is a complete type.
+// Defined here, where Member is a complete type.
 inline Value::Value() = default;
 inline Value::Value(bool truth) : data(truth) {}
 inline Value::Value(Number number) : data(number) {}
@@ -73,24 +73,24 @@ inline bool operator==(const Value& a, const Value& b) {
     return a.data == b.data;
 }
 
-/// The member of that name, or null.
+/// The member with that key, or null.
 const Member* find(const Object& object, std::string_view key);
 Member* find(Object& object, std::string_view key);
 
-/// The value under a JSON pointer (RFC 6901) such as "/figures/0/name", or null.
+/// The value at a JSON pointer (RFC 6901) such as "/figures/0/name", or null.
 const Value* find(const Value& root, std::string_view pointer);
 
-/// `key` as one step of a JSON pointer, with the slash before it.
+/// `key` as one step of a JSON pointer, including the leading slash.
 std::string pointer_step(std::string_view key);
 
-/// Reads a source of the diagnostics: JSON with // and /* */ comments. What is wrong with it is reported there; nothing
-/// is returned where the text is no JSON or exceeds a limit.
+/// Parses a source of the diagnostics: JSON with // and /* */ comments. Errors are reported to the diagnostics. Returns
+/// nothing if the text is no JSON or exceeds a limit.
 std::optional<Value> parse(std::uint32_t source, Diagnostics& diagnostics, const Limits& limits = {});
 
-/// The value as text; short arrays and objects stay on one line.
+/// Formats a value as JSON text; short arrays and objects stay on one line.
 std::string to_text(const Value& value);
 
-/// In words, for a message: `the number 3`, `the string "abc"`, `an array of 2`.
+/// Describes a value for a message: `the number 3`, `the string "abc"`, `an array of 2`.
 std::string describe(const Value& value);
 
 } // namespace sinew::json

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-/// The text of a JSON file, token by token.
+/// Tokens of a JSON text.
 namespace sinew::json::detail {
 
 inline bool is_space(char c) {
@@ -23,7 +23,8 @@ inline bool in_word(char c) {
     return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '-' || c == '+' ||
            c == '.' || c == '$' || static_cast<unsigned char>(c) >= 0x80;
 }
-/// Finds in the source the tokens that the parser reports: they come in the order of the text, so a cursor is enough.
+/// Locates in the source the tokens that the parser reports. Tokens arrive in text order, so a forward cursor is
+/// enough.
 class Cursor {
   public:
     explicit Cursor(std::string_view text, std::size_t at) : text_(text), at_(at) {}
@@ -58,7 +59,7 @@ class Cursor {
         return true;
     }
 
-    /// The token here: a string with its quotes, a word or number, or one character.
+    /// Span of the token at the cursor: a string with its quotes, a word or number, or one character.
     Span token(std::uint32_t source) const {
         std::size_t end = at_;
         if (peek() == '"')
@@ -71,14 +72,14 @@ class Cursor {
         return {source, std::uint32_t(at_), std::uint32_t(end)};
     }
 
-    /// The word or number around the place: of 01 the parser takes 0 and trips over 1.
+    /// Span of the whole word or number around the cursor. For 01 the parser reads 0 as a number and then fails at 1.
     Span whole_word(std::uint32_t source) const {
         std::size_t begin = at_;
         while (begin > 0 && in_word(text_[begin - 1])) --begin;
         return {source, std::uint32_t(begin), std::uint32_t(word_end(at_))};
     }
 
-    /// Where a comment begins that has no end.
+    /// Offset of a comment without an end, if any.
     std::optional<std::size_t> open_comment() const { return open_comment_; }
 
   private:
@@ -112,8 +113,9 @@ class Cursor {
     std::optional<std::size_t> open_comment_;
 };
 
-/// The text as the parser gets it: a run of blanks and comments is one blank. nlohmann's lexer keeps every byte since
-/// the last token for its messages, a newline as eight: 16 MB of newlines took 3.3 s and 550 MB.
+/// The text as passed to the parser, with each run of blanks and comments reduced to one blank. The lexer of
+/// nlohmann/json keeps every byte since the last token for error messages, a newline as eight: 16 MB of newlines took
+/// 3.3 s and 550 MB.
 class Condensed {
   public:
     using iterator_category = std::input_iterator_tag;

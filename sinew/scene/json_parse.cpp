@@ -15,10 +15,10 @@ namespace {
 
 using detail::Condensed, detail::Cursor, detail::in_word, detail::is_digit;
 
-/// Of a JSON pointer in a message, in bytes: keys can be long.
+/// Length limit of a JSON pointer in a message, bytes: keys can be long.
 constexpr std::size_t longest_path = 500;
 
-/// Builds the tree from the parser's events (nlohmann's SAX interface, whose names the methods have).
+/// Builds the tree of values from parser events. The methods implement the SAX interface of nlohmann/json.
 class Builder {
   public:
     Builder(std::uint32_t source, std::size_t begin, Diagnostics& diagnostics, const Limits& limits)
@@ -33,7 +33,7 @@ class Builder {
     }
     bool number_float(double number, const std::string&) { return leaf(number); }
     bool string(std::string& text) { return short_enough(text) && leaf(std::move(text)); }
-    template <class Binary> bool binary(Binary&) { return false; } // JSON text has none
+    template <class Binary> bool binary(Binary&) { return false; } // never occurs in JSON text
 
     bool start_object(std::size_t) { return open(Object{}); }
     bool start_array(std::size_t) { return open(Array{}); }
@@ -62,12 +62,12 @@ class Builder {
         return false;
     }
 
-    /// After the last event: nothing may follow the document.
+    /// Checks after the last event that nothing follows the document, and returns the root.
     std::optional<Value> result() {
         cursor_.skip_space();
         if (cursor_.open_comment()) return report_open_comment(), std::nullopt;
         if (cursor_.at_end()) return std::move(root_);
-        const Span rest = cursor_.token(source_); // the parser takes a zero byte for the end
+        const Span rest = cursor_.token(source_); // the parser treats a zero byte as the end
         error(rest, concat("expected the end of the file, found ", found(diagnostics_.text(rest))));
         return {};
     }
@@ -75,7 +75,7 @@ class Builder {
   private:
     struct Open {
         Value container;
-        std::string key; ///< of the member being read
+        std::string key; ///< key of the member being read
         Span key_span;
         bool empty = true;
     };
@@ -88,7 +88,7 @@ class Builder {
         diagnostics_.error(span, path(), std::move(message), std::move(help));
     }
 
-    /// The JSON pointer of the value being read.
+    /// JSON pointer of the value being read.
     std::string path() const {
         std::string path;
         for (std::size_t i = 0; i < open_.size() && path.size() < longest_path; ++i) {
@@ -171,7 +171,7 @@ class Builder {
         return true;
     }
 
-    /// Of members with one name the first stays; the others are errors.
+    /// Keeps the first of several members with the same key and reports the others.
     void remove_duplicates(Object& members) {
         std::vector<std::uint32_t> order(members.size());
         for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -197,7 +197,7 @@ class Builder {
         members = std::move(kept);
     }
 
-    // --- what a wrong text says instead -------------------------------------------------------------------------
+    // --- error messages for invalid text ------------------------------------------------------------------------
 
     void report_syntax(bool overflow, std::string_view reason) {
         cursor_.skip_space();
@@ -248,7 +248,7 @@ class Builder {
                      " is not closed"));
     }
 
-    /// Points at the character that does not belong into the string.
+    /// Reports the first invalid character of a string.
     void report_string(Span span, std::string_view reason) {
         constexpr std::string_view escapes = "\"\\/bfnrtu";
         for (std::uint32_t i = span.begin + 1; i < span.end; ++i) {
@@ -304,8 +304,7 @@ std::string hexadecimal(unsigned char byte) {
     return {'0', 'x', digits[byte >> 4], digits[byte & 15]};
 }
 
-/// A number, or what stands for one, that is longer than a string may be: the parser would copy and convert it
-/// first.
+/// Finds a number or bare word longer than `limits.string_bytes`, before the parser copies and converts it.
 std::optional<Span> overlong_word(std::uint32_t source, std::string_view text, std::size_t begin,
                                   const Limits& limits) {
     Cursor cursor(text, begin);

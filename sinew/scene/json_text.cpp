@@ -30,7 +30,7 @@ constexpr std::size_t line_width = 110;
 
 void write(std::string& out, const Value& value, std::size_t indent);
 
-/// Items between brackets: on one line where they fit, else one a line.
+/// Writes items between brackets: on one line if they fit, otherwise one item a line.
 template <class Items, class WriteItem>
 void write_items(std::string& out, const Items& items, std::string_view brackets, std::size_t indent,
                  WriteItem&& item) {

@@ -9,7 +9,7 @@ namespace {
 
 using json::Value;
 
-/// Longer lists and more paths are of no help in a message.
+/// Limits of the search: more elements or paths do not help in a message.
 constexpr std::size_t most_elements = 100, most_paths = 100;
 
 const Value* member(const Value* object, std::string_view key) {
@@ -24,7 +24,7 @@ std::string text_in(const Value* object, std::string_view key) {
     return text ? *text : std::string();
 }
 
-/// The name, the prefab where no other element is meant by it, or the index: as overrides find elements.
+/// Name of an element as overrides address it: its name, its prefab if unique, or its index.
 std::string element_name(const json::Array& items, std::size_t index) {
     if (auto name = text_in(&items[index], "name"); !name.empty()) return name;
     auto prefab = text_in(&items[index], "prefab");
@@ -35,13 +35,13 @@ std::string element_name(const json::Array& items, std::size_t index) {
     return !prefab.empty() && meant == 1 ? prefab : std::to_string(index);
 }
 
-/// A walk over every field that the document's objects can have.
+/// Walks over every field that the objects of a document can have.
 class Walk {
   public:
     explicit Walk(std::string_view key) : key_(key) {}
 
     std::vector<std::string> paths;
-    std::vector<std::string_view> names; ///< of all fields met
+    std::vector<std::string_view> names; ///< names of all fields visited
 
     void record(const Layout& shape, const Value* value, const std::string& prefix) {
         for (const auto& field : shape.parts) {
@@ -62,7 +62,7 @@ class Walk {
         if (name == key_ && paths.size() < most_paths) paths.push_back(concat(prefix, name));
     }
 
-    /// The alternative that the object chose, or the default.
+    /// Visits the alternative the object chose, or the default.
     void alternatives(const Layout& choice, const Value* value, const std::string& prefix) {
         const auto tag = choice.field.name;
         const auto* usual = choice.usual.as<std::string>();

@@ -8,8 +8,8 @@
 
 namespace sinew {
 
-/// Full paths, as overrides write them, at which a record allows `key`: "world.gravity", "figures.rope.segments".
-/// Elements of lists are those of the document. Where no field is called so, the field nearest in spelling is meant.
+/// Full paths, in the notation of overrides, at which a record allows `key`: "world.gravity", "figures.rope.segments".
+/// List elements are those of the document. If no field has that name, the field nearest in spelling is used.
 std::vector<std::string> key_paths(const Layout& record, const json::Value& document, std::string_view key);
 
 } // namespace sinew

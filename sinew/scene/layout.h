@@ -12,19 +12,20 @@
 
 namespace sinew {
 
-/// What a record looks like, as data: the one walk over `fields` that descriptions, schemas, sliders and forms share.
+/// Description of a record as data, made by one walk over `fields`; help tables, schemas, sliders and forms are made
+/// from it.
 struct Layout {
     enum class Type { truth, integer, number, text, point, list, map, record, choice, any };
 
     Type type = Type::any;
-    Field field;       ///< as declared; ranges in SI units and radians
-    json::Value usual; ///< the default as a file in SI units would state it; null where there is none
-    std::size_t least = 0, most = no_limit; ///< elements of a list
-    std::string_view name;                  ///< of an alternative of a choice
-    std::string_view about;                 ///< one line on an alternative, if it has one
-    /// A record's fields; what a list or a map holds (one); a choice's alternatives, which are records.
+    Field field;                            ///< as declared, with ranges in SI units and radians
+    json::Value usual;                      ///< the default as a file in SI units states it; null if there is none
+    std::size_t least = 0, most = no_limit; ///< range of the number of elements of a list
+    std::string_view name;                  ///< name of an alternative of a choice
+    std::string_view about;                 ///< a sentence about an alternative, may be empty
+    /// Fields of a record; the one element type of a list or map; the alternatives (records) of a choice.
     std::vector<Layout> parts;
-    bool optional = false; ///< can be absent without a default taking its place
+    bool optional = false; ///< may be absent, and no default takes its place
 
     static constexpr std::size_t no_limit = std::size_t(-1);
 };
@@ -33,7 +34,7 @@ template <class T> Layout layout_of(const T& value, const Field& field);
 
 template <Record R> Layout layout_of() {
     Layout shape = layout_of(R{}, Field{});
-    // Constants of the type; fields may have the same names.
+    // Only constants of the type count; a field may have the same name.
     if constexpr (requires { typename std::bool_constant<std::string_view(R::name).empty()>; }) shape.name = R::name;
     if constexpr (requires { typename std::bool_constant<std::string_view(R::about).empty()>; }) shape.about = R::about;
     return shape;
@@ -86,16 +87,16 @@ template <class T> Layout layout_of(const T& value, const Field& field) {
     return shape;
 }
 
-/// All that a scene file may say.
+/// Layout of a whole scene file.
 Layout scene_layout();
 
-/// A JSON Schema (draft 07) of the record: `document` adds what only a whole scene file may say ("$schema", "modes").
-/// Ranges of quantities that depend on a scene's units are left out.
+/// JSON Schema (draft 07) of a record. `document` adds the keys only a whole scene file may have ("$schema", "modes").
+/// Ranges of quantities that depend on a scene's units are omitted.
 json::Value schema_of(const Layout& record, std::string_view title, bool document);
 
-/// Every field in a table, for people: name, unit, default, range, help.
+/// Plain-text tables of every field: name, unit, default, range, help.
 std::string describe(const Layout& record, const Units& units = {});
-/// The same for documentation.
+/// The same tables in Markdown.
 std::string describe_markdown(const Layout& record, const Units& units = {});
 
 } // namespace sinew

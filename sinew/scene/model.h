@@ -10,17 +10,17 @@
 
 namespace sinew {
 
-/// A model that was read, or why there is none.
+/// A model, or the reason why the file cannot be read.
 struct ReadModel {
     std::shared_ptr<const MeshModel> model;
     std::string problem, help;
 };
 
-/// Finds and reads the OBJ file that a scene names. Who opens a scene knows where its files are: `sinew/` reads none.
-/// At most `limits.bytes` of it may be read, and at most `limits.particles` be made of it.
+/// Reads the OBJ file that a scene names. The caller supplies this function: `sinew/` reads no files. The function may
+/// read at most `limits.bytes` and return at most `limits.particles` points.
 using ModelReader = std::function<ReadModel(const std::string& name, const Limits& limits)>;
 
-/// From the text of a file that messages call `name`: "sail.obj:12: ..."
+/// Reads a model from the text of a file; messages call the file `name`: "sail.obj:12: ..."
 ReadModel read_model(std::string_view text, std::string_view name, const Limits& limits);
 
 } // namespace sinew

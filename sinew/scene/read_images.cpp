@@ -33,7 +33,7 @@ class ReadingImages {
     const ImageReader& reader_;
     Document& document_;
     Images images_;
-    std::map<std::string, std::string> broken_; ///< what is wrong with them
+    std::map<std::string, std::string> broken_; ///< error message of each unreadable file
     std::int64_t pixels_ = 0;
 
     void look(const ImageLook& image, const std::string& place, std::string_view figure, std::string_view key) {
@@ -60,8 +60,8 @@ class ReadingImages {
         images_.emplace_back(name, std::move(image));
     }
 
-    /// Whether nothing that the look is of takes an image; that a look is of nothing at all is said elsewhere. `figure`
-    /// is empty for looks of the whole scene.
+    /// True if a look refers to pieces and none of them takes an image; a look of no piece at all is reported
+    /// elsewhere. `figure` is empty for looks of the whole scene.
     bool has_no_room(std::string_view figure, std::string_view key) const {
         bool meant = false, taken = false;
         const auto weigh = [&](const Figure& built) {

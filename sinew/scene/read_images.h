@@ -4,7 +4,7 @@
 
 namespace sinew {
 
-/// Reads the images that the looks of a scene name. What is wrong with a file is said at the place of its name.
+/// Reads the images of a scene's looks. Errors in a file are reported at the look that names the file.
 Images read_images(const Opened& opened, const ImageReader& reader, Document& document);
 
 } // namespace sinew

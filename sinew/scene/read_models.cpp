@@ -8,7 +8,7 @@
 namespace sinew {
 
 ReadModel read_model(std::string_view text, std::string_view name, const Limits& limits) {
-    constexpr std::size_t corners_a_point = 8; // twice what a net of triangles has, and room for small ones
+    constexpr std::size_t corners_a_point = 8; // 6 in a triangle mesh, 4 in quads, and some room
     const auto points = std::size_t(limits.particles);
     auto read = read_obj(text, {.points = points, .corners = corners_a_point * points + corners_a_point});
     if (const auto* problem = std::get_if<ObjProblem>(&read)) {

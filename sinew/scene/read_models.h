@@ -4,8 +4,7 @@
 
 namespace sinew {
 
-/// Gives the meshes of a scene the models they name, each file read once. What is wrong with a file is said at the
-/// place of its name.
+/// Loads the models of a scene's meshes, each file once. Errors in a file are reported at the mesh that names the file.
 void read_models(Scene& scene, const ModelReader& reader, Document& document);
 
 } // namespace sinew

@@ -20,7 +20,7 @@ std::string help_of(const Field& field) {
     return concat(field.name, field.name.empty() ? "" : ": ", field.help);
 }
 
-/// "a number from 0 to 100 px"
+/// Expectation of a message: "a number from 0 to 100 px"
 std::string expected_number(std::string_view noun, const Range& range, const Field& field, const Reading& in) {
     const auto limits = range_text(range);
     const auto unit = in.units.text(field.unit);
@@ -28,7 +28,7 @@ std::string expected_number(std::string_view noun, const Range& range, const Fie
     return concat(noun, limits.empty() ? "" : " ", limits, between, unit);
 }
 
-/// `"a", "b" or "c"`; many are left to the help line.
+/// `"a", "b" or "c"`, or only the number of words where there are many; the help line lists them.
 std::string one_of(std::span<const std::string_view> words) {
     constexpr std::size_t most = 4;
     if (words.size() > most) return concat("one of ", words.size(), " words");
@@ -38,7 +38,7 @@ std::string one_of(std::span<const std::string_view> words) {
     return text;
 }
 
-/// Whether one more message would be kept; counted where not.
+/// True if one more message is stored; otherwise counts the error.
 bool room(const Reading& in) {
     if (!in.diagnostics.full()) return true;
     in.diagnostics.count_one_more();
@@ -71,7 +71,7 @@ bool read_number(const json::Value& value, double& target, const Field& field, c
     const auto* number = value.as<json::Number>();
     if (!number || number->value < range.low || number->value > range.high)
         return refuse(value, field, path, in, expected_number("a number", range, field, in));
-    constexpr double largest = 1e30; // a world of floats holds no larger ones, whatever the units
+    constexpr double largest = 1e30; // largest number accepted in any unit, within the range of float
     if (absolute(number->value) > largest)
         return refuse(value, field, path, in, expected_number("a number", {-largest, largest}, field, in));
     target = number->value * in_program(field.unit);
@@ -133,7 +133,7 @@ void report_missing(const json::Value& object, const Field& field, const Path& p
                              help_of(field));
 }
 
-/// Help with an unknown key. The author of an override sees no file in front of him: he is told full paths.
+/// Help for an unknown key. An override has no surrounding file to look at, so its author gets full paths.
 std::string help_with(const json::Member& member, const std::vector<std::string_view>& allowed, const Reading& in) {
     constexpr std::uint32_t file = 0;
     constexpr std::size_t most_told = 4;
@@ -177,7 +177,7 @@ std::size_t index_of(std::span<const std::string_view> names, std::string_view n
     return found == names.end() ? none : std::size_t(found - names.begin());
 }
 
-/// {"prefab": "rope"}
+/// Chooses an alternative by the value of the tag: {"prefab": "rope"}
 std::size_t choose_by_value(const json::Member& tag, const Alternatives& alternatives, const Path& parent,
                             const Reading& in) {
     const Path path(parent, tag.key);
@@ -193,7 +193,7 @@ std::size_t choose_by_value(const json::Member& tag, const Alternatives& alterna
     return wrong;
 }
 
-/// {"grab": ...}
+/// Chooses an alternative by the presence of its key: {"grab": ...}
 std::size_t choose_by_key(const json::Object& object, const Alternatives& alternatives, const Path& path,
                           const Reading& in) {
     std::size_t chosen = none;

@@ -14,29 +14,29 @@
 #include <string_view>
 #include <vector>
 
-/// Fills records from JSON by walking their `fields`. Reading goes on after an error, so that one run reports them all;
-/// what could not be read keeps its default.
+/// Fills records from JSON by walking their `fields`. Reading continues after an error, so one run reports all errors;
+/// a value with an error keeps its default.
 namespace sinew {
 
-/// What the reading of one scene shares.
+/// State shared while one scene is read.
 struct Reading {
     Diagnostics& diagnostics;
     int dimension = 2;
     Units units = {};
-    mutable std::int64_t memory = Limits{}.memory; ///< bytes left for lists
-    /// Full paths at which a key is allowed, for an override that gives it at another.
+    mutable std::int64_t memory = Limits{}.memory; ///< remaining bytes for lists
+    /// Full paths at which a key is allowed, for an override with a misplaced key.
     std::function<std::vector<std::string>(std::string_view key)> elsewhere = {};
 };
 
-/// Where in the document the reader is; a chain on the stack, made text only for a message.
+/// Position of the reader in the document: a linked list on the stack, converted to text only for a message.
 class Path {
   public:
     Path() = default;
     Path(const Path& parent, std::string_view key) : parent_(&parent), key_(key) {}
     Path(const Path& parent, std::size_t index) : parent_(&parent), index_(index), is_index_(true) {}
-    Path(Path&& parent, std::string_view key) = delete; // the parent has to stay
+    Path(Path&& parent, std::string_view key) = delete; // the parent must outlive the path
     Path(Path&& parent, std::size_t index) = delete;
-    /// A JSON pointer.
+    /// The path as a JSON pointer.
     std::string text() const;
 
   private:
@@ -48,7 +48,7 @@ class Path {
 
 namespace detail {
 
-/// Reports "expected ..., found ..."; always false.
+/// Reports "expected ..., found ..."; always returns false.
 bool refuse(const json::Value& value, const Field& field, const Path& path, const Reading& in,
             std::string_view expected);
 bool read_truth(const json::Value& value, bool& target, const Field& field, const Path& path, const Reading& in);
@@ -57,46 +57,47 @@ bool read_integer(const json::Value& value, std::int64_t& target, Range range, c
                   const Reading& in);
 bool read_string(const json::Value& value, std::string& target, const Field& field, const Path& path,
                  const Reading& in);
-/// The array, if the value is one of that many items.
+/// The array if the value is one with `size` items; otherwise null, with an error reported.
 const json::Array* array_of(const json::Value& value, std::size_t size, const Field& field, const Path& path,
                             const Reading& in);
 
 void report_missing(const json::Value& object, const Field& field, const Path& path, const Reading& in);
-/// Whether there was any.
+/// Reports unknown keys; true if there was one.
 bool report_unknown(const json::Object& object, const std::vector<std::string_view>& allowed, const Path& path,
                     const Reading& in);
 
-/// Takes the memory of that many elements, or reports that there is not enough.
+/// Reserves memory for `count` elements, or reports an error and returns false.
 bool take_memory(const json::Value& list, std::size_t count, std::size_t bytes_each, const Path& path,
                  const Reading& in);
 
-/// The alternatives of a variant field as the file knows them.
+/// Alternatives of a variant field, as named in files.
 struct Alternatives {
     std::span<const std::string_view> names;
     const Field& field;
 };
-/// Which alternative an object means: an index into the names, `none` where it does not say, `wrong` (reported) where
-/// it says something else.
+/// Index of the alternative an object selects, `none` if the object selects none, or `wrong` after an error was
+/// reported.
 inline constexpr std::size_t none = std::size_t(-1), wrong = std::size_t(-2);
 std::size_t choose(const json::Value& value, const Alternatives& alternatives, const Path& path, const Reading& in);
 
-/// Reads the fields of one object into a record, and of the alternatives it has; collects the names allowed there.
+/// Reads the fields of one object into a record, including the fields of selected alternatives, and collects the names
+/// allowed in the object.
 class FieldReader {
   public:
     FieldReader(const json::Value& value, const json::Object& object, const Path& path, const Reading& in)
         : value_(value), object_(object), path_(path), in_(in) {}
 
     template <Record R> bool read_fields(R& record);
-    /// Members that no field took are errors.
+    /// Reports members that no field has read. True if the whole object is valid.
     bool finish();
 
   private:
     template <class T> void read_field(T& target, const Field& field);
     template <class T> void read_variant(T& target, const Field& field);
 
-    /// Not knowing which alternative of the variant is meant, calls nothing unknown that any of them has.
+    /// Allows the names of all alternatives of a variant, when the selected one is unknown.
     template <class T> void allow_all();
-    /// Names are for messages: once no more of those are kept, nobody asks.
+    /// Adds an allowed name. Names are used in messages only, so none are added once no more messages are stored.
     void allow(std::string_view name) {
         if (!in_.diagnostics.full()) allowed_.push_back(name);
     }
@@ -112,8 +113,8 @@ class FieldReader {
 
 } // namespace detail
 
-/// Reads a value into anything a field can be (types.h). False where something was wrong, which the diagnostics then
-/// tell.
+/// Reads a value into any type a field can have (types.h). Returns false if there was an error, reported to the
+/// diagnostics.
 template <class T>
 bool read(const json::Value& value, T& target, const Field& field, const Path& path, const Reading& in) {
     using namespace detail;
@@ -192,7 +193,7 @@ bool read(const json::Value& value, T& target, const Field& field, const Path& p
     }
 }
 
-/// Reads a whole record, its defaults first brought into the units of the scene.
+/// Reads a whole record, with defaults converted to the units of the scene.
 template <Record R> bool read(const json::Value& value, R& record, const Reading& in) {
     record = detail::fresh<R>({}, in.units);
     return read(value, record, Field{}, Path{}, in);

@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// What the other sections cannot be read without.
+/// Dimension and units, which the other sections need.
 struct Header {
     int dimension = 2;
     UnitsSection units;
@@ -45,7 +45,7 @@ Units measures(const UnitsSection& section) {
     return units;
 }
 
-/// A file of a later version says things that this program cannot know: nothing else of it is read.
+/// Reports a file of a later format version. No other part of such a file is read, because its meaning is unknown.
 bool is_of_later_version(Document& document) {
     const auto* version = json::find(document.root, "/sinew");
     const auto* number = version ? version->as<json::Number>() : nullptr;
@@ -70,10 +70,10 @@ double step_length(const Scene& scene) {
 std::optional<Opened> open_scene(Document& document, const ImageReader& images, const ModelReader& models) {
     const bool unreadable = document.root.as<json::Object>()->empty() && !document.diagnostics.ok();
     if (unreadable || is_of_later_version(document)) return std::nullopt;
-    Diagnostics heard_again = document.diagnostics; // what the header says wrong, the whole reading says too
+    Diagnostics heard_again = document.diagnostics; // errors in the header are reported by the full reading
     const Header header(document, heard_again);
     Opened opened;
-    std::optional<Layout> layout; // made for the first mistake
+    std::optional<Layout> layout; // built on the first error
     read(document.root, opened.scene,
          Reading{.diagnostics = document.diagnostics,
                  .dimension = header.dimension,

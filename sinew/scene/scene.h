@@ -16,8 +16,7 @@
 #include <variant>
 #include <vector>
 
-/// A scene file as data: what it says, not what becomes of it. Every section is a record, which is all there is to know
-/// about reading, checking, describing and writing it.
+/// A scene file as data. Every section is a record; reading, checking, description and writing follow from its fields.
 namespace sinew {
 
 struct UnitsSection {
@@ -30,13 +29,13 @@ struct UnitsSection {
     static constexpr std::array<std::string_view, 2> ups = {"+y", "-y"};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.length, Field{.name = "length", .help = "100 px are a metre", .choices = lengths});
-        visit(self.time, Field{.name = "time", .help = "60 frames are a second", .choices = times});
-        visit(self.up, Field{.name = "up", .help = "Which way is up: -y as on screens", .choices = ups});
+        visit(self.length, Field{.name = "length", .help = "Length unit: 100 px are a metre", .choices = lengths});
+        visit(self.time, Field{.name = "time", .help = "Time unit: 60 frames are a second", .choices = times});
+        visit(self.up, Field{.name = "up", .help = "Upward direction: -y as on screens", .choices = ups});
     }
 };
 
-/// Where a 3D scene is looked at from.
+/// Camera of a 3D scene.
 struct CameraSection {
     Vec3<double> eye{{0, 1.5, 5}};
     Vec3<double> target{};
@@ -46,15 +45,15 @@ struct CameraSection {
     static constexpr std::array<std::string_view, 2> projections = {"perspective", "orthographic"};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.eye, Field{.name = "eye", .help = "Where it is", .unit = unit::length});
-        visit(self.target, Field{.name = "target", .help = "What it looks at", .unit = unit::length});
+        visit(self.eye, Field{.name = "eye", .help = "Position of the camera", .unit = unit::length});
+        visit(self.target, Field{.name = "target", .help = "Point the camera looks at", .unit = unit::length});
         visit(self.field_of_view, Field{.name = "field_of_view",
-                                        .help = "From the top of the picture to its bottom",
+                                        .help = "Vertical angle of view",
                                         .unit = unit::angle,
                                         .low = pi<double> / 180,
                                         .high = 170 * pi<double> / 180});
         visit(self.projection, Field{.name = "projection",
-                                     .help = "Orthographic: what is far is as large as what is at the target",
+                                     .help = "Projection; orthographic draws everything at the scale of the target",
                                      .choices = projections});
     }
 };
@@ -75,17 +74,18 @@ struct ViewSection {
                                  .help = "Middle of the picture (2D); left out: half the size in px, else the origin",
                                  .unit = unit::length});
         visit(self.height, Field{.name = "height",
-                                 .help = "How much of the scene the picture shows from top to bottom (2D)",
+                                 .help = "Height of the visible part of the scene (2D)",
                                  .unit = unit::length,
                                  .low = 1e-6,
                                  .high = 1e8});
-        visit(self.camera, Field{.name = "camera", .help = "Where a 3D scene is looked at from"});
-        visit(self.theme, Field{.name = "theme", .help = "Colours of what has no looks of its own", .choices = themes});
-        visit(self.plain, Field{.name = "plain", .help = "Without outlines, shadows and highlights"});
+        visit(self.camera, Field{.name = "camera", .help = "Camera of a 3D scene"});
+        visit(self.theme,
+              Field{.name = "theme", .help = "Default colours, for parts without looks", .choices = themes});
+        visit(self.plain, Field{.name = "plain", .help = "Plain drawing: no outlines, shadows or highlights"});
     }
 };
 
-/// What a pointer does to the scene, in whatever window it is.
+/// Effects of the pointer on a scene, in any window.
 struct PointerSection {
     double cuts_within = 0;
     double pulls_within = 0;
@@ -95,29 +95,33 @@ struct PointerSection {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.cuts_within, Field{.name = "cuts_within",
-                                      .help = "How near to what it cuts along distances are cut too",
+                                      .help = "Distance from the pointer's cut within which links are cut too",
                                       .unit = unit::length,
                                       .low = 0,
                                       .high = 1e6});
-        visit(self.pulls_within,
-              Field{.name = "pulls_within",
-                    .help = "How near to what it grabs the rest of its figure is pulled along; in "
-                            "classic mode it holds nothing, but drags along what is as near to its way",
-                    .unit = unit::length,
+        visit(
+            self.pulls_within,
+            Field{
+                .name = "pulls_within",
+                .help =
+                    "Distance around the grabbed particle within which the rest of its figure is pulled along; in "
+                    "classic mode the pointer grabs nothing and drags along particles within this distance of its path",
+                .unit = unit::length,
+                .low = 0,
+                .high = 1e6});
+        visit(self.pulls_times,
+              Field{.name = "pulls_times",
+                    .help = "Speed of dragged particles, as a multiple of the pointer's speed (classic mode)",
                     .low = 0,
-                    .high = 1e6});
-        visit(self.pulls_times, Field{.name = "pulls_times",
-                                      .help = "How many times as fast as itself that goes (classic mode)",
-                                      .low = 0,
-                                      .high = 100});
+                    .high = 100});
         visit(self.wheel_quickens, Field{.name = "wheel_quickens",
-                                         .help = "What a notch of its wheel adds to solver.rules.time_scale, up to 5; "
-                                                 "0: the wheel zooms (classic mode)",
+                                         .help = "Change of solver.rules.time_scale for each notch of the wheel, up to "
+                                                 "a scale of 5; with 0 the wheel zooms (classic mode)",
                                          .low = 0,
                                          .high = 5});
         visit(self.hover_size, Field{.name = "hover_size",
-                                     .help = "Side of the square around a particle in which the pointer is over it, "
-                                             "for solver.rules.hover_freezes (2D, classic mode)",
+                                     .help = "Side of the square around a particle in which the pointer hovers over "
+                                             "it, for solver.rules.hover_freezes (2D, classic mode)",
                                      .unit = unit::length,
                                      .low = 0,
                                      .high = 1e6});
@@ -125,7 +129,7 @@ struct PointerSection {
 };
 
 struct Scene {
-    // Defined once, in scene.cpp: it is a lot to make and to copy.
+    // Special members are defined in scene.cpp, because each one generates a lot of code.
     Scene();
     Scene(const Scene&);
     Scene(Scene&&) noexcept;
@@ -156,57 +160,57 @@ struct Scene {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.version,
               Field{.name = "sinew", .help = "Version of the format", .low = 1, .high = 1, .required = true});
-        visit(self.about, Field{.name = "about", .help = "What it shows, in a sentence or two"});
-        visit(self.source, Field{.name = "source", .help = "Where the idea is from"});
-        visit(self.category, Field{.name = "category", .help = "Which scenes it is shown with", .choices = categories});
-        visit(self.dimension, Field{.name = "dimension", .help = "2 or 3", .low = 2, .high = 3});
-        visit(self.units, Field{.name = "units", .help = "What the numbers of the file are in"});
-        visit(self.view, Field{.name = "view", .help = "What is seen of it"});
-        visit(self.pointer, Field{.name = "pointer", .help = "What a pointer does to it"});
-        visit(self.world, Field{.name = "world", .help = "What acts on everything"});
-        visit(self.solver, Field{.name = "solver", .help = "How it is solved"});
-        visit(self.figures, Field{.name = "figures", .help = "What there is"});
-        visit(self.constraints, Field{.name = "constraints", .help = "What joins figures"});
-        visit(self.pins, Field{.name = "pins", .help = "What is held"});
-        visit(self.looks, Field{.name = "looks", .help = "How parts look: by figure/part, by figure, by part"});
-        visit(self.events, Field{.name = "events", .help = "What happens when"});
-        visit(self.traces, Field{.name = "traces", .help = "What is drawn of the past: ways and curves"});
+        visit(self.about, Field{.name = "about", .help = "Description in a sentence or two"});
+        visit(self.source, Field{.name = "source", .help = "Source of the idea"});
+        visit(self.category, Field{.name = "category", .help = "Group of scenes in lists", .choices = categories});
+        visit(self.dimension, Field{.name = "dimension", .help = "Number of dimensions: 2 or 3", .low = 2, .high = 3});
+        visit(self.units, Field{.name = "units", .help = "Units of the numbers in the file"});
+        visit(self.view, Field{.name = "view", .help = "Visible part of the scene, camera and theme"});
+        visit(self.pointer, Field{.name = "pointer", .help = "Effects of the pointer"});
+        visit(self.world, Field{.name = "world", .help = "Gravity, damping, walls and forces"});
+        visit(self.solver, Field{.name = "solver", .help = "Mode, precision and settings of the solver"});
+        visit(self.figures, Field{.name = "figures", .help = "Figures: prefabs, or particles by hand"});
+        visit(self.constraints, Field{.name = "constraints", .help = "Constraints between figures"});
+        visit(self.pins, Field{.name = "pins", .help = "Pins: particles that are held or driven"});
+        visit(self.looks, Field{.name = "looks", .help = "Looks by figure/part, by figure or by part"});
+        visit(self.events, Field{.name = "events", .help = "Events at given times"});
+        visit(self.traces, Field{.name = "traces", .help = "Traces of the past: paths and curves"});
         visit(self.seconds, Field{.name = "seconds",
-                                  .help = "How long it is worth watching; what render takes",
+                                  .help = "Duration worth watching; the default duration of render",
                                   .low = 0.01,
                                   .high = 86400});
     }
 
-    /// What a metre and a second are worth in it.
+    /// Conversion from SI units to the scene's units.
     Units measures() const;
 };
 
 using AnyWorld = std::variant<World<2, float>, World<2, double>, World<3, float>, World<3, double>>;
 
-/// How classic mode holds what is grabbed or driven.
+/// Rule by which classic mode holds a grabbed or driven particle.
 Hold hold_rule(const Scene& scene);
 
-/// The world of a good scene, at its start.
+/// Builds the world of a valid scene, at the start of the scene.
 AnyWorld instantiate(const Scene& scene);
 
 struct Opened {
     Scene scene;
-    AnyWorld world; ///< at its start
+    AnyWorld world; ///< state at the start of the scene
     Images images;
 };
 
-/// Reads the scene of a document and builds its world. Nothing where anything is wrong with it, also beyond single
-/// values (names that are used twice or stand for nothing, more than the limits allow, images that cannot be read):
-/// then the document's diagnostics say what. Without a reader of images none is looked at, and shapes are drawn
-/// instead; without one of models every mesh is the square it is without a file.
+/// Reads the scene of a document and builds its world. Returns nothing if there is any error, including errors beyond
+/// single values (names used twice or unknown, sizes above the limits, unreadable images); the document's diagnostics
+/// then list the errors. Without an image reader, shapes are drawn instead of images; without a model reader, every
+/// mesh is the default square.
 std::optional<Opened> open_scene(Document& document, const ImageReader& images = {}, const ModelReader& models = {});
 
-/// As a file states it: what has its default is left out.
+/// The scene as a file states it, without default values.
 json::Value to_json(const Scene& scene);
-/// One of its figures.
+/// A figure of the scene, as a file states it.
 json::Value to_json(const Scene& scene, const FigureSection& figure);
 
-/// How long a step of the scene is, in its own time unit.
+/// Duration of a step, in the scene's time unit.
 double step_length(const Scene& scene);
 
 } // namespace sinew

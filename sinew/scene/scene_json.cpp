@@ -1,7 +1,7 @@
 #include "sinew/scene/scene.h"
 #include "sinew/scene/writer.h"
 
-/// Scenes as JSON. Writing every kind of section is compiled here, once.
+/// Conversion of scenes to JSON. The templates that write sections are instantiated only here.
 namespace sinew {
 namespace {
 

@@ -13,7 +13,7 @@ using json::Value;
 Value schema(const Layout& shape);
 Object by_type(const Layout& shape);
 
-/// A bound that holds whatever units a scene has.
+/// True if a bound is the same number in every scene's units.
 bool same_in_all_units(Unit unit, double bound) {
     unit.angle = false;
     return is_finite(bound) && (unit == unit::none || bound == 0);
@@ -51,7 +51,7 @@ Object list(const Layout& shape) {
     return schema;
 }
 
-/// The dimension is the scene's: 2 or 3 numbers.
+/// A point has as many numbers as the scene has dimensions: 2 or 3.
 Object point(const Layout& shape) {
     return {{"type", "array"}, {"items", number("number", shape)}, {"minItems", 2}, {"maxItems", 3}};
 }
@@ -62,7 +62,7 @@ bool is_choice(const Layout& shape) {
     return shape.type == Layout::Type::choice;
 }
 
-/// Every key that an object of this shape may have.
+/// Collects every key that an object of this layout may have.
 void collect_names(std::vector<std::string_view>& names, const Layout& record) {
     for (const auto& field : record.parts) {
         if (!field.field.name.empty()) names.push_back(field.field.name);
@@ -93,7 +93,7 @@ Properties members_of(const Layout& record) {
     return members;
 }
 
-/// What the object is like where one alternative is meant, or none. `others` are the keys that do not depend on it.
+/// Schema of the object with one alternative selected, or none. `others` are the keys that do not depend on the choice.
 Object consequence(const Layout* alternative, std::vector<std::string_view> others) {
     Object then;
     if (alternative) {
@@ -110,7 +110,7 @@ Value has(std::string_view key) {
     return Object{{"required", Array{key}}};
 }
 
-/// if-then clauses that tie the object's keys to the alternative of one choice.
+/// Adds if-then clauses that tie the object's keys to the selected alternative of one choice.
 void add_choice(Array& clauses, const Layout& choice, const std::vector<std::string_view>& others) {
     const auto tag = choice.field.name;
     Array any;
@@ -132,7 +132,7 @@ void add_choice(Array& clauses, const Layout& choice, const std::vector<std::str
             Object{{"if", Object{{"not", Object{{"anyOf", std::move(any)}}}}}, {"then", consequence(usual, others)}});
 }
 
-/// Keys of the record that do not hang on this choice.
+/// Keys of the record that do not depend on this choice.
 std::vector<std::string_view> names_beside(const Layout& record, const Layout& choice) {
     Layout rest{.field = {}, .usual = {}, .name = {}, .about = {}, .parts = {}};
     std::vector<std::string_view> names;
@@ -211,11 +211,10 @@ json::Value schema_of(const Layout& shape, std::string_view title, bool document
         properties.push_back({"$schema", Object{{"type", "string"}}});
         Object patches;
         for (const auto mode : modes) patches.push_back({std::string(mode), Object{{"type", "object"}}});
-        properties.push_back(
-            {"modes", Object{{"description", "What is different in a mode: a merge patch for the scene"},
-                             {"type", "object"},
-                             {"properties", std::move(patches)},
-                             {"additionalProperties", false}}});
+        properties.push_back({"modes", Object{{"description", "Changes for each mode, as merge patches of the scene"},
+                                              {"type", "object"},
+                                              {"properties", std::move(patches)},
+                                              {"additionalProperties", false}}});
     }
     schema.insert(schema.end(), std::move_iterator(root.begin()), std::move_iterator(root.end()));
     return schema;

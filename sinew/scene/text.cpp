@@ -37,7 +37,7 @@ std::string number_text(double number) {
     std::string text(digits.data(), end);
     const auto exponent = text.find('e');
     if (exponent == std::string::npos) return text;
-    // to_chars writes 1e+06 and 1e-06; people write 1e6 and 1e-6.
+    // std::to_chars writes 1e+06 and 1e-06; common notation is 1e6 and 1e-6.
     const bool negative = text[exponent + 1] == '-';
     const auto value = text.substr(text.find_first_not_of("+-0", exponent + 1));
     return concat(text.substr(0, exponent), negative ? "e-" : "e", value);

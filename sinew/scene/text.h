@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-/// Text for messages.
+/// Text helpers for messages.
 namespace sinew {
 
 namespace detail {
@@ -16,19 +16,19 @@ template <std::integral I> void append(std::string& out, I number) {
 }
 } // namespace detail
 
-/// Texts and whole numbers, one after the other.
+/// Concatenates strings and integers.
 template <class... Part> std::string concat(const Part&... part) {
     std::string out;
     (detail::append(out, part), ...);
     return out;
 }
 
-/// The text fit for a message: nothing in it controls a terminal, and a long one is cut.
+/// The text made safe for a terminal: control characters are escaped and long texts cut.
 std::string printable(std::string_view text, std::size_t most_characters = 60);
-/// The same in double quotes.
+/// The printable text in double quotes.
 std::string in_quotes(std::string_view text, std::size_t most_characters = 60);
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that parses back to the same number.
 std::string number_text(double number);
 
 } // namespace sinew

@@ -8,13 +8,13 @@
 #include <string>
 #include <string_view>
 
-/// What is drawn of the past: the section "traces" of a scene file. Nothing here moves anything.
+/// Traces of past motion: the section "traces" of a scene file. Traces have no effect on motion.
 namespace sinew {
 
-/// What a trace can show. The first is drawn where it happened, the others as a curve over time.
+/// Quantities a trace can show. A path is drawn where the motion took place, the others as a curve over time.
 inline constexpr std::array<std::string_view, 5> trace_quantities = {"path", "energy", "kinetic", "potential", "speed"};
 
-/// Traces of one scene; each keeps a bounded number of samples.
+/// Maximum number of traces in a scene; each stores a bounded number of samples.
 inline constexpr std::size_t most_traces = 64;
 
 struct TraceSection {
@@ -26,18 +26,20 @@ struct TraceSection {
     std::string label;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.of, Field{.name = "of", .help = "A particle as figure/name, or a whole figure", .required = true});
+        visit(self.of, Field{.name = "of", .help = "Particle as figure/name, or a whole figure", .required = true});
         visit(self.shows, Field{.name = "shows",
-                                .help = "path: where it went; else its energy (all of it or a part) or its speed, "
-                                        "as a curve over time",
+                                .help = "Quantity: the path of the motion; or energy (total, kinetic or potential) or "
+                                        "speed, as a curve over time",
                                 .choices = trace_quantities});
         visit(self.seconds,
-              Field{.name = "seconds", .help = "How much of the past is seen; 0: all of it", .low = 0, .high = 86400});
+              Field{.name = "seconds", .help = "Length of the visible past; 0 for all", .low = 0, .high = 86400});
         visit(self.box,
               Field{.name = "box", .help = "Two opposite corners of a curve's frame (2D)", .unit = unit::length});
-        visit(self.low, Field{.name = "low", .help = "Value at the bottom of the frame; left out: the least so far"});
-        visit(self.high, Field{.name = "high", .help = "Value at its top; left out: the largest so far"});
-        visit(self.label, Field{.name = "label", .help = "Written over the frame"});
+        visit(self.low,
+              Field{.name = "low", .help = "Value at the bottom of the frame; the smallest so far if left out"});
+        visit(self.high,
+              Field{.name = "high", .help = "Value at the top of the frame; the largest so far if left out"});
+        visit(self.label, Field{.name = "label", .help = "Text above the frame"});
     }
 };
 

@@ -15,27 +15,27 @@
 #include <variant>
 #include <vector>
 
-/// The types that a field of a record can have:
+/// Types of a record's fields:
 ///
 ///     bool, integers, double, std::string     a value; a string may have `choices`
 ///     Point                                   as many numbers as the scene has dimensions
-///     Vec<D, double>, std::array<T, N>        exactly so many
-///     std::vector<T>                          any number
-///     std::vector<std::pair<std::string, T>>  names and what they stand for, in the order of the file
-///     std::optional<T>                        may be left out, and the program can tell
+///     Vec<D, double>, std::array<T, N>        exactly D or N items
+///     std::vector<T>                          any number of items
+///     std::vector<std::pair<std::string, T>>  a map from names to values, in file order
+///     std::optional<T>                        may be absent, with no default in its place
 ///     a Record                                an object
 ///     std::variant<Records...>                one of several records, see below
-///     json::Value                             kept as it is
+///     json::Value                             any JSON value, kept unchanged
 ///
-/// A variant lies flat in the object of the record it is a field of. Its alternatives are records with a
-/// `static constexpr std::string_view name`, and the field's name is the key that says which. With
-/// Field{.name = "prefab"}, this object holds the record called rope with its field segments, beside fields of the
-/// record around:
+/// The fields of a variant's alternative are members of the same object as the fields around the variant. Alternatives
+/// are records with a `static constexpr std::string_view name`; the name of the variant field is the tag key, whose
+/// value selects the alternative. With Field{.name = "prefab"}, this object holds the record called rope with its field
+/// segments, beside a field of the enclosing record:
 ///
 ///     {"prefab": "rope", "name": "left", "segments": 20}
 ///
-/// Where the key is missing, the default stands: the first alternative, or none of an optional variant.
-/// With an empty field name, the alternative is the one whose name is among the keys:
+/// Without the tag key, the default applies: the first alternative, or none of an optional variant. With an empty field
+/// name, the alternative is the one whose name is among the keys:
 ///
 ///     {"grab": "bob/right_hand", "over": 30}
 namespace sinew {
@@ -55,7 +55,7 @@ template <class T> inline constexpr bool is_variant = false;
 template <class... T> inline constexpr bool is_variant<std::variant<T...>> = true;
 template <class... T> inline constexpr bool is_variant<std::optional<std::variant<T...>>> = true;
 
-/// The names of a variant's alternatives, in its order.
+/// Names of a variant's alternatives, in order.
 template <class T> inline constexpr std::array<std::string_view, 0> alternative_names{};
 template <class... R>
 inline constexpr std::array<std::string_view, sizeof...(R)> alternative_names<std::variant<R...>> = {R::name...};
@@ -63,7 +63,7 @@ template <class... R>
 inline constexpr std::array<std::string_view, sizeof...(R)> alternative_names<std::optional<std::variant<R...>>> = {
     R::name...};
 
-/// N numbers or other things, where N is fixed by the type; 0 elsewhere.
+/// Number of elements of a fixed-size array; 0 for other types.
 template <class T> inline constexpr std::size_t array_size = 0;
 template <class T, std::size_t N> inline constexpr std::size_t array_size<std::array<T, N>> = N;
 template <int D, class T> inline constexpr std::size_t array_size<Vec<D, T>> = std::size_t(D);
@@ -107,7 +107,7 @@ template <class Variant, class Visit> void visit_held(const std::optional<Varian
     if (variant) visit_held(*variant, visit);
 }
 
-/// The field's description as it applies to each element of a list.
+/// The field's description, applied to each element of a list.
 constexpr Field element_of(Field field) {
     field.required = false;
     return field;
@@ -115,7 +115,7 @@ constexpr Field element_of(Field field) {
 
 } // namespace detail
 
-/// Names of everything the record's object may hold: its fields and those of its alternatives.
+/// Names of all keys the record's object may have: its fields and the fields of all alternatives.
 template <Record R> std::vector<std::string_view> names_of() {
     std::vector<std::string_view> names;
     R record;

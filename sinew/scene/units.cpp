@@ -36,7 +36,8 @@ double rounded(double number) {
     int exponent = 0;
     std::from_chars(all.data() + sign + 1, end, exponent);
     exponent = (all[sign] == '-' ? -exponent : exponent) - 14;
-    // Both digits and the power of ten are exact in a double up to here, so that the result is the nearest double.
+    // For |exponent| <= 22 both the digits and the power of ten are exact in double, so the quotient or product is the
+    // nearest double.
     if (std::abs(exponent) > 22) return number;
     const double size = exponent < 0 ? double(digits) / power(10, -exponent) : double(digits) * power(10, exponent);
     return number < 0 ? -size : size;

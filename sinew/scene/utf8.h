@@ -7,11 +7,11 @@ namespace sinew::utf8 {
 
 struct Decoded {
     char32_t code = 0;
-    std::size_t bytes = 1; ///< how many bytes it takes; 1 for a byte that is not part of any character
+    std::size_t bytes = 1; ///< length in bytes; 1 for a byte that is not part of a character
     bool valid = true;
 };
 
-/// The character that begins at `at`, which must be inside the text (RFC 3629: no overlong forms, no surrogates).
+/// Decodes the character at `at`, which must be inside the text (RFC 3629: no overlong forms, no surrogates).
 constexpr Decoded decode(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(at);
@@ -32,7 +32,7 @@ constexpr Decoded decode(std::string_view text, std::size_t at) {
     return {code, bytes, true};
 }
 
-/// Where the first byte is that belongs to no character; the size of the text where there is none.
+/// Offset of the first byte that belongs to no character, or the size of the text.
 constexpr std::size_t first_broken(std::string_view text) {
     std::size_t at = 0;
     for (Decoded character; at < text.size(); at += character.bytes) {
@@ -42,18 +42,18 @@ constexpr std::size_t first_broken(std::string_view text) {
     return at;
 }
 
-/// True of the bytes 10xxxxxx, which continue a character and do not count as one.
+/// True for continuation bytes 10xxxxxx.
 constexpr bool continues(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0u) == 0x80u;
 }
 
-/// Characters that would move the cursor, ring, recolour or reorder a terminal (controls, bidirectional overrides).
+/// True for characters that move the cursor, ring, recolour or reorder a terminal (controls, bidirectional overrides).
 constexpr bool is_control(char32_t code) {
     return code < 0x20 || (code >= 0x7F && code < 0xA0) || (code >= 0x2028 && code <= 0x202E) ||
            (code >= 0x2066 && code <= 0x2069) || code == 0x200E || code == 0x200F || code == 0xFEFF;
 }
 
-/// How many columns of a terminal the character takes (the common part of Unicode's East Asian Width and marks).
+/// Columns of a terminal the character takes: 0, 1 or 2 (the common part of Unicode's East Asian Width and marks).
 constexpr int columns(char32_t code) {
     const bool mark = (code >= 0x300 && code <= 0x36F) || (code >= 0x200B && code <= 0x200D) ||
                       (code >= 0x20D0 && code <= 0x20FF) || (code >= 0xFE00 && code <= 0xFE0F);

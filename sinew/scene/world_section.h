@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-/// What acts on everything, and how it is solved: the sections "world" and "solver" of a scene file.
+/// Forces, bounds and solver settings: the sections "world" and "solver" of a scene file.
 namespace sinew {
 
 struct PlaneSection {
@@ -21,11 +21,15 @@ struct PlaneSection {
     std::optional<double> bounce, friction;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.normal, Field{.name = "normal", .help = "Points to the free side", .required = true});
-        visit(self.through, Field{.name = "through", .help = "A point on the plane", .unit = unit::length});
-        visit(self.bounce,
-              Field{.name = "bounce", .help = "Share of the approach speed given back", .low = 0, .high = 1});
-        visit(self.friction, Field{.name = "friction", .help = "Coulomb's coefficient", .low = 0, .high = 100});
+        visit(self.normal,
+              Field{.name = "normal", .help = "Normal of the plane, towards the free side", .required = true});
+        visit(self.through, Field{.name = "through", .help = "Point on the plane", .unit = unit::length});
+        visit(self.bounce, Field{.name = "bounce",
+                                 .help = "Coefficient of restitution: share of the approach speed given back",
+                                 .low = 0,
+                                 .high = 1});
+        visit(self.friction,
+              Field{.name = "friction", .help = "Coefficient of Coulomb friction", .low = 0, .high = 100});
     }
 };
 
@@ -36,15 +40,16 @@ struct BoundsSection {
     double friction = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.box,
-              Field{.name = "box", .help = "Two opposite corners of a room that nothing leaves", .unit = unit::length});
-        visit(self.planes, Field{.name = "planes", .help = "Planes that things stay on one side of"});
+        visit(self.box, Field{.name = "box",
+                              .help = "Two opposite corners of a room with walls on all sides",
+                              .unit = unit::length});
+        visit(self.planes, Field{.name = "planes", .help = "Walls given as planes"});
         visit(self.bounce, Field{.name = "bounce",
-                                 .help = "Share of its speed that what strikes a wall keeps; 0 does not rebound",
+                                 .help = "Coefficient of restitution of the walls; 0 for no rebound",
                                  .low = 0,
                                  .high = 1});
         visit(self.friction, Field{.name = "friction",
-                                   .help = "Coulomb's coefficient of the walls (physical mode)",
+                                   .help = "Coefficient of Coulomb friction of the walls (physical mode)",
                                    .low = 0,
                                    .high = 100});
     }
@@ -52,12 +57,12 @@ struct BoundsSection {
 
 struct GravityForce {
     static constexpr std::string_view name = "gravity";
-    static constexpr std::string_view about = "One more constant acceleration.";
+    static constexpr std::string_view about = "An additional constant acceleration.";
     Point acceleration{};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.acceleration, Field{.name = "acceleration",
-                                       .help = "Of everything that can move",
+                                       .help = "Acceleration of all movable particles",
                                        .unit = unit::acceleration,
                                        .required = true});
     }
@@ -65,12 +70,12 @@ struct GravityForce {
 
 struct DragForce {
     static constexpr std::string_view name = "drag";
-    static constexpr std::string_view about = "Still air or water: a force against the velocity.";
+    static constexpr std::string_view about = "Drag of still air or water: a force against the velocity.";
     double strength = 0.1;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.strength, Field{.name = "strength",
-                                   .help = "Force on one particle over its speed",
+                                   .help = "Drag coefficient: force on a particle divided by its speed",
                                    .unit = unit::drag,
                                    .low = 0,
                                    .high = 1e9});
@@ -88,12 +93,14 @@ struct WindForce {
     std::int64_t seed = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.velocity, Field{.name = "velocity", .help = "Of the air", .unit = unit::speed, .required = true});
-        visit(self.strength, Field{.name = "strength",
-                                   .help = "Force on one particle over its speed against the air",
-                                   .unit = unit::drag,
-                                   .low = 0,
-                                   .high = 1e9});
+        visit(self.velocity,
+              Field{.name = "velocity", .help = "Velocity of the air", .unit = unit::speed, .required = true});
+        visit(self.strength,
+              Field{.name = "strength",
+                    .help = "Drag coefficient: force on a particle divided by its speed relative to the air",
+                    .unit = unit::drag,
+                    .low = 0,
+                    .high = 1e9});
         visit(self.gust,
               Field{.name = "gust", .help = "Largest change of the velocity in a gust", .unit = unit::speed});
         visit(self.gust_period, Field{.name = "gust_period",
@@ -102,11 +109,11 @@ struct WindForce {
                                       .low = 1e-3,
                                       .high = 1e6});
         visit(self.gust_size, Field{.name = "gust_size",
-                                    .help = "Length of a gust along the wind; 0 blows everywhere at once",
+                                    .help = "Length of a gust along the wind; 0 for the same gust everywhere",
                                     .unit = unit::length,
                                     .low = 0,
                                     .high = 1e6});
-        visit(self.seed, Field{.name = "seed", .help = "Another number, other gusts"});
+        visit(self.seed, Field{.name = "seed", .help = "Seed of the random gusts"});
     }
 };
 
@@ -119,32 +126,33 @@ struct AttractorForce {
     std::string figure;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.center, Field{.name = "center", .help = "Where it is", .unit = unit::length, .required = true});
+        visit(self.center,
+              Field{.name = "center", .help = "Position of the attractor", .unit = unit::length, .required = true});
         visit(self.strength, Field{.name = "strength",
-                                   .help = "Acceleration times distance squared; negative pushes",
+                                   .help = "Acceleration times distance squared; negative to repel",
                                    .unit = {.length = 3, .time = -2},
                                    .low = -1e12,
                                    .high = 1e12});
         visit(self.softness, Field{.name = "softness",
-                                   .help = "Closer than this it pulls as a spring does",
+                                   .help = "Distance below which the force is like that of a spring",
                                    .unit = unit::length,
                                    .low = 1e-6,
                                    .high = 1e6});
-        visit(self.figure, Field{.name = "figure", .help = "The only one that it pulls; left out: it pulls all"});
+        visit(self.figure, Field{.name = "figure", .help = "Only figure attracted; all figures if left out"});
     }
 };
 
 struct RandomPushForce {
     static constexpr std::string_view name = "random_push";
     static constexpr std::string_view about =
-        "Each step, one particle at random gets a force of whole numbers between low and high.";
+        "A force on one random particle each step, of whole numbers between low and high.";
     Point low{}, high{};
     std::int64_t seed = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.low, Field{.name = "low", .help = "Smallest force", .required = true});
         visit(self.high, Field{.name = "high", .help = "Largest force", .required = true});
-        visit(self.seed, Field{.name = "seed", .help = "Another number, other pushes"});
+        visit(self.seed, Field{.name = "seed", .help = "Seed of the random pushes"});
     }
 };
 
@@ -152,7 +160,7 @@ struct ForceSection {
     std::variant<GravityForce, DragForce, WindForce, AttractorForce, RandomPushForce> force;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.force, Field{.name = "force", .help = "Which kind", .required = true});
+        visit(self.force, Field{.name = "force", .help = "Type of the force field", .required = true});
     }
 };
 
@@ -163,14 +171,13 @@ struct WorldSection {
     std::vector<ForceSection> forces;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.gravity, Field{.name = "gravity", .help = "Acceleration of everything", .unit = unit::acceleration});
-        visit(self.damping,
-              Field{.name = "damping",
-                    .help = "physical: the rate at which velocity decays, per time unit; classic: the share of the "
-                            "velocity kept each frame",
-                    .low = 0,
-                    .high = 1e6});
-        visit(self.bounds, Field{.name = "bounds", .help = "Walls around everything"});
+        visit(self.gravity, Field{.name = "gravity", .help = "Acceleration of gravity", .unit = unit::acceleration});
+        visit(self.damping, Field{.name = "damping",
+                                  .help = "Damping. physical: decay rate of the velocity, per time unit; classic: "
+                                          "share of the velocity kept each frame",
+                                  .low = 0,
+                                  .high = 1e6});
+        visit(self.bounds, Field{.name = "bounds", .help = "Walls"});
         visit(self.forces, Field{.name = "forces", .help = "Force fields, summed"});
     }
 };
@@ -193,40 +200,44 @@ struct RulesSection {
     bool hover_freezes = false;
     std::string integrator = "verlet";
 
-    /// In the order of PassOrder; the last is an older name of the one before it.
+    /// In the order of PassOrder; the last entry is an older name of the third.
     static constexpr std::array<std::string_view, 4> orders = {"sweeps_last", "walls_each_pass", "walls_last",
                                                                "interleaved"};
     static constexpr std::array<std::string_view, 3> holds = {"fixed", "corrected", "integrated"};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.order,
-              Field{.name = "order",
-                    .help = "sweeps_last: move, walls, sweeps (OpenGL); walls_each_pass: move, then a sweep "
-                            "and the walls each pass; walls_last: move, sweeps, walls (Roblox); "
-                            "interleaved: an older name of walls_last",
-                    .choices = orders});
-        visit(self.moves_each_pass,
-              Field{.name = "moves_each_pass",
-                    .help = "Each pass moves the points by a whole frame, then sweeps (Roblox, as a reader repaired "
-                            "it)"});
-        visit(self.hold,
-              Field{.name = "hold",
-                    .help = "What becomes of a point that is grabbed or driven. fixed: set on its target, and nothing "
-                            "else; corrected: set, then corrected like any other (Flash, Godot); integrated: set, "
-                            "then moved and corrected like any other (GameMaker)",
-                    .choices = holds});
+        visit(self.order, Field{.name = "order",
+                                .help = "Order of a frame. sweeps_last: move, walls, sweeps (OpenGL); walls_each_pass: "
+                                        "move, then a sweep and the walls each pass; walls_last: move, sweeps, walls "
+                                        "(Roblox); interleaved: older name of walls_last",
+                                .choices = orders});
+        visit(
+            self.moves_each_pass,
+            Field{.name = "moves_each_pass",
+                  .help = "Motion by a whole frame in each pass, before the sweep (Roblox, as a reader repaired it)"});
+        visit(self.hold, Field{.name = "hold",
+                               .help = "Treatment of grabbed and driven points. fixed: set to the target only; "
+                                       "corrected: set, then corrected like any other (Flash, Godot); integrated: set, "
+                                       "then moved and corrected like any other (GameMaker)",
+                               .choices = holds});
         visit(self.damp_after_force,
-              Field{.name = "damp_after_force", .help = "(v + a) damping instead of v damping + a (Roblox)"});
+              Field{.name = "damp_after_force",
+                    .help = "Velocity update (v + a) damping instead of v damping + a (Roblox)"});
         visit(self.root_free,
               Field{.name = "root_free", .help = "Distances without a square root: s = r^2/(d^2 + r^2) - 1/2"});
-        visit(self.floor_keep, Field{.name = "floor_keep",
-                                     .help = "Velocity along the floor kept each frame while resting on it",
+        visit(self.floor_keep,
+              Field{.name = "floor_keep",
+                    .help = "Share of the velocity along the floor kept each frame while resting on it",
+                    .low = 0,
+                    .high = 1});
+        visit(self.time_scale, Field{.name = "time_scale",
+                                     .help = "Speed of time: slow motion below 1, fast above",
                                      .low = 0,
-                                     .high = 1});
-        visit(self.time_scale,
-              Field{.name = "time_scale", .help = "Slow motion below 1, fast above", .low = 0, .high = 100});
-        visit(self.longest_step,
-              Field{.name = "longest_step", .help = "Frames that a stall counts as, at most", .low = 1, .high = 1000});
+                                     .high = 100});
+        visit(self.longest_step, Field{.name = "longest_step",
+                                       .help = "Largest number of frames a stall counts as",
+                                       .low = 1,
+                                       .high = 1000});
         visit(self.outward_bounce, Field{.name = "outward_bounce",
                                          .help = "Known bug (Roblox): top and right walls keep the outward speed"});
         visit(self.points_only_passes,
@@ -239,18 +250,17 @@ struct RulesSection {
               Field{.name = "halved_acceleration", .help = "Known bug (tearable cloth): x += v + a/2 dt^2"});
         visit(self.dropped_leftover,
               Field{.name = "dropped_leftover",
-                    .help = "Known bug (tearable cloth): whole steps of 16 ms, what is left of a frame is dropped"});
+                    .help = "Known bug (tearable cloth): whole steps of 16 ms, the remainder of a frame is dropped"});
         visit(self.displaced_hold,
               Field{.name = "displaced_hold",
-                    .help = "Known bug (Godot chain, first version): what is grabbed or driven is set on its target, "
-                            "then moved on by as much again, and corrected"});
-        visit(self.hover_freezes,
-              Field{.name = "hover_freezes",
-                    .help = "Known bug (Godot chain, second version): what the pointer is over is corrected, but not "
-                            "moved; see pointer.hover_size"});
+                    .help = "Known bug (Godot chain, first version): a grabbed or driven point is set to its target, "
+                            "then moved by the same displacement again, and corrected"});
+        visit(self.hover_freezes, Field{.name = "hover_freezes",
+                                        .help = "Known bug (Godot chain, second version): a point under the pointer is "
+                                                "corrected, but not moved; see pointer.hover_size"});
         visit(self.integrator,
               Field{.name = "integrator",
-                    .help = "How free particles move in a step: Verlet as the originals, or another to compare with",
+                    .help = "Integrator of free particles: Verlet as in the originals, or another for comparison",
                     .choices = integrator_names});
     }
 };
@@ -271,31 +281,32 @@ struct SolverSection {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.mode, Field{.name = "mode",
-                               .help = "physical: as it should be; classic: as the original demo behaved",
+                               .help = "Mode. physical: correct physics; classic: behaviour of the original demo",
                                .choices = modes});
-        visit(self.precision, Field{.name = "precision", .help = "Of all numbers in the world", .choices = precisions});
-        visit(self.substeps,
-              Field{.name = "substeps",
-                    .help = "Parts that a step is divided into (physical mode); 0: 16 for what is swept, as "
-                            "few as it takes for what is solved at once",
-                    .low = 0,
-                    .high = 1000});
+        visit(self.precision,
+              Field{.name = "precision", .help = "Precision of all numbers in the world", .choices = precisions});
+        visit(self.substeps, Field{.name = "substeps",
+                                   .help = "Substeps of a step (physical mode); 0: 16 for iterative components, as few "
+                                           "as needed for components solved directly",
+                                   .low = 0,
+                                   .high = 1000});
         visit(self.iterations, Field{.name = "iterations",
-                                     .help = "Sweeps over the constraints in each substep (physical mode)",
+                                     .help = "Number of sweeps over the constraints in each substep (physical mode)",
                                      .low = 1,
                                      .high = 1000});
-        visit(self.direct, Field{.name = "direct",
-                                 .help = "Whether what hangs together by distances, angles and pulleys is solved at "
-                                         "once: auto where it has few loops; on as long as that stays sparse; off "
-                                         "sweeps over it",
-                                 .choices = direct_names});
-        visit(self.rate, Field{.name = "rate", .help = "Steps a second", .low = 1, .high = 10000});
+        visit(self.direct,
+              Field{.name = "direct",
+                    .help = "Direct solution of components connected by distances, angles and pulleys. auto: with few "
+                            "loops; on: as long as the matrix stays sparse; off: iterative sweeps instead",
+                    .choices = direct_names});
+        visit(self.rate, Field{.name = "rate", .help = "Steps per second", .low = 1, .high = 10000});
         visit(self.passes, Field{.name = "passes",
-                                 .help = "Sweeps over the constraints each frame (classic mode)",
+                                 .help = "Number of sweeps over the constraints each frame (classic mode)",
                                  .low = 0,
                                  .high = 1000});
-        visit(self.rules, Field{.name = "rules", .help = "How the original did it (classic mode)"});
-        visit(self.seed, Field{.name = "seed", .help = "Of everything random that has no seed of its own"});
+        visit(self.rules, Field{.name = "rules", .help = "Rules of the original demo (classic mode)"});
+        visit(self.seed, Field{.name = "seed",
+                               .help = "Seed of all random numbers, combined with the own seeds of forces and kicks"});
     }
 };
 

@@ -9,20 +9,20 @@
 #include <string_view>
 #include <vector>
 
-/// Records as JSON: the reader's inverse, by the same walk over `fields`.
+/// Converts records to JSON: the inverse of the reader, by the same walk over `fields`.
 namespace sinew {
 
 struct Writing {
     int dimension = 2;
-    Units units = {};      ///< in which a default is stated that can be left out
-    bool defaults = false; ///< write what has its default value as well
+    Units units = {};      ///< units of the scene, in which defaults are compared
+    bool defaults = false; ///< true: write default values as well
 };
 
 namespace detail {
 template <Record R> void write_fields(json::Object& object, const R& record, std::string_view key, const Writing& out);
 }
 
-/// Anything a field can be (types.h) as a file states it. An optional must hold something.
+/// Writes a value of any type a field can have (types.h). An optional must hold a value.
 template <class T> json::Value write(const T& value, const Field& field, const Writing& out) {
     using namespace detail;
     if constexpr (std::floating_point<T>) {
@@ -56,7 +56,7 @@ template <class T> json::Value write(const T& value, const Field& field, const W
     }
 }
 
-/// A record without what has its default value.
+/// Writes a record without its default values.
 template <Record R> json::Value write(const R& record, const Writing& out) {
     return write(record, Field{}, out);
 }
@@ -72,8 +72,8 @@ template <class T> std::optional<json::Value> write_if_present(const T& value, c
         return write(value, field, out);
 }
 
-/// Appends the fields that need saying. `key` is one of them in any case: it tells which alternative of a variant this
-/// is.
+/// Appends required fields and fields that differ from their defaults. The field `key` is always written, because it
+/// selects the alternative of a variant.
 template <Record R> void write_fields(json::Object& object, const R& record, std::string_view key, const Writing& out) {
     std::vector<std::optional<json::Value>> usual;
     auto plain = fresh<R>({}, out.units);

@@ -12,7 +12,8 @@ template <class WorldT> Gravity<WorldT::dimension, typename WorldT::Real>* gravi
                                 : std::get_if<Gravity<WorldT::dimension, typename WorldT::Real>>(&world.forces.front());
 }
 
-/// What the `number`th particle of a kick's target gets, when it happened so often before.
+/// Velocity change of the `number`-th particle of a kick's target: uniform in [-by, by) on each axis, drawn from the
+/// scene's seed and the count of earlier occurrences.
 template <int D, class Real>
 Vec<D, Real> kick_of(const KickEvent& kick, const Scene& scene, std::size_t number, std::uint64_t before) {
     const auto by = kick.by.template as<D, Real>();
@@ -21,13 +22,14 @@ Vec<D, Real> kick_of(const KickEvent& kick, const Scene& scene, std::size_t numb
         [&](int axis) { return by[axis] * random::symmetric<Real>(seed, 3 * number + std::uint64_t(axis), before); });
 }
 
-/// What an event does to a world. Returns where it happened, as the scene calls it.
+/// Applies an event to a world. Returns the name of the figure, particle or constraint concerned; empty if nothing
+/// happened or the event has no place.
 template <class WorldT> struct Doer {
     using Real = typename WorldT::Real;
     static constexpr int D = WorldT::dimension;
     WorldT& world;
     const Scene& scene;
-    std::uint64_t before = 0; ///< how often the same event happened already
+    std::uint64_t before = 0; ///< number of earlier occurrences of the same event
 
     std::string operator()(const KickEvent& kick) const {
         std::size_t number = 0;
@@ -87,7 +89,7 @@ template <class WorldT> struct Doer {
     }
 
   private:
-    /// A figure takes a blow as one body: every particle gets the same change of velocity.
+    /// Applies an impulse to a figure as one body: every movable particle gets the same change of velocity.
     void strike(const Figure& figure, const Vec<D, Real>& by) const {
         Real mass = 0;
         for (const auto id : figure.particles)

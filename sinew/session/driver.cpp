@@ -19,13 +19,13 @@ Point as_point(const Vec3<double>& place) {
     return {{place[0], place[1], place[2]}};
 }
 
-/// Where it is on its way through the keys, which begins at rest at time 0.
+/// Position at `time` on a path through the keys, which starts from `rest` at time 0.
 Point along(std::span<const Keyframe> keys, const Point& rest, double time, bool is_smooth, bool repeats) {
     if (keys.empty()) return rest;
     const double end = keys.back().at;
     if (repeats && end > 0) time -= end * std::floor(time / end);
     if (time >= end) return keys.back().to;
-    std::size_t next = 0; // the first key still ahead
+    std::size_t next = 0; // first key after `time`
     while (keys[next].at <= time) ++next;
     const auto place = [&](std::ptrdiff_t i) {
         const auto last = std::ptrdiff_t(keys.size()) - 1;

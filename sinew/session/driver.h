@@ -4,7 +4,8 @@
 
 namespace sinew {
 
-/// Where a driver has its pin at a time. `rest` is where the pin is held without it; `up` is -1 where y points down.
+/// Position of a driven pin at `time`, in the scene's units. `rest`: the pin's position without the driver; `up`: -1 if
+/// y points down, else 1.
 Point driven_to(const Driver& driver, const Point& rest, double time, int up);
 
 } // namespace sinew

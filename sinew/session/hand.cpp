@@ -5,7 +5,7 @@
 namespace sinew {
 namespace {
 
-/// What a hand at that particle would lift: its figure, or itself where it has none.
+/// Mass of the particle's figure, or of a single particle without a figure.
 template <class WorldT> double lifted_mass(const WorldT& world, Row row) {
     const auto& p = world.particles;
     const auto figure = p.figure[row];
@@ -16,11 +16,11 @@ template <class WorldT> double lifted_mass(const WorldT& world, Row row) {
     return mass;
 }
 
-/// A particle that is to `place` as a corner is to its shape.
+/// Light particle at `place`, joined to every member by a distance constraint.
 template <class WorldT> ParticleId add_handle(WorldT& world, std::span<const ParticleId> members, const Point& place) {
     using Real = typename WorldT::Real;
     constexpr int D = WorldT::dimension;
-    constexpr Real lightness = Real(0.1); // of the lightest member: lighter is harder to solve, heavier is felt
+    constexpr Real lightness = Real(0.1); // mass over the lightest member's: less is ill-conditioned, more is felt
     Real mass = limit::mass<Real>;
     for (const auto id : members)
         if (const Real w = world.particles.inverse_mass[*row_of(world, id)]; w > Real(0))
@@ -30,7 +30,7 @@ template <class WorldT> ParticleId add_handle(WorldT& world, std::span<const Par
     return handle;
 }
 
-/// Particles of the same figure that are within reach of a place, but for the members.
+/// Movable particles of the first member's figure within `reach` of `place`, members excluded.
 template <class WorldT>
 std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> members, const Point& place,
                              double reach) {

@@ -9,30 +9,30 @@
 
 namespace sinew {
 
-/// A pointer that holds something: one particle by a pin, or a place between several by a handle, a light particle that
-/// keeps its distances to them and is pinned instead. A wide hand pulls along what is near of the same figure.
+/// A pointer's grab: a pin of limited force on one particle, or on a handle, a light particle joined by distances to
+/// several particles. A grab with a radius also pins the particles of the same figure nearby.
 struct Hand {
-    /// The hand can give all that it lifts this acceleration, and no more: 100 times that of gravity. Larger follows
-    /// closer, but tears and jams what is caught. Metres a second squared.
+    /// Acceleration limit of everything lifted, metres per second squared: 100 times gravity. A larger limit follows
+    /// the pointer more closely but tears and jams the figure.
     static constexpr double strength = 1000;
 
     std::vector<ParticleId> members;
-    Point target; ///< where the held place shall be when the next step ends
+    Point target; ///< position of the held point at the end of the next step
     PinId pin{};
-    std::optional<ParticleId> handle{}; ///< of several members
+    std::optional<ParticleId> handle{}; ///< present if there are several members
 
     struct Along {
         PinId pin;
-        Point offset; ///< from the target
+        Point offset; ///< from `target`
     };
     std::vector<Along> along{};
 
-    /// Nothing where a member is gone or none can move. `acceleration` and `reach` are in the world's units; `hold` is
-    /// classic mode's rule.
+    /// Pins the members at `place`. Empty if a member has been removed or none can move. `acceleration` and `reach` in
+    /// the world's units; `hold`: rule of classic mode.
     static std::optional<Hand> take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
                                     double acceleration, double reach = 0, Hold hold = Hold::fixed);
 
-    /// Tells the pin where to be. A place beyond a wall is as good as the one before it.
+    /// Sets the targets of the pins; a target behind a plane is projected onto the plane.
     void carry(AnyWorld& world) const;
     void let_go(AnyWorld& world) const;
 };

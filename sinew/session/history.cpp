@@ -14,7 +14,7 @@ template <int D, class Real> Vec3<double> in_space(const Vec<D, Real>& vector) {
     return wide;
 }
 
-/// What is left of a figure, or one particle.
+/// A named particle, or all remaining particles of a figure.
 template <class WorldT> std::vector<ParticleId> members_of(const WorldT& world, const std::string& of) {
     if (const auto id = find_particle(world, of)) return {*id};
     std::vector<ParticleId> members;
@@ -24,7 +24,7 @@ template <class WorldT> std::vector<ParticleId> members_of(const WorldT& world, 
     return members;
 }
 
-/// The mean over at least one particle.
+/// Mean of a vector quantity; `members` must not be empty.
 template <class Value> Vec3<double> mean_over(std::span<const ParticleId> members, Value&& value) {
     Vec3<double> sum{};
     for (const auto id : members) sum += in_space(*value(id));
@@ -37,7 +37,7 @@ template <class WorldT> Energy energy_called(const WorldT& world, const std::str
     return figure ? energy_of(world, *figure) : Energy{};
 }
 
-/// Nothing where all of it is gone.
+/// Empty if no particle remains.
 template <class WorldT>
 std::optional<Vec3<double>> measured(const WorldT& world, const std::string& of, std::string_view shows) {
     const auto members = members_of(world, of);
@@ -51,7 +51,7 @@ std::optional<Vec3<double>> measured(const WorldT& world, const std::string& of,
     return Vec3<double>{{energy.total()}};
 }
 
-/// Every second goes.
+/// Doubles the spacing: drops every second sample.
 void thin_out(std::vector<Sample>& samples, std::uint64_t& spacing) {
     spacing *= 2;
     const auto first = samples.front().step;
@@ -83,7 +83,7 @@ void History::record(const Scene& scene, const AnyWorld& world) {
                 while (!samples.empty() && samples.back().step >= known.steps) samples.pop_back();
                 const bool between =
                     samples.size() > 1 && samples.back().step - samples[samples.size() - 2].step < spacing;
-                if (between) samples.pop_back(); // was the present only
+                if (between) samples.pop_back(); // kept only while the latest
                 const auto value = measured(known, of, shows);
                 if (value) samples.push_back({known.steps, seconds, *value});
                 if (samples.size() > most_samples) thin_out(samples, spacing);

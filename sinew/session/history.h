@@ -10,34 +10,34 @@
 
 namespace sinew {
 
-/// A trace at one moment.
+/// Value of a trace at one step.
 struct Sample {
     std::uint64_t step = 0; ///< steps taken
-    double seconds = 0;     ///< simulated
-    Vec3<double> value{};   ///< of a path the place; else the value is the first component, in the scene's units
+    double seconds = 0;     ///< simulated time
+    Vec3<double> value{};   ///< position of a path; other quantities in the first component, in the scene's units
 };
 
-/// What a scene's traces have shown so far. Bounded: where a trace is full, every second sample goes.
+/// Samples of a scene's traces. Memory is bounded: a full trace drops every second sample.
 class History {
   public:
-    static constexpr std::size_t most_samples = 1024; ///< of one trace
+    static constexpr std::size_t most_samples = 1024; ///< per trace
 
-    /// Forgets everything and notes the present.
+    /// Clears all samples and records the present state.
     void restart(const Scene& scene, const AnyWorld& world);
-    /// Notes the present. Samples that are not older are replaced: a session can go back in time.
+    /// Records the present state. Samples at or after the present step are replaced: a session can go back in time.
     void record(const Scene& scene, const AnyWorld& world);
 
-    /// Whether it is of the same traces.
+    /// True if the series match the scene's traces.
     bool is_of(const Scene& scene) const;
 
     std::size_t size() const { return series_.size(); }
-    /// Samples of the scene's trace of that number, oldest first; the last is the present.
+    /// Samples of the trace with index `trace`, oldest first; the last is the present.
     std::span<const Sample> of(std::size_t trace) const { return series_[trace].samples; }
 
   private:
     struct Series {
         std::string of, shows;
-        std::uint64_t spacing = 1; ///< steps between two samples that stay
+        std::uint64_t spacing = 1; ///< steps between two permanent samples
         std::vector<Sample> samples;
     };
 

@@ -44,7 +44,7 @@ template <class WorldT> class Picker {
 
     bool movable(Row row) const { return world_.particles.mobility[row] > 0; }
 
-    /// Nearer to the eye is better, as far as it can be told from nearer to the pointer.
+    /// Keeps the candidate with the lowest score, the distance to the pointer in pixels.
     void offer(float score, Picked picked) {
         if (score >= best_score_) return;
         best_score_ = score;
@@ -69,7 +69,7 @@ template <class WorldT> class Picker {
         }
     }
 
-    /// The lines that a piece is drawn with, as wide as they are.
+    /// Segments of a piece, with the width of the piece.
     void lines(const Piece& piece, FigureIndex figure) {
         if (piece.mark == Mark::dot || piece.mark == Mark::face || is_cloth(piece.mark)) return;
         const bool closed = piece.mark == Mark::loop || piece.mark == Mark::fill;
@@ -91,7 +91,7 @@ template <class WorldT> class Picker {
         offer(away, at({from, to}, start + (end - start) * double(share), figure));
     }
 
-    /// Within a filled polygon: held by its three corners nearest to the place, which no fourth can contradict.
+    /// 2D: a point within a filled polygon, held by the three nearest corners; a fourth would overdetermine the grab.
     void inside(const Piece& piece, FigureIndex figure) {
         if (D == 3) return;
         bool odd = false, moves = false;

@@ -8,26 +8,26 @@
 
 namespace sinew {
 
-/// What a pointer can take hold of.
+/// Candidate of a grab.
 struct Picked {
-    std::vector<ParticleId> members; ///< one particle, or several with the place between them
-    Point place;                     ///< of the world
-    double depth = 0;                ///< distance from the eye; 0 in 2D
-    Vec2<float> pixel{};             ///< where it is seen
+    std::vector<ParticleId> members; ///< a single particle, or several with `place` between them
+    Point place;                     ///< position in the world
+    double depth = 0;                ///< distance from the eye along the view axis; 0 in 2D
+    Vec2<float> pixel{};             ///< projected position
     FigureIndex figure = no_figure;
 };
 
-/// The nearest particle within so many pixels, or else a place on a line between two or within a filled polygon. Only
-/// what can move; nothing where there is none.
+/// Nearest movable particle within `radius` pixels; otherwise a point on a line between two particles or, in 2D, within
+/// a filled polygon. Empty if there is none.
 std::optional<Picked> pick(const AnyWorld& world, const View& view, Vec2<double> pixel, double radius);
 
-/// How near, in pixels, a pointer must be to what it takes hold of.
+/// Radius of a pointer's grab, pixels.
 inline constexpr double pick_radius = 18;
 
-/// "bob/right_hand"; "bob" where the particle has no name; empty where it is gone or loose.
+/// Name of a particle: "bob/right_hand"; "bob" if the particle has no name; empty if removed or of no figure.
 std::string name_of(const AnyWorld& world, ParticleId id);
 
-/// Where the middle of what was picked is now; nothing where part of it is gone.
+/// Present mean position of a pick's members; empty if one has been removed.
 std::optional<Point> place_of(const AnyWorld& world, std::span<const ParticleId> members);
 
 } // namespace sinew

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-/// What a player does to a session while it runs.
+/// Input to a running session: grabbing, time scale, live editing.
 namespace sinew {
 
 bool Session::grab(std::span<const ParticleId> members, const Point& place) {
@@ -41,7 +41,7 @@ void Session::let_go() {
 }
 
 void Session::quicken(double by) {
-    constexpr double fastest = 5; // as the GameMaker tutorial had it
+    constexpr double fastest = 5; // limit of the GameMaker tutorial
     std::visit(
         [&]<class WorldT>(WorldT& world) {
             auto& scale = world.settings.classic.time_scale;
@@ -62,7 +62,7 @@ void Session::become(Scene scene) {
     if (!history_.is_of(scene_)) history_.restart(scene_, world_);
 }
 
-/// Those whose step is over. What comes again and again goes on.
+/// Drops due events before the present step; a periodic event continues with the next occurrence.
 void Session::skip_past_events() {
     plan_events();
     const double now = std::visit([](const auto& world) { return world.time; }, world_);
@@ -78,7 +78,7 @@ void Session::skip_past_events() {
     std::make_heap(due_.begin(), due_.end());
 }
 
-/// What events of the scene began and did not end: holds and gusts.
+/// Restores the state of events that have begun but not ended: grabs and gusts.
 void Session::keep_going(const AnyWorld& old) {
     std::visit(
         [&]<class WorldT>(WorldT& world) {

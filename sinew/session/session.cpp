@@ -2,6 +2,7 @@
 
 #include "sinew/scene/reader.h"
 #include "sinew/session/doer.h"
+#include "sinew/session/focus.h"
 #include "sinew/session/view.h"
 #include "sinew/solver/cut.h"
 #include "sinew/solver/edit.h"
@@ -56,7 +57,7 @@ double Session::seconds() const {
 }
 
 void Session::run_until(double seconds) {
-    const double half_a_step = 0.5 / scene_.solver.rate; // time is a sum of steps: never one more for its rounding
+    const double half_a_step = 0.5 / scene_.solver.rate; // the clock is a sum of steps: rounding must not add one more
     while (this->seconds() < seconds - half_a_step) step();
 }
 
@@ -150,7 +151,7 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
                     world.forces.push_back(Wind<D, Real>{.velocity = happening.velocity.template as<D, Real>(),
                                                          .strength = Real(happening.strength)});
                 } else if constexpr (std::is_same_v<Event, CutEvent>) {
-                    if (cut(happening.line, happening.within) > 0) return; // has told of it
+                    if (cut(happening.line, happening.within) > 0) return; // already noted
                 } else {
                     where = Doer<WorldT>{world, scene_, before}(happening);
                     if (std::is_same_v<Event, JoinEvent> && where.empty()) return;
@@ -192,7 +193,7 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
         world_);
 }
 
-/// The scene's pins are the last that were made, in its order; one whose name ends in a star stands for many.
+/// The scene's pins are the last pins of the world, in the scene's order; a name with a star stands for several pins.
 void Session::find_driven() {
     winder_.find(scene_, world_);
     driven_.clear();
@@ -210,14 +211,14 @@ void Session::find_driven() {
         world_);
 }
 
-/// What is near to what is held is carried along with it, unless it is held already.
+/// Pins the particles of the same figure within the grab's radius, each at a constant offset from the grabbed particle.
 template <class WorldT>
 void Session::hold_around(WorldT& world, ParticleId middle, const GrabEvent& grab, const Held& held) {
     using Real = typename WorldT::Real;
     constexpr int D = WorldT::dimension;
     const auto place = *position_of(world, middle);
     const auto figure = world.particles.figure[*row_of(world, middle)];
-    const auto whole = held; // held_ grows
+    const auto whole = held; // a copy: held_ grows
     for (Row row = 0; row < world.particles.size(); ++row) {
         const auto offset = world.particles.position[row] - place;
         if (world.particles.figure[row] != figure || !(norm(offset) <= Real(grab.within))) continue;
@@ -280,7 +281,7 @@ void Session::carry_held() {
         world_);
 }
 
-/// For one step, in classic mode: of the particles in whose square the pointer is, the last that was added.
+/// Classic mode: pins, for one step, the last added particle whose square contains the pointer.
 std::optional<PinId> Session::freeze_hovered() {
     if (!scene_.solver.rules.hover_freezes || scene_.solver.mode != "classic" || !pointer_) return std::nullopt;
     return std::visit(
@@ -321,7 +322,7 @@ void Session::note(std::string what, std::string where, std::size_t islands) {
         happenings_.push_back({seconds(), std::move(what), std::move(where), islands});
 }
 
-/// Tells of figures that fell into more islands than before.
+/// Notes every figure whose number of islands has grown.
 void Session::note_parted() {
     std::visit(
         [&](const auto& world) {
@@ -371,6 +372,19 @@ Report Session::report() const {
             return report;
         },
         world_);
+}
+
+Vec2<double> Session::place_of(Vec2<double> pixel, int width, int height) const {
+    return view(width, height).place_of(pixel);
+}
+
+std::vector<ParticleId> Session::held_particles() const {
+    std::vector<ParticleId> all;
+    if (hand_) all = hand_->members;
+    for (const auto& held : held_)
+        if (const auto id = std::visit([&](const auto& world) { return find_particle(world, held.particle); }, world_))
+            all.push_back(*id);
+    return all;
 }
 
 } // namespace sinew

@@ -4,9 +4,8 @@
 #include "sinew/session/driver.h"
 #include "sinew/session/hand.h"
 #include "sinew/session/history.h"
-#include "sinew/session/overlay.h"
-#include "sinew/session/picture.h"
 #include "sinew/session/stroke.h"
+#include "sinew/session/view.h"
 #include "sinew/session/winder.h"
 
 #include <array>
@@ -20,31 +19,28 @@
 
 namespace sinew {
 
-/// What a session can tell about its world, in the scene's own units.
+/// State of a session's world, in the scene's own units.
 struct Report {
-    double seconds = 0; ///< simulated
+    double seconds = 0; ///< simulated time
     std::uint64_t steps = 0;
     std::size_t particles = 0, constraints = 0;
     std::uint64_t hash = 0;
     double kinetic = 0, potential = 0, stored = 0;
-    double energy_lost = 0;                   ///< since the start, to blows (measure.h)
-    double stretch_max = 0, stretch_mean = 0; ///< of distances, as fractions of their rest length
+    double energy_lost = 0;                   ///< dissipated in impacts since the start (measure.h)
+    double stretch_max = 0, stretch_mean = 0; ///< strain of distances: fractions of rest length
     double max_speed = 0;
 };
 
-/// Something that happened, and when.
+/// Entry of a session's log.
 struct Happening {
     double seconds = 0;
     std::string what;        ///< "torn", "parted", "quarantined", or the name of a scene event ("grab")
-    std::string where;       ///< the figure or particle, as the scene calls it; may be empty
-    std::size_t islands = 0; ///< of "parted": into how many the figure fell (islands.h); else 0
+    std::string where;       ///< name of the figure or particle in the scene; may be empty
+    std::size_t islands = 0; ///< "parted": number of islands the figure now has (islands.h); else 0
 };
 
-/// Two corners around what a world shows.
-std::array<Point, 2> focus_of(const Scene& scene, const AnyWorld& world);
-
-/// A scene that runs: its world, a clock, the scene's events and a pointer. Headless; the window, the command and the
-/// web page feed it and paint its picture.
+/// A running scene: a world, a clock, the scene's events and a pointer. Headless: the window, the command line and the
+/// web page feed a session, and draw() makes its picture.
 class Session {
   public:
     explicit Session(Opened opened);
@@ -53,90 +49,96 @@ class Session {
     const AnyWorld& world() const { return world_; }
     AnyWorld& world() { return world_; }
 
-    /// Back to the start, as the scene says.
+    /// Returns to the scene's initial state.
     void restart();
 
-    /// One step of the scene's rate: what is due happens, then the world moves.
+    /// Advances by one step of the scene's rate: applies due events, then steps the world.
     void step();
-    /// Steps until at least this many seconds are simulated.
+    /// Steps until `seconds` of simulated time have passed, to within half a step.
     void run_until(double seconds);
     double seconds() const;
 
-    /// Where the pointer is, for pins that follow it; nothing: where their scenes say a pointer would be.
+    /// Position of the pointer, for pins with a pointer driver; empty: the driver's own path.
     void point_at(std::optional<Point> place) { pointer_ = place; }
-    /// Where it is, or where the scene says a pointer would be.
+    /// Position of the pointer, or of the first pin with a pointer driver; empty if there is neither.
     std::optional<Point> pointer() const;
 
-    /// Takes hold of one particle, or of the place between several; false where one is gone or nothing moves it. What
-    /// was held before is let go.
+    /// Grabs one particle, or a point between several; releases an earlier grab. False if a particle has been removed
+    /// or none can move. In classic mode with a grab radius, starts a stroke (stroke.h).
     bool grab(std::span<const ParticleId> members, const Point& place);
-    /// Where what is held shall be when the next step ends.
+    /// Target of the held point at the end of the next step.
     void drag(const Point& place);
     void let_go();
-    /// What is held, or nothing.
+    /// The pointer's grab, or null.
     const Hand* hand() const { return hand_ ? &*hand_ : nullptr; }
-    /// Whether the pointer does something to what it is dragged along: it holds it, or strokes it (classic mode).
+    /// True if the pointer holds particles or strokes them (classic mode).
     bool holds() const { return hand_ || stroke_; }
 
-    /// Draws it in another theme than the scene says.
+    /// Overrides the scene's theme.
     void set_theme(std::string name) { scene_.view.theme = std::move(name); }
 
-    /// Time passes faster by as much, or slower: classic mode's time scale, from 0 to 5.
+    /// Adds `by` to classic mode's time scale, clamped to [0, 5].
     void quicken(double by);
 
-    /// Goes on as another scene: figures that are the same in both keep where they are, how they move, and what was
-    /// cut.
+    /// Replaces the scene while running: figures unchanged between both scenes keep positions, velocities and cuts.
     void become(Scene scene);
 
-    /// Cuts every distance that crosses the line from one place to the other or comes within some length of it, as seen
-    /// in the picture; tells how many. What a pointer draws is a row of such lines, within what the scene says.
+    /// Cuts every distance that crosses the line, as seen in the picture, or comes within `within` of the line
+    /// (default: the scene's pointer setting). Returns the number of distances cut. A pointer's cut is a row of such
+    /// lines.
     std::size_t cut(const std::array<Point, 2>& line, std::optional<double> within = {});
     std::size_t cut(const std::array<Point, 2>& line, std::optional<double> within, const View& view);
 
     Report report() const;
-    /// All that happened so far; at most `most_happenings`, then only counted.
+    /// Log of the session, at most `most_happenings` entries; later ones are only counted.
     const std::vector<Happening>& happenings() const { return happenings_; }
     std::size_t happening_count() const { return happening_count_; }
     static constexpr std::size_t most_happenings = 10000;
 
-    /// Where a pixel of a picture of that size is in a 2D scene.
+    /// Position of a pixel of a `width` x `height` picture in a 2D scene.
     Vec2<double> place_of(Vec2<double> pixel, int width, int height) const;
 
-    /// Two corners around what the scene shows at its start.
+    /// Two opposite corners around everything the scene shows at the start.
     const std::array<Point, 2>& focus() const { return focus_; }
 
-    /// The picture of now, filling `picture` (whose width and height the caller sets), with overlays on it.
-    void draw(Picture& picture, OverlaySet overlay = {}) const;
-    void draw(Picture& picture, OverlaySet overlay, const View& view) const;
+    /// The view that the scene asks for in a picture of that size, in pixels.
+    View view(int width, int height) const { return {scene_, focus_, width, height}; }
+
+    /// Files of images by name, as the looks of the scene call them.
+    const Images& images() const { return images_; }
+    /// Samples of the scene's traces.
+    const History& history() const { return history_; }
+    /// Particles held by the pointer and by events of the scene.
+    std::vector<ParticleId> held_particles() const;
 
   private:
     struct Held {
         std::string particle;
         PinId pin;
-        Point from, to;
-        double since = 0, over = 0;
-        std::optional<Stroke> stroke{}; ///< instead of a pin
+        Point from, to;                 ///< ends of the target's path
+        double since = 0, over = 0;     ///< start and duration, in the scene's unit of time
+        std::optional<Stroke> stroke{}; ///< replaces the pin in classic mode
     };
     struct Blowing {
-        std::size_t force = 0;
-        double until = 0;
+        std::size_t force = 0; ///< index in the world's forces
+        double until = 0;      ///< end, in the scene's unit of time
     };
 
-    /// A pin that moves by itself.
+    /// A pin with a driver.
     struct Driven {
         PinId pin;
-        std::size_t section = 0; ///< of the scene's pins
+        std::size_t section = 0; ///< index of the scene's pin
         Point rest;
     };
 
     void find_driven();
     void drive();
-    /// An event that is still to come.
+    /// A future occurrence of an event.
     struct Due {
-        double at = 0;
-        std::size_t event = 0;    ///< of the scene's events
-        std::uint64_t before = 0; ///< how often it has happened already
-        /// Later, so that the first is on top of the heap; of those at once the scene's first.
+        double at = 0;            ///< in the scene's unit of time
+        std::size_t event = 0;    ///< index of the scene's event
+        std::uint64_t before = 0; ///< number of earlier occurrences
+        /// Inverted order: the earliest is on top of the heap, ties in the scene's order.
         bool operator<(const Due& other) const { return at != other.at ? at > other.at : event > other.event; }
     };
 
@@ -156,19 +158,19 @@ class Session {
     Scene scene_;
     AnyWorld world_;
     Images images_;
-    std::array<Point, 2> focus_; ///< two corners around what the scene shows at its start
+    std::array<Point, 2> focus_; ///< two opposite corners around the initial scene
     std::vector<Due> due_;       ///< a heap
     std::vector<Driven> driven_;
     Winder winder_;
     std::optional<Point> pointer_;
     std::optional<Hand> hand_;
-    std::optional<Stroke> stroke_; ///< of the pointer, instead of a hand
+    std::optional<Stroke> stroke_; ///< the pointer's, in place of hand_
     Point stroke_to_{};
-    bool taken_over_ = false; ///< by a pointer: the scene's own hand keeps away until a restart
+    bool taken_over_ = false; ///< after the pointer's first grab, until a restart: grab events are ignored
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;
     History history_;
-    std::vector<std::size_t> islands_; ///< of each figure, when last told of
+    std::vector<std::size_t> islands_; ///< per figure, as last noted
     std::vector<Happening> happenings_;
     std::size_t happening_count_ = 0;
 };

@@ -4,18 +4,18 @@
 
 namespace sinew {
 
-/// Classic mode's wide pointer, as the tearable curtain had it: it takes hold of nothing, but all that it comes near to
-/// on its way goes as fast as it does, or so many times as fast.
+/// Classic mode's wide pointer, as in the tearable curtain: every movable particle within `reach` of the pointer's path
+/// gets the pointer's velocity times `haste`; nothing is held.
 struct Stroke {
-    Point at;         ///< where it is
-    double reach = 0; ///< how near to its way
-    double haste = 1; ///< times its own speed
+    Point at;         ///< present position
+    double reach = 0; ///< radius around the path, the scene's unit of length
+    double haste = 1; ///< factor on the pointer's velocity
 
-    /// One frame's way.
+    /// Moves to `to` within one frame.
     void go(AnyWorld& world, const Point& to);
 };
 
-/// Whether a pointer that reaches so far strokes instead of holding.
+/// True if a pointer of radius `reach` strokes instead of grabbing: classic mode with a positive radius.
 bool strokes(const AnyWorld& world, double reach);
 
 } // namespace sinew

@@ -8,13 +8,13 @@
 namespace sinew {
 namespace {
 
-/// One figure of an old world as it is in a new one.
+/// Copies the state of one figure from an old world to a new one.
 template <class WorldT> class Transplant {
   public:
     Transplant(const WorldT& old, const Figure& was, WorldT& fresh, Figure& is)
         : old_(old), was_(was), fresh_(fresh), is_(is) {}
 
-    /// Parts that came later (where something was cut) are not in the new figure; they make it another one.
+    /// A figure changed by a cut (new particles or constraints) does not match the new world's figure.
     bool fits() const {
         return was_.particles.size() == is_.particles.size() && was_.constraints.size() == is_.constraints.size();
     }
@@ -50,7 +50,7 @@ template <class WorldT> class Transplant {
         if (!constraint_state(old_, was_.constraints[i])) cut.push_back(is_.constraints[i]);
     }
 
-    /// What is drawn changes where something is cut.
+    /// Copies the drawn pieces, which a cut changes.
     void carry_pieces() {
         std::vector<ParticleId> becomes(old_.particles.size());
         for (std::size_t i = 0; i < is_.particles.size(); ++i)

@@ -6,34 +6,34 @@
 
 namespace sinew {
 
-/// From the places of a scene to the pixels of a picture.
+/// Projection from positions of a scene to pixels of a picture.
 class View {
   public:
-    /// `focus` is what a 2D scene that does not say is looked at: two corners around all it shows.
+    /// `focus`: two corners around everything shown, fitted to a 2D picture where the scene gives no centre or height.
     View(const Scene& scene, const std::array<Point, 2>& focus, int width, int height)
         : View(scene, scene.view, focus, width, height) {}
-    /// Looks at it in another way than the scene says.
+    /// Replaces the scene's own view section.
     View(const Scene& scene, const ViewSection& view, const std::array<Point, 2>& focus, int width, int height);
 
     struct Seen {
         Vec2<float> pixel{};
-        float scale = 0; ///< pixels a unit of length has there
-        float depth = 0; ///< distance from the eye; 0 in 2D
+        float scale = 0; ///< pixels per unit of length at this depth
+        float depth = 0; ///< distance from the eye along the view axis; 0 in 2D
     };
 
-    /// Nothing for what is behind the eye.
+    /// Pixel, scale and depth of a position; empty behind the eye.
     std::optional<Seen> see(const Vec3<double>& place) const;
 
-    /// Where a pixel is in the plane of a 2D scene.
+    /// Position of a pixel in the plane of a 2D scene.
     Vec2<double> place_of(Vec2<double> pixel) const;
-    /// Where a pixel is in the plane across the view at that depth; in 2D there is only one.
+    /// Position of a pixel in the plane at `depth` parallel to the picture; 2D ignores the depth.
     Point place_of(Vec2<double> pixel, double depth) const;
 
-    /// 2D: what is in the middle of the picture, and how many pixels a unit of length has.
+    /// 2D: position at the middle of the picture, and pixels per unit of length.
     const Vec2<double>& center() const { return center_; }
     double scale() const { return scale_; }
 
-    /// Unit vector from what is looked at to the eye; towards the reader in 2D.
+    /// Unit vector from the camera's target to the eye; towards the viewer in 2D.
     const Vec3<double>& towards_eye() const { return back_; }
     /// Unit vectors to the right and to the top of the picture.
     const Vec3<double>& right() const { return right_; }
@@ -43,8 +43,8 @@ class View {
     double scale_at(double depth) const;
 
     bool flat_, orthographic_;
-    double scale_ = 1;        ///< 2D: pixels a unit; 3D: pixels a unit at unit depth
-    double target_depth_ = 1; ///< 3D: from the eye to what it looks at
+    double scale_ = 1;        ///< 2D: pixels per unit; 3D: pixels per unit at unit depth
+    double target_depth_ = 1; ///< 3D: depth of the target
     double up_ = 1;
     Vec2<double> middle_pixel_;
     Vec2<double> center_{}; // 2D

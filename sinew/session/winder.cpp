@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto no_figure_of_scene = ~std::size_t(0);
 
-/// The last key that has come and tells, and the next that does.
+/// Last key at or before `time` with tells(key), and the first such key after `time`; null if missing.
 template <class Tells>
 std::array<const DriveKey*, 2> around(const std::vector<DriveKey>& keys, double time, Tells&& tells) {
     std::array<const DriveKey*, 2> found{};
@@ -25,7 +25,8 @@ std::array<const DriveKey*, 2> around(const std::vector<DriveKey>& keys, double 
     return found;
 }
 
-/// How fast its limit at `now` moves in the next `dt`.
+/// Speed of the limit over the next `dt`, so as to reach the present key from `now` at most at the drive's speed.
+/// `in_program`: factor from the scene's units to the program's.
 double speed_at(const DriveSection& drive, double time, double dt, double now, double in_program) {
     const double speed = drive.speed * in_program;
     if (drive.keys.empty()) return speed;
@@ -49,7 +50,8 @@ const ConstraintSection& Winder::section_of(const Scene& scene, const Driven& dr
     return std::get<ByHand>(scene.figures[driven.figure].made).constraints[driven.section];
 }
 
-/// How many constraints a section made: one, or as many as there are particles of its star.
+/// Number of constraints made from a section: 1, or one per particle matched by a star, less the particles named
+/// singly.
 template <class WorldT>
 std::size_t made_by(const WorldT& world, const ConstraintSection& section, const std::string& prefix) {
     std::vector<ParticleId> single, each;
@@ -80,7 +82,7 @@ void Winder::find(const Scene& scene, const AnyWorld& any) {
                         if (by_hand->constraints[i].drive)
                             driven_.push_back({world.figures[f].constraints[next], f, i});
             }
-            // The scene's own constraints are the last of their kinds, in its order.
+            // The scene's own constraints are the last of each kind, in the scene's order.
             std::array<Row, std::size_t(Kinds<WorldT::dimension>::size)> after{};
             for (std::size_t i = scene.constraints.size(); i-- > 0;) {
                 int kind = 0;

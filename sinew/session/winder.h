@@ -6,18 +6,18 @@
 
 namespace sinew {
 
-/// Winches and motors of a scene: constraints whose limits are driven.
+/// Winches and motors of a scene: constraints with driven limits.
 class Winder {
   public:
-    /// Looks for them in a world as its scene made it.
+    /// Finds the driven constraints in a freshly built world.
     void find(const Scene& scene, const AnyWorld& world);
-    /// Sets their speeds and strengths for the next step.
+    /// Sets speeds and force limits for the next step.
     void run(const Scene& scene, AnyWorld& world) const;
 
   private:
     struct Driven {
         ConstraintId constraint;
-        std::size_t figure = 0, section = 0; ///< of the scene, or the figure's; scene's own have no figure
+        std::size_t figure = 0, section = 0; ///< indices; `figure` is ~0 for the scene's own constraints
     };
     static const ConstraintSection& section_of(const Scene& scene, const Driven& driven);
 

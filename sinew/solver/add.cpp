@@ -3,16 +3,16 @@
 
 #include <algorithm>
 
-/// What comes new into a world: one particle, one constraint after the other, millions of them.
+/// Adding particles and constraints, singly or in bulk.
 namespace sinew {
 namespace {
 
-/// No figure where there is none of that index: a later one would own what it never made.
+/// no_figure for an unused index: a figure added later must not own the row.
 template <class WorldT> FigureIndex known(const WorldT& world, FigureIndex figure) {
     return has_figure(world, figure) ? figure : no_figure;
 }
 
-/// So many alike.
+/// Appends `count` equal rows.
 template <class Table, class Real>
 void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& spec, Interval<Real> limits,
                  FigureIndex figure) {
@@ -35,7 +35,7 @@ void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& sp
     table.torn.append(count, 0);
 }
 
-constexpr std::size_t few = 8; // members, as most constraints have: no list is made for them
+constexpr std::size_t few = 8; // members: most constraints need no heap allocation
 
 bool any_twice(std::span<const Row> rows) {
     if (rows.size() <= few) {
@@ -48,14 +48,14 @@ bool any_twice(std::span<const Row> rows) {
     return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
-/// The rows of a table of which only the members are there become constraints, all alike. Calls named(id) for each.
+/// Completes rows of a table of which only the members exist. Calls named(id) for each.
 template <int D, class Real, class Table, class Named>
 void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& spec, Named&& named) {
     constexpr int kind = Kinds<D>::template index_of<typename Table::Kind>;
     const auto first = Row(table.size()), last = Row(table.members.size());
     if (first == last) return;
     append_rows(table, last - first, spec, spec.limits.value_or(Interval<Real>{0, 0}), known(world, spec.figure));
-    if (table.breaking_strain.back() < limit::measure<Real>) // and what hangs on it goes with it, in a step
+    if (table.breaking_strain.back() < limit::measure<Real>) // dependents of every kind tear along, within a step
         for_each_table(world, [](auto& any) { any.expect_tears(); });
     for (Row row = first; row < last; ++row) {
         const ConstraintId id{kind, table.slots.append()};
@@ -71,7 +71,7 @@ void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& s
     world.sweep.back().count += last - first;
 }
 
-/// As said, or as follows from where it was a frame ago.
+/// Velocity of the spec, or the one implied by the position a frame ago.
 template <int D, class Real> Vec<D, Real> velocity_of(const World<D, Real>& world, const ParticleSpec<D, Real>& spec) {
     if (!spec.previous) return spec.velocity;
     const auto within = [](const Vec<D, Real>& place) { return clamp_finite(place, limit::coordinate<Real>); };
@@ -132,7 +132,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         using Kind = typename std::decay_t<decltype(table)>::Kind;
         if constexpr (Kind::arity == any_arity) {
             if (int(rows.size()) < Kind::least_arity) return;
-            // the widest constraint's points, gradients and directions
+            // points, gradients and directions of the widest constraint
             world.scratch.resize(std::max(world.scratch.size(), 3 * rows.size()));
         } else if (rows.size() != std::size_t(Kind::arity)) {
             return;

@@ -9,13 +9,13 @@ namespace sinew {
 /// A straight cut across a picture plane.
 struct Blade {
     Vec2<double> from{}, to{};
-    double reach = 0; ///< what comes as near to it is cut too
+    double reach = 0; ///< half thickness: links nearer to the blade are cut, too
 };
 
-/// A place of the world in the picture plane; not finite where it is out of sight.
+/// Projection of a point to the picture plane; not finite where out of sight.
 template <int D> using Projection = std::function<Vec2<double>(const Vec<D, double>&)>;
 
-/// The picture plane of whoever looks along the third axis: (x, y).
+/// Orthographic projection along the third axis: (x, y).
 template <int D> Vec2<double> along_z(const Vec<D, double>& place) {
     return {{place[0], place[1]}};
 }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-/// A glance at a large world, which mostly is cloth: that nothing in it is worth a block, and no end hangs from it, is
-/// seen from its constraints one after the other. What joins each particle need not be listed then.
+/// Quick check of a large world, mostly cloth: a pass over the constraints shows the absence of blocks and of attached
+/// trees. Then the constraints of each particle need not be listed.
 namespace sinew::detail {
 
 template <int D, class Real> class BlockGlance {
@@ -23,7 +23,7 @@ template <int D, class Real> class BlockGlance {
 
     std::size_t particles() const { return world_.particles.size(); }
 
-    /// Where a tree could hang on the rest.
+    /// True if some particle has a single link, by which a tree could be attached.
     bool any_end() const {
         constexpr unsigned char many = 2;
         const auto& links = graph_.distances();
@@ -39,7 +39,7 @@ template <int D, class Real> class BlockGlance {
     }
 
     bool any_worthwhile() const {
-        std::vector<BlockRoom::Part> parts(particles()); // each by its first particle
+        std::vector<BlockRoom::Part> parts(particles()); // by first particle
         UnionFind joined(particles());
         each_moving([&](const auto&, Row, std::span<const Row> members, Row first) {
             for (const Row member : members)
@@ -54,7 +54,7 @@ template <int D, class Real> class BlockGlance {
         return std::any_of(parts.begin(), parts.end(), worth_.worthwhile);
     }
 
-    /// Calls visit(table, row, members, the first of them that can move) for what moves something.
+    /// Calls visit(table, row, members, first mobile member) for constraints with a mobile member.
     template <class Visit> void each_moving(Visit&& visit) const {
         for_each_table(world_, [&](const auto& table) {
             for (Row row = 0; row < table.size(); ++row) {

@@ -2,14 +2,14 @@
 
 namespace sinew::detail {
 
-/// How a substep gets from where it began to where it ends.
+/// Integrator of a block's substep.
 enum class Rule {
-    swing, ///< the midpoint rule, links pulling along the mean of their old and new directions (LaBudde and Greenspan
-           ///< 1976; Gonzalez 1999): keeps energy to rounding, whatever the step
-    implicit, ///< backward Euler, links pulling along their new directions: loses energy, and stands anything
-    shake,    ///< a correction in a sweep, of where particles would fly: links pull along their old directions
-              ///< (SHAKE: Ryckaert, Ciccotti and Berendsen 1977)
-    place     ///< no time passes: the nearest place where the links have their lengths
+    swing, ///< midpoint rule, links pulling along the mean of the old and new directions (LaBudde and Greenspan 1976;
+           ///< Gonzalez 1999): conserves energy to rounding, at any step
+    implicit, ///< backward Euler, links pulling along the new directions: dissipative, stable at any step
+    shake,    ///< correction of predicted positions within a sweep, links pulling along the old directions (SHAKE:
+              ///< Ryckaert, Ciccotti and Berendsen 1977)
+    place     ///< static projection: the nearest positions with the right lengths
 };
 
 } // namespace sinew::detail

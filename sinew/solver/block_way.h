@@ -3,9 +3,9 @@
 #include "sinew/solver/block_matrix.h"
 #include "sinew/solver/block_rule.h"
 
-/// Ways in a block: a rope that runs freely over some of its nodes, whose whole length is held (Pulley); and a distance
-/// that is driven or gives way. As for links, each leg pulls along the mean of its old and new directions, so that what
-/// the way does is what it lengthens.
+/// Cables of a block: ropes running freely over some nodes, with limits on the total length (Pulley); and distances
+/// with a motor or a largest force. As for links, each leg pulls along the mean of its old and new directions, so the
+/// work is tension times the change of length.
 namespace sinew::detail {
 
 template <int D> class BlockWays {
@@ -20,7 +20,7 @@ template <int D> class BlockWays {
         return std::span(blocks_.way_nodes).subspan(way.first, way.nodes);
     }
 
-    /// Returns the length of all ways.
+    /// Starts a substep; returns the total length of all cables.
     double set_out(double tautness) {
         double reach = 0;
         for (auto& way : all()) {
@@ -43,14 +43,14 @@ template <int D> class BlockWays {
         return reach;
     }
 
-    /// Adds all to the equations; returns the worst violation, relative to the length.
+    /// Adds the rows of all cables to the equations; returns the worst relative violation.
     double assemble(Rule rule, double hardest, bool elastic, double margin) {
         double worst = 0;
         for (auto& way : all()) worst = maximum(worst, assemble(way, rule, hardest, elastic, margin));
         return worst;
     }
 
-    /// How much the last move lengthened a way, to first order.
+    /// Change of a cable's length by the last move, to first order.
     double change(const BlockWay& way) const {
         double sum = 0;
         for (const auto& on : nodes(way)) sum += dot(on.gradient, node(on).move);
@@ -71,7 +71,7 @@ template <int D> class BlockWays {
         return 0.5 * square(length - clamp(length, way.low, way.high)) / way.compliance;
     }
 
-    /// The worst of those that are rigid and hold whatever pulls.
+    /// Worst relative violation of a rigid cable without a motor.
     double worst_strain(bool at_start) const {
         double worst = 0;
         for (const auto& way : all()) {
@@ -82,7 +82,7 @@ template <int D> class BlockWays {
         return worst;
     }
 
-    /// No leg changes by more than its length at once, or by a tenth of the way's.
+    /// Largest change of a leg by the last move, squared, relative to the leg or to a tenth of the cable if longer.
     double largest_change2() const {
         double most = 0;
         for (const auto& way : all()) {
@@ -99,7 +99,7 @@ template <int D> class BlockWays {
 
     // --- velocities
 
-    /// Whether velocities would lengthen a way otherwise than its limit does.
+    /// True if the velocities would change lengths otherwise than the limits, in a time h.
     bool jolted(double usual, double h) const {
         for (const auto& way : all()) {
             if (soft(way) || way.slips || (way.one_sided() && way.tension == 0)) continue;
@@ -115,7 +115,7 @@ template <int D> class BlockWays {
     void settle(double k) {
         for (auto& way : all()) {
             const double pull = way.pull + k * lengthening(way);
-            const bool tightened = way.before == 0 && way.tension != 0; // it does not bounce
+            const bool tightened = way.before == 0 && way.tension != 0; // no bounce
             const bool resists = !way.one_sided() || tightened || pull * way.tension > 0;
             way.stiffness = resists && !soft(way) && !way.slips ? k : 0;
             if (way.stiffness > 0) add(way, way.stiffness, way.pull = pull);
@@ -141,7 +141,7 @@ template <int D> class BlockWays {
         return rate;
     }
 
-    /// Its gradient where it is.
+    /// Gradient of the length at the present positions.
     void point(const BlockWay& way) const {
         const auto on = nodes(way);
         for (auto& at : on) at.gradient = {};
@@ -157,7 +157,7 @@ template <int D> class BlockWays {
         measure(way, rule);
         way.stiffness = 0;
         const bool stiff = !soft(way);
-        if (rule == Rule::place && (!stiff || way.driven)) return 0; // no time passes: it gives
+        if (rule == Rule::place && (!stiff || way.driven)) return 0; // no time passes: springs and motors yield
         if (!stiff) {
             spring(way, rule, hardest);
             return 0;
@@ -190,7 +190,7 @@ template <int D> class BlockWays {
         add_geometric(way, rule, maximum(way.tension, 0.0));
     }
 
-    /// Length, gradient, and where it pulls.
+    /// Length, gradient, and directions of pull.
     void measure(BlockWay& way, Rule rule) {
         const auto on = nodes(way);
         for (auto& at : on) at.gradient = at.along = {};
@@ -227,7 +227,7 @@ template <int D> class BlockWays {
         }
     }
 
-    /// What pulls resists being turned.
+    /// Geometric stiffness: a leg under tension resists rotation.
     void add_geometric(const BlockWay& way, Rule rule, double tension) {
         const auto on = nodes(way);
         auto entry = way.first_entry;

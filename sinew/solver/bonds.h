@@ -4,20 +4,19 @@
 
 #include <vector>
 
-/// Which constraints each particle is part of, in the order in which they were added. By slots, which stay what they
-/// are when rows move.
+/// Constraints of each particle, in the order of addition. By id slots, which do not change when rows move.
 namespace sinew {
 
 class Bonds {
   public:
-    /// Begins anew, for so many particles.
+    /// Clears the lists, for a number of particles.
     void reset(std::size_t particles) {
         last_.assign(particles, none);
         all_.clear();
         free_ = none;
         listed_ = true;
     }
-    /// From now on nothing is told of them, until they are listed anew.
+    /// Marks the lists as unknown until the next reset().
     void forget() { listed_ = false; }
     bool listed() const { return listed_; }
     void make_room(std::size_t particles) {
@@ -32,7 +31,7 @@ class Bonds {
         last = added;
     }
 
-    /// False where that would mean to look through too many.
+    /// False if the search would take too long.
     bool remove(std::uint32_t particle, int kind, std::uint32_t constraint) {
         constexpr int most = 256;
         auto& last = last_[particle];
@@ -63,14 +62,14 @@ class Bonds {
   private:
     static constexpr auto none = ~std::uint32_t(0);
 
-    static constexpr int slot_bits = 28; ///< the others are the kind
+    static constexpr int slot_bits = 28; ///< the upper bits hold the kind
 
     struct Bond {
         std::uint32_t constraint = 0;
-        std::uint32_t next = none; ///< of the same particle, the first one after the last; of what is free, the next
+        std::uint32_t next = none; ///< next entry of the particle, cyclic from last to first; next free entry
     };
     std::vector<Bond> all_;
-    std::vector<std::uint32_t> last_; ///< of each particle
+    std::vector<std::uint32_t> last_; ///< last entry by particle
     std::uint32_t free_ = none;
     bool listed_ = false;
 

@@ -2,11 +2,11 @@
 
 #include "sinew/solver/world.h"
 
-/// What the blocks are told of changes between steps, so that they look again only at what hangs together with what has
-/// changed (block_find.cpp). Nothing of this is kept of a world that has not moved yet: all of it is new to them.
+/// Journal of changes between steps: the next step examines only the components of changed particles again
+/// (block_find.cpp). Nothing is recorded while Blocks::stale, as in a new world or a copy: then everything is examined.
 namespace sinew::detail {
 
-/// What joins each particle, where that is not known: in a large world nobody may have asked yet.
+/// Lists the constraints of each particle, if not listed yet. On demand, since a large world may never need the list.
 template <int D, class Real> void list_bonds(World<D, Real>& world) {
     auto& bonds = world.blocks.bonds;
     if (bonds.listed()) return;
@@ -21,7 +21,7 @@ template <int D, class Real> void list_bonds(World<D, Real>& world) {
     });
 }
 
-/// A particle was added, the last.
+/// Records the addition of the last particle.
 template <int D, class Real> void note_particle(World<D, Real>& world) {
     auto& blocks = world.blocks;
     blocks.changed = true;
@@ -31,17 +31,17 @@ template <int D, class Real> void note_particle(World<D, Real>& world) {
     blocks.touch(slots.slot_of(Row(world.particles.size() - 1)), Touch::joined);
 }
 
-/// Whether it can move.
+/// Records a particle becoming movable or immovable.
 template <int D, class Real> void note_mobility(World<D, Real>& world, Row particle) {
     world.blocks.touch(world.particles.slots.slot_of(particle), Touch::mobility);
 }
 
-/// What it weighs, or that it is pinned hard: the plan of the sweep knows that.
+/// Records a change of mass, on which the plan of the sweep depends.
 template <int D, class Real> void note_weight(World<D, Real>& world, Row particle) {
     world.blocks.touch(world.particles.slots.slot_of(particle), Touch::weight);
 }
 
-/// A particle is part of a constraint from now on.
+/// Records a particle as a new member of a constraint.
 template <int D, class Real, class Table>
 void note_member(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
     auto& blocks = world.blocks;
@@ -52,7 +52,7 @@ void note_member(World<D, Real>& world, const Table& table, int kind, Row row, R
     blocks.touch(particle, Touch::joined);
 }
 
-/// It is so no longer.
+/// Records a particle as a member no longer.
 template <int D, class Real, class Table>
 void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
     auto& blocks = world.blocks;
@@ -63,13 +63,13 @@ void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row r
     blocks.touch(particle, Touch::joined);
 }
 
-/// A constraint is solved in another way from now on.
+/// Records a constraint with a new method of solution.
 template <int D, class Real, class Table> void note_feature(World<D, Real>& world, const Table& table, Row row) {
     for (const Row member : table.members[row])
         world.blocks.touch(world.particles.slots.slot_of(member), Touch::joined);
 }
 
-/// Rows have closed up, or pins have come or gone.
+/// Records the compaction of rows, or added or removed pins.
 template <int D, class Real> void note_rows(World<D, Real>& world) {
     world.blocks.changed = true;
     ++world.blocks.row_moves;

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <limits>
 
-/// The originals' own step: points that remember where they were, moved once a frame, and constraints that move points.
-/// Rules and their sources are in docs/classic.md.
+/// Step of classic mode, as in the originals: points with a previous position, moved once a frame, and constraints
+/// acting on points. Rules and sources are in docs/classic.md.
 namespace sinew {
 namespace {
 
-/// Constraints act on places, and an end that cannot move leaves its share of the correction undone.
+/// Constraints act on positions; the share of an immovable end is lost.
 template <int D, class RealT> struct ClassicMover {
     using Real = RealT;
     static constexpr int dimension = D;
@@ -32,7 +32,7 @@ template <int D, class RealT> struct ClassicMover {
     }
 };
 
-/// Factors that no original ever had are held where what they multiply stays finite.
+/// Bounds factors which no original had, to keep products finite.
 template <class Real> ClassicRules<Real> held_in_limits(ClassicRules<Real> rules) {
     constexpr auto most = Real(1e6);
     for (Real* factor : {&rules.keep, &rules.bounce, &rules.floor_keep, &rules.time_scale, &rules.longest_step})
@@ -50,7 +50,7 @@ template <int D, class Real> class ClassicStep {
 
     void run() {
         if (h_ < limit::shortest_step<Real> && !rules_.unscaled_inertia) return; // time stands still
-        std::fill(p_.rebound.begin(), p_.rebound.end(), Vec<D, Real>{});         // marks particles that are not moved
+        std::fill(p_.rebound.begin(), p_.rebound.end(), Vec<D, Real>{});         // marks particles that stay
         carry_pins();
         move_limits(world_, h_);
         const int moves = rules_.points_only_passes ? rules_.passes : 1;
@@ -86,7 +86,7 @@ template <int D, class Real> class ClassicStep {
             if (const auto row = p_.slots.find(pin.particle); row && !p_.quarantined[*row]) visit(pin, *row);
     }
 
-    /// All of x_prev before any x: the speed of a particle with two pins is the way to the target of the last.
+    /// Sets every x_prev before any x: the velocity of a particle with two pins is the way to the target of the last.
     void carry_pins() {
         each_pin([&](const auto& pin, Row row) {
             const bool is_set = pin.hold != Hold::integrated && pin.hold != Hold::frozen && !pin.steers();
@@ -95,7 +95,7 @@ template <int D, class Real> class ClassicStep {
         each_pin([&](const auto& pin, Row row) { pin.steers() ? steer(pin, row) : hold(pin, row); });
     }
 
-    /// Pins hold however soft they are: the originals know no compliance.
+    /// Pins are rigid whatever their compliance: the originals have none.
     void hold(const Pin<D, Real>& pin, Row row) {
         if (pin.hold != Hold::frozen) p_.position[row] = pin.target;
         p_.mobility[row] = pin.hold == Hold::fixed ? Real(0) : p_.inverse_mass[row];
@@ -114,7 +114,7 @@ template <int D, class Real> class ClassicStep {
     void stay(Row row) { p_.rebound[row][0] = Real(1); }
     bool is_free(Row row) const { return p_.mobility[row] > Real(0) && p_.rebound[row][0] == Real(0); }
 
-    /// In physical mode a soft pin lets its particle move.
+    /// Restores mobilities for physical mode, where only hard pins fix a particle.
     void let_go() {
         for (const auto& pin : world_.pins)
             if (const auto row = p_.slots.find(pin.particle); row && !p_.quarantined[*row])
@@ -146,13 +146,13 @@ template <int D, class Real> class ClassicStep {
         p_.position[row] = clamp_components(p_.position[row] + moved, limit::coordinate<Real>);
     }
 
-    /// As a displacement in a step.
+    /// Velocity as a displacement per step.
     Vec<D, Real> velocity_of(Row row) const {
         const Real inertia = rules_.unscaled_inertia ? Real(1) : h_ / verlet_interval(world_);
         return (p_.position[row] - p_.previous[row]) * inertia;
     }
 
-    /// What a push adds to a velocity, both as displacements in a step.
+    /// Change of velocity by a push, both as displacements per step.
     Vec<D, Real> gained(const Push<D, Real>& push, const Vec<D, Real>& velocity) const {
         const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
         const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
@@ -164,7 +164,7 @@ template <int D, class Real> class ClassicStep {
         return rules_.unscaled_inertia ? h_ * inverse_or_zero(world_.settings.frame) : Real(1);
     }
 
-    /// Another integrator: damping takes its share before the step, or after it; x_prev = x - v h.
+    /// Step of an integrator other than Verlet: damping acts before or after; x_prev = x - v h.
     void integrate(Integrator integrator, Row row) {
         const auto gain = [&](const Vec<D, Real>& place, const Vec<D, Real>& change) {
             return gained(push_on(world_, row, clamp_components(place, limit::coordinate<Real>)), change);
@@ -177,7 +177,7 @@ template <int D, class Real> class ClassicStep {
         p_.previous[row] = clamp_components(p_.position[row] - moved.change * after, limit::coordinate<Real>);
     }
 
-    /// The constraints in the order they were added.
+    /// Projects the constraints in the order of their addition.
     void sweep() {
         std::array<Row, std::size_t(Kinds<D>::size)> next{};
         for (const auto& run : world_.sweep)
@@ -193,11 +193,11 @@ template <int D, class Real> class ClassicStep {
             if (rules_.root_free) return project_without_root(table, row);
             if (part_ends(table, row)) return;
         }
-        table.multiplier[row] = Real(0); // each pass starts from where the points are
+        table.multiplier[row] = Real(0); // each pass starts from the current points
         detail::project_row(world_, table, row, mover_);
     }
 
-    /// Ends on one spot are parted along y, the first towards larger y: atan2(0, 0) = 0 (Flash).
+    /// Separates coincident ends along y, the first towards larger y: atan2(0, 0) = 0 (Flash).
     template <class Table> bool part_ends(Table& table, Row row) {
         const auto ends = std::as_const(table.members)[row];
         if (p_.position[ends[0]] != p_.position[ends[1]]) return false;
@@ -231,7 +231,8 @@ template <int D, class Real> class ClassicStep {
                 if (p_.mobility[row] > Real(0)) hit(plane, row);
     }
 
-    /// Put back on the wall; with a bounce, x_prev is mirrored: the speed turns round, whichever way it went.
+    /// Moves a particle back onto a wall; with a bounce, x_prev is mirrored: the normal velocity is reversed, whatever
+    /// its sign.
     void hit(const HalfSpace<D, Real>& plane, Row row) {
         const auto& position = p_.position[row];
         const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, position);
@@ -246,7 +247,7 @@ template <int D, class Real> class ClassicStep {
         p_.previous[row] = p_.position[row] - leaving - along * (is_floor(plane, away) ? rules_.floor_keep : Real(1));
     }
 
-    /// Rounding of a depth: a particle that was put on a wall is not struck again.
+    /// Rounding error of a depth: a particle on the wall is not struck again.
     Real grain(const HalfSpace<D, Real>& plane, Row row) const {
         Real size = absolute(plane.offset) + p_.radius[row];
         for (int i = 0; i < D; ++i) size += absolute(plane.normal[i] * p_.position[row][i]);
@@ -258,7 +259,7 @@ template <int D, class Real> class ClassicStep {
         return rules_.outward_bounce && (plane.normal[0] < Real(0) || dot(plane.normal, gravity()) > Real(0));
     }
 
-    /// Resting on the floor: it holds against gravity and what bounces back is gone within the next frame.
+    /// Resting on the floor: gravity presses against the plane, and the rebound is no faster than a frame's fall.
     bool is_floor(const HalfSpace<D, Real>& plane, Real away) const {
         const Real pull = -dot(plane.normal, gravity()) * h_ * h_;
         return pull > Real(0) && away <= pull;
@@ -272,7 +273,7 @@ template <int D, class Real> class ClassicStep {
         return sum;
     }
 
-    /// For those who ask: classic mode itself lives on x and x_prev.
+    /// Velocities for readers: classic mode itself uses x and x_prev.
     void read_velocities() {
         const Real per_h = inverse_or_zero(h_);
         for (Row row = 0; row < p_.size(); ++row) {

@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-/// A column of a table in which rows seldom differ: while all are the same to the last bit it holds one for all of
-/// them, from the first that differs on each by itself.
+/// Column of a table in which rows seldom differ: a single value while all rows are equal to the last bit, otherwise a
+/// value per row.
 template <class T> class Column {
     static_assert(std::is_trivially_copyable_v<T>);
 
@@ -32,14 +32,14 @@ template <class T> class Column {
         all_ = value;
         std::fill(each_.begin(), each_.end(), value);
     }
-    /// So many more rows of one value.
+    /// Appends `count` rows of one value.
     void append(std::size_t count, const T& value) {
         if (count == 0) return;
         if (size_ == 0) all_ = value;
         if (!is_like_all(value)) append_apart(count, value);
         size_ += count;
     }
-    /// From now on setting a row allocates nothing.
+    /// Stores a value per row: afterwards set() allocates nothing.
     void set_apart() {
         if (apart_) return;
         each_.assign(size_, all_);
@@ -53,9 +53,9 @@ template <class T> class Column {
         if (apart_) erase_rows(each_, gone);
     }
 
-    /// Each row by itself, of one that was set apart.
+    /// Values by row, after set_apart().
     std::span<const T> each() const { return each_; }
-    /// All rows, one after the other.
+    /// Values of all rows.
     std::vector<T> rows() const { return apart_ ? each_ : std::vector<T>(size_, all_); }
 
   private:

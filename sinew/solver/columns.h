@@ -8,11 +8,11 @@
 #include <type_traits>
 #include <vector>
 
-/// A table is a struct of equally long columns that it lists once, in `columns(self, visit)`. Growing, erasing, hashing
-/// and copying rows walk that list, so a new column is one line.
+/// A table is a struct of equally long columns, listed once in `columns(self, visit)`. Growing, erasing and hashing
+/// rows walk the list, so a new column is one line.
 namespace sinew {
 
-/// Equal to the last bit: -0 is not 0.
+/// Equality to the last bit: -0 differs from 0, and NaN from everything.
 template <class T> bool are_same(T a, T b) {
     if constexpr (std::is_floating_point_v<T>)
         return a == b && std::signbit(a) == std::signbit(b);
@@ -20,7 +20,7 @@ template <class T> bool are_same(T a, T b) {
         return a == b;
 }
 
-/// The first row from this one on that has this flag, 0 or 1; their number if none has.
+/// First row from `from` on with the flag, 0 or 1; flags.size() if there is none.
 inline std::size_t next_flag(std::span<const char> flags, std::size_t from, char flag) {
     if (from >= flags.size()) return flags.size();
     const void* found = std::memchr(flags.data() + from, flag, flags.size() - from);

@@ -28,7 +28,7 @@ bool crosses(const Blade& blade, const Vec2<double>& a, const Vec2<double>& b) {
             distance_to(blade.to, a, b) <= blade.reach);
 }
 
-/// What both ends of a distance belong to, but for distances.
+/// Adds the dependents of a distance: constraints of other kinds with both ends among their members.
 template <int D, class Real>
 void add_what_hangs(const World<D, Real>& world, const std::array<Row, 2>& ends, std::vector<ConstraintId>& all) {
     world.blocks.bonds.each(world.particles.slots.slot_of(ends[0]), [&](int kind, std::uint32_t slot) {
@@ -63,7 +63,7 @@ Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids, const Slicer<D
     const auto& distances = std::get<link_kind>(world.constraints);
     Cut done;
     if (ids.empty()) return done;
-    if (world.blocks.stale) prepare(world); // finds what hangs together
+    if (world.blocks.stale) prepare(world); // finds the components
     detail::list_bonds(world);
     std::vector<Ends> gone;
     std::vector<ConstraintId> all(ids.begin(), ids.end());

@@ -4,25 +4,26 @@
 #include "sinew/solver/edit.h"
 #include "sinew/solver/sever.h"
 
-/// Cutting: what a blade crosses is removed, and what hangs on it. What is cut is found in time in proportion to the
-/// world; the rest takes what the parts that are cut are worth, but that rows close up.
+/// Cutting: removes the distances crossed by a blade, with their dependents. Crossed distances are found in time
+/// proportional to the world; the rest is proportional to the parts cut, except for the compaction of rows and the
+/// splitting of cloth (split.h).
 namespace sinew {
 
 struct Cut {
-    std::size_t links = 0;            ///< distances that are gone
-    std::size_t doubled = 0;          ///< particles that were added, for flaps that come apart (split.h)
-    std::vector<FigureIndex> figures; ///< whose they were, each once, in order; no_figure last
+    std::size_t links = 0;            ///< distances removed
+    std::size_t doubled = 0;          ///< particles added where flaps come apart (split.h)
+    std::vector<FigureIndex> figures; ///< figures of the distances removed, sorted and unique; no_figure last
 };
 
-/// Cuts every distance that crosses the blade where its ends are seen. What is out of sight stays whole; so does a
-/// distance that only keeps its ends apart. Cells of cloth are sliced along the blade.
+/// Cuts every distance across the blade, or within reach of the blade, in the picture plane. Links with an end out of
+/// sight stay, and so do distances without an upper limit. Cells of cloth are sliced along the blade.
 template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade, const Projection<D>& see = along_z<D>);
 
-/// Cuts these constraints. With a distance goes what hangs on it: every constraint of another kind that both of its
-/// ends belong to.
+/// Cuts the given constraints. With a distance go its dependents: constraints of other kinds with both of its ends
+/// among their members.
 template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids);
 
-/// What is drawn and what hangs together comes apart where links are gone. Returns how many particles were added.
+/// Separates drawn pieces and cloth at removed links. Returns the number of particles added.
 template <int D, class Real>
 std::size_t come_apart(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer = nullptr);
 

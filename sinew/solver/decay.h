@@ -4,7 +4,7 @@
 
 namespace sinew {
 
-/// What drag leaves, over some time, of a velocity and of the velocity that a steady push would have given:
+/// Factors of drag over a time: of a velocity, and of the velocity gained by a constant push.
 ///
 ///     keep = exp(-rate time)      yield = (1 - exp(-rate time)) / (rate time)
 template <class Real> struct Decay {

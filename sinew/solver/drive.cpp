@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-/// Winches and motors: limits that move, and lengths that slip.
+/// Winches and motors: moving limits and slipping lengths.
 namespace sinew {
 namespace {
 
@@ -11,7 +11,7 @@ template <class Real> constexpr bool is_limit(Real limit) {
     return absolute(limit) < limit::measure<Real>;
 }
 
-/// By how much a length was pulled beyond what its most force explains.
+/// Slip of a length: the part of the error beyond the elongation at max_force.
 template <class Table, int D, class Real> Real slipped(World<D, Real>& world, const Table& table, Row row) {
     const auto members = table.members[row];
     detail::Stencil<typename Table::Kind, D, Real> stencil(world, members.size());

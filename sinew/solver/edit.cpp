@@ -110,7 +110,7 @@ template <int D, class Real> bool set_position(World<D, Real>& world, ParticleId
     auto& p = world.particles;
     constexpr auto furthest = limit::coordinate<Real>;
     const auto place = clamp_finite(position, furthest);
-    const auto previous = place + (p.previous[*row] - p.position[*row]); // classic mode's velocity stays what it was
+    const auto previous = place + (p.previous[*row] - p.position[*row]); // keeps the velocity of classic mode
     p.previous[*row] = clamp_finite(previous, furthest);
     p.position[*row] = place;
     p.residual[*row] = {};
@@ -150,7 +150,7 @@ template <int D, class Real> bool apply_impulse(World<D, Real>& world, ParticleI
     if (!row) return false;
     const auto& p = world.particles;
     const Real per_mass = p.mobility[*row] > Real(0) ? p.inverse_mass[*row] : Real(0);
-    const Real most = Real(2) * limit::speed<Real> * inverse_or_zero(per_mass); // from one end to the other
+    const Real most = Real(2) * limit::speed<Real> * inverse_or_zero(per_mass); // reverses the largest speed
     return set_velocity(world, id, p.velocity[*row] + clamp_finite(impulse, most) * per_mass);
 }
 

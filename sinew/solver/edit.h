@@ -10,27 +10,26 @@
 #include <string_view>
 #include <vector>
 
-/// Everything that changes a world between steps.
+/// Changes of a world between steps.
 ///
-/// Ids stay good until the row they name is removed, in the world that handed them out and in its copies. A function
-/// given any other id (stale, of another world, from a future that going back to a snapshot undid, or made up) does
-/// nothing and says so by returning false, nothing or 0. An id says nothing to another process: to do the same again
-/// there, keep rows or names.
+/// Ids are valid until their row is removed, in the world that handed the id out and in its copies. Given any other id
+/// (stale, of another world, of a future undone by going back to a snapshot, or made up) a function does nothing and
+/// returns false, nothing or 0. Ids mean nothing to another process: to repeat a change there, keep rows or names.
 ///
-/// Finite numbers beyond the stated limits (world.h) are held at them. A vector that is not finite is taken as it is:
-/// the next step puts its figure in quarantine.
+/// Finite numbers beyond the stated limits (world.h) are clamped. Non-finite vectors are stored unchanged: the next
+/// step quarantines the figure.
 namespace sinew {
 
 template <int D, class Real> struct ParticleSpec {
     Vec<D, Real> position{};
     Vec<D, Real> velocity{};
-    std::optional<Vec<D, Real>> previous{}; ///< instead of velocity: where it was one settings.frame ago
-    Real mass = 1;                          ///< infinity: nothing moves it
+    std::optional<Vec<D, Real>> previous{}; ///< instead of velocity: position one settings.frame ago
+    Real mass = 1;                          ///< infinity: immovable
     Real radius = 0;
     FigureIndex figure = no_figure;
 };
 
-/// The interval a constraint's measure is held in.
+/// Interval of a constraint's measure.
 template <class Real> struct Interval { Real low, high; };
 template <class Real> Interval<Real> exactly(Real value) {
     return {value, value};
@@ -46,19 +45,19 @@ template <class Real> Interval<Real> between(Real low, Real high) {
 }
 
 template <class Real> struct ConstraintSpec {
-    std::optional<Interval<Real>> limits{}; ///< nothing: exactly what it measures now
-    Real compliance = 0;                    ///< 1/stiffness (m/N for distances, rad/(N m) for angles); 0 is rigid
+    std::optional<Interval<Real>> limits{}; ///< nothing: the present measure, exactly
+    Real compliance = 0;                    ///< 1 / stiffness (m/N for distances, rad/(N m) for angles); 0 is rigid
     Real relaxation = 1;                    ///< share of the error removed at once, (0, 1]
-    Real split = Real(0.5);                 ///< share of the correction the first member takes
-    Real max_force = std::numeric_limits<Real>::infinity(); ///< most it pulls or pushes with, newtons (N m for angles)
-    Real lead = 0; ///< a compliant one aims where the measure will be so much later, in seconds: a damper
+    Real split = Real(0.5);                 ///< share of the correction taken by the first member, [0, 1]
+    Real max_force = std::numeric_limits<Real>::infinity(); ///< largest force, newtons (N m for angles)
+    Real lead = 0; ///< damping time of a compliant constraint, seconds: force = k (C + lead dC/dt)
     Real breaking_strain = std::numeric_limits<Real>::infinity();
-    Real toughness = 0; ///< strain beyond the breaking strain, times time, that it bears before it tears
+    Real toughness = 0; ///< damage limit: excess strain times time borne before tearing
     FigureIndex figure = no_figure;
 };
 
 template <int D, class Real> struct PinSpec {
-    std::optional<Vec<D, Real>> target{}; ///< nothing: where the particle is; else the next step carries it there
+    std::optional<Vec<D, Real>> target{}; ///< nothing: the particle's position; otherwise approached in the next step
     Real compliance = 0;
     Real damping = 1;
     Real max_force = 0;
@@ -71,49 +70,49 @@ struct Sizes {
     std::size_t particles = 0, constraints = 0;
 };
 
-/// Room for this many more, so that adding them moves nothing. `constraints` counts distances.
+/// Reserves memory for more rows, to avoid reallocation. `constraints` counts distances.
 template <int D, class Real> void reserve(World<D, Real>& world, Sizes sizes);
 
 template <int D, class Real> ParticleId add_particle(World<D, Real>& world, const ParticleSpec<D, Real>& spec);
 
-/// Removes particles, the constraints they were part of and their pins. One pass over the world however many are given.
-/// Returns how many there were.
+/// Removes particles, their constraints and their pins, in one pass over the world. Returns the number of particles
+/// removed.
 template <int D, class Real> std::size_t remove_particles(World<D, Real>& world, std::span<const ParticleId> ids);
 
-/// Adds a constraint of the kind numbered `kind` over `members`; nothing is added if a member is gone, named twice or
-/// the number of members is not the kind's.
+/// Adds a constraint of the kind numbered `kind` over `members`. Returns nothing if a member is gone or named twice, or
+/// if the number of members is not the kind's.
 template <int D, class Real>
 std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std::span<const ParticleId> members,
                                            const ConstraintSpec<Real>& spec);
 
-/// add<Distance>(world, {a, b}, {.limits = at_most(2.0)}): a rope of two particles.
+/// Distance of at most 2 between two particles: add<Distance>(world, {a, b}, {.limits = at_most(2.0)}).
 template <template <int> class Kind, int D, class Real>
 std::optional<ConstraintId> add(World<D, Real>& world, std::initializer_list<ParticleId> members,
                                 const ConstraintSpec<Real>& spec = {}) {
     return add_constraint(world, kind_number<Kind, D>, std::span(members.begin(), members.size()), spec);
 }
 
-/// As many distances, all of one spec, as calls of add_constraint would add, in a fraction of their time. Their ids
-/// come behind those in `added`; ends that are gone or the same make none.
+/// Adds many distances of one spec, in a fraction of the time of as many calls of add_constraint. Appends their ids to
+/// `added`; pairs whose ends are gone or equal are skipped.
 template <int D, class Real>
 void add_distances(World<D, Real>& world, std::span<const std::array<ParticleId, 2>> ends,
                    const ConstraintSpec<Real>& spec, IdList<ConstraintId>& added);
 
-/// Returns how many there were.
+/// Returns the number of constraints removed.
 template <int D, class Real> std::size_t remove_constraints(World<D, Real>& world, std::span<const ConstraintId> ids);
 
-/// From now on its limits move at this rate (m/s, rad/s): a winch, a motor. Where the load is more than its max_force
-/// it slips: limits of lengths never run ahead of what they measure. False for a rate that is no number.
+/// Moves the limits of a constraint at a rate (m/s, rad/s): a winch, a motor. Under a load beyond max_force a length
+/// slips: its limits never run ahead of its measure. False for an unknown id or a NaN rate.
 template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintId& id, Real rate);
-/// Another max_force: a motor that tires. 0 lets go.
+/// Changes max_force: a motor tires. 0 releases the constraint. False for an unknown id or a NaN force.
 template <int D, class Real> bool set_max_force(World<D, Real>& world, const ConstraintId& id, Real max_force);
 
-/// What a constraint measures and how hard it works.
+/// Measure and load of a constraint.
 struct ConstraintState {
     double measure = 0; ///< in the kind's unit: length, radians, area, volume
-    double error = 0;   ///< how far outside its limits; negative below the lower
-    double strain = 0;  ///< error over the limit it broke; for angles the error itself
-    double tension = 0; ///< of the last substep, in newtons; positive where it pulls
+    double error = 0;   ///< distance outside the limits; negative below the lower limit
+    double strain = 0;  ///< error / violated limit; for angles the error itself
+    double tension = 0; ///< force in the last substep, newtons; positive when pulling
 };
 template <int D, class Real>
 std::optional<ConstraintState> constraint_state(const World<D, Real>& world, const ConstraintId& id);
@@ -124,38 +123,38 @@ template <int D, class Real> std::optional<Row> row_of(const World<D, Real>& wor
 template <int D, class Real> std::optional<Vec<D, Real>> position_of(const World<D, Real>& world, ParticleId id);
 template <int D, class Real> std::optional<Vec<D, Real>> velocity_of(const World<D, Real>& world, ParticleId id);
 
-/// Puts a particle somewhere else without giving it speed.
+/// Moves a particle; the velocity is unchanged.
 template <int D, class Real> bool set_position(World<D, Real>& world, ParticleId id, const Vec<D, Real>& position);
 template <int D, class Real> bool set_velocity(World<D, Real>& world, ParticleId id, const Vec<D, Real>& velocity);
 template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id, Real mass);
 
-/// A force (newtons) that acts during the next step; further calls add up.
+/// Adds a force, newtons, for the next step; calls accumulate.
 template <int D, class Real> bool apply_force(World<D, Real>& world, ParticleId id, const Vec<D, Real>& force);
-/// A change of momentum (newton seconds), at once.
+/// Changes the momentum at once, newton seconds.
 template <int D, class Real> bool apply_impulse(World<D, Real>& world, ParticleId id, const Vec<D, Real>& impulse);
 
 template <int D, class Real>
 std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSpec<D, Real>& spec = {});
-/// Where the pin's target shall be at the end of the next step; it goes there in a straight line.
+/// Target of the pin at the end of the next step, approached in a straight line.
 template <int D, class Real> bool move_pin(World<D, Real>& world, PinId pin, const Vec<D, Real>& target);
-/// Lets go: the particle keeps the velocity it was carried with.
+/// Removes a pin; the particle keeps the velocity of the motion with the pin.
 template <int D, class Real> bool unpin(World<D, Real>& world, PinId pin);
-/// Takes every pin off a particle; returns how many there were.
+/// Removes every pin of a particle; returns their number.
 template <int D, class Real> std::size_t unpin_all(World<D, Real>& world, ParticleId particle);
 
-/// The figure gets the lowest index that is free.
+/// Adds a figure at the lowest free index.
 template <int D, class Real>
 FigureIndex add_figure(World<D, Real>& world, std::string_view name, std::string_view prefab = "");
 
-/// A figure's handle, to keep for longer than the figure may live; Id{} if there is none of that index.
+/// Handle of a figure, for callers which may outlive the figure; Id{} for an unused index.
 template <int D, class Real> FigureId figure_id(const World<D, Real>& world, FigureIndex figure);
-/// Its index now; nothing once it was removed.
+/// Index of a living figure, nothing once removed.
 template <int D, class Real>
 std::optional<FigureIndex> figure_index(const World<D, Real>& world, const FigureId& figure);
 
-/// Removes a figure and all that belongs to it: particles, their constraints and pins, constraints of its own between
-/// others, names, and drawn pieces. Other figures keep their indices; the free one is given to the next figure that is
-/// added. False if there is none.
+/// Removes a figure with all particles, their constraints and pins, the figure's constraints between other particles,
+/// names and drawn pieces. Other figures keep their indices; the freed index goes to the next figure added. False for
+/// an unknown figure.
 template <int D, class Real> bool remove_figure(World<D, Real>& world, FigureIndex figure);
 template <int D, class Real> bool remove_figure(World<D, Real>& world, const FigureId& figure) {
     const auto index = figure_index(world, figure);
@@ -163,20 +162,19 @@ template <int D, class Real> bool remove_figure(World<D, Real>& world, const Fig
 }
 
 enum class Momentum : bool { keep, reset };
-/// Moves a whole figure at once, its pins with it; nothing is swept, struck or pulled on the way. False if there is
-/// none.
+/// Translates a figure with its pins at once, without collisions or forces on the way. False for an unknown figure.
 template <int D, class Real>
 bool teleport(World<D, Real>& world, FigureIndex figure, const Vec<D, Real>& offset,
               Momentum momentum = Momentum::keep);
 
-/// Lets a quarantined figure move again; its particles keep their place and lose their speed. False if there is none.
+/// Releases a quarantined figure; the particles start at rest where they were frozen. False for an unknown figure.
 template <int D, class Real> bool release_quarantine(World<D, Real>& world, FigureIndex figure);
 
-/// The particle called "figure/name", or nothing.
+/// Particle called "figure/name", or nothing.
 template <int D, class Real>
 std::optional<ParticleId> find_particle(const World<D, Real>& world, std::string_view path);
-/// The particle of that path; or, where it ends in a star, all of the figure whose names begin so, in the order they
-/// were built: "bridge/joint_*". Empty if there is none.
+/// Particles of a path: one, or with a trailing star every particle of the figure with that prefix, in the order of
+/// construction: "bridge/joint_*". Empty if there is none.
 template <int D, class Real> std::vector<ParticleId> find_particles(const World<D, Real>& world, std::string_view path);
 template <int D, class Real>
 std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::string_view path);

@@ -11,23 +11,22 @@ namespace sinew {
 
 inline constexpr auto no_row = ~Row(0);
 
-/// The order in which a sparse matrix is eliminated, and its fill. Minimum degree (Tinney and Walker 1967): leaves
-/// first, so that a tree fills nothing in. What would not stay sparse is refused. It keeps its room, so that looking
-/// again allocates nothing.
+/// Elimination order of a sparse symmetric matrix, and its fill, by minimum degree (Tinney and Walker 1967): trees have
+/// no fill. Matrices with too much fill are refused. Memory is kept for the next run.
 class Elimination {
   public:
     void make_room(std::size_t rows) {
         begin_.resize(rows), size_.resize(rows);
         for (auto* column : {&position_, &before_, &after_}) column->resize(rows);
     }
-    /// Room for a graph of that many rows and neighbours.
+    /// Reserves memory for a graph of so many rows and neighbours.
     void reserve(std::size_t rows, std::size_t neighbours) {
         pool_.reserve(most_pool(neighbours) + most_neighbours);
         order_.reserve(rows);
         merged_.reserve(most_of_hub + most_neighbours);
     }
 
-    /// The graph, one row after the other: begin, its neighbours, end.
+    /// Defines the graph row by row: begin_row, neighbours, end_row.
     void begin_graph() { pool_.clear(); }
     void begin_row(Row row) { begin_[row] = pool_.size(); }
     void add_neighbour(Row neighbour) { pool_.push_back(neighbour); }
@@ -38,7 +37,7 @@ class Elimination {
         size_[row] = std::uint32_t(pool_.size() - begin_[row]);
     }
 
-    /// False where the matrix would not stay sparse.
+    /// Computes the order. False if the matrix would not stay sparse.
     bool run(std::span<const Row> rows) {
         const auto most = most_pool(pool_.size());
         order_.clear();
@@ -62,7 +61,7 @@ class Elimination {
         return true;
     }
 
-    /// How many pairs of neighbours its rows have, which is more than anything else there is of it.
+    /// Number of pairs of coupled neighbours over all rows; an upper bound on every other size.
     std::size_t pairs() const {
         std::size_t sum = 0;
         for (const Row row : order_) sum += size_[row] * (size_[row] + 1) / 2;
@@ -71,12 +70,12 @@ class Elimination {
 
     std::span<const Row> order() const { return order_; }
     Row position(Row row) const { return position_[row]; }
-    /// Those eliminated later that a row is coupled with by then.
+    /// Rows eliminated later and coupled with `row`, fill included.
     std::span<const Row> neighbours(Row row) const { return std::span(pool_).subspan(begin_[row], size_[row]); }
 
   private:
-    static constexpr std::size_t most_neighbours = 15; ///< of a row when it goes
-    /// Before that: a hub that many hang on goes when they have gone, and costs no more than they do.
+    static constexpr std::size_t most_neighbours = 15; ///< largest degree of an eliminated row
+    /// Largest degree before: a hub is eliminated after most of its neighbours, at no more cost than a neighbour.
     static constexpr std::size_t most_of_hub = 500;
     static std::size_t most_pool(std::size_t neighbours) { return 8 * neighbours + 1024; }
 
@@ -84,7 +83,7 @@ class Elimination {
     std::vector<std::uint32_t> size_;
     std::vector<Row> position_, pool_, order_, merged_;
 
-    /// Rows that wait for their turn, by degree: linked lists.
+    /// Rows not yet eliminated, by degree: doubly linked lists.
     struct Queue {
         Row first = no_row, last = no_row;
     };
@@ -106,15 +105,15 @@ class Elimination {
         (after_[row] == no_row ? queue.last : before_[after_[row]]) = before_[row];
     }
 
-    /// Of those that wait, the one that has waited longest: a chain is eliminated from both its ends in turn, which a
-    /// processor does at once.
+    /// Row of least degree, first in first out: a chain is eliminated from both ends in turn, two independent
+    /// recurrences for the processor.
     Row least_degree() {
         for (auto& queue : waiting_)
             if (queue.first != no_row) return queue.first;
         return no_row;
     }
 
-    /// The neighbours of one that goes become each other's.
+    /// Adds the neighbours of an eliminated row to the neighbours of `row`.
     void merge(Row row, Row gone) {
         merged_.clear();
         const auto mine = neighbours(row), others = neighbours(gone);

@@ -9,8 +9,7 @@
 
 namespace sinew {
 
-/// Who is linked to whom by a distance: the neighbours of each row, once
-/// each, in order, one row's after the other's.
+/// Adjacency by distances: the neighbours of each row, sorted and unique.
 class Neighbours {
   public:
     Neighbours(std::size_t particles, std::span<const std::array<Row, 2>> links)
@@ -40,15 +39,15 @@ class Neighbours {
     std::vector<Row> row_;
 };
 
-/// The fans of a particle: which of its neighbours hang together by the cells around it. Two share a cell if a link
-/// joins them (a triangle), or if both are linked to a third (a quadrangle).
+/// Fans of a particle: groups of neighbours connected by the cells around the particle. Two neighbours share a cell if
+/// linked (a triangle), or if both are linked to a third particle (a quadrangle).
 class Fans {
   public:
-    /// The neighbours are kept by reference.
+    /// Keeps a reference to `neighbours`.
     Fans(const Neighbours& neighbours, std::size_t particles)
         : neighbours_(neighbours), number_(particles, none), via_(particles, none) {}
 
-    /// For each neighbour of `row`, in order: the first neighbour of its fan.
+    /// For each neighbour of `row`, in order: the first neighbour of the same fan.
     std::vector<Row> around(Row row) {
         const auto near = neighbours_.of(row);
         fan_.resize(near.size());
@@ -85,9 +84,9 @@ class Fans {
     }
 
     const Neighbours& neighbours_;
-    std::vector<std::size_t> number_; // of a row among the neighbours
-    std::vector<std::size_t> via_;    // of a row further out: the first neighbour it is linked to
-    std::vector<std::size_t> fan_;    // a tree of neighbours, by number
+    std::vector<std::size_t> number_; // row -> index among the neighbours
+    std::vector<std::size_t> via_;    // row further out -> index of the first neighbour linked to the row
+    std::vector<std::size_t> fan_;    // disjoint-set forest of neighbour indices
 };
 
 } // namespace sinew

@@ -5,7 +5,7 @@
 namespace sinew {
 namespace {
 
-/// Takes "_12" off the front of a text. Only the shortest way to write a number counts, so that a name is unique.
+/// Removes "_12" from the front of a text. Only the shortest spelling of a number counts, so names are unique.
 std::optional<std::size_t> take_number(std::string_view& text) {
     if (text.size() < 2 || text[0] != '_') return std::nullopt;
     const char* const begin = text.data() + 1;

@@ -15,49 +15,50 @@
 
 namespace sinew {
 
-/// How a part of a figure is drawn.
+/// Shape of a drawn piece.
 enum class Mark : std::uint8_t {
-    stroke, ///< a line through its particles
-    curve,  ///< a smooth line through them
-    limb, ///< a band along the Bezier curve that its particles pull: 2 straight, 3 quadratic, 4 cubic, more through all
-    tip,  ///< a disc at the last particle of a limb of the same particles, turned as the curve ends: a hand, a foot
+    stroke, ///< a line through the particles
+    curve,  ///< a smooth line through the particles
+    limb, ///< a band along a Bezier curve with the particles as control points: 2 straight, 3 quadratic, 4 cubic, more
+          ///< through all
+    tip,  ///< a disc at the last particle of a limb of the same particles, turned along the end of the curve: a hand, a
+          ///< foot
     loop, ///< a closed line
-    ring, ///< a long ring around two particles: a link of a chain, seen from its broad side
+    ring, ///< a long ring around two particles: a link of a chain, seen from the broad side
     dot,  ///< a disc at each particle
     fill, ///< a filled polygon
-    surface, ///< a patch of cloth, four particles: shaded by its tilt, smoothly from patch to patch
-    face, ///< eyes and a mouth on the disc at the last particle: its upper side is ahead on the way from the particle
-          ///< before; in space its right side is that of the way from the first to the second of four
-    fragment ///< a part of a patch of cloth that a blade left (fragment.h); made by cuts only
+    surface, ///< a patch of cloth, four particles: shaded by the tilt, smoothly from patch to patch
+    face,    ///< eyes and a mouth on the disc at the last particle; up is the direction from the particle before; in 3D
+             ///< right is the direction from the first to the second of four
+    fragment ///< a part of a patch of cloth left by a blade (fragment.h); made by cuts only
 };
 
-/// One drawn piece. What it looks like is said by the scene's looks, by part ("arm", "head"), so that a figure stays
-/// one thing in any colours; how thick it is belongs to its shape.
+/// A drawn piece. The scene's looks give colours by part ("arm", "head"), so a figure is independent of colours; the
+/// thickness belongs to the shape.
 struct Piece {
     Mark mark = Mark::stroke;
     std::string part{};
     IdList<ParticleId> particles{};
-    double width = 0;           ///< in world units: line thickness or disc diameter; 0 leaves it to the looks
-    double end_width = 0;       ///< of a stroke or limb that tapers: its width at the last particle
-    bool hidden = false;        ///< a support that is only drawn when asked for
-    std::uint32_t fragment = 0; ///< its number in the figure, of Mark::fragment
+    double width = 0;           ///< line thickness or disc diameter, world units; 0: from the looks
+    double end_width = 0;       ///< width at the last particle of a stroke or limb with a taper
+    bool hidden = false;        ///< a support, drawn only on request
+    std::uint32_t fragment = 0; ///< Mark::fragment: index in the figure's fragments
 };
 
-/// Cloth, whole or cut.
+/// True for cloth, whole or cut.
 inline bool is_cloth(Mark mark) {
     return mark == Mark::surface || mark == Mark::fragment;
 }
 
-/// Whether an image can be painted in its place: on anything but closed lines, cloth, faces, and polygons of other than
-/// four corners.
+/// True if an image can replace the piece: not for closed lines, cloth, faces, and polygons without exactly four
+/// corners.
 inline bool takes_image(const Piece& piece) {
     if (piece.mark == Mark::fill) return piece.particles.size() == 4;
     return piece.mark != Mark::loop && piece.mark != Mark::face && !is_cloth(piece.mark);
 }
 
-/// Names by number, which take no room however many they are: the figure's particles (or constraints) from the one
-/// built as number `first` on are called stem_0, stem_1, ...; in rows of `columns`, where that is not 0,
-/// stem_COLUMN_ROW.
+/// Names by number, in constant memory. Particles (or constraints) of the figure, from number `first` in the order of
+/// construction, are called stem_0, stem_1, ...; with `columns` > 0, stem_COLUMN_ROW.
 struct Numbered {
     std::string stem;
     std::size_t first = 0;
@@ -65,37 +66,37 @@ struct Numbered {
     std::size_t columns = 0;
 };
 
-/// Which number a name stands for, or nothing: "link_7", "particle_3_5".
+/// Number of a name such as "link_7" or "particle_3_5"; nothing if no rule matches.
 std::optional<std::size_t> number_called(std::string_view name, std::span<const Numbered> numbered);
-/// The other way round; empty where the number has no name.
+/// Name of a number; empty if no rule covers the number.
 std::string name_of(std::size_t number, std::span<const Numbered> numbered);
 
-/// Whether what hangs together is solved at once (block.h) instead of in the sweep.
+/// Choice between the direct solver (block.h) and the sweep for connected constraints.
 enum class Direct : unsigned char {
-    automatic, ///< where it has few loops, and more than one link
-    on,        ///< however many loops it has, as long as its factors stay sparse
+    automatic, ///< direct with few loops and more than one link
+    on,        ///< direct with any number of loops, as long as the factors stay sparse
     off
 };
-inline constexpr std::array<std::string_view, 3> direct_names = {"auto", "on", "off"}; ///< in their order
+inline constexpr std::array<std::string_view, 3> direct_names = {"auto", "on", "off"}; ///< in the order of Direct
 
-/// What a prefab built: names for its particles and constraints, and what to draw. Positions are elsewhere, in columns.
-/// Where one was removed another stands that is empty and not in use.
+/// Result of a prefab: names of its particles and constraints, and pieces to draw. Positions are in the columns of the
+/// world. A removed figure leaves an empty, unused entry.
 struct Figure {
     std::string name{};
     std::string prefab{};
-    IdList<ParticleId> particles{}; ///< as they were built; what is removed leaves its id, which finds nothing
+    IdList<ParticleId> particles{}; ///< in the order of construction; a removed particle leaves a stale id
     IdList<ConstraintId> constraints{};
     NameTable<ParticleId> particle_names{};
     NameTable<ConstraintId> constraint_names{};
-    std::vector<Numbered> particle_numbers{}; ///< further names
+    std::vector<Numbered> particle_numbers{}; ///< further names, by number
     std::vector<Numbered> constraint_numbers{};
     std::vector<Piece> pieces{};
-    std::vector<Fragment> fragments{}; ///< of the pieces that are some
+    std::vector<Fragment> fragments{}; ///< cut pieces: Mark::fragment
     Direct direct = Direct::automatic;
-    std::optional<Integrator> integrator{}; ///< in classic mode; nothing: that of the rules
-    bool tethers = false; ///< nothing of it gets further from what pins it than its links reach (plan.h)
+    std::optional<Integrator> integrator{}; ///< in classic mode; nothing: the integrator of the rules
+    bool tethers = false;                   ///< long-range attachments to the figure's pins (plan.h)
     bool quarantined = false;
-    std::uint32_t generation = Stamp::none; ///< of its FigureId; none: not in use
+    std::uint32_t generation = Stamp::none; ///< generation of the FigureId; none: not in use
 
     bool in_use() const { return generation != Stamp::none; }
 };

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-/// Figures as a whole: they come, go, and are moved at once.
+/// Figures as a whole: adding, removing, teleporting and releasing from quarantine.
 namespace sinew {
 namespace {
 
@@ -15,7 +15,7 @@ template <int D, class Real> std::vector<ParticleId> particles_of(const World<D,
     return found;
 }
 
-/// Those that are said to be the figure's, whoever they join.
+/// Constraints owned by the figure, between any particles.
 template <int D, class Real> std::vector<ConstraintId> constraints_of(const World<D, Real>& world, FigureIndex figure) {
     std::vector<ConstraintId> found;
     int kind = 0;

@@ -2,7 +2,7 @@
 
 #include <set>
 
-/// What is called so.
+/// Look-up by name.
 namespace sinew {
 
 template <int D, class Real>
@@ -17,7 +17,7 @@ struct Path {
     std::string_view name;
 };
 
-/// The figure of a path "figure/name", and the name.
+/// Splits a path "figure/name" into the figure and the name.
 template <int D, class Real> Path split(const World<D, Real>& world, std::string_view path) {
     const auto slash = path.find('/');
     if (slash == std::string_view::npos) return {};
@@ -25,7 +25,7 @@ template <int D, class Real> Path split(const World<D, Real>& world, std::string
     return figure ? Path{&world.figures[*figure], path.substr(slash + 1)} : Path{};
 }
 
-/// What a name stands for: one that was given, or one by number.
+/// Id of a name, either given or by number.
 template <class Id>
 std::optional<Id> look_up(std::string_view name, const NameTable<Id>& given, const std::vector<Numbered>& numbered,
                           const IdList<Id>& built) {
@@ -58,7 +58,7 @@ std::vector<ParticleId> find_particles(const World<D, Real>& world, std::string_
     for (std::size_t i = 0; i < built.size(); ++i) {
         if (!world.particles.slots.find(built[i])) continue;
         if (named.contains(built[i].slot) || stem.empty() ||
-            name_of(i, figure->particle_numbers).starts_with(stem)) // nameless ones begin with nothing
+            name_of(i, figure->particle_numbers).starts_with(stem)) // unnamed particles match the empty stem only
             found.push_back(built[i]);
     }
     return found;

@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-/// Smooth noise in [-1, 1]: a random value at each whole t, eased between (3 s^2 - 2 s^3), one stream a component.
+/// Smooth noise in [-1, 1]: random values at whole t, interpolated by 3 s^2 - 2 s^3; a stream per component.
 template <class Real> Real noise(double t, std::uint64_t seed, std::uint64_t stream) {
     const double whole = std::floor(t);
     const auto n = std::uint64_t(std::int64_t(whole));
@@ -17,7 +17,7 @@ template <class Real> Real noise(double t, std::uint64_t seed, std::uint64_t str
 }
 
 template <int D, class Real> Vec<D, Real> wind_at(const Wind<D, Real>& wind, const Vec<D, Real>& place, double time) {
-    constexpr double most = 1e15; // gusts; beyond it a double no longer tells one from the next
+    constexpr double most = 1e15; // gusts: beyond, a double cannot resolve single gusts
     const double behind = double(dot(place, direction(wind.velocity)) * inverse_or_zero(wind.gust_size));
     const double t = clamp(time * inverse_or_zero(double(wind.gust_period)), -most, most) - clamp(behind, -most, most);
     const auto gust =
@@ -25,8 +25,7 @@ template <int D, class Real> Vec<D, Real> wind_at(const Wind<D, Real>& wind, con
     return clamp_components(wind.velocity + gust, limit::speed<Real>);
 }
 
-/// Adds what one field does to one particle. A new field is one more of these. Each is held at the limits, whatever
-/// numbers the field was given.
+/// Adds a field's effect on a particle; an overload per field. Results are clamped to the limits for any parameters.
 template <int D, class Real> struct Adder {
     const World<D, Real>& world;
     Row row;
@@ -55,7 +54,7 @@ template <int D, class Real> struct Adder {
                                 largest_acceleration<Real>);
         accelerate(offset * per_length * -pull);
     }
-    void operator()(const RandomPush<D, Real>&) const {} // strikes once a step: apply_random_pushes
+    void operator()(const RandomPush<D, Real>&) const {} // acts once a step: apply_random_pushes
 };
 
 } // namespace

@@ -9,22 +9,25 @@
 
 namespace sinew {
 
-/// A corner of a cut cell: a particle, or a virtual node that continues the cloth beyond the cut. The place of a
-/// virtual node is at[0] (b - a) + at[1] (c - a) + at[2] n from its base a, with n the unit normal of (a, b, c). With
-/// two particles c - a is b - a turned by a quarter (2D); with one, `at` is the way from a in the axes of the world.
+/// Corner of a cut cell: a particle, or a virtual node which continues the cloth beyond the cut. A virtual node is at
+///
+///     a + at[0] (b - a) + at[1] (c - a) + at[2] n
+///
+/// with n the unit normal of (a, b, c). With two particles c - a is b - a turned by 90 degrees (2D); with one particle,
+/// `at` is the offset from a in world axes.
 struct VirtualNode {
-    std::array<std::uint8_t, 3> of{}; ///< numbers among the particles of the piece: a, b, c
-    std::uint8_t count = 1;           ///< particles it depends on; 0: not bound yet, `at` is its place
+    std::array<std::uint8_t, 3> of{}; ///< indices in the particles of the piece: a, b, c
+    std::uint8_t count = 1;           ///< number of particles in `of`; 0: unbound, `at` is a world position
     Vec3<double> at{};
 
     bool is_particle() const { return count == 1 && at == Vec3<double>{}; }
 };
 
-/// A part of a cell of cloth that a blade left, in the manner of virtual nodes (Molino, Bao and Fedkiw 2004): the cell
-/// keeps four corners, of which those beyond the blade are virtual, and a polygon in its (u, v) is what there is of it.
+/// Part of a cell of cloth left by a blade, by the virtual node algorithm (Molino, Bao and Fedkiw 2004): the cell keeps
+/// four corners, virtual beyond the blade, and the remaining material is a polygon in (u, v).
 struct Fragment {
     std::array<VirtualNode, 4> corners; ///< at (0, 0), (1, 0), (1, 1), (0, 1)
-    std::vector<Vec2<float>> points;    ///< (u, v) of the corners of its tiles, convex polygons one after the other
+    std::vector<Vec2<float>> points;    ///< corners of the tiles in (u, v): convex polygons, concatenated
     std::vector<std::uint32_t> ends;    ///< for each tile, the number of points up to its last
 
     template <class Visit> void each_tile(Visit&& visit) const {
@@ -40,7 +43,7 @@ struct Fragment {
     }
 };
 
-/// The place of a corner, where place(i) is that of the piece's particle number i, in space.
+/// Position of a corner in 3D, where place(i) is the position of the piece's particle i.
 template <class Place> Vec3<double> place_of(const VirtualNode& node, Place&& place, bool flat) {
     if (node.count == 0) return node.at;
     const Vec3<double> a = place(node.of[0]);

@@ -4,28 +4,28 @@
 
 #include <type_traits>
 
-/// Formulas of the integrators: how a free particle moves in one step of length h. They work on displacements, so that
-/// h is nowhere: `change` is h v, and `gain(place, change)` is h^2 a, by how much `change` grows in a step.
+/// Integrators of a free particle over a step h, written for displacements: `change` is h v, and `gain(place, change)`
+/// is h^2 a, the increment of `change`.
 namespace sinew {
 
-/// A particle that moves freely.
+/// State of a free particle.
 template <class Vector> struct FreeMotion {
     Vector place{};
-    Vector change{}; ///< the displacement in a step at its velocity: h v
+    Vector change{}; ///< h v
 };
 
 template <class Vector, class Gain> FreeMotion<Vector> explicit_euler(const FreeMotion<Vector>& now, Gain&& gain) {
     return {now.place + now.change, now.change + gain(now.place, now.change)};
 }
 
-/// Also Verlet: with x - x_prev for the change it goes through the same places.
+/// Equal to Verlet in positions, with `change` = x - x_prev.
 template <class Vector, class Gain> FreeMotion<Vector> symplectic_euler(const FreeMotion<Vector>& now, Gain&& gain) {
     const auto change = now.change + gain(now.place, now.change);
     return {now.place + change, change};
 }
 
-/// The second gain is at the new place, with the velocity that the first alone would give (Heun's predictor): of second
-/// order where forces depend on the velocity, too.
+/// The second gain is taken at the new position, with the velocity predicted by the first (Heun): of second order for
+/// velocity-dependent forces, too.
 template <class Vector, class Gain> FreeMotion<Vector> velocity_verlet(const FreeMotion<Vector>& now, Gain&& gain) {
     using Real = std::decay_t<decltype(now.place[0])>;
     const auto before = gain(now.place, now.change);
@@ -51,7 +51,7 @@ template <class Vector, class Gain> FreeMotion<Vector> rk4(const FreeMotion<Vect
             now.change + (k1.change + k4.change) * sixth + (k2.change + k3.change) * third};
 }
 
-/// One step of the integrator.
+/// Advances a particle by a step of the integrator.
 template <class Vector, class Gain>
 FreeMotion<Vector> advance(Integrator integrator, const FreeMotion<Vector>& now, Gain&& gain) {
     switch (integrator) {

@@ -11,21 +11,21 @@
 
 namespace sinew {
 
-/// A handle of a row that outlives the row's moves. Copies of a world know the ids it handed out before the copy; an id
-/// of a removed row, of another world, or handed out in a future that was undone resolves to nothing.
+/// Handle of a row, valid wherever the row moves. Copies of a world know the ids handed out before the copy; an id of a
+/// removed row, of another world, or handed out in an undone future resolves to nothing.
 template <class Tag> struct Id {
     std::uint32_t slot = ~std::uint32_t(0);
-    std::uint32_t generation = Stamp::none; ///< the table's stamp when the row was added
+    std::uint32_t generation = Stamp::none; ///< stamp of the table when the row was added
     friend constexpr bool operator==(const Id&, const Id&) = default;
 };
 
 using Row = std::uint32_t;
 
-/// Which row an id stands for. Rows are dense and keep their order when others are removed. Until one is, or a copy is
-/// added to, slots are rows of one generation and nothing has to be remembered.
+/// Map from ids to rows. Rows are dense and keep their order when others are removed. Until a row is removed, or a copy
+/// of a world is added to, slots equal rows, all of one generation, and no entry is stored.
 template <class Tag> class Slots {
   public:
-    /// The id of a new row at the end.
+    /// Id of a new row at the end.
     Id<Tag> append() {
         const auto stamp = stamp_.get();
         if (rows_ == 0) plain_generation_ = stamp;
@@ -39,7 +39,7 @@ template <class Tag> class Slots {
         return {slot, stamp};
     }
 
-    /// Any bits may be asked for: what was not handed out by this table, or is gone, is not found.
+    /// Row of an id; nothing for an id not handed out by this table, or removed. Any bits are safe.
     std::optional<Row> find(Id<Tag> id) const {
         if (id.slot >= slots() || generation(id.slot) != id.generation || !in_use(id.slot)) return std::nullopt;
         return row_at(id.slot);
@@ -48,14 +48,14 @@ template <class Tag> class Slots {
     Id<Tag> id_of(Row row) const { return {slot_of(row), generation(slot_of(row))}; }
 
     std::uint32_t slot_of(Row row) const { return plain_ ? row : slot_of_row_[row]; }
-    Row row_at(std::uint32_t slot) const { return plain_ ? slot : entries_[slot].row; } ///< of a slot that is in use
+    Row row_at(std::uint32_t slot) const { return plain_ ? slot : entries_[slot].row; } ///< the slot must be in use
     bool in_use(std::uint32_t slot) const {
         const Row row = row_at(slot);
         return row < rows_ && slot_of(row) == slot;
     }
     std::size_t slots() const { return plain_ ? rows_ : entries_.size(); } ///< in use or free
 
-    /// Forgets the rows whose flag in `gone` is set; the rest close up in order.
+    /// Forgets the rows whose flag in `gone` is set; the others close up in order.
     void erase(std::span<const char> gone) {
         Row kept = Row(next_flag(gone, 0, 1));
         if (kept == gone.size()) return;
@@ -75,7 +75,7 @@ template <class Tag> class Slots {
         rows_ = kept;
     }
 
-    /// From now on erasing allocates nothing.
+    /// Allocates the entries: afterwards erase() allocates nothing.
     void remember() {
         if (!plain_) return;
         plain_ = false;
@@ -96,16 +96,16 @@ template <class Tag> class Slots {
 
   private:
     struct Entry {
-        Row row = 0; ///< of a slot that is free: the next free slot
+        Row row = 0; ///< free slot: the next free slot
         std::uint32_t generation = Stamp::none;
     };
     Row rows_ = 0;
-    bool plain_ = true;                            ///< slots are rows, and the rest is empty
-    Stamp stamp_;                                  ///< of the rows that are added next
-    std::uint32_t plain_generation_ = Stamp::none; ///< of all rows while slots are rows
+    bool plain_ = true;                            ///< slots equal rows, and no entry is stored
+    Stamp stamp_;                                  ///< generation of the next row
+    std::uint32_t plain_generation_ = Stamp::none; ///< common to all rows while slots equal rows
     std::vector<std::uint32_t> slot_of_row_;
     std::vector<Entry> entries_;
-    std::uint32_t first_free_ = 0; ///< entries_.size(): none is
+    std::uint32_t first_free_ = 0; ///< entries_.size(): no slot is free
 
     std::uint32_t generation(std::uint32_t slot) const {
         return plain_ ? plain_generation_ : entries_[slot].generation;
@@ -118,18 +118,18 @@ struct PinTag;
 using ParticleId = Id<ParticleTag>;
 using PinId = Id<PinTag>;
 
-/// Constraints of different kinds live in different tables: the kind is part of the id.
+/// Handle of a constraint. Kinds have separate tables, so the kind is part of the id.
 struct ConstraintId {
     int kind = -1; ///< position in Kinds<D>
     Id<ConstraintTag> id;
     friend constexpr bool operator==(const ConstraintId&, const ConstraintId&) = default;
 };
 
-/// A figure's place in World::figures. It stays while the figure lives; once that is removed, another may come there.
+/// Index of a figure in World::figures, stable while the figure lives; a later figure may reuse the index.
 using FigureIndex = std::uint32_t;
 inline constexpr FigureIndex no_figure = ~FigureIndex(0); ///< loose particles belong to no figure
 
-/// A figure's handle, which is never another's.
+/// Handle of a figure, never reused.
 struct FigureTag;
 using FigureId = Id<FigureTag>;
 

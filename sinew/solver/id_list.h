@@ -8,11 +8,11 @@
 #include <iterator>
 #include <vector>
 
-/// Ids in some order. What a prefab builds it builds in rows: ids mostly follow each other in even steps, and a row of
-/// them takes as much room as one.
+/// Compressed list of ids. Prefabs build in rows, so ids mostly form arithmetic sequences, each stored in constant
+/// memory.
 namespace sinew {
 
-/// The id so many slots on.
+/// Id `slots` further on.
 template <class Tag> Id<Tag> further(const Id<Tag>& id, std::uint32_t slots) {
     return {id.slot + slots, id.generation};
 }
@@ -27,11 +27,11 @@ inline std::uint32_t slot_in(const ConstraintId& id) {
 }
 
 template <class IdT> class IdList {
-    /// first, and one each `step` slots on.
+    /// Arithmetic sequence: `first`, then an id every `step` slots.
     struct Steps {
         IdT first{};
         std::uint32_t step = 0;
-        std::uint32_t begin = 0; ///< how many ids come before
+        std::uint32_t begin = 0; ///< number of ids before the sequence
         IdT at(std::size_t i) const { return further(first, std::uint32_t(i - begin) * step); }
         friend bool operator==(const Steps&, const Steps&) = default;
     };
@@ -60,7 +60,7 @@ template <class IdT> class IdList {
 
       private:
         const IdList* list_;
-        std::size_t at_ = 0, steps_ = 0; ///< one that is at the end knows no steps
+        std::size_t at_ = 0, steps_ = 0; ///< index of the sequence; meaningless at the end
     };
     using value_type = IdT;
     using iterator = Iterator;

@@ -4,9 +4,8 @@
 
 namespace sinew {
 
-/// Into how many islands each figure falls: sets of its particles that constraints join. Distances that only keep
-/// apart do not. A figure that is cut or torn apart keeps its name, and so do its particles; this tells
-/// that it is several.
+/// Number of islands of each figure: sets of particles connected by constraints within the figure, distances without an
+/// upper limit excepted. Names survive when a figure is cut or torn apart; a number above 1 tells.
 template <int D, class Real> std::vector<std::size_t> islands(const World<D, Real>& world);
 
 } // namespace sinew

@@ -3,124 +3,124 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What is done to many particles at once. Each function is compiled once for each kind of processor from the same text
-/// (kernel_text.h), and which is used is chosen when the program runs; all give the same bits.
+/// SIMD kernels over many particles. Each function is compiled from the same text for every instruction set
+/// (kernel_text.h) and selected at run time; all variants give the same bits.
 namespace sinew {
 
-/// The most that 1 / length^2 of a limit counts for, also where that is no length at all.
+/// Upper bound on 1 / length^2 of a limit, also used for a limit of zero.
 template <class Real> inline constexpr Real most_per_square = Real(1e30);
 
-/// What most runs are: rigid, and side by side. All links are alike, or each has its own limits; or, uneven, not all
-/// particles move as readily as those they are linked to.
+/// Variants of most batches: rigid links of consecutive slots. Without suffix all links are alike, `_each` has limits
+/// per link, `_uneven` has ends of unequal or zero mobility.
 enum class LinkKind : unsigned char {
     other,
     exact,
     exact_each,
     exact_uneven,
-    swinging, ///< exact, and corrected along the links as they were when the substep began
+    swinging, ///< equality, corrected along the links at the start of the substep
     swinging_each,
     swinging_uneven,
-    ranging, ///< between two limits
+    ranging, ///< inequality: two limits
     ranging_each,
     ranging_uneven
 };
 
-/// Plain distances that are solved one after the other: of particles a and b, a + 1 and b + 1, ... Within any 16
-/// consecutive ones, and the 16 after them, no particle comes twice.
+/// Batch of simple distances solved together: between slots a and b, a + 1 and b + 1, ... Any 32 consecutive links (two
+/// packs of 16) are disjoint.
 struct LinkRun {
-    std::uint32_t a = 0, b = 0; ///< slots of Swept; where scattered, a is where in the list of ends it begins
+    std::uint32_t a = 0, b = 0; ///< first slots in Swept; scattered: a is an offset in the lists of ends
     std::uint32_t count = 0;
-    std::uint32_t row = 0;        ///< of the table of distances; without a step, where in the list of rows it begins
-    std::uint32_t row_step = 0;   ///< from one to the next; 0: as they are listed
-    std::uint32_t parameters = 0; ///< of low, high and compliance
-    bool uniform = false;         ///< one set of parameters for all
-    bool soft = false;            ///< some have compliance
-    bool exact = true;            ///< each has but one limit
-    bool swings = false;          ///< corrected along the links as they were when the substep began
-    bool even = true;             ///< both ends of each move as readily, and can
+    std::uint32_t row = 0;      ///< first row in the table of distances; with row_step 0 an offset in the list of rows
+    std::uint32_t row_step = 0; ///< from link to link; 0: rows are listed
+    std::uint32_t parameters = 0; ///< index of the first low, high and compliance
+    bool uniform = false;         ///< a single set of parameters
+    bool soft = false;            ///< some links are compliant
+    bool exact = true;            ///< all links are equalities
+    bool swings = false;          ///< corrected along the links at the start of the substep
+    bool even = true;             ///< both ends of every link have the same nonzero mobility
     bool scattered = false;
     LinkKind kind = LinkKind::other;
 };
 
-/// The columns of the particles (swept.h), and of the plan (plan.h).
+/// Columns of the particles (swept.h) and of the plan (plan.h).
 template <int D, class Real> struct LinkColumns {
     const Real* place;
     Real* move;
-    std::size_t apart; ///< from one component to the next
+    std::size_t apart; ///< stride between components
     const Real* mobility;
     const Real *low, *high;
-    const Real* compliance;               ///< of runs of which some have any
-    const Real* quarter_per_square;       ///< 1 / 4 low^2
-    const std::uint32_t *ends_a, *ends_b; ///< of scattered ones
-    const std::uint32_t* rows;            ///< of runs without a step
+    const Real* compliance;               ///< for batches with compliant links
+    const Real* quarter_per_square;       ///< 1 / (4 low^2)
+    const std::uint32_t *ends_a, *ends_b; ///< slots of scattered batches
+    const std::uint32_t* rows;            ///< rows of batches with row_step 0
     Real* multiplier;                     ///< by row
 };
 
 template <class Real> struct LinkPass {
     Real per_h2 = 0;       ///< 1 / h^2
-    Real shortest = 1;     ///< found: no length that should be some was less
-    bool kept = false;     ///< multipliers are wanted, after the substep or in its later iterations
-    bool told = false;     ///< after it
-    bool first = true;     ///< they begin at zero
-    bool again = false;    ///< of this iteration: what has compliance has given way
-    bool strained = false; ///< found: a link without was much too long
+    Real shortest = 1;     ///< output: a length below 1e-18 of a link with a positive limit, otherwise 1
+    bool kept = false;     ///< store multipliers, for later iterations or for readers
+    bool told = false;     ///< last substep: multipliers are read after the step
+    bool first = true;     ///< first iteration: multipliers start at zero
+    bool again = false;    ///< repair within an iteration: compliant batches are skipped
+    bool strained = false; ///< output: some rigid link was over 2 % too long
 };
 
-/// Where particles are tied to: each no further from it than it reaches.
+/// Anchor of long-range attachments: an upper limit on each particle's distance from a point.
 template <int D, class Real> struct Anchor {
-    Real opposite[D];                  ///< of its place: what added to another gives the way to that
-    const Real* half_per_reach_square; ///< 1 / 2 reach^2, by slot
+    Real opposite[D];                  ///< anchor position, negated
+    const Real* half_per_reach_square; ///< 1 / (2 reach^2) by slot; 0: unlimited
 };
 
-/// What a substep does to each particle by itself.
+/// Motion of particles independently of each other, in a substep.
 template <int D, class Real> struct Motion {
     Real *place, *move, *residual;
-    std::size_t apart; ///< from one component to the next
+    std::size_t apart; ///< stride between components
     const Real* mobility;
     const Anchor<D, Real>* anchors = nullptr;
     std::uint32_t anchor_count = 0;
-    Real most = 0;     ///< a move may be
-    Real furthest = 0; ///< a particle may be
-    Real add[D];       ///< to each move
-    Real keep = 1;     ///< of it, before
+    Real most = 0;     ///< largest displacement
+    Real furthest = 0; ///< largest coordinate
+    Real add[D];       ///< added to each displacement
+    Real keep = 1;     ///< factor of the displacement, applied before `add`
 };
 
-/// Vectors by row, and columns of their components by slot.
+/// Transposition between vectors by row and columns of components by slot.
 template <int D, class Real> struct Turning {
     Real* rows; ///< D numbers each
     Real* columns;
-    std::size_t apart;           ///< from one component to the next
+    std::size_t apart;           ///< stride between components
     const std::uint32_t* row_of; ///< by slot
-    std::uint32_t slot_of_last;  ///< that holds the last row there is
-    Real by = 1;                 ///< what numbers are multiplied by on their way
-    Real most = 0;               ///< in columns they are at most so large; 0: there they are as in rows
+    std::uint32_t slot_of_last;  ///< slot of the last row, whose load must not pass the end
+    Real by = 1;                 ///< factor applied to every number
+    Real most = 0;               ///< bound on numbers in columns; 0: to_columns copies, without factor or bound
 };
 
-/// Each of particles in slots [first, last).
+/// Kernel over the particles in slots [first, last).
 template <int D, class Real> using Moving = void (*)(const Motion<D, Real>&, std::uint32_t first, std::uint32_t last);
 
 template <int D, class Real> struct Kernels {
-    /// Solves some runs one after the other.
+    /// Solves a range of batches in order.
     void (*project)(const LinkColumns<D, Real>&, LinkPass<Real>&, const LinkRun* first, const LinkRun* last);
-    /// Pulls what is out of reach of an anchor back.
+    /// Pulls particles back within reach of the anchors.
     Moving<D, Real> tether;
-    /// place <- place + move, with what rounding takes kept in the residual (Kahan 1965).
+    /// place <- place + move, the rounding error kept in the residual (Kahan 1965).
     Moving<D, Real> advance;
-    /// move <- keep move + add of what can move, 0 of the rest.
+    /// move <- keep move + add for movable particles, 0 for others.
     Moving<D, Real> drift;
-    /// Both, one after the other.
+    /// `advance`, then `drift`.
     Moving<D, Real> go_on;
-    /// The least of normal . (place + move).
+    /// Minimum of normal . (place + move).
     Real (*lowest)(const Motion<D, Real>&, const Real* normal, std::uint32_t first, std::uint32_t last);
-    /// Those of slots [first, last).
+    /// Transposes slots [first, last).
     void (*to_columns)(const Turning<D, Real>&, std::uint32_t first, std::uint32_t last);
     void (*to_rows)(const Turning<D, Real>&, std::uint32_t first, std::uint32_t last);
-    /// Whether all numbers are within [-limit, limit], or [0, limit]; what is no number is not.
+    /// True if all numbers are within [-limit, limit], or [0, limit]; NaN is not.
     bool (*all_within)(const Real* numbers, std::size_t count, Real limit);
     bool (*all_within_and_positive)(const Real* numbers, std::size_t count, Real limit);
 };
 
-/// Those of one kind of processor.
+/// Kernels of an instruction set.
 struct KernelSet {
     Kernels<2, float> in_2d_float;
     Kernels<2, double> in_2d_double;
@@ -130,12 +130,12 @@ struct KernelSet {
 
 enum class Simd { one, sse2, avx2, avx512 };
 
-/// The best that this processor has; or what the environment's SINEW_SIMD says (one, sse2, avx2, avx512), if it has
-/// that.
+/// Best instruction set of this processor, or the available one named by the environment's SINEW_SIMD (one, sse2 or
+/// neon, avx2, avx512).
 Simd best_simd();
-/// Whether this processor, and this build, has it.
+/// True if both the processor and the build support the instruction set.
 bool has_simd(Simd simd);
-/// What is used from now on. For tests: it changes no bit.
+/// Selects the kernels used from now on. For tests: results do not change by a bit.
 void use_simd(Simd simd);
 const char* name_of(Simd simd);
 Simd simd_in_use();

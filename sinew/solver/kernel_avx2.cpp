@@ -1,4 +1,4 @@
-// Compiled with the options of its processors, where the build knows them (CMakeLists.txt).
+// Compiled with AVX2 options where the build has support (CMakeLists.txt).
 #if defined(__AVX2__)
 #include "sinew/solver/kernel_text.h"
 

@@ -1,4 +1,4 @@
-// Compiled with the options of its processors, where the build knows them (CMakeLists.txt).
+// Compiled with AVX-512 options where the build has support (CMakeLists.txt).
 #if defined(__AVX512F__)
 #include "sinew/solver/kernel_text.h"
 

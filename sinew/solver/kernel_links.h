@@ -8,14 +8,13 @@
 #include <type_traits>
 #include <utility>
 
-/// The text of the kernel that solves distances: all runs, and by itself those that are of no kind (kernel_rigid.h).
+/// Kernel of distances: every kind of batch; batches of kind `other` by the general text, the rest by kernel_rigid.h.
 namespace sinew {
 namespace {
 
 using namespace lane;
 
-/// How particles' numbers come into lanes, and back: those that lie side by side, or from anywhere. `count` of the
-/// lanes are meant; no other particle is written to.
+/// Loads and stores of columns at consecutive or scattered slots. Only the first `count` lanes are stored.
 struct SideBySide {
     std::uint32_t slot;
     template <class V, class Real> [[gnu::always_inline]] V get(const Real* column, int) const {
@@ -45,17 +44,16 @@ struct Scattered {
 
 template <class V> struct Limits { V low, high, alpha; };
 
-/// What kind of runs a text is compiled for.
+/// Variant of batches to compile a kernel for.
 struct Rules {
-    bool kept = true;   ///< multipliers are wanted
-    bool soft = true;   ///< some have compliance
-    bool range = true;  ///< some have two limits
-    bool swings = true; ///< corrected, where it can be, along the link as it was when the substep began
+    bool kept = true;   ///< multipliers are stored
+    bool soft = true;   ///< some links are compliant
+    bool range = true;  ///< some links are inequalities
+    bool swings = true; ///< corrected along the link at the start of the substep, where possible
 };
 
-/// A distance held within [low, high] by the multiplier lambda (project.h has the formulas). d is the direction it is
-/// corrected in, along the link e as it is; where `swings`, as it was when the substep began, unless it has turned by
-/// more than 8 degrees since.
+/// Distance held within [low, high] by the multiplier lambda (formulas in project.h). d is the direction of correction:
+/// the link e, or with `swings` the link at the start of the substep, unless turned by more than 8 degrees since.
 ///
 ///     s = (limit - length) / (|d| (w n . d/|d| + alpha)),   n = e / length
 ///     b moves by w_b s d, a by -w_a s d
@@ -64,7 +62,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     LinkPass<Real>& pass;
     const LinkRun& run;
 
-    /// The links from number i on: as many as a pack has lanes, or if not all, `count`.
+    /// Solves the links from number i on: a full pack with `all`, otherwise `count`.
     template <class V, bool all>
     [[gnu::always_inline]] void project(std::uint32_t i, int count, const Limits<V>& limits) const {
         const auto [a, b] = ends(i);
@@ -83,7 +81,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             d2 = d_e = zero;
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d2 = d2 + d[k] * d[k], d_e = d_e + d[k] * e[k];
-            const Real agreement = run.swings ? Real(0.99 * 0.99) : Real(2); // of none
+            const Real agreement = run.swings ? Real(0.99 * 0.99) : Real(2); // 2: never agree
             const auto agree = d_e * most(d_e, zero) > agreement * (e2 * d2);
             d2 = agree ? d2 : e2, d_e = agree ? d_e : e2;
 #pragma GCC unroll 3
@@ -98,7 +96,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         if constexpr (rules.soft || rules.kept) d_length = root(d2);
         if constexpr (rules.range || rules.kept) length = root(e2);
         if constexpr (rules.soft) resistance = resistance + limits.alpha * (length * d_length);
-        // what has no length or no weight has no resistance: then the products below are zero
+        // zero length or mobility gives zero resistance: the products below are then zero
         constexpr Real least_resistance = sizeof(Real) == 4 ? Real(1e-26) : Real(1e-200);
         const V per = Real(1) / most(resistance, spread<V>(least_resistance));
         if constexpr (rules.kept) {
@@ -108,8 +106,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             const V pushing = lambda + (limits.low - length - slack) * gain;
             const V pulling = lambda + (limits.high - length - slack) * gain;
             V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(strongest<Real>));
-            if (pass.again) next = least(next, lambda); // what is seen of a step is not to be too long
-            const V divisor = d_length > zero ? d_length : spread<V>(Real(1)); // not every processor skips a lane
+            if (pass.again) next = least(next, lambda);                        // repair only shortens
+            const V divisor = d_length > zero ? d_length : spread<V>(Real(1)); // masked lanes are divided, too
             const V s = d_length > zero ? (next - lambda) / divisor : zero;
             note<V, all>(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
             move<V, all>(a, b, move_a, move_b, d, s * w_a, s * w_b, count);
@@ -123,8 +121,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         }
     }
 
-    /// (limit - length) length. Near the limit half of the difference of their squares is as good, and needs no root;
-    /// of what may also be shorter that would make it bounce.
+    /// (limit - length) length. Near the limit half of the difference of the squares is accurate and needs no root; not
+    /// used for inequalities: the error would make the link bounce.
     template <class V> [[gnu::always_inline]] static V lacking_of(const V& limit, const V& e2) {
         const V lack = Real(0.5) * (limit * limit - e2), near = e2 * Real(1.0 / 64), size = most(lack, -lack);
         if (any_less(near, size)) [[unlikely]] {
@@ -166,7 +164,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         else
             return {Ends{run.a + i}, Ends{run.b + i}};
     }
-    /// The rows of the links from number i on.
+    /// Rows of the links from number i on.
     template <std::size_t lanes>
     [[gnu::always_inline]] Scattered rows(std::uint32_t (&room)[lanes], std::uint32_t i) const {
         if (run.row_step == 0) return {columns.rows + run.row + i};
@@ -205,7 +203,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     }
 };
 
-/// One run of any kind. By itself, because it needs more room than those that most are.
+/// Solves a batch of any kind. Not inlined: needs more registers than the common kinds.
 template <int D, class Real>
 [[gnu::noinline]] void project_run(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, const LinkRun& run) {
     if (run.soft && pass.again) return;

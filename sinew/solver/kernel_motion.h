@@ -4,13 +4,13 @@
 #include "sinew/solver/kernel.h"
 #include "sinew/solver/kernel_length.h"
 
-/// The text of the kernels that move particles one by one.
+/// Kernels of particles moving independently of each other.
 namespace sinew {
 namespace {
 
 using namespace lane;
 
-/// Calls f(at, count) with V and whether all lanes count, for slots [first, last).
+/// Calls f(at, count), with the pack V and whether all lanes count, for slots [first, last).
 template <class Real, class F> [[gnu::always_inline]] inline void over(std::size_t first, std::size_t last, F&& f) {
     constexpr int width = widest<Real>;
     using V = Pack<Real, width>;
@@ -18,7 +18,7 @@ template <class Real, class F> [[gnu::always_inline]] inline void over(std::size
     if (first < last) f.template operator()<V, false>(first, int(last - first));
 }
 
-/// A column of each component.
+/// Columns of the components.
 template <int D, class Real> struct Components {
     Real* column[D];
     Components(Real* first, std::size_t apart) {
@@ -27,7 +27,7 @@ template <int D, class Real> struct Components {
     Real* operator[](unsigned k) const { return column[k]; }
 };
 
-/// One anchor after the other: so no particle waits for the anchor before.
+/// Outer loop over anchors: so no particle waits for the anchor before.
 template <int D, class Real> void tether_all(const Motion<D, Real>& columns, std::uint32_t first, std::uint32_t last) {
     const Motion<D, Real> motion = columns;
     const Components<D, Real> place(motion.place, motion.apart), moves(motion.move, motion.apart);
@@ -54,8 +54,8 @@ template <int D, class Real> void tether_all(const Motion<D, Real>& columns, std
     }
 }
 
-/// What is done, in this order. Places and moves are held in limits where nothing follows: the substeps of one step add
-/// too little to what was in limits before it for anything to become infinite.
+/// Phases, in this order. Positions and displacements are clamped only in the last phase: the substeps of one step add
+/// too little to clamped values to overflow.
 struct Doing {
     bool advances = false, drifts = false;
 };

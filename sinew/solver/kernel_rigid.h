@@ -8,22 +8,22 @@
 #include <limits>
 #include <type_traits>
 
-/// The text of the kernel for most links: rigid, and of particles that lie side by side. No multiplier is needed but
-/// where it is wanted; nor are mobilities where particles move equally readily, for each takes half of the correction.
+/// Fast path for most links: rigid, between consecutive slots. Multipliers are computed only on request, and mobilities
+/// are not loaded where both ends move equally readily and take half of the correction each.
 namespace sinew {
 namespace {
 
 using namespace lane;
 
-/// The most a link may pull with, as everywhere (limit::multiplier): what hardly moves would take more than there is.
+/// Bound on multipliers (limit::multiplier): otherwise small mobilities would overflow.
 template <class Real> inline constexpr Real strongest = Real(1e25);
 
-/// What kind of rigid links a text is compiled for.
+/// Variant of rigid links to compile a kernel for.
 struct Rigid {
-    bool exact = true;   ///< each has but one limit
-    bool kept = false;   ///< multipliers are wanted
-    bool swings = false; ///< corrected along the links as they were when the substep began (kernel_links.h)
-    bool even = true;    ///< both ends move as readily, and can
+    bool exact = true;   ///< all links are equalities
+    bool kept = false;   ///< multipliers are stored
+    bool swings = false; ///< corrected along the links at the start of the substep (kernel_links.h)
+    bool even = true;    ///< both ends of every link have the same nonzero mobility
 };
 
 template <int D, class Real, Rigid rules> struct RigidLinks {
@@ -42,7 +42,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
           low(from.quarter_per_square + of.parameters), high(from.high + of.parameters), move_a(from.move + of.a),
           move_b(from.move + of.b), apart(from.apart) {}
 
-    /// Those of a run, which have the same limits or each its own.
+    /// Solves a batch with common limits, or with limits for each link.
     [[gnu::always_inline]] void solve_uniform() const {
         if (run.count < width) return carefully(columns, pass, run, 0, run.count);
         const Wanted same = uniformly_wanted();
@@ -52,23 +52,23 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         if (run.count < width) return carefully(columns, pass, run, 0, run.count);
         solve([&](std::size_t i) __attribute__((always_inline)) { return wanted_of(i); });
     }
-    /// Either.
+    /// Solves a batch of either kind.
     [[gnu::always_inline]] void solve_any() const { run.uniform ? solve_uniform() : solve_each(); }
 
   private:
-    /// Lengths that links are held between, as a quarter of 1 / length^2.
+    /// Limits of the length, as 1 / (4 length^2).
     struct Wanted {
         V low, high;
     };
 
     struct Link {
-        V a[D], b[D]; ///< moves
-        V d[D], e[D]; ///< as it was, as it is
+        V a[D], b[D]; ///< displacements of the ends
+        V d[D], e[D]; ///< link at the start of the substep, link now
         V e2{};
     };
 
-    /// The last pack begins so much earlier that it is full. Those that are in it and in the one before are loaded
-    /// before they are stored, and solved twice alike.
+    /// The last pack begins early enough to be full. Links in both of the last two packs are loaded before the first
+    /// store, and solved twice with equal results.
     template <class Limits> [[gnu::always_inline]] void solve(Limits&& wanted) const {
         const std::size_t end = run.count, over = end % width, whole = over == 0 ? end : end - over - width;
         std::size_t i = 0;
@@ -79,7 +79,8 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
             carefully(columns, pass, run, i, end);
     }
 
-    /// Solves packs of links from each number i on, if they all need so little that a tangent will do (lacking).
+    /// Solves the packs from each number i on, if the tangent is accurate for all links (see lacking). Otherwise
+    /// returns false and changes nothing.
     template <std::size_t packs, class Limits>
     [[gnu::always_inline]] bool all_near(const std::size_t (&i)[packs], Limits&& limits) const {
         Link link[packs];
@@ -106,7 +107,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         return true;
     }
 
-    /// Links from number `first` to `last`, whatever they need.
+    /// Solves links [first, last), however far from their limits.
     [[gnu::noinline]] static void carefully(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
                                             const LinkRun& run, std::size_t first, std::size_t last) {
         const RigidLinks links(columns, pass, run);
@@ -123,7 +124,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         if constexpr (rules.kept) keep<all>(i, count, link, half, wanted);
     }
 
-    /// What they pull with, and how short they were.
+    /// Stores the multipliers and notes lengths near zero.
     template <bool all>
     [[gnu::always_inline]] void keep(std::size_t i, int count, const Link& link, const V& half,
                                      const Wanted& wanted) const {
@@ -136,7 +137,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         note<all>(i, count, lambda, has_length ? length : spread<V>(Real(1)));
     }
 
-    /// Half of what they lack: what each end takes where both move as readily.
+    /// Half of the relative correction: the share of each end with equal mobilities.
     template <bool all> [[gnu::always_inline]] V half_lacking(const V& e2, int count, const Wanted& wanted) const {
         V half = half_tangent(e2, wanted);
         if constexpr (!all) half = first_lanes(half, count, Real(0));
@@ -148,9 +149,11 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
             });
     }
 
-    /// The same as a part of d, the link as it was; e is the link as it is. With t = e^2 / L^2 and
-    /// u = d e / L^2 that is (1/sqrt(t) - 1)/2 t/u, near t = u = 1 about (1 - t)/4 (2 - u). Where the link has turned
-    /// by more than 8 degrees or is twice as long as it should be, d becomes e.
+    /// Half of the correction relative to d, the link at the start of the substep; e is the link now:
+    ///
+    ///     (1/sqrt(t) - 1)/2 t/u,   t = e^2 / L^2,   u = d e / L^2;   near t = u = 1 about (1 - t)/4 (2 - u)
+    ///
+    /// Where the link has turned by more than 8 degrees or is at least twice too long, d becomes e.
     template <bool all> [[gnu::always_inline]] V half_along(Link& link, int count, const Wanted& wanted) const {
         auto& [a, b, d, e, e2] = link;
         const V d_e = dot(d, e);
@@ -176,7 +179,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     [[gnu::always_inline]] static V quarter() {
         return spread<V>(Real(0.25));
     }
-    /// What is further away than that takes a root.
+    /// Largest `half` for the tangent; larger values take a square root.
     [[gnu::always_inline]] static V near() {
         return spread<V>(Real(1.0 / 128));
     }
@@ -221,7 +224,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         }
     }
 
-    /// What of the link, or of the link as it was, each end takes.
+    /// Corrections of the ends, relative to the direction of correction.
     struct Shares {
         V a, b;
     };
@@ -233,7 +236,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     [[gnu::always_inline]] V mobility_of(std::size_t slot) const {
         return load<V>(columns.mobility + slot);
     }
-    /// Where neither can move, any will do.
+    /// Mean of two mobilities; infinity if both ends are immovable, which gives no correction.
     [[gnu::always_inline]] static V mean_mobility(const V& a, const V& b) {
         const V mean = (a + b) * Real(0.5);
         return V{} < mean ? mean : spread<V>(std::numeric_limits<Real>::infinity());
@@ -271,8 +274,8 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     }
 };
 
-/// Runs of a kind, up to the first that is of another. By itself, because among all other kinds it would not get
-/// registers enough.
+/// Solves batches of a kind, up to the first of another. Not inlined: together with the other kinds registers would not
+/// suffice.
 template <LinkKind kind, bool kept, int D, class Real>
 [[gnu::noinline]] const LinkRun* project_kind(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
                                               const LinkRun* first, const LinkRun* last) {
@@ -293,8 +296,8 @@ template <LinkKind kind, bool kept, int D, class Real>
     return first;
 }
 
-/// Runs from the first on, up to one that is of no kind, or wants its multipliers added up. Exact ones need them only
-/// when they are told; those between two limits take some of what they did back in later iterations.
+/// Solves batches up to the first of kind `other`, or with multipliers to be accumulated. Equalities need multipliers
+/// only for readers; inequalities also between iterations, to undo part of earlier corrections.
 template <int D, class Real>
 [[gnu::always_inline]] inline const LinkRun* project_kinds(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
                                                            const LinkRun* first, const LinkRun* last) {

@@ -5,7 +5,7 @@
 #include "sinew/solver/kernel_turn.h"
 #include "sinew/solver/kernel_within.h"
 
-/// The text of the kernels. A file that includes it is compiled for one kind of processor.
+/// All kernels. An including file is compiled for one instruction set.
 namespace sinew {
 namespace {
 
@@ -24,7 +24,7 @@ inline constexpr Kernels<D, Real> kernels_here{.project = project_runs<D, Real>,
 } // namespace
 } // namespace sinew
 
-/// Makes the kernels of this file known as `name`.
+/// Defines the kernels of this file as `name`.
 #define SINEW_KERNELS(name)                                                                                            \
     namespace sinew {                                                                                                  \
     extern const KernelSet name;                                                                                       \

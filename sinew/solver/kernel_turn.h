@@ -6,8 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-/// The text of the kernels that turn vectors by row into columns of their components by slot, and back. In space, as
-/// many at once as a pack has lanes.
+/// Transposition between vectors by row and columns of components by slot. In 3D a whole pack of slots at once.
 namespace sinew {
 namespace {
 
@@ -18,7 +17,7 @@ template <int D, class Real> inline constexpr int turned_at_once = D != 3 || wid
 template <class V> inline constexpr std::size_t lanes_of = sizeof(V) / sizeof(V{}[0]);
 template <class V> using Half = Pack<std::decay_t<decltype(V{}[0])>, int(lanes_of<V> / 2)>;
 
-/// Lanes of a and then of b with numbers of(0), of(1), ...; as many as V has.
+/// Lanes of(0), of(1), ... of the concatenation of a and b; as many as V has.
 template <class V, class From, class Of> [[gnu::always_inline]] inline V lanes_from(const From& a, const From& b, Of) {
     return [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
         return __builtin_shufflevector(a, b, Of{}(i)...);
@@ -26,7 +25,7 @@ template <class V, class From, class Of> [[gnu::always_inline]] inline V lanes_f
     (std::make_index_sequence<lanes_of<V>>());
 }
 
-/// Four numbers from a row on, of every fourth slot: the last of them is the next row's.
+/// Four numbers from the row of every fourth slot; the last number belongs to the next row.
 template <class V, class Real>
 [[gnu::always_inline]] inline V four_from(const Real* rows, const std::uint32_t* row_of) {
     if constexpr (lanes_of<V> == 4)
@@ -49,7 +48,7 @@ template <class V, class Real>
     }
 }
 
-/// Of each four lanes of a, and from 4 on of b, those with these numbers.
+/// In each group of four lanes: the numbers given, 0 to 3 from a and 4 to 7 from b.
 template <int i, int j, int k, int l, class V> [[gnu::always_inline]] inline V choose(const V& a, const V& b) {
     return lanes_from<V>(a, b, [](std::size_t lane) {
         constexpr std::size_t chosen[] = {i, j, k, l};
@@ -58,10 +57,9 @@ template <int i, int j, int k, int l, class V> [[gnu::always_inline]] inline V c
     });
 }
 
-/// Four packs of four numbers each become four of the first, the second, the third and the fourth of them: by twos that
-/// lie side by side in 16 bytes, which is how processors interleave.
+/// Transposes 4 x 4 groups of lanes, by interleaving within 16 bytes as processors do.
 template <class V> [[gnu::always_inline]] inline void turn(V& a, V& b, V& c, V& d) {
-    constexpr bool twos = sizeof(a[0]) == 8; // fill 16 bytes, of small numbers fours do
+    constexpr bool twos = sizeof(a[0]) == 8; // 16 bytes hold two doubles or four floats
     constexpr int near = twos ? 2 : 1, far = 3 - near;
     const V ab = choose<0, 4, near, near + 4>(a, b), ab_else = choose<far, far + 4, 3, 7>(a, b);
     const V cd = choose<0, 4, near, near + 4>(c, d), cd_else = choose<far, far + 4, 3, 7>(c, d);

@@ -5,24 +5,24 @@
 
 #include <type_traits>
 
-/// The text of the kernel that looks through columns for what is in no limits.
+/// Kernel to find numbers beyond the limits.
 namespace sinew {
 namespace {
 
 using namespace lane;
 
-/// Compared as whole numbers: what is no number is larger than all that are.
+/// Bit patterns compared as integers: NaN is larger than any number.
 template <bool negative, class Real> bool all_within(const Real* numbers, std::size_t count, Real limit) {
     using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
     constexpr Bits no_sign = ~(Bits(1) << (8 * sizeof(Bits) - 1));
     constexpr int width = widest<Real>;
     const Bits most = __builtin_bit_cast(Bits, limit);
     const auto beyond = [most]<class V, class B>(const V& some, const B&) __attribute__((always_inline)) {
-        const B bits = most - (__builtin_bit_cast(B, some) & no_sign); // the highest bit of each
+        const B bits = most - (__builtin_bit_cast(B, some) & no_sign); // highest bit set: beyond
         if constexpr (negative)
             return bits;
         else
-            return bits | __builtin_bit_cast(B, V(some + Real(0))); // -0 is 0
+            return bits | __builtin_bit_cast(B, V(some + Real(0))); // -0 counts as 0
     };
     Pack<Bits, width> packs{};
     std::size_t i = 0;

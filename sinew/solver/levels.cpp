@@ -22,7 +22,7 @@ void Levels::find(std::span<const std::uint32_t> first, std::span<const std::uin
     for (std::size_t i = 0; i < size(); ++i) arrange(std::span(order_).subspan(begin_[i], begin_[i + 1] - begin_[i]));
 }
 
-/// A corner, where there is one.
+/// Particle with the fewest neighbours: a corner, if there is one.
 std::uint32_t Levels::least_joined() const {
     std::uint32_t found = 0;
     for (std::uint32_t i = 1; i + 1 < first_.size(); ++i)
@@ -30,7 +30,8 @@ std::uint32_t Levels::least_joined() const {
     return found;
 }
 
-/// Of the corner's sides the one that ends at the first particle. What has no edge is begun at a single one.
+/// Extends the first level along the side of the corner whose end has the lowest number. In a mesh without boundary the
+/// first level is a single particle.
 void Levels::follow_edge() {
     auto begun = unknown, first = unknown;
     for (const auto side : near(edge_.front())) {
@@ -42,7 +43,7 @@ void Levels::follow_edge() {
     along_edge(begun, [&](std::uint32_t at) { edge_.push_back(at); });
 }
 
-/// Always further away from where it begins, up to a corner: that has fewer neighbours than the one before it.
+/// Walks along the boundary, away from the start, up to a corner: a particle with fewer neighbours than the one before.
 template <class Visit> void Levels::along_edge(std::uint32_t side, Visit&& visit) const {
     for (auto at = side, before = side; at != unknown; before = at, at = next_along(at)) {
         visit(at);
@@ -58,7 +59,7 @@ std::uint32_t Levels::next_along(std::uint32_t from) const {
     return least.second;
 }
 
-/// It has fewer neighbours than there are on average.
+/// True for a particle with fewer neighbours than average.
 bool Levels::on_edge(std::uint32_t i) const {
     return near(i).size() * (first_.size() - 1) < near_.size();
 }
@@ -80,7 +81,7 @@ void Levels::spread_from_edge() {
     begin_.push_back(std::uint32_t(order_.size()));
 }
 
-/// As the level before it lies; then along links, from where these end.
+/// Orders a level like the level before, then along the links within.
 void Levels::arrange(std::span<std::uint32_t> level) {
     for (const auto i : level) {
         double sum = 0, count = 0;
@@ -97,7 +98,8 @@ void Levels::arrange(std::span<std::uint32_t> level) {
     std::copy(along_.begin(), along_.end(), level.begin());
 }
 
-/// Always to the neighbour that leads on least: it would be left out.
+/// Follows links within the level, always to the neighbour with the fewest continuations, which would be left out
+/// otherwise.
 void Levels::follow(std::uint32_t from) {
     for (auto next = from; next != unknown;) {
         const auto at = next;
@@ -113,7 +115,7 @@ void Levels::follow(std::uint32_t from) {
     }
 }
 
-/// Neighbours in its level that have no place yet.
+/// Number of unplaced neighbours in the same level.
 std::uint32_t Levels::ways_on(std::uint32_t from) const {
     std::uint32_t ways = 0;
     for (const auto other : near(from)) ways += level_[other] == level_[from] && place_[other] == unknown;

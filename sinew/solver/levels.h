@@ -6,15 +6,13 @@
 
 namespace sinew {
 
-/// The particles of a mesh in rows, where all that is known of it is who is whose neighbour. The first row leads along
-/// the mesh's edge from one corner to the next; each other is as many links away from it, in the order in which links
-/// lead along it. So neighbours lie near each other, and where the mesh is regular rows are straight and the links from
-/// one to the next lead from one particle after the other to one after the other. Breadth first in rows: Cuthill and
-/// McKee 1969.
+/// Level structure of a mesh given by adjacency only (breadth first: Cuthill and McKee 1969). The first level follows
+/// the boundary of the mesh from one corner to the next; every other level has an equal distance from the first,
+/// counted in links, and is ordered along links. Neighbours are close together; in a regular mesh levels are straight
+/// rows, and links between two levels connect consecutive particles.
 class Levels {
   public:
-    /// The neighbours of particle i are near[first[i]] to near[first[i + 1] - 1]. From particle 0 every other can be
-    /// reached.
+    /// The neighbours of particle i are near[first[i]] to near[first[i + 1] - 1]. The mesh must be connected.
     void find(std::span<const std::uint32_t> first, std::span<const std::uint32_t> near);
 
     void reserve(std::size_t particles) {
@@ -30,9 +28,9 @@ class Levels {
   private:
     std::span<const std::uint32_t> first_, near_;
     std::vector<std::uint32_t> order_, begin_, level_, along_;
-    std::vector<std::uint32_t> edge_;  ///< the first row
-    std::vector<std::uint32_t> place_; ///< in its level; none of what has none yet
-    std::vector<double> pull_;         ///< the mean place of neighbours in the level before
+    std::vector<std::uint32_t> edge_;  ///< the first level
+    std::vector<std::uint32_t> place_; ///< position in the level; `unknown` before placement
+    std::vector<double> pull_;         ///< mean position of the neighbours in the level before
 
     std::span<const std::uint32_t> near(std::uint32_t i) const {
         return near_.subspan(first_[i], first_[i + 1] - first_[i]);

@@ -7,8 +7,8 @@
 
 namespace sinew {
 
-/// The two columns that measures are held between. While each row has only one limit - all constraints are exact - one
-/// column is both.
+/// Columns of lower and upper limits, stored as one column while the two are equal in every row (all constraints are
+/// equalities).
 template <class Real> class LimitColumns {
   public:
     std::size_t size() const { return low_.size(); }
@@ -20,15 +20,15 @@ template <class Real> class LimitColumns {
         low_[row] = low;
         if (apart_) high_[row] = high;
     }
-    /// Of each limit, what f makes of it.
+    /// Replaces both limits by f(limit).
     template <class F> void change(std::size_t row, F&& f) { set(row, f(low(row)), f(high(row))); }
-    /// So many more rows of the same.
+    /// Appends `count` equal rows.
     void append(std::size_t count, Real low, Real high) {
         if (!are_same(low, high)) set_apart();
         low_.insert(low_.end(), count, low);
         if (apart_) high_.insert(high_.end(), count, high);
     }
-    /// Rows at the end come, between 0 and 0, or go.
+    /// Resizes; new rows have limits 0 and 0.
     void resize(std::size_t rows) {
         low_.resize(rows);
         if (apart_) high_.resize(rows);
@@ -42,7 +42,7 @@ template <class Real> class LimitColumns {
         if (apart_) erase_rows(high_, gone);
     }
 
-    /// From now on setting a row allocates nothing.
+    /// Stores two columns: afterwards set() allocates nothing.
     void set_apart() {
         if (apart_) return;
         high_.reserve(low_.capacity());
@@ -50,13 +50,13 @@ template <class Real> class LimitColumns {
         apart_ = true;
     }
 
-    /// All rows, one after the other.
+    /// Limits of all rows.
     const std::vector<Real>& lows() const { return low_; }
     const std::vector<Real>& highs() const { return apart_ ? high_ : low_; }
 
   private:
     bool apart_ = false;
-    std::vector<Real> low_, high_; ///< the latter empty until they are apart
+    std::vector<Real> low_, high_; ///< `high_` is empty until stored apart
 };
 
 template <class Real> void erase_rows(LimitColumns<Real>& limits, std::span<const char> gone) {

@@ -8,8 +8,8 @@
 namespace sinew {
 namespace {
 
-/// Where a particle is when it has its velocity: in the middle of the last substep; in a block, and where classic mode
-/// has another integrator than Verlet's, at its end.
+/// Position for a particle's velocity: in the middle of the last substep; at the end for direct blocks and for classic
+/// integrators other than Verlet.
 template <int D, class Real> Vec<D, double> place_of_velocity(const World<D, Real>& world, Row row) {
     const auto& p = world.particles;
     const auto place = cast<double>(p.position[row]);
@@ -41,7 +41,7 @@ template <int D, class Real> struct PotentialOf {
     template <class Other> double operator()(const Other&) const { return 0; }
 };
 
-/// What a constraint measures at the places that `point` gives.
+/// Measure of a constraint at the positions point(row).
 template <class Table, class Point> auto measure_row(const Table& table, Row row, Point&& point) {
     using Kind = typename Table::Kind;
     const auto members = table.members[row];
@@ -70,7 +70,7 @@ ConstraintState state_of(const Table& table, Row row, double measured, Real subs
     return state;
 }
 
-/// Links that can go slack. In a block a spring between two of them bends what is taut (block_bend.h).
+/// Distances with slack. In a direct block a slack arm weakens an angle spring (block_bend.h).
 class SlackLinks {
   public:
     template <class Distances> explicit SlackLinks(const Distances& distances) {
@@ -84,7 +84,8 @@ class SlackLinks {
         std::sort(links_.begin(), links_.end(), [&](const Link& x, const Link& y) { return order(x) < order(y); });
     }
 
-    /// The share of the spring between two arms that acts.
+    /// Fraction of an angle spring's energy: product of (length / max length)^2 over the arms with slack, each at most
+    /// 1.
     template <class Point> double tautness(std::span<const Row> members, Point&& point) const {
         double share = 1;
         for (std::size_t i = 0; i + 1 < members.size(); ++i) {
@@ -133,7 +134,7 @@ template <int D, class Real> void add_particle_energy(const World<D, Real>& worl
         sum.potential += std::visit(PotentialOf<D, Real>{mass, place_of_velocity(world, row), p.figure[row]}, force);
 }
 
-/// Over the figures of which `counts` is true.
+/// Energy of the figures for which `counts` is true.
 template <int D, class Real, class Counts> Energy energy_where(const World<D, Real>& world, Counts&& counts) {
     const auto& p = world.particles;
     Energy sum;

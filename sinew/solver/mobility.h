@@ -6,7 +6,7 @@
 
 namespace sinew::detail {
 
-/// Pinned hard and quarantined particles are immovable to the solver; the others weigh what they weigh.
+/// Updates the mobility of a particle: 0 if pinned hard or quarantined, otherwise the inverse mass.
 template <int D, class Real> void refresh_mobility(World<D, Real>& world, Row row) {
     auto& particles = world.particles;
     const auto id = particles.slots.id_of(row);

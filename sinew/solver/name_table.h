@@ -11,8 +11,8 @@
 
 namespace sinew {
 
-/// Names in the order they were given, each found in logarithmic time. Of equal names the first counts. A few are not
-/// worth an index: that takes more room than they do, in each of many figures.
+/// Table of names in the order of insertion, with look-up in logarithmic time. Of equal names the first counts. Up to
+/// `few` names are searched without an index, which would take more memory than the names in each of many figures.
 template <class Id> class NameTable {
   public:
     using Entry = std::pair<std::string, Id>;
@@ -39,7 +39,7 @@ template <class Id> class NameTable {
         return entry == found_.end() ? std::nullopt : std::optional(entry->second);
     }
 
-    /// Forgets every name whose id passes the test. Allocates nothing, as long as no name was given twice.
+    /// Erases every name whose id passes the test. Allocates nothing, as long as no name was given twice.
     template <class Test> void erase_if(Test&& test) {
         std::erase_if(entries_, [&](const Entry& entry) { return test(entry.second); });
         const auto erased = std::erase_if(found_, [&](const auto& entry) { return test(entry.second); });
@@ -55,7 +55,7 @@ template <class Id> class NameTable {
   private:
     static constexpr std::size_t few = 8;
     std::vector<Entry> entries_;
-    std::map<std::string, Id, std::less<>> found_; ///< empty while they are few
+    std::map<std::string, Id, std::less<>> found_; ///< index; empty up to `few` names
 };
 
 } // namespace sinew

@@ -8,9 +8,8 @@
 
 namespace sinew {
 
-/// Particles on the way from one, the nearest first; of those that are equally far the first. Only what is about as
-/// near as the last one taken is a heap, the rest lies in buckets by its length, round and round (a calendar queue:
-/// Brown 1988).
+/// Priority queue of particles by path length, ties by number. A calendar queue (Brown 1988): items about as near as
+/// the last one taken are in a heap, all others in cyclic buckets by length.
 class NearestFirst {
   public:
     struct Item {
@@ -21,7 +20,7 @@ class NearestFirst {
         }
     };
 
-    /// Mostly nothing is put in that is so much further than the last one taken.
+    /// Fast if items are at most `step` further than the last one taken.
     explicit NearestFirst(double step) : per_length_(step > 0 ? double(rounds - 1) / step : 1), later_(rounds) {}
 
     void put(const Item& item) {
@@ -45,7 +44,7 @@ class NearestFirst {
     static constexpr std::size_t rounds = 1024;
 
     double per_length_;
-    std::uint64_t now_ = 0; ///< the bucket that is open
+    std::uint64_t now_ = 0; ///< the current bucket
     std::size_t count_ = 0;
     std::vector<Item> near_;
     std::vector<std::vector<Item>> later_;
@@ -54,7 +53,7 @@ class NearestFirst {
         constexpr double most = 1e15;
         return std::uint64_t(std::min(item.length * per_length_, most));
     }
-    /// What is whole rounds further stays where it is.
+    /// Makes the next bucket the heap; items of later rounds stay in the bucket.
     void open_next() {
         auto& bucket = later_[++now_ % rounds];
         const auto left =

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-/// Limits of turns give a figure no energy. They are corrected in a sweep, each at the cost of its neighbours, and a
-/// whip can come out of that faster than it went in. So where a turn is at its limit, the constraints of its figure may
-/// take kinetic energy from it but add none. By particles that go from velocity u to v under impulses J,
+/// Angle limits must not add energy to a figure. The sweep corrects each limit at the cost of the neighbours, and a
+/// whip can come out faster than at the start. Therefore, while an angle is at a limit, the constraints of the figure
+/// may dissipate kinetic energy but not add any. For particles going from velocity u to v under impulses J,
 ///
 ///     T_after - T_before = sum J . (u + v)/2
 ///
-/// of which all but the pins' share is the constraints'. What they added is taken from the motion about the mean, of
-/// which a free figure has enough; where the particles are is left as it was solved.
+/// where all terms but the pins' belong to the constraints. Energy added by the constraints is removed from the motion
+/// relative to the mean velocity of a free figure, or from all motion of a held figure; positions stay as solved.
 namespace sinew {
 namespace {
 
@@ -25,7 +25,7 @@ template <int D, class Real> bool find_limited(World<D, Real>& world) {
     auto& figures = world.budgets.figures;
     const auto count = world.figures.size();
     bool any = false;
-    const auto in_block = [&](std::span<const Row> members) { // where what is added is never accepted
+    const auto in_block = [&](std::span<const Row> members) { // direct blocks never accept added energy
         return std::any_of(members.begin(), members.end(),
                            [&](Row member) { return world.particles.in_block[member] != 0; });
     };
@@ -41,7 +41,7 @@ template <int D, class Real> bool find_limited(World<D, Real>& world) {
 
 } // namespace
 
-/// Most worlds know no turns.
+/// Allocates only in worlds with angles.
 template <int D, class Real> void make_room_for_budgets(World<D, Real>& world) {
     bool any = false;
     for_each_table(world, [&]<class Table>(const Table& table) {
@@ -68,7 +68,7 @@ template <int D, class Real> void find_passive(World<D, Real>& world) {
             }
         }
     });
-    for (const auto& pin : world.pins) // what carries a particle works on it, and nobody knows how much
+    for (const auto& pin : world.pins) // moving pins do an unknown amount of work
         if (const auto row = p.slots.find(pin.particle); row && pin.hard() && !(pin.from == pin.target))
             is_not(p.figure[*row]);
 }

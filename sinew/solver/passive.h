@@ -6,18 +6,18 @@
 
 namespace sinew {
 
-/// What the constraints of a figure may do to its kinetic energy during a substep (passive.cpp).
+/// Energy budget of a figure: a bound on the kinetic energy after the constraints of a substep (passive.cpp).
 template <int D> struct Budget {
-    bool passive = false; ///< it has turns to limit, stores nothing, and reaches no further than itself
-    bool struck = false;  ///< one of its turns is at its limit
-    bool held = false;    ///< something holds it in place: its momentum is not its own
+    bool passive = false; ///< has angle limits, no compliant or driven constraint, and no constraint to other figures
+    bool struck = false;  ///< an angle is at a limit
+    bool held = false;    ///< held in place: momentum is not conserved
     double before = 0, after = 0, mass = 0, keep = 1;
     Vec<D, double> momentum{}, drift{};
 };
 
 template <int D> struct Budgets {
-    std::vector<Budget<D>> figures; ///< room for a step where any is passive; all of it is found anew in each
-    bool any = false;               ///< is passive
+    std::vector<Budget<D>> figures; ///< by figure; recomputed in each step with a passive figure
+    bool any = false;               ///< some figure is passive
 };
 
 } // namespace sinew

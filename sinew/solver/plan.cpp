@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-/// Working out the plan: what plain distances join is laid out sheet by sheet, then tied to its pins.
+/// Planner of the sweep: lays out the connected components of simple distances one by one, then adds tethers.
 namespace sinew {
 namespace {
 
@@ -49,7 +49,7 @@ template <int D, class Real> class Planner {
     detail::TetherMaker<D, Real> tethers_;
     detail::PlanKeeper<D, Real> keeper_;
 
-    /// Of what does not stay.
+    /// Finds the connected components of all particles without a kept one, until no kept one is affected.
     void find_parts() {
         for (bool found = false; !found;) {
             found = parts_.find([&](Row slot) { keeper_.drop(keeper_.sheet_at(slot)); });
@@ -59,7 +59,7 @@ template <int D, class Real> class Planner {
         }
     }
 
-    /// By their first particle; those without links come last.
+    /// Orders by first particle; components without links come last.
     void put_in_order() {
         auto& order = room_.order;
         order.clear();
@@ -71,7 +71,7 @@ template <int D, class Real> class Planner {
         std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     }
 
-    /// Those without links lie together.
+    /// Drops the kept component without links if another one has none: both are laid out as one. True if dropped.
     bool joins_those_without_links() {
         const auto& order = room_.order;
         if (order.size() < 2 || order[order.size() - 2].first != none) return false;
@@ -79,8 +79,8 @@ template <int D, class Real> class Planner {
         return true;
     }
 
-    /// Small ones of the same shape that follow each other are laid out together. Where one of them has come, gone or
-    /// changed, or others between them, none stays.
+    /// Small components of equal shape are laid out together when adjacent. If a small one was added, removed or
+    /// changed, or others came between, drops all small components for a new grouping. True if dropped.
     bool regroups() {
         const auto is_small = [&](const PlanRoom::Piece& piece) {
             if (piece.stays) return plan_.sheets[piece.number].small && plan_.sheets[piece.number].has_links();
@@ -89,7 +89,7 @@ template <int D, class Real> class Planner {
         bool any_stays = false, changed = false;
         for (std::size_t i = 0; i < keeper_.count(); ++i)
             changed = changed || (!keeper_.is_kept(i) && plan_.sheets[i].small && plan_.sheets[i].has_links());
-        Row last = 0; // of those before
+        Row last = 0; // last particle of the small components before
         for (std::size_t i = 0; i < room_.order.size(); ++i) {
             const auto& piece = room_.order[i];
             if (piece.stays && is_small(piece)) {
@@ -106,7 +106,7 @@ template <int D, class Real> class Planner {
         return true;
     }
 
-    /// What stays and has nothing new before it stays where it is.
+    /// Lays out new components. Kept components with nothing new before stay in place.
     void lay_out() {
         const auto& order = room_.order;
         std::size_t in_place = 0;
@@ -132,7 +132,8 @@ template <int D, class Real> class Planner {
         }
     }
 
-    /// What tears must not make a step allocate: room for all that could be, where that is no waste.
+    /// Determines may_tear, and reserves memory for the largest plan of a world that can tear: tearing must not
+    /// allocate within a step. Large worlds are excepted, to save memory.
     void look_around() {
         std::size_t constraints = 0;
         for_each_table(world_, [&](const auto& table) {

@@ -10,33 +10,34 @@
 #include <utility>
 #include <vector>
 
-/// How the sweep goes about its work, worked out once for a topology (plan.cpp): which particles lie side by side, and
-/// which plain distances are solved together. A plain distance has no feature but limits and compliance.
+/// Plan of the sweep, made once per topology (plan.cpp): the order of particles in slots, and batches of simple
+/// distances. A simple distance has limits and compliance, and no other feature.
 namespace sinew {
 
-/// Slots [first, last) of Swept: a row of a cloth.
+/// Tile of a component: slots [first, last) of Swept, such as a row of a cloth.
 struct Band {
     std::uint32_t first = 0, last = 0;
-    std::uint32_t first_pin = 0, last_pin = 0; ///< of Plan::pins
-    std::uint32_t tightened = 0;               ///< how often, after each tether: where it spans from pin to pin
-    bool strained = false;                     ///< links that begin in it were found much too long
-    std::uint32_t again = 0;                   ///< the most bands that were swept again at its turn, in this step
+    std::uint32_t first_pin = 0, last_pin = 0; ///< range of Plan::pins
+    std::uint32_t tightened = 0;               ///< sweeps along the tile after each tether pass, from pin to pin; or 0
+    bool strained = false;                     ///< links starting here were found overstretched
+    std::uint32_t again = 0;                   ///< most tiles repaired from here in this step
 };
 
-/// Distances of one direction, or of one colour. Those of band j touch the bands j to j + reach.
+/// Distances solved together: of one direction, or of one or more greedy colours of a mesh. Links starting in tile j
+/// end in tiles j to j + reach.
 struct Family {
-    std::uint32_t first_run = 0; ///< of Plan::first_run: where those of each band begin, and one more
+    std::uint32_t first_run = 0; ///< index in Plan::first_run of the first tile's offset; one more entry than tiles
     std::uint32_t reach = 0;
-    std::uint32_t delay = 0; ///< what it and those before it reach together
+    std::uint32_t delay = 0; ///< sum of the reaches up to and including this colour's
 };
 
-/// Where each list of a plan begins, for a sheet; or ends.
+/// Offsets into the lists of a plan, at the start or end of a component.
 struct PlanPlace {
     std::uint32_t slot = 0, band = 0, family = 0, first_run = 0, run = 0, parameter = 0, scattered = 0, listed = 0;
 };
 
-/// The rows between the first and the last of something, and by which slots of their ids these two are known: where
-/// others have gone, both are as far apart as before only if nothing in between has.
+/// Range of rows [first, last], with the id slots of both ends. After removals elsewhere, no row in between is gone if
+/// and only if the ends are as far apart as before.
 struct Extent {
     Row first = ~Row(0), last = 0;
     std::uint32_t first_id = 0, last_id = 0;
@@ -46,38 +47,39 @@ struct Extent {
     void shift(Row by) { first += by, last += by; }
 };
 
-/// Particles that plain distances join, or several such heaps. Nothing in one sheet depends on another.
+/// Connected component of simple distances; or several laid out together, being copies of one shape or particles
+/// without links. No component depends on another.
 struct Sheet {
     std::uint32_t first_band = 0, bands = 0;
     std::uint32_t first_family = 0, families = 0;
-    std::uint32_t lag = 0;   ///< the delay of its last family
-    std::uint32_t reach = 0; ///< the most that one of them has
+    std::uint32_t lag = 0;   ///< delay of the last colour
+    std::uint32_t reach = 0; ///< largest reach of a colour
     std::uint32_t first_tether = 0, tethers = 0;
-    PlanPlace begin{}; ///< of what is its own
+    PlanPlace begin{}; ///< offsets of the component's entries
     Extent particles{}, links{};
-    bool small = false; ///< it may lie with others of its shape (plan_sheets.h)
+    bool small = false; ///< may be laid out with others of the same shape (plan_sheets.h)
     bool copies = false;
 
     bool has_links() const { return families > 0; }
 };
 
-/// A pin of the world, and where its particle is.
+/// Pin of the world, and the slot of the pinned particle.
 struct PinnedSlot {
     std::uint32_t slot = 0, pin = 0;
 };
 
-/// Of one sheet.
+/// Largest number of tethers of a component.
 inline constexpr std::size_t most_tethers = 4;
 
-/// Keeps the particles of a sheet within reach of a pin: no further than the shortest way along rigid links is long
-/// (long-range attachments: Kim, Chentanez and Mueller 2012).
+/// Long-range attachments of a component to a pin: no particle is further from the pin than along the shortest path of
+/// rigid links (Kim, Chentanez and Mueller 2012).
 struct Tether {
-    std::uint32_t pin = 0;   ///< of the world
-    std::uint32_t at = 0;    ///< its particle, from the sheet's first slot on
-    std::uint32_t first = 0; ///< of Plan::half_per_reach_square: that of the sheet's first slot
+    std::uint32_t pin = 0;   ///< index in World::pins
+    std::uint32_t at = 0;    ///< slot of the pinned particle, from the component's first
+    std::uint32_t first = 0; ///< offset in Plan::half_per_reach_square for the component's first slot
 };
 
-/// Room for working out a plan.
+/// Scratch memory of the planner.
 struct PlanRoom {
     struct Part {
         std::uint32_t first_member = 0, members = 0, first_link = 0, links = 0;
@@ -88,29 +90,29 @@ struct PlanRoom {
     std::vector<PinnedSlot> anchors;
     struct Direction {
         std::uint32_t step = 0;
-        std::size_t first = 0, last = 0; ///< of a part's links: all of them lie in between
+        std::size_t first = 0, last = 0; ///< range of the part's links with all of the direction
     };
     std::vector<Direction> directions;
     std::vector<unsigned char> chained, colour;
-    std::vector<std::uint64_t> used; ///< colours, a bit each
-    /// What comes after what in the plan: a part, or a sheet that stays.
+    std::vector<std::uint64_t> used; ///< colours of the links of each particle, as bits
+    /// Entry in the order of the plan: a new component, or one kept from before.
     struct Piece {
-        Row first = 0; ///< of its particles
+        Row first = 0; ///< first particle
         std::uint32_t number = 0;
         bool stays = false;
     };
     std::vector<Piece> order;
-    std::vector<char> kept; ///< sheets
+    std::vector<char> kept; ///< flag by component
     struct Link {
-        std::uint32_t apart = 0, lower = 0; ///< slots of its ends
+        std::uint32_t apart = 0, lower = 0; ///< difference and minimum of the slots of the ends
         Row row = 0;
         auto operator<=>(const Link&) const = default;
     };
     struct Sequence {
-        std::uint32_t first = 0, end = 0; ///< of `sorted`
+        std::uint32_t first = 0, end = 0; ///< range of `sorted`
         std::uint32_t band = 0, family = 0;
     };
-    std::vector<Row> sorted, left_over; ///< of distances
+    std::vector<Row> sorted, left_over; ///< rows of distances
     std::vector<Link> of_band, left_of_band;
     std::vector<Sequence> sequences;
     Levels levels;
@@ -140,14 +142,14 @@ template <class Real> struct Plan {
     std::vector<std::uint32_t> first_run;
     std::vector<LinkRun> runs;
     RunParameters<Real> parameters;
-    std::vector<std::uint32_t> ends_a, ends_b; ///< of what is scattered
-    std::vector<std::uint32_t> rows;           ///< of runs without a step
-    std::vector<PinnedSlot> pins;              ///< by slot
+    std::vector<std::uint32_t> ends_a, ends_b; ///< slots of scattered batches
+    std::vector<std::uint32_t> rows;           ///< rows of batches with row_step 0
+    std::vector<PinnedSlot> pins;              ///< sorted by slot
     std::vector<Tether> tethers;
-    std::vector<Real> half_per_reach_square; ///< of each tether, by slot; 0 where it reaches anywhere
-    bool may_tear = true;                    ///< something in the world
-    std::vector<SweepRun> others;            ///< constraints that are not plain, in the order of the sweep
-    std::uint32_t row_moves = 0;             ///< how often rows had moved (Blocks)
+    std::vector<Real> half_per_reach_square; ///< 1 / (2 reach^2) by tether and slot; 0: unlimited
+    bool may_tear = true;                    ///< some constraint of the world can tear
+    std::vector<SweepRun> others;            ///< constraints other than simple distances, in the order of the sweep
+    std::uint32_t row_moves = 0;             ///< Blocks::row_moves when the plan was made
 
     PlanPlace end() const {
         const auto size = [](const auto& column) { return std::uint32_t(column.size()); };
@@ -160,11 +162,11 @@ template <class Real> struct Plan {
                 .scattered = size(ends_a),
                 .listed = size(rows)};
     }
-    /// Behind a sheet.
+    /// End of a component's entries.
     PlanPlace end_of(std::size_t sheet) const { return sheet + 1 < sheets.size() ? sheets[sheet + 1].begin : end(); }
     PlanPlace end_of(const Sheet& sheet) const { return end_of(std::size_t(&sheet - sheets.data())); }
 
-    /// Calls visit(row, slot a, slot b) for the links of a run.
+    /// Calls visit(row, slot a, slot b) for the links of a batch.
     template <class Visit> void each_link(const LinkRun& run, Visit&& visit) const {
         for (std::uint32_t i = 0; i < run.count; ++i)
             if (run.scattered)
@@ -173,7 +175,7 @@ template <class Real> struct Plan {
                 visit(row_of(run, i), run.a + i, run.b + i);
     }
 
-    static constexpr std::size_t lanes = 16; ///< a pack reads on behind the last
+    static constexpr std::size_t lanes = 16; ///< padding: a pack may read beyond the last entry
 
     void close() {
         first_run.push_back(std::uint32_t(runs.size()));
@@ -185,11 +187,11 @@ template <class Real> struct Plan {
         parameters.resize(parameters.size() - lanes);
     }
 
-    /// That of link i of a run.
+    /// Row of link i of a batch.
     Row row_of(const LinkRun& run, std::uint32_t i) const {
         return run.row_step == 0 ? rows[run.row + i] : run.row + i * run.row_step;
     }
-    /// The band that a slot lies in, from that band on.
+    /// Tile of a slot, searched from `first_band` on.
     std::uint32_t band_of(std::uint32_t first_band, std::uint32_t slot) const {
         const auto found = std::upper_bound(bands.begin() + first_band, bands.end(), slot,
                                             [](std::uint32_t value, const Band& band) { return value < band.last; });

@@ -2,11 +2,11 @@
 
 #include "sinew/solver/plan_spokes.h"
 
-/// The triangles of a sheet's rigid links, laid flat: what lies beyond an edge of two particles. Where particles share
-/// lists of their links they share these, too, up to a certain number.
+/// Triangles of a component's rigid links, unfolded into the plane: the third corners beyond an edge. Particles with a
+/// common list of links share the corners, too, up to a limit.
 namespace sinew::detail {
 
-/// Where something is that is so far from both ends of an edge: along it, and beside it.
+/// Point given by its distances from both ends of an edge: coordinates along the edge and perpendicular.
 struct Beside {
     double along, beside;
 
@@ -14,7 +14,7 @@ struct Beside {
         const double along = (to_a * to_a - to_b * to_b + length * length) / (2 * length);
         return {along, square_root(maximum(to_a * to_a - along * along, 0.0))};
     }
-    /// How far it is from what is on the other side of the edge, and in its plane.
+    /// Distance to a point on the other side of the edge, in the plane; huge if the line misses the edge.
     double across(const Beside& other, double length) const {
         constexpr double nowhere = 1e300;
         if (!(beside + other.beside > 0)) return nowhere;
@@ -27,19 +27,19 @@ struct Beside {
 template <int D, class Real> class Corners {
   public:
     struct Corner {
-        std::uint32_t spoke; ///< to it, of the first end of the edge
+        std::uint32_t spoke; ///< index of the spoke to the corner, at the edge's first end
         Beside place;
     };
 
     explicit Corners(const Spokes<D, Real>& spokes) : spokes_(spokes) {}
 
-    /// After the spokes have been listed.
+    /// Starts over; call after listing the spokes.
     void begin() {
         known_.clear();
         first_.assign(std::min(spokes_.size(), most), none);
         shared_.clear();
     }
-    /// Beyond the edge from particle s along its spoke `spoke`. Good until the next are asked for.
+    /// Corners beyond the edge from particle s along spoke number `spoke`. Valid until the next call.
     std::span<const Corner> beyond(std::uint32_t s, std::size_t spoke) {
         const auto near = spokes_.of(s);
         const auto edge = s + near[spoke].apart;
@@ -68,12 +68,12 @@ template <int D, class Real> class Corners {
     static constexpr std::size_t most = 1 << 12;
 
     struct Known {
-        std::uint32_t other; ///< the list of the edge's far end
-        std::uint32_t next;  ///< of the same spoke
+        std::uint32_t other; ///< list of the edge's second end
+        std::uint32_t next;  ///< next entry with the same spoke, or none
         std::uint32_t first, count;
     };
     const Spokes<D, Real>& spokes_;
-    std::vector<std::uint32_t> first_; ///< of each spoke of the lists
+    std::vector<std::uint32_t> first_; ///< first entry by spoke
     std::vector<Known> known_;
     std::vector<Corner> shared_, found_;
 };

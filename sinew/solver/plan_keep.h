@@ -3,9 +3,8 @@
 #include "sinew/solver/plan_pieces.h"
 #include "sinew/solver/plan_runs.h"
 
-/// Which sheets of a plan stay what they are when something has changed (changes.h): those of which nothing was
-/// touched. Their rows follow when others have gone. A particle in a sheet that stays has a slot; what has none, and is
-/// in no block, is to be laid out.
+/// Incremental planning: keeps the components without changes (changes.h), and updates their rows after removals.
+/// Particles outside blocks without a slot must be laid out.
 namespace sinew::detail {
 
 template <int D, class Real> class PlanKeeper {
@@ -16,7 +15,7 @@ template <int D, class Real> class PlanKeeper {
         : world_(world), swept_(world.swept), plan_(world.swept.plan),
           kept_(world.swept.room.kept), pieces_{world.swept.plan, world.swept.row_of}, runs_(world) {}
 
-    /// Nothing stays.
+    /// Drops every component.
     void drop_all() {
         plan_.clear();
         swept_.row_of.clear();
@@ -25,7 +24,7 @@ template <int D, class Real> class PlanKeeper {
         dropped_ = true;
     }
 
-    /// After the blocks have been found again.
+    /// Decides which components to keep. Call after the blocks have been found.
     void look() {
         plan_.open();
         kept_.assign(plan_.sheets.size(), 1);
@@ -74,12 +73,12 @@ template <int D, class Real> class PlanKeeper {
     World<D, Real>& world_;
     Swept<D, Real>& swept_;
     Plan<Real>& plan_;
-    std::vector<char>& kept_; ///< of each sheet
+    std::vector<char>& kept_; ///< flag by component
     PlanPieces<Real> pieces_;
     RunWriter<D, Real> runs_;
     bool dropped_ = false, rows_moved_ = false;
 
-    static constexpr char heavier = 2; ///< it stays, with other weights
+    static constexpr char heavier = 2; ///< kept, with changed mobilities
 
     const Slots<ParticleTag>& slots() const { return world_.particles.slots; }
 
@@ -106,7 +105,7 @@ template <int D, class Real> class PlanKeeper {
                ids.row_at(extent.last_id) - ids.row_at(extent.first_id) == extent.last - extent.first;
     }
 
-    /// A block moves it now; or it was not linked, and may be.
+    /// Drops the component of a particle now moved by a block, or of a particle without links, which may have got some.
     bool drop_if_left(Row row) {
         const auto slot = swept_.slot_of[row];
         if (slot == none) return true;

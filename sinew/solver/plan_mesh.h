@@ -8,9 +8,9 @@
 #include <bit>
 #include <tuple>
 
-/// The sheet of any mesh. Its particles lie in rows (levels.h). Links from one particle after the other to one after
-/// the other are a run, as in a cloth, and runs of a band that share no particle are of one family. What is left over
-/// is coloured: each link gets the first colour that none at its ends has.
+/// Layout of any mesh. Particles are ordered by level (levels.h). Sequences of links between consecutive slots are
+/// batches, as in a cloth; sequences of a tile with hardly any common particles have the same colour. The remaining
+/// links are coloured greedily: each gets the first colour unused at both ends.
 namespace sinew::detail {
 
 template <int D, class Real> class MeshMaker {
@@ -31,20 +31,20 @@ template <int D, class Real> class MeshMaker {
   private:
     using Link = PlanRoom::Link;
     static constexpr std::uint32_t most_families = 63;
-    static constexpr std::uint32_t least_in_sequence = 6; ///< below that they are faster from anywhere
+    static constexpr std::uint32_t least_in_sequence = 6; ///< shorter sequences are faster as scattered links
 
     Swept<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
     PlanParts<D, Real>& parts_;
     RunWriter<D, Real>& runs_;
-    Row begin_ = 0; ///< the sheet's first slot
+    Row begin_ = 0; ///< first slot of the component
     std::uint32_t families_ = 0;
-    std::array<std::uint32_t, most_families> reaches_{}; ///< of each, in bands
+    std::array<std::uint32_t, most_families> reaches_{}; ///< reach of each colour, in tiles
 
     std::uint32_t first_band() const { return plan_.sheets.back().first_band; }
 
-    /// Every second of a row and then those in between, for neighbours share a link.
+    /// Slots of a level: every second particle, then the others, since neighbours share a link.
     void lie_in_rows(std::size_t part) {
         const auto all = parts_.members(part);
         constexpr Row least_in_band = 128;
@@ -67,7 +67,7 @@ template <int D, class Real> class MeshMaker {
         return {.apart = b - a, .lower = a, .row = row};
     }
 
-    /// Rows of links by the band they begin in. `at` says where those of each end, in `sorted`.
+    /// Sorts the links into tiles, by their lower end. `at` holds the end of each tile's range in `sorted`.
     void sort_into_bands(std::size_t part) {
         const auto band_of = [&](Row link) { return plan_.band_of(first_band(), link_at(link).lower) - first_band(); };
         auto& end = room_.at;
@@ -79,8 +79,8 @@ template <int D, class Real> class MeshMaker {
         end.pop_back();
     }
 
-    /// Of each band by how far apart the ends of links lie, and the lower one. A large mesh has no room for that of
-    /// all.
+    /// Sorts the links of each tile by slot difference and lower slot, and finds the sequences. By tile, for a large
+    /// mesh has no memory to sort all links at once.
     void find_sequences() {
         auto& links = room_.of_band;
         room_.sequences.clear();
@@ -97,7 +97,7 @@ template <int D, class Real> class MeshMaker {
         }
     }
 
-    /// Those of a band, the first of which is number `begin` of all.
+    /// Sequences of a tile, whose first link is number `begin` in `sorted`.
     void find_sequences(std::uint32_t band, std::uint32_t begin) {
         const auto& links = room_.of_band;
         auto& left = room_.left_of_band;
@@ -138,9 +138,10 @@ template <int D, class Real> class MeshMaker {
     std::uint64_t used(const Link& link) const {
         return room_.used[link.lower - begin_] | room_.used[upper(link) - begin_];
     }
-    /// The first that reaches as far and has hardly any of its particles yet. What reaches nowhere holds up nothing.
+    /// First colour of the same reach which has hardly any of the sequence's particles yet. The reach must be equal
+    /// since a colour of reach 0 adds no delay.
     std::uint32_t family_for(std::uint32_t band, std::span<const Link> sequence) {
-        constexpr std::size_t shared = 8; // at most one of so many
+        constexpr std::size_t shared = 8; // at most one link of eight
         const auto reach = plan_.band_of(band, upper(sequence.front())) - band;
         for (std::uint32_t family = 0; family < families_; ++family) {
             std::size_t taken = 0;
@@ -176,7 +177,7 @@ template <int D, class Real> class MeshMaker {
     void colour() {
         const auto& left = room_.left_over;
         if (left.empty()) return;
-        constexpr auto last_colour = most_families; // of those too many; they come one by one
+        constexpr auto last_colour = most_families; // links beyond the last colour are solved one by one
         std::uint32_t colours = 0;
         bool any_last = false;
         room_.colour.clear();
@@ -191,13 +192,13 @@ template <int D, class Real> class MeshMaker {
             use(std::span(&link, 1), std::uint64_t(1) << colour);
             colours = std::max(colours, colour + 1);
         }
-        constexpr std::size_t few = 8; // one of so many: band by band, which holds up less
+        constexpr std::size_t few = 8; // less than one link of eight: a single colour, for less delay
         if (left.size() * few < room_.sorted.size()) return add_colours(0, any_last ? last_colour : colours - 1);
         for (std::uint32_t colour = 0; colour < colours; ++colour) add_colours(colour, colour);
         if (any_last) add_colours(last_colour, last_colour);
     }
 
-    /// Colours [first, last] as one family, in each band one after the other.
+    /// Merges greedy colours [first, last] into one colour of the plan, ordered by tile and then by greedy colour.
     void add_colours(std::uint32_t first, std::uint32_t last) {
         const auto& left = room_.left_over;
         std::size_t begin = 0, end = 0;
@@ -219,7 +220,7 @@ template <int D, class Real> class MeshMaker {
         });
     }
 
-    /// Calls add(band, note) for each band, which is to note the links it adds.
+    /// Adds a colour to the plan. Calls add(band, note) for each tile; `add` passes every link to `note`.
     template <class Add> void add_family(Add&& add) {
         runs_.begin_family();
         std::uint32_t reach = 0;

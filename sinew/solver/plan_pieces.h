@@ -2,15 +2,15 @@
 
 #include "sinew/solver/plan.h"
 
-/// Sheets of a plan as pieces, which can be taken out and put in again elsewhere.
+/// Moving the components of a plan, within the plan or to another.
 namespace sinew::detail {
 
-/// A plan, and the rows of what is in its slots.
+/// A plan, and the rows of the particles in the slots.
 template <class Real> struct PlanPieces {
     Plan<Real>& plan;
     std::vector<Row>& row_of;
 
-    /// Puts a sheet of another plan behind all there is. Tethers stay where they are.
+    /// Appends a component of another plan, without tethers.
     void append(const PlanPieces& from, std::size_t number) {
         Sheet sheet = from.plan.sheets[number];
         const auto first = sheet.begin, last = from.plan.end_of(number), to = plan.end();
@@ -38,7 +38,7 @@ template <class Real> struct PlanPieces {
         plan.sheets.push_back(sheet);
     }
 
-    /// Takes away all sheets from this one on.
+    /// Removes the components from number `number` on.
     void cut_off(std::size_t number) {
         if (number == plan.sheets.size()) return;
         const auto end = plan.sheets[number].begin;
@@ -53,7 +53,7 @@ template <class Real> struct PlanPieces {
         plan.sheets.resize(number);
     }
 
-    /// The rows of a sheet's particles and links are so much further on.
+    /// Adds offsets to the rows of a component's particles and links.
     void shift(Sheet& sheet, Row particles, Row links) {
         const auto last = plan.end_of(sheet);
         sheet.particles.shift(particles);

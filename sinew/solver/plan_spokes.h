@@ -6,14 +6,14 @@
 #include <span>
 #include <vector>
 
-/// The rigid links of each particle of a sheet. In what is woven most particles have the same as others, to particles
-/// that lie as many slots further on; these share one list.
+/// Adjacency of a component: the rigid links of each particle. In woven cloth most particles have equal links at equal
+/// slot offsets, and share a list.
 namespace sinew::detail {
 
 template <int D, class Real> class Spokes {
   public:
     struct Spoke {
-        std::uint32_t apart; ///< from the particle's number to that of the other end, modulo 2^32
+        std::uint32_t apart; ///< slot of the other end minus the particle's slot, modulo 2^32
         Real length;
         friend bool operator==(const Spoke&, const Spoke&) = default;
     };
@@ -21,11 +21,11 @@ template <int D, class Real> class Spokes {
     explicit Spokes(const World<D, Real>& world)
         : distances_(std::get<kind_number<Distance, D>>(world.constraints)), plan_(world.swept.plan) {}
 
-    /// Of a sheet's particles, by their number in it: in the order of the plan.
+    /// Lists the links of a component's particles, numbered from the component's first slot.
     void list(const Sheet& sheet, std::size_t particles) {
-        constexpr std::uint32_t cached = 1 << 12; // particles, with what is listed for them
+        constexpr std::uint32_t cached = 1 << 12; // particles per pass, to stay in cache
         all_.clear();
-        all_.reserve(2 * links_of(sheet)); // if none is shared; growing would take up to twice as much
+        all_.reserve(2 * links_of(sheet)); // upper bound, without sharing; growing would take up to twice the memory
         begin_.assign(1, 0);
         list_of_.resize(particles);
         const auto bands = std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
@@ -39,7 +39,7 @@ template <int D, class Real> class Spokes {
         for (auto* numbers : {&begin_, &list_of_, &first_}) *numbers = std::vector<std::uint32_t>();
     }
 
-    /// The last one to there.
+    /// Last spoke with a slot offset, or null.
     static const Spoke* find(std::span<const Spoke> spokes, std::uint32_t apart) {
         for (auto i = spokes.size(); i-- > 0;)
             if (spokes[i].apart == apart) return &spokes[i];
@@ -47,7 +47,7 @@ template <int D, class Real> class Spokes {
     }
     std::span<const Spoke> of(std::uint32_t s) const { return spokes(list_of(s)); }
     std::uint32_t list_of(std::uint32_t s) const { return list_of_[s]; }
-    /// Of the spokes of all lists.
+    /// Number of spokes in all lists.
     std::size_t size() const { return all_.size(); }
     std::size_t number_of(const Spoke& spoke) const { return std::size_t(&spoke - all_.data()); }
     double longest() const {
@@ -59,10 +59,10 @@ template <int D, class Real> class Spokes {
   private:
     const Constraints<Distance<D>, Real>& distances_;
     const Plan<Real>& plan_;
-    std::vector<Spoke> all_;           ///< of one list after the other
-    std::vector<std::uint32_t> begin_; ///< of each list, and one more
+    std::vector<Spoke> all_;           ///< all lists, concatenated
+    std::vector<std::uint32_t> begin_; ///< start of each list, and the end of the last
     std::vector<std::uint32_t> list_of_;
-    std::vector<std::uint32_t> first_; ///< of each particle in some bands: of `near_`
+    std::vector<std::uint32_t> first_; ///< offsets in `near_` of the particles of some tiles
     std::vector<Spoke> near_;
 
     std::span<const Spoke> spokes(std::size_t list) const {
@@ -76,7 +76,7 @@ template <int D, class Real> class Spokes {
         return links;
     }
 
-    /// Of the particles in bands [first, last) of the sheet.
+    /// Lists the particles of tiles [first, last) of the component.
     void list_bands(const Sheet& sheet, std::uint32_t first, std::uint32_t last) {
         const auto begin = plan_.bands[sheet.first_band + first].first - sheet.begin.slot;
         const auto count = plan_.bands[sheet.first_band + last - 1].last - sheet.begin.slot - begin;
@@ -98,8 +98,8 @@ template <int D, class Real> class Spokes {
         }
     }
 
-    /// What is behind the last list is that of particle s: the list of the one before it, or one of the last ones, or
-    /// the next.
+    /// Gives particle s the entries behind the last list: an equal list, of the particle before or among the last 64,
+    /// is shared; otherwise the entries become a new list. Returns the list's number.
     std::uint32_t share_last_list(std::uint32_t s) {
         constexpr std::size_t looked_at = 64;
         const auto lists = begin_.size() - 1;
@@ -118,7 +118,8 @@ template <int D, class Real> class Spokes {
         return std::uint32_t(found);
     }
 
-    /// Calls visit(row, a, b) for what may end in these bands of the sheet, in the order of the plan.
+    /// Calls visit(row, a, b) for rigid links into tiles [first, last), and others of the same tiles, in the order of
+    /// the plan.
     template <class Visit>
     void each_rigid(const Sheet& sheet, std::uint32_t first, std::uint32_t last, Visit&& visit) const {
         for (auto f = sheet.first_family; f < sheet.first_family + sheet.families; ++f) {

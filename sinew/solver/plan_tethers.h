@@ -9,8 +9,8 @@
 #include <cmath>
 #include <optional>
 
-/// The tethers of sheets: how far from its pins each of their particles can get. What is tied to the same particles as
-/// before, and has not been laid out again, keeps them.
+/// Long-range attachments of components: the largest distance of each particle from some pins. Components with the same
+/// layout and anchors as before keep theirs.
 namespace sinew::detail {
 
 template <int D, class Real> class TetherMaker {
@@ -19,10 +19,10 @@ template <int D, class Real> class TetherMaker {
         : world_(world), swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), spokes_(world),
           corners_(spokes_) {}
 
-    /// Of all there is to get ready, when such a share of the sheets has its tethers.
+    /// Progress of preparation when this share of the components has tethers.
     static double tethered(double share) { return 0.45 + 0.55 * share; }
 
-    /// What may tear has none, nor what gives.
+    /// Makes the tethers; none in a world with constraints that can tear.
     void run() {
         Waiting::tell(tethered(0));
         if (plan_.may_tear) return forget();
@@ -56,14 +56,14 @@ template <int D, class Real> class TetherMaker {
         return figure < world_.figures.size() && world_.figures[figure].tethers;
     }
 
-    /// To a few of its pins: of many those that lie furthest apart.
+    /// Anchors of a component: the component's hard pins, at most `most_tethers`, evenly spaced in slot order.
     std::span<const PinnedSlot> anchors(const Sheet& sheet) const {
         auto& all = room_.anchors;
         all.clear();
         if (!sheet.has_links() || sheet.copies) return {};
         const auto first = plan_.bands[sheet.first_band].first_pin;
         const auto last = plan_.bands[sheet.first_band + sheet.bands - 1].last_pin;
-        for (auto i = first; i < last; ++i) { // where there are several, the last one holds it
+        for (auto i = first; i < last; ++i) { // the last of several pins holds the particle
             const auto& pinned = plan_.pins[i];
             if (!is_anchor(world_.pins[pinned.pin], swept_.row_of[pinned.slot])) continue;
             if (!all.empty() && all.back().slot == pinned.slot) all.pop_back();
@@ -76,7 +76,7 @@ template <int D, class Real> class TetherMaker {
         return all;
     }
 
-    /// Pins are numbered anew when others go.
+    /// True if the component has the same anchors as before; updates their pin indices.
     bool are_kept(const Sheet& sheet) {
         const auto pins = anchors(sheet);
         bool same = pins.size() == sheet.tethers;
@@ -105,7 +105,7 @@ template <int D, class Real> class TetherMaker {
         spokes_.forget();
     }
 
-    /// Growing step by step would take twice as much at its peak.
+    /// Reserves all memory at once: growing would double the peak.
     void make_room() {
         std::size_t reaches = 0;
         for (const auto& sheet : plan_.sheets) reaches += anchors(sheet).size() * size_of(sheet);
@@ -137,13 +137,13 @@ template <int D, class Real> class TetherMaker {
         }
     }
 
-    /// Bands of which half or more lies between two pins: from one to the other by way of it is at most half a link
-    /// further than straight on.
+    /// Finds tiles spanning from pin to pin: for at least half of the particles, the path between two pins by way of
+    /// the particle is at most half a link longer than the direct one.
     void find_spans(const Sheet& sheet) {
         const auto bands = std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
         const auto tethers = std::span(plan_.tethers).subspan(sheet.first_tether, sheet.tethers);
         for (auto& band : bands) band.tightened = 0;
-        constexpr Real many = 128; // links from pin to pin: one sweep leaves much of a longer row undone
+        constexpr Real many = 128; // links from pin to pin: one sweep leaves much of the error of a longer row
         for (const auto& from : tethers) {
             const Real half_a_link = Real(0.5) * shortest_reach(sheet, from);
             for (const auto& to : tethers.first(std::size_t(&from - tethers.data()))) {
@@ -161,24 +161,24 @@ template <int D, class Real> class TetherMaker {
     Real reach(const Tether& tether, std::uint32_t s) const {
         return square_root(inverse_or_zero(2 * plan_.half_per_reach_square[tether.first + s]));
     }
-    /// That of the pin's nearest: a link.
+    /// Reach of the particle nearest to the pin: one link.
     Real shortest_reach(const Sheet& sheet, const Tether& tether) const {
         const auto reaches = std::span(plan_.half_per_reach_square).subspan(tether.first, size_of(sheet));
         return square_root(inverse_or_zero(2 * *std::max_element(reaches.begin(), reaches.end())));
     }
 
-    /// The shortest ways (Dijkstra 1959), along rigid links and across the triangles they span: as from one particle
-    /// the others come in the order of their distance, a third corner is reached on the straight line from where the
-    /// way to two of them would have begun if all lay flat (Mitchell, Mount and Papadimitriou 1987, of the edges the
-    /// first step only). A trace longer, so that nothing that hangs straight is pulled. Particles by their number in
-    /// the sheet.
+    /// Geodesic distances from an anchor (Dijkstra 1959), along rigid links and across the triangles between them.
+    /// Particles are finished in the order of distance; a third corner is reached on the straight line from the source,
+    /// unfolded into the plane through two finished corners (Mitchell, Mount and Papadimitriou 1987, first step from
+    /// each edge only). Lengthened by 1e-5, to leave straight hanging links alone. Particles are numbered in the
+    /// component.
     void reach_from(std::uint32_t anchor, std::span<Real> half_per_square) {
         constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.00001;
-        const auto way = half_per_square; // until all are known; negative of what is done with
+        const auto way = half_per_square; // path lengths until all are final; negative when final
         std::fill(way.begin(), way.end(), Real(far));
         const auto done = [&](std::uint32_t s) { return std::signbit(way[s]); };
         const auto way_to = [&](std::uint32_t s) { return double(absolute(way[s])); };
-        std::vector<double> lengths; // of the ways on
+        std::vector<double> lengths; // path lengths via the current particle
         NearestFirst next(spokes_.longest());
         const auto shorten = [&](std::uint32_t s, double length) {
             if (!(Real(length) < way[s])) return;
@@ -198,7 +198,7 @@ template <int D, class Real> class TetherMaker {
                 const auto edge = s + near[i].apart;
                 const double between = double(near[i].length);
                 if (!done(edge) || !(between > 0)) continue;
-                std::optional<Beside> begun; // for most edges nothing is left to reach
+                std::optional<Beside> begun; // most edges have nothing left to reach
                 for (const auto& [third, to] : corners_.beyond(s, i)) {
                     if (done(s + near[third].apart)) continue;
                     if (!begun) begun = Beside::of(here, way_to(edge), between);

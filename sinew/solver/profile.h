@@ -5,24 +5,24 @@
 #include <cstdint>
 #include <string_view>
 
-/// Where the time of a step goes.
+/// Time of a step by phase.
 namespace sinew {
 
 enum class Phase : std::uint8_t {
-    prepare, ///< forces of the moment, what is out of limits, plans that are no longer true
-    blocks,  ///< what is solved at once
-    sweep,   ///< what is projected one after the other; all of classic mode
-    finish   ///< what tears
+    prepare, ///< random forces, limits, planning
+    blocks,  ///< direct blocks
+    sweep,   ///< projection of the other constraints; all of classic mode
+    finish   ///< tearing
 };
 inline constexpr std::array<std::string_view, 4> phase_names = {"prepare", "blocks", "sweep", "finish"};
 
-/// Seconds that the steps of a while spent in each phase.
+/// Seconds spent in each phase, summed over steps.
 struct PhaseTimes {
     std::array<double, phase_names.size()> seconds{};
     std::uint64_t steps = 0;
 };
 
-/// While it lives, the steps of this thread add their times to `times`; without one no clock is read.
+/// Scope guard: steps of this thread add their times to `times`. Without one no clock is read.
 class Profile {
   public:
     explicit Profile(PhaseTimes& times) : outer_(current) { current = &times; }
@@ -38,7 +38,7 @@ class Profile {
 
 namespace detail {
 
-/// One step, phase after phase.
+/// Stopwatch for the phases of a step.
 class Laps {
   public:
     Laps() : times_(Profile::current) {
@@ -46,7 +46,7 @@ class Laps {
         ++times_->steps;
         last_ = Clock::now();
     }
-    /// The phase that ends now.
+    /// Ends the current phase.
     void end(Phase phase) {
         if (!times_) return;
         const auto now = Clock::now();

@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// Of rows [first, first + count). Where a particle was counts in classic mode alone.
+/// True if rows [first, first + count) are within the limits; `previous` is checked in classic mode only.
 template <int D, class Real> bool all_in_limits(const World<D, Real>& world, std::size_t first, std::size_t count) {
     const auto& p = world.particles;
     const auto& look = kernels<D, Real>();
@@ -24,8 +24,8 @@ template <int D, class Real> bool all_in_limits(const World<D, Real>& world, std
            look.all_within_and_positive(p.radius.data() + first, count, limit::coordinate<Real>);
 }
 
-/// Classic mode does so itself: there it is how fast they are. A few at a time, because for more at once memcpy takes
-/// an instruction (rep movsb) that some processors are ten times slower at.
+/// Stores positions as `previous`, except in classic mode, where `previous` encodes velocity. In chunks of 64: for
+/// more, memcpy takes an instruction (rep movsb) which is ten times slower on some processors.
 template <int D, class Real> void note_previous(World<D, Real>& world, std::size_t first, std::size_t count) {
     if (world.settings.mode == Mode::classic) return;
     auto& p = world.particles;
@@ -34,7 +34,7 @@ template <int D, class Real> void note_previous(World<D, Real>& world, std::size
         std::copy_n(p.position.data() + first + i, std::min(few, count - i), p.previous.data() + first + i);
 }
 
-/// Most worlds are, and are looked through quickly; and while it is near, noted is where they were.
+/// True if all particles are within the limits, the usual case; updates `previous` while in cache.
 template <int D, class Real> bool all_in_limits(World<D, Real>& world) {
     constexpr std::size_t a_part = 4096;
     const std::size_t size = world.particles.size();
@@ -54,7 +54,7 @@ template <int D, class Real> bool sound(const Particles<D, Real>& p, Row row) {
            is_finite(p.previous[row]) && is_finite(p.inverse_mass[row]) && is_finite(p.radius[row]);
 }
 
-/// Stands still where it last was; what is no number becomes the nearest thing to nothing.
+/// Freezes a particle at the last finite position; other non-finite values become zero.
 template <int D, class Real> void freeze(World<D, Real>& world, Row row) {
     auto& p = world.particles;
     detail::note_mobility(world, row);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-/// Taking rows out of a world. Nothing here allocates: constraints tear in the middle of a step.
+/// Removing rows of a world. Nothing here allocates: constraints tear in the middle of a step.
 namespace sinew::detail {
 
-/// Takes rows of kind number `kind` out of the sweep: the runs shrink, their order stays.
+/// Removes rows of kind number `kind` from the sweep: runs shrink, their order stays.
 inline void erase_from_sweep(std::vector<Run>& sweep, int kind, std::span<const char> gone) {
     Row row = 0;
     for (auto& run : sweep) {
@@ -27,7 +27,7 @@ void erase_constraints(World<D, Real>& world, Table& table, int kind, std::span<
     erase_from_sweep(world.sweep, kind, gone);
     table.members.erase(gone);
     table.slots.erase(gone);
-    erase_rows(table, gone); // last: `gone` may be the table's own column of the torn, which ends with this
+    erase_rows(table, gone); // last: `gone` may be the table's own column `torn`, resized here
 }
 
 template <int D, class Real> void erase_pins(World<D, Real>& world, std::span<const char> gone) {
@@ -36,8 +36,8 @@ template <int D, class Real> void erase_pins(World<D, Real>& world, std::span<co
     world.pin_slots.erase(gone);
 }
 
-/// Takes the names of constraints that are gone out of the figures. Their lists of everything stay as they were built:
-/// names by number count on it.
+/// Removes the names of removed constraints from the figures. The figures' lists of constraints stay: names by number
+/// are indices into the lists.
 template <int D, class Real> void forget_constraints(World<D, Real>& world) {
     const auto dead = [&](const ConstraintId& id) {
         bool found = false;
@@ -47,7 +47,7 @@ template <int D, class Real> void forget_constraints(World<D, Real>& world) {
     for (auto& figure : world.figures) figure.constraint_names.erase_if(dead);
 }
 
-/// The same, and names of particles and pieces.
+/// As forget_constraints, and for names of particles and for pieces, too.
 template <int D, class Real> void forget_the_dead(World<D, Real>& world) {
     forget_constraints(world);
     const auto dead = [&](ParticleId id) { return !world.particles.slots.find(id); };

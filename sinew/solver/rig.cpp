@@ -75,7 +75,7 @@ template <int D, class Real> class Inspector {
 
     template <class Table> void limits(const Table& table, int kind) {
         using Kind = typename Table::Kind;
-        constexpr double to_shown = Kind::length_power == 0 ? 180 / pi<double> : 1; // angles are told in degrees
+        constexpr double to_shown = Kind::length_power == 0 ? 180 / pi<double> : 1; // angles are shown in degrees
         for (Row row = 0; row < table.size() && faults_.size() < most_; ++row) {
             const double low = double(table.low(row)), high = double(table.high(row));
             if (const auto why = impossible<Kind>(low, high); !why.empty()) {
@@ -127,7 +127,7 @@ template <int D, class Real> class Inspector {
 
     // --- lengths -----------------------------------------------------------------------------------------------------
 
-    /// Whether a way is shorter than it would have to be, by more than it may be strained.
+    /// True if a path is shorter than needed, by more than the strain allowed.
     static bool too_short(double way, double needed) { return way < needed * (1 - least_strain); }
 
     void lengths() {

@@ -6,20 +6,18 @@
 
 namespace sinew {
 
-/// Something about a rig that cannot be, or not be as it stands.
+/// Defect of a rig.
 struct RigFault {
-    std::string what;  ///< in a sentence: "is 1.2, its limits are 2 to 3"
-    std::string where; ///< figure/name of a constraint or particle; else its particles
+    std::string what;  ///< end of a sentence: "is 1.2, its limits are 2 to 3"
+    std::string where; ///< figure/name of a constraint or particle; otherwise the particles
 };
 
-/// What is wrong with a world as it stands, in the order of its constraints; at most `most`. Only what is rigid counts,
-/// for springs may be strained. Found are
-///   - limits that nothing can meet: a low above its high, a distance below zero, a turn beyond a half in space;
-///   - limits that the pose breaks by more than a thousandth of the length (of a radian);
-///   - lengths that cannot all be: a way of links around a distance that is shorter than it, or between two particles
-///     that are held;
-///   - loops of links whose particles have no mass to move by, which nothing can move.
-/// Ways are followed for `most_ways` links altogether: in a larger world the last are not looked at.
+/// Defects of a world in the present pose, at most `most`:
+///   - impossible limits: low above high, a distance below zero, a 3D angle outside 0 to 180 degrees;
+///   - rigid constraints violated by the pose, by a strain above 1e-3 (radians for angles);
+///   - lengths in contradiction: too short a path of links around a rigid distance, or between two held particles;
+///   - loops of links between particles of zero inverse mass, which nothing can move.
+/// Paths follow `most_ways` links altogether: in a larger world the last are not examined.
 template <int D, class Real> std::vector<RigFault> rig_faults(const World<D, Real>& world, std::size_t most = 100);
 inline constexpr std::size_t most_ways = 10'000'000;
 

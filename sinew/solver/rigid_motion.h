@@ -6,7 +6,7 @@
 
 namespace sinew::detail {
 
-/// The motion of some nodes as one body: what only forces from outside can change.
+/// Rigid-body motion of some nodes: momenta, changed by external forces only.
 template <int D> struct RigidMotion {
     using Vector = Vec<D, double>;
     using Spin = Vec<D == 2 ? 1 : 3, double>;
@@ -34,7 +34,7 @@ template <int D> struct RigidMotion {
     }
     static Vector turning(const Vec<3, double>& rate, const Vec<3, double>& arm) { return cross(rate, arm); }
 
-    /// The rate of turning that gives this spin to nodes at these places; zero where they are all in line (3D).
+    /// Angular velocity of nodes with this spin at the given positions; zero if all are collinear (3D).
     template <class At> Spin rate_of(std::span<const BlockNode<D>> nodes, At&& at) const {
         if constexpr (D == 2) {
             double inertia = 0;

@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-/// What the links of runs are held at, by number: the same for a whole run, or its own for each link. Compliance has
-/// room only from the first on that has any.
+/// Limits and compliance of batches, by number: one entry for a uniform batch, one per link otherwise. Compliance is
+/// stored from the first compliant link on.
 template <class Real> class RunParameters {
   public:
     std::size_t size() const { return limits_.size(); }
@@ -23,7 +23,7 @@ template <class Real> class RunParameters {
         limits_.append(1, low, high);
         if (has_compliance_) compliance_.push_back(compliance);
     }
-    /// Once more what is there already.
+    /// Appends a copy of an entry.
     void add_copy(const RunParameters& of, std::size_t number) {
         add(of.limits_.low(number), of.limits_.high(number), of.compliance_of(number));
     }
@@ -33,7 +33,7 @@ template <class Real> class RunParameters {
         if (has_compliance_) compliance_.resize(size);
     }
     void clear() { resize(0); }
-    /// From now on adding so many allocates nothing.
+    /// Reserves memory for `size` entries.
     void reserve(std::size_t size) {
         limits_.set_apart();
         tell_compliance();
@@ -41,7 +41,7 @@ template <class Real> class RunParameters {
         for (auto* column : {&compliance_, &quarter_per_square_}) column->reserve(size);
     }
 
-    /// What the kernels would find out (kernel_rigid.h), more slowly than they read it.
+    /// Precomputes the reciprocals read by the kernels (kernel_rigid.h).
     void prepare() {
         quarter_per_square_.resize(size());
         for (std::size_t i = 0; i < size(); ++i) {
@@ -52,14 +52,14 @@ template <class Real> class RunParameters {
 
     const Real* low() const { return limits_.lows().data(); }
     const Real* high() const { return limits_.highs().data(); }
-    const Real* compliance() const { return compliance_.data(); } ///< nowhere, while none has any
+    const Real* compliance() const { return compliance_.data(); } ///< no entries while all links are rigid
     const Real* quarter_per_square() const { return quarter_per_square_.data(); }
 
   private:
     LimitColumns<Real> limits_;
     bool has_compliance_ = false;
     std::vector<Real> compliance_;
-    std::vector<Real> quarter_per_square_; ///< 1 / 4 low^2
+    std::vector<Real> quarter_per_square_; ///< 1 / (4 low^2)
 
     Real compliance_of(std::size_t number) const { return has_compliance_ ? compliance_[number] : Real(0); }
 

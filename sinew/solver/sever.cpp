@@ -9,7 +9,7 @@ bool is_closed(Mark mark) {
     return mark == Mark::loop || mark == Mark::fill || is_cloth(mark);
 }
 
-/// After which of its particles a piece has a gap.
+/// Indices of the particles followed by a gap.
 std::vector<std::size_t> gaps_of(const Piece& piece, const Gaps& gaps) {
     std::vector<std::size_t> found;
     const auto& ids = piece.particles;
@@ -19,7 +19,7 @@ std::vector<std::size_t> gaps_of(const Piece& piece, const Gaps& gaps) {
     return found;
 }
 
-/// `count` particles of a piece from number `first` on, round and round; thinner on the way as the whole is.
+/// `count` particles of a piece from number `first` on, cyclically, with the same taper.
 Piece part_of(const Piece& whole, std::size_t first, std::size_t count) {
     Piece part = whole;
     part.particles.clear();
@@ -36,7 +36,7 @@ Piece part_of(const Piece& whole, std::size_t first, std::size_t count) {
     return part;
 }
 
-/// What is left of a closed piece with gaps.
+/// Adds the remaining parts of a closed piece with gaps.
 void open_up(const Piece& piece, std::span<const std::size_t> gaps, std::vector<Piece>& left) {
     if (piece.mark == Mark::fill && gaps.size() == 1) return left.push_back(piece);
     const std::size_t least = piece.mark == Mark::fill ? 3 : 2, size = piece.particles.size();
@@ -48,7 +48,7 @@ void open_up(const Piece& piece, std::span<const std::size_t> gaps, std::vector<
     }
 }
 
-/// What is left of an open piece with gaps.
+/// Adds the remaining parts of an open piece with gaps.
 void shorten(const Piece& piece, std::span<const std::size_t> gaps, std::vector<Piece>& left) {
     const std::size_t size = piece.particles.size();
     if (piece.mark == Mark::tip || piece.mark == Mark::face) {
@@ -93,7 +93,7 @@ template <int D, class Real> class Severer {
     const Gaps& gaps_;
     const Slicer<D, Real>* slicer_;
 
-    /// Whether a side of a cell is gone that joined two of its particles.
+    /// True if a side of the cell between two particles was removed.
     bool has_gap(const Figure& figure, const Piece& piece) const {
         if (piece.mark == Mark::surface) return !gaps_of(piece, gaps_).empty();
         const auto& corners = figure.fragments[piece.fragment].corners;

@@ -7,10 +7,10 @@
 
 namespace sinew {
 
-/// Two particles that a distance joined until it was cut or torn.
+/// Two particles formerly joined by a distance, now cut or torn.
 using Ends = std::array<ParticleId, 2>;
 
-/// Pairs of particles whose link is gone, each found in logarithmic time.
+/// Pairs of particles with a removed link, with look-up in logarithmic time.
 class Gaps {
   public:
     explicit Gaps(std::span<const Ends> gone) {
@@ -26,7 +26,7 @@ class Gaps {
     std::vector<std::uint64_t> keys_;
 };
 
-/// What is left of a figure's drawing.
+/// Remaining drawing of a figure.
 struct PiecesLeft {
     std::vector<Piece> pieces;
     std::vector<Fragment> fragments;
@@ -34,9 +34,8 @@ struct PiecesLeft {
 
 template <int D, class Real> class Slicer;
 
-/// What is drawn from one particle to another whose link is gone comes apart there: lines become shorter lines, closed
-/// lines open, a filled polygon falls into the parts between its gaps. A patch of cloth is sliced, or goes where there
-/// is no slicer.
+/// Separates drawn pieces between particles whose link was removed: lines are divided, closed lines opened, filled
+/// polygons divided at their gaps. Patches of cloth are sliced, or removed without a slicer.
 template <int D, class Real>
 void sever(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer = nullptr);
 

@@ -9,7 +9,7 @@ namespace {
 using Uv = Vec2<float>;
 using Places = std::array<Vec3<double>, 4>;
 
-/// A cell before it is sliced: its corners in space, and which of them are particles.
+/// Cell before slicing: corner positions in 3D, and the particle corners.
 struct Cell {
     Places place{};
     std::array<std::optional<ParticleId>, 4> particle{};
@@ -45,7 +45,7 @@ Vec3<double> bilinear(const Places& corner, const Uv& at) {
 
 constexpr std::array<Uv, 4> corner_uv = {{{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};
 
-/// The tiles of a piece: of a whole cell an even grid.
+/// Tiles of a piece; a whole cell has an even grid.
 template <class Visit> void each_tile(const Figure& figure, const Piece& piece, Visit&& visit) {
     if (piece.mark == Mark::fragment) return figure.fragments[piece.fragment].each_tile(visit);
     constexpr int parts = 4;
@@ -58,7 +58,7 @@ template <class Visit> void each_tile(const Figure& figure, const Piece& piece, 
         }
 }
 
-/// Adds a fragment of those tiles, with the corners that are particles and the others free.
+/// Adds a fragment with the particle corners of the cell, and the others unbound.
 void add_piece(const Piece& whole, const Cell& cell, Fragment fragment, PiecesLeft& left) {
     Piece piece = whole;
     piece.mark = Mark::fragment;
@@ -75,13 +75,13 @@ void add_piece(const Piece& whole, const Cell& cell, Fragment fragment, PiecesLe
     left.pieces.push_back(std::move(piece));
 }
 
-/// A corner of a tile, and where it is seen: along the blade from its first end, and to the left of it.
+/// Corner of a tile, with picture coordinates along the blade from `from`, and to the left.
 struct Corner {
     Uv uv{};
     double along = 0, beside = 0;
 };
 
-/// Points whose `sign` times coordinate is at least `least`.
+/// Points with sign * coordinate >= least.
 struct HalfPlane {
     double Corner::*coordinate;
     double sign = 1, least = 0;
@@ -89,7 +89,7 @@ struct HalfPlane {
     double depth(const Corner& corner) const { return sign * corner.*coordinate - least; }
 };
 
-/// How a blade sees a cell.
+/// A blade's view of a cell.
 template <int D> struct BladeView {
     const Places& place;
     const Blade& blade;
@@ -102,8 +102,8 @@ template <int D> struct BladeView {
         return {uv, dot(seen, along), cross(along, seen)};
     }
 
-    /// Where the way from one corner to another enters a half plane (regula falsi: what is bilinear, or seen in
-    /// perspective, is not quite linear).
+    /// Intersection of an edge with the boundary of a half plane, by regula falsi: bilinear maps and perspective are
+    /// not quite linear.
     Corner entry(Corner out, Corner in, const HalfPlane& half) const {
         constexpr int most = 4;
         Corner met = in;
@@ -118,7 +118,7 @@ template <int D> struct BladeView {
         return met;
     }
 
-    /// The part of a polygon in a half plane (Sutherland and Hodgman 1974).
+    /// Clips a polygon to a half plane (Sutherland and Hodgman 1974).
     void clip(const std::vector<Corner>& polygon, const HalfPlane& half, std::vector<Corner>& inside) const {
         inside.clear();
         for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -137,7 +137,7 @@ double area_of(std::span<const Corner> polygon) {
     return absolute(twice) / 2;
 }
 
-/// The parts of the plane around a blade that is as thick as it reaches: left, right, behind it and ahead of it.
+/// Regions around a blade of half thickness `reach`: left, right, behind and ahead.
 std::array<std::vector<HalfPlane>, 4> sides_of(double reach, double length) {
     const HalfPlane above_low{&Corner::beside, 1, -reach}, below_high{&Corner::beside, -1, -reach};
     return {{{{&Corner::beside, 1, reach}},
@@ -160,7 +160,7 @@ template <int D, class Real> bool is_linked(const World<D, Real>& world, Particl
     return linked;
 }
 
-/// A part keeps the particles at its own corners, and those that sides of the cell still join to them.
+/// Corners of a part: particles at corners of the part, and particles joined to one by a side of the cell.
 template <int D, class Real> Cell corners_of(const World<D, Real>& world, const Cell& cell, const Fragment& part) {
     std::array<bool, 4> own{};
     for (std::size_t i = 0; i < 4; ++i)
@@ -211,7 +211,7 @@ template <int D, class Real> bool Slicer<D, Real>::runs_through(const Figure& fi
 
 template <int D, class Real>
 void Slicer<D, Real>::slice(const Figure& figure, const Piece& piece, PiecesLeft& left) const {
-    constexpr double least_area = 1e-6; // of a cell
+    constexpr double least_area = 1e-6; // relative to the cell
     const auto cell = cell_of(world_, figure, piece);
     const BladeView<D> view{cell.place, blade_, see_, along_};
     std::vector<Corner> polygon, clipped;

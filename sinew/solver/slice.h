@@ -5,17 +5,17 @@
 
 namespace sinew {
 
-/// Slices the cells of a cloth along a blade. Each part between its edges becomes a fragment: it keeps the corners on
-/// its side and those that intact sides join to them; its other corners become virtual nodes, which bind() ties to what
-/// the part hangs on. A part without a corner of its own is lost.
+/// Slices the cells of a cloth along a blade. The part on each side becomes a fragment, with the particle corners on
+/// this side and any particle joined to one of them by an intact side of the cell; the other corners become virtual
+/// nodes, bound to particles by bind(). A part without any particle corner is lost.
 template <int D, class Real> class Slicer {
   public:
-    /// All three are kept by reference; the bonds of the world are listed when cells are sliced.
+    /// Keeps references to all three; slice() requires listed bonds.
     Slicer(const World<D, Real>& world, const Blade& blade, const Projection<D>& see);
 
-    /// Whether the blade runs through a fragment, whatever it does to the links around.
+    /// True if the blade runs through a fragment, even without cutting links.
     bool runs_through(const Figure& figure, const Piece& piece) const;
-    /// Appends what is left of a cell.
+    /// Appends the remaining parts of a cell.
     void slice(const Figure& figure, const Piece& cell, PiecesLeft& left) const;
 
   private:
@@ -26,11 +26,11 @@ template <int D, class Real> class Slicer {
     double length_ = 0;
 };
 
-/// A fragment with its virtual nodes where they are now, bound to nothing.
+/// Appends a fragment with unbound virtual nodes at the present positions.
 template <int D, class Real>
 void add_unbound(const World<D, Real>& world, const Figure& figure, const Piece& piece, PiecesLeft& left);
 
-/// Binds the virtual nodes of all fragments to the particles around them.
+/// Binds the virtual nodes of all fragments to the particles around.
 template <int D, class Real> void bind(World<D, Real>& world);
 
 } // namespace sinew

@@ -10,13 +10,13 @@
 namespace sinew {
 namespace {
 
-/// Where the neighbours of a particle that parts belong from now on.
+/// Vertex split: the new owner of each neighbour of a split particle.
 struct Parting {
     Row row = 0;
-    std::vector<Row> neighbours; ///< in order
-    std::vector<Row> goes_to;    ///< to the particle itself, or to one of its doubles
+    std::vector<Row> neighbours; ///< sorted
+    std::vector<Row> goes_to;    ///< the split particle, or one of the doubles
 
-    /// Nothing for what is no neighbour.
+    /// Owner of a neighbour; nothing for other rows.
     std::optional<Row> side_of(Row neighbour) const {
         const auto found = std::lower_bound(neighbours.begin(), neighbours.end(), neighbour);
         if (found == neighbours.end() || *found != neighbour) return std::nullopt;
@@ -25,8 +25,8 @@ struct Parting {
 };
 
 struct Fan {
-    Row first = 0; ///< of its neighbours
-    Row was = 0;   ///< the first neighbour of the fan it was part of
+    Row first = 0; ///< first neighbour
+    Row was = 0;   ///< first neighbour of the former fan
     std::size_t size = 0;
 };
 
@@ -62,10 +62,11 @@ template <int D, class Real> class Splitter {
     World<D, Real>& world_;
     std::size_t particles_;
     std::vector<Parting> partings_;
-    std::vector<std::size_t> parting_of_; // row -> number of its parting, or none
+    std::vector<std::size_t> parting_of_; // row -> index of the split, or none
     std::vector<std::array<Row, 2>> links_, gone_;
 
-    /// The links around the gaps, as far as the fans of their neighbours reach. False where they surely close no loop.
+    /// Collects the links around the gaps, as far as needed for the fans of neighbours. False if the links form no
+    /// loop.
     bool find_cells() {
         const auto& distances = std::get<kind_number<Distance, D>>(world_.constraints);
         const auto& slots = world_.particles.slots;
@@ -100,7 +101,7 @@ template <int D, class Real> class Splitter {
         return loops;
     }
 
-    /// Particles that lost a link or, next to those, a cell. What is pinned holds together.
+    /// Particles with a lost link, or next to one: without any pin.
     std::vector<Row> around_the_gaps(const Neighbours& whole) const {
         std::vector<char> there(particles_, 0);
         for (const auto& ends : gone_)
@@ -116,7 +117,7 @@ template <int D, class Real> class Splitter {
         return rows;
     }
 
-    /// What is left of a particle's fans; single links are none.
+    /// Remaining fans of a particle; single links do not count.
     static std::vector<Fan> fans_of(Row row, std::span<const Row> once, const std::vector<Row>& was,
                                     std::span<const Row> near, Fans& after) {
         std::vector<Fan> fans;
@@ -135,7 +136,7 @@ template <int D, class Real> class Splitter {
         return fans;
     }
 
-    /// The largest of the fans that were one keeps the particle.
+    /// Gives each fan a new particle, except the largest of each former fan.
     void part(Row row, std::span<const Row> near, const std::vector<Row>& now, const std::vector<Fan>& fans) {
         Parting parting{row, {near.begin(), near.end()}, std::vector<Row>(near.size(), row)};
         std::size_t leaving = 0;
@@ -181,9 +182,10 @@ template <int D, class Real> class Splitter {
         return row < particles_ && parting_of_[row] != none ? &partings_[parting_of_[row]] : nullptr;
     }
 
-    // --- what follows ------------------------------------------------------------------------------------------------
+    // --- constraints and pieces --------------------------------------------------------------------------------------
 
-    /// A constraint goes where its other members are; one that has some on either side goes altogether.
+    /// Moves constraints to the particle on the side of their other members; removes constraints with members on
+    /// several sides.
     void follow_constraints() {
         std::vector<ConstraintId> torn_apart;
         int kind = 0;
@@ -224,7 +226,7 @@ template <int D, class Real> class Splitter {
         return true;
     }
 
-    /// A line that comes from one side and goes on to the other becomes two.
+    /// Divides a line at a split particle if the two sides have different owners.
     void follow_pieces(Figure& figure) {
         std::vector<Piece> pieces;
         pieces.reserve(figure.pieces.size());
@@ -243,7 +245,7 @@ template <int D, class Real> class Splitter {
         figure.pieces = std::move(pieces);
     }
 
-    /// A fragment's particles go where their neighbours among them are.
+    /// Moves a fragment's particles to the side of their neighbours within the fragment.
     Piece followed(Piece piece) const {
         IdList<ParticleId> ids;
         for (const auto id : piece.particles) {
@@ -288,7 +290,7 @@ template <int D, class Real> class Splitter {
 
 template <int D, class Real> std::size_t split(World<D, Real>& world, std::span<const Ends> gone) {
     if (gone.empty()) return 0;
-    if (world.blocks.stale) prepare(world); // finds what hangs together
+    if (world.blocks.stale) prepare(world); // finds the components
     return Splitter<D, Real>(world, gone).split();
 }
 

@@ -6,9 +6,9 @@
 
 namespace sinew {
 
-/// A number that no other table of ids has drawn in this process. A copy draws its own when it first needs one: after a
-/// table was copied the two hand out different ids, whatever is added to either. Numbers wrap after 2^32 draws; a table
-/// draws one for each run of additions between two removals or copies.
+/// Generation number unique among the id tables of this process. A copy draws a number on first use: after a table was
+/// copied, the two hand out different ids. Numbers wrap after 2^32 draws; a table draws one for each run of additions
+/// between two removals or copies.
 class Stamp {
   public:
     Stamp() = default;
@@ -28,7 +28,7 @@ class Stamp {
         if (drawn_ == none) drawn_ = draw();
         return drawn_;
     }
-    /// The next one is another.
+    /// Makes the next get() draw a new number.
     void forget() { drawn_ = none; }
 
     static constexpr std::uint32_t none = 0; ///< never drawn

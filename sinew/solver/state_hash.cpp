@@ -4,7 +4,7 @@
 namespace sinew {
 namespace {
 
-/// Structs are taken apart by structured bindings: one with a new field does not compile until the field is hashed.
+/// Hash of the state. Structs are taken apart by structured bindings: a new field does not compile until hashed.
 class Digest {
   public:
     template <class... T> void add(const T&... values) { (add_one(values), ...); }
@@ -18,7 +18,7 @@ class Digest {
     template <class T>
     requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void add_one(T value) { add_bytes(value); }
     template <int D, class Real> void add_one(const Vec<D, Real>& vector) { add_bytes(vector.component); }
-    template <class T> void add_one(const std::vector<T>& column) { // of numbers: nothing lies between them
+    template <class T> void add_one(const std::vector<T>& column) { // numbers have no padding
         hash_.add(column.size());
         hash_.add(column);
     }

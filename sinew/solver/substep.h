@@ -6,12 +6,12 @@
 
 #include <algorithm>
 
-/// The parts of a substep, each for the particles of one band. step.cpp says in which order.
+/// Phases of a substep, each for the particles of a tile. The order is in step.cpp.
 namespace sinew::detail {
 
-/// Constraints act on what a substep adds: a particle is where it will be when it ends, place + move, and a correction
-/// of that is a correction of the move, which is h v. Small differences of large coordinates are never taken, so float
-/// loses least. Nothing is pushed further than what crosses the world: places stay finite.
+/// Constraints act on the predicted position place + move, and correct the displacement move = h v. Differences of
+/// large coordinates are never taken, so float loses least. Displacements are bounded by the width of the world:
+/// positions stay finite.
 template <int D, class RealT> struct SubstepMover {
     using Real = RealT;
     static constexpr int dimension = D;
@@ -27,7 +27,7 @@ template <int D, class RealT> struct SubstepMover {
     Real alpha(Real compliance) const { return minimum(compliance * per_h * per_h, limit::measure<Real>); }
     Real most(Real max_force) const { return minimum(max_force * h * h, limit::multiplier<Real>); }
     Real share(Real lead) const { return minimum(lead * per_h, limit::coordinate<Real>); }
-    /// The measure's own rate, less the rate of its limits, times the lead.
+    /// lead (dC/dt - rate), at the present velocities; `rate` is the rate of the limits.
     template <class Stencil>
     Real ahead(const Stencil& stencil, std::span<const Row> members, Real lead, Real rate) const {
         Real own = -rate;
@@ -40,9 +40,9 @@ template <int D, class RealT> struct SubstepMover {
         swept.set_move(slot, clamp_components(swept.move_at(slot) + displacement, furthest));
     }
 
-    /// Corrections along the gradient where the substep began (SHAKE: Ryckaert, Ciccotti and Berendsen 1977) keep a
-    /// swing's energy; along the gradient where it ends they bleed it. Where the two have come apart only the latter
-    /// still corrects.
+    /// Corrections along the gradient at the start of the substep (SHAKE: Ryckaert, Ciccotti and Berendsen 1977)
+    /// conserve the energy of a swing; along the gradient at the end they dissipate it. If the two directions disagree,
+    /// only the latter still corrects.
     template <class Stencil> void choose_direction(Stencil& stencil, std::span<const Row> members) const {
         stencil.each([&](std::size_t i) { stencil.points[i] = swept.place_at(swept.slot_of[members[i]]); });
         stencil.evaluate(stencil.points, stencil.direction);
@@ -79,8 +79,8 @@ template <int D, class Real> class Substep {
     SubstepMover<D, Real>& mover() { return mover_; }
 
     /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
-    /// middle of this one. What holds against a push is held back by drag as the push is: a weight at rest pulls with
-    /// its weight, however it is damped.
+    /// middle of this one. Drag scales mobilities by the same factor as the push, so a weight at rest pulls with its
+    /// full weight at any damping.
     void predict(const Band& band) {
         if (!world_.bounds.empty())
             for (Row slot = band.first; slot < band.last; ++slot) p_.rebound[swept_.row_of[slot]] = {};
@@ -93,7 +93,7 @@ template <int D, class Real> class Substep {
         move_pins(band);
     }
 
-    /// Plain distances of a sheet's family that begin in one of its bands.
+    /// Projects the simple distances of a colour that start in tile `band`.
     void project(const Sheet& sheet, std::uint32_t number, std::uint32_t band, bool again = false) {
         auto& plan = swept_.plan;
         const auto& family = plan.families[sheet.first_family + number];
@@ -110,10 +110,11 @@ template <int D, class Real> class Substep {
         if (pass.shortest < Real(1e-18)) part_heaps(first, last);
     }
 
-    /// Where a sweep finds links of a tethered sheet much too long (it snaps taut, its hem cracks like a whip) it is
-    /// repeated, of a few bands from this one on: those and what lies around them, the more the more there are. As each
-    /// band does so, what is too long is handed on as far as it has to go. The families in reverse: otherwise the first
-    /// would always suffer from all others.
+    /// Repair of overstretched links of a tethered component (snapping taut, a hem cracking like a whip): sweeps part
+    /// of the `restless` tiles from this one on again. The window ends one tile after the last overstretched tile and
+    /// begins four tiles before the first for each overstretched one. Every tile does so in turn, hence errors travel
+    /// as far as necessary. The colours are swept in reverse: otherwise the first would always bear the errors of all
+    /// others.
     void project_again(const Sheet& sheet, std::uint32_t band) {
         const auto bands = std::span(swept_.plan.bands).subspan(sheet.first_band, sheet.bands);
         const auto end = std::min(band + world_.restless, sheet.bands);
@@ -135,13 +136,13 @@ template <int D, class Real> class Substep {
             for (auto i = first; i < last; ++i) project(sheet, family, i, true);
     }
 
-    /// Between two pins tethers are level: they hold a row up only while the links along it are tight. Else it stands
-    /// on the rows below, buckles and flaps for good. So there both follow each other a few times; as such links lead
-    /// from one to another of the same band, no other band is touched.
+    /// A row between two pins is supported by nearly horizontal tethers, which act only while the row is taut; without
+    /// extra passes along the row it sags on the rows below, buckles and never comes to rest. Links within the row
+    /// (colours of reach 0) touch no other tile.
     void tighten(const Sheet& sheet, std::uint32_t number) {
         const auto& band = swept_.plan.bands[sheet.first_band + number];
         if (band.tightened == 0) return;
-        constexpr std::uint32_t times = 6; // each costs a hanging cloth of 64 x 64 two parts in a hundred
+        constexpr std::uint32_t times = 6; // each costs a hanging cloth of 64 x 64 about 2 %
         for (std::uint32_t i = 0; i < times * band.tightened; ++i) {
             if (i % band.tightened == 0) tether(band);
             for (std::uint32_t family = 0; family < sheet.families; ++family)
@@ -149,8 +150,8 @@ template <int D, class Real> class Substep {
         }
     }
 
-    /// A compliant pin is a damped spring to its target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) +
-    /// alpha), e the way to the target and u how much the substep adds to it; its force never exceeds max_force.
+    /// Compliant pins are damped springs to their target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) +
+    /// alpha), e the offset from the target and u the change of e in the substep; the force never exceeds max_force.
     void pull_pins(const Band& band) {
         for (auto i = band.first_pin; i < band.last_pin; ++i) {
             auto& pin = world_.pins[swept_.plan.pins[i].pin];
@@ -158,7 +159,7 @@ template <int D, class Real> class Substep {
             const Real w = swept_.mobility[slot];
             if (pin.hard() || w == Real(0)) continue;
             const Real alpha = mover_.alpha(pin.compliance);
-            // a critical damper of stiffness 1/c on mass 1/w has 2 / sqrt(c w); gamma = damper * compliance / h
+            // critical damping for stiffness 1/c and mass 1/w is 2 / sqrt(c w); gamma = damper * compliance / h
             const Real gamma = minimum(Real(2) * pin.damping * square_root(pin.compliance) *
                                            square_root(inverse_or_zero(w)) * mover_.per_h,
                                        limit::measure<Real>);
@@ -179,7 +180,7 @@ template <int D, class Real> class Substep {
         }
     }
 
-    /// Where the sheet's particles are tied to, from now on.
+    /// Sets the anchors of a component's tethers for this substep.
     void tie(const Sheet& sheet) {
         const auto& plan = swept_.plan;
         const auto first = plan.bands[sheet.first_band].first;
@@ -194,17 +195,17 @@ template <int D, class Real> class Substep {
         motion_.anchor_count = sheet.tethers;
     }
 
-    /// Nothing gets further from a hard pin than the links reach.
+    /// Long-range attachments: no particle is further from a hard pin than the links reach.
     void tether(const Band& band) {
         if (motion_.anchor_count > 0) kernels_.tether(motion_, band.first, band.last);
     }
-    /// Every second substep will do, the last among them: in one between nothing falls far (docs/step.md).
+    /// Tethers in every second substep, including the last: particles fall little in between (docs/step.md).
     void tether_in_turn(const Band& band) {
         if (tethered_) tether(band);
     }
 
-    /// A plane stops what would pass it and rubs: the speed along it falls by friction times the speed it took away.
-    /// What strikes faster than resting things sink in a few substeps will rebound.
+    /// Contact with planes: non-penetration, and Coulomb friction, which shortens the tangential displacement by
+    /// friction times the normal correction. Approaches too fast for resting contact are recorded for rebound().
     void keep_in_bounds(const Band& band) {
         for (const auto& plane : world_.bounds) {
             const Real lowest = kernels_.lowest(motion_, plane.normal.component.data(), band.first, band.last);
@@ -213,11 +214,11 @@ template <int D, class Real> class Substep {
         }
     }
 
-    /// x += h v. What rounding takes away is carried to the next substep: without it a float particle slower than half
-    /// a unit in the last place a substep would stand still.
+    /// x += h v. The rounding error is carried to the next substep: otherwise a float particle slower than half a unit
+    /// in the last place per substep would not move.
     void advance(const Band& band) { kernels_.advance(motion_, band.first, band.last); }
 
-    /// What struck a plane leaves it with its restitution.
+    /// Applies the restitution of planes to particles that struck one.
     void rebound(const Band& band) {
         if (world_.bounds.empty()) return;
         for (Row slot = band.first; slot < band.last; ++slot) {
@@ -237,7 +238,8 @@ template <int D, class Real> class Substep {
         keep_in_bounds(band);
     }
 
-    /// What ends this substep and, where there is one, begins the next. At once, where each particle is by itself.
+    /// Ends this substep and begins the next one, if any, in one pass where particles move independently (only gravity,
+    /// no planes, no soft pins).
     void go_on(const Band& band, Substep* next) {
         if (!swept_.everyone_alike || !world_.bounds.empty() || has_soft_pins(band)) {
             hold(band);
@@ -262,11 +264,11 @@ template <int D, class Real> class Substep {
     const Kernels<D, Real>& kernels_;
     const LinkColumns<D, Real>& links_;
     SubstepMover<D, Real> mover_;
-    Real share_, share_of_substep_; ///< of the step that is over when this substep is
-    int number_;                    ///< from 1
+    Real share_, share_of_substep_; ///< fraction of the step elapsed at the end of the substep, and per substep
+    int number_;                    ///< 1 to the number of substeps
     bool last_, tethered_;
     Real kick_;
-    Decay<Real> decay_; ///< most particles have the same
+    Decay<Real> decay_; ///< cached: most particles share a rate
     Motion<D, Real> motion_{};
     std::array<Anchor<D, Real>, most_tethers> anchors_;
 
@@ -274,14 +276,14 @@ template <int D, class Real> class Substep {
         return Decay<Real>::of(clamp(world_.settings.damping, Real(0), limit::measure<Real>), time);
     }
 
-    /// Only gravity, and one damping for all.
+    /// Motion under gravity and the common damping.
     void fall(Motion<D, Real>& motion, Real kick, const Decay<Real>& decay) const {
         motion.keep = decay.keep;
         const auto add = clamp_components(swept_.gravity * (kick * decay.yield) * mover_.h, mover_.furthest);
         for (int i = 0; i < D; ++i) motion.add[i] = add[i];
     }
 
-    /// Substeps from the second on are as long as it is.
+    /// Scales mobilities by drag. Kicks are equally long from the second substep on: later substeps change nothing.
     void weigh(const Band& band) {
         if (decay_.yield == Real(1) || number_ > 2) return;
         for (Row slot = band.first; slot < band.last; ++slot) weigh(slot, decay_.yield);
@@ -302,7 +304,7 @@ template <int D, class Real> class Substep {
 
     void predict(Row slot) {
         if (swept_.mobility[slot] == Real(0)) {
-            swept_.set_move(slot, {}); // it stands, unless a pin carries it
+            swept_.set_move(slot, {}); // immovable, unless carried by a pin
             return;
         }
         const auto push = push_on(world_, swept_.row_of[slot], swept_.place_at(slot));
@@ -313,8 +315,8 @@ template <int D, class Real> class Substep {
         weigh(slot, decay_.yield);
     }
 
-    /// Hard pins are where they are told to be; the substep's share of the way gives the particle its velocity. From
-    /// the second on, those that rest have their particles there.
+    /// Moves particles to their hard pins' targets; the displacement is their velocity. From the second substep on pins
+    /// at rest are skipped.
     void move_pins(const Band& band) {
         if (number_ > 1 && !swept_.any_pin_moves) return;
         for (auto i = band.first_pin; i < band.last_pin; ++i) {

@@ -8,15 +8,15 @@ namespace sinew {
 
 namespace {
 
-/// Whether a force acts on one of the particles of the sweep.
+/// True if an external force acts on a swept particle.
 template <int D, class Real> bool any_force(const World<D, Real>& world) {
     const auto& p = world.particles;
     return p.any_force && std::any_of(world.swept.row_of.begin(), world.swept.row_of.end(),
                                       [&](Row row) { return p.force[row] != Vec<D, Real>{}; });
 }
 
-/// Copies lie one after the other, but are taken up across all of them, which no processor foresees: what is in memory
-/// comes sooner when it is read as it lies, a number of each cache line.
+/// Prefetch. Copies of a shape are contiguous in memory but gathered across copies, a pattern no prefetcher foresees;
+/// so the rows are first touched in memory order, a byte per cache line.
 template <int D, class Real, class... T>
 void read_through(const Swept<D, Real>& swept, Row first, Row last, const std::vector<T>&... columns) {
     constexpr Row near = 4;

@@ -10,25 +10,24 @@
 
 namespace sinew {
 
-/// The particles of the sweep while a step lasts: column by column, and in slots that put side by side what is solved
-/// side by side. It follows from the rest of the world: a copy begins without.
+/// Particles of the sweep during a step: one column per component, in slots arranged so that particles solved together
+/// are adjacent. Derived from the rest of the world: copies start empty.
 template <int D, class Real> struct Swept {
     static constexpr Row none = ~Row(0);
 
-    std::vector<Row> row_of;  ///< by slot
-    std::vector<Row> slot_of; ///< by row; none of what a block moves
-    std::array<Real*, D> place{}, move{},
-        residual{};           ///< move: where it will be when the substep ends, less where it is
-    Real* mobility = nullptr; ///< less by drag; 0 while nothing moves it
+    std::vector<Row> row_of;                          ///< by slot
+    std::vector<Row> slot_of;                         ///< by row; `none` for particles in direct blocks
+    std::array<Real*, D> place{}, move{}, residual{}; ///< move: displacement to the end of the substep
+    Real* mobility = nullptr;                         ///< inverse mass, scaled by drag; 0: immovable
     Real per_h = 0;
-    bool any_force = false;      ///< acts on a single particle in this step
-    bool everyone_alike = false; ///< in this step only gravity acts, which is
+    bool any_force = false;      ///< some swept particle has an external force in this step
+    bool everyone_alike = false; ///< only gravity acts in this step, equally on all
     Vec<D, Real> gravity{};
     Real largest_radius = 0;
     bool any_pin_moves = false, any_pin_soft = false; ///< in this step
     Plan<Real> plan;
     PlanRoom room;
-    Plan<Real> spare; ///< sheets that are taken out while others are laid out before them
+    Plan<Real> spare; ///< components set aside while others are laid out before
     std::vector<Row> spare_rows;
 
     Swept() = default;
@@ -49,11 +48,11 @@ template <int D, class Real> struct Swept {
         row_of.reserve(particles);
         slot_of.reserve(particles);
         spare_rows.reserve(particles);
-        columns_.clear(); // which moves
+        columns_.clear(); // reallocation moves the columns
         columns_.reserve((particles + 2048) * (3 * D + 1));
     }
 
-    /// Room for all slots, behind which there is nothing.
+    /// Sizes the columns to the slots; the padding is zero.
     void make_room() {
         if (has_room()) return;
         constexpr std::size_t columns = 3 * D + 1, line = 64;
@@ -67,7 +66,7 @@ template <int D, class Real> struct Swept {
         mobility = next;
     }
 
-    /// From one component of a column to the next.
+    /// Stride between the components of a column.
     std::size_t apart() const { return std::size_t(place[1] - place[0]); }
 
     Vec<D, Real> place_at(Row slot) const { return get(place, slot); }
@@ -102,7 +101,8 @@ template <int D, class Real> struct Swept {
     std::vector<Real> columns_;
     std::size_t stride_ = 0, used_ = 0;
 
-    /// Columns a whole number of pages apart would fight for the same lines of the cache; each begins with a line.
+    /// Stride of the columns. Columns a multiple of the page size apart would compete for the same cache lines; each
+    /// starts on a cache line.
     std::size_t stride() const {
         constexpr std::size_t page = 4096 / sizeof(Real), apart = 576 / sizeof(Real);
         return (row_of.size() + page - 1) / page * page + apart;

@@ -16,14 +16,14 @@ template <class Table, int D, class Real> Real strain_of(World<D, Real>& world, 
     return detail::strain<Kind>(measure, table.low(row), table.high(row));
 }
 
-/// Whether a constraint that was overstrained for a step has had enough.
+/// Adds the damage of a step; true when the constraint fails.
 template <class Table, class Real> bool wears_out(Table& table, Row row, Real strain_times_time) {
     if (table.toughness[row] == Real(0)) return true;
     table.fatigue.set(row, minimum(table.fatigue[row] + strain_times_time, limit::measure<Real>));
     return table.fatigue[row] > table.toughness[row];
 }
 
-/// Whether both ends of a distance that tore in this step are among these particles.
+/// True if both ends of a distance torn in this step are among the members.
 template <int D, class Real> bool lost_a_link(const World<D, Real>& world, std::span<const Row> members) {
     return std::any_of(world.events.begin(), world.events.end(), [&](const Event& event) {
         return event.type == EventType::torn && event.constraint.kind == kind_number<Distance, D> &&

@@ -6,15 +6,15 @@
 
 namespace sinew {
 
-/// Binds virtual nodes to the cloth on their side of a cut. A node's base is the corner of its fragment that it was
-/// joined to; its axes lead from there to two neighbours of the base. Fragments on either side of a cut thread find the
-/// same ones, so that their edges stay together.
+/// Binds virtual nodes to the cloth on their side of a cut. The base of a node is a particle corner of the fragment;
+/// the axes lead from the base to two neighbours. Fragments on either side of a cut thread find the same base and axes,
+/// so their edges stay together.
 template <int D, class Real> class NodeBinder {
   public:
-    /// Kept by reference; its bonds are listed.
+    /// Keeps a reference to the world, whose bonds must be listed.
     explicit NodeBinder(const World<D, Real>& world) : world_(world) {}
 
-    /// Binds what is free.
+    /// Binds the unbound corners.
     void bind(Piece& piece, Fragment& fragment) const {
         for (std::size_t i = 0; i < fragment.corners.size(); ++i) {
             auto& corner = fragment.corners[i];
@@ -28,7 +28,7 @@ template <int D, class Real> class NodeBinder {
     }
 
   private:
-    /// Two neighbours that span the cloth best, and how well: from 0, along one line, to 1, across and as far.
+    /// Pair of neighbours with the best span of the cloth; quality from 0 (collinear) to 1 (orthogonal, equally long).
     struct Axes {
         Row b = 0, c = 0;
         double quality = 0;
@@ -42,7 +42,7 @@ template <int D, class Real> class NodeBinder {
         return wide;
     }
 
-    /// The corner before, the one after, or the one across.
+    /// The particle corner before, after, or opposite.
     static std::optional<std::size_t> base_of(const Fragment& fragment, std::size_t corner) {
         for (const std::size_t further : {3U, 1U, 2U})
             if (fragment.corners[(corner + further) % 4].is_particle()) return (corner + further) % 4;

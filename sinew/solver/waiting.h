@@ -3,10 +3,10 @@
 #include <functional>
 #include <utility>
 
-/// Getting a large world ready for its first step takes a while (prepare, step.h).
+/// Progress of preparing a large world for the first step (prepare, step.h).
 namespace sinew {
 
-/// While it lives, worlds of this thread tell how far they are with it: shares from 0 to 1 that never fall.
+/// Scope guard: `told` receives the progress of worlds prepared on this thread, from 0 to 1, never decreasing.
 class Waiting {
   public:
     using Told = std::function<void(double share)>;

@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-/// The shortest ways along rigid links, each as long as its distance may be at most (Dijkstra 1959). All ways together
-/// follow at most so many links; when those are used up there are none.
+/// Shortest paths along rigid links, a link as long as its upper limit (Dijkstra 1959). All queries together follow at
+/// most `most_links` links; beyond the budget nothing is found.
 class Ways {
   public:
     template <int D, class Real>
@@ -32,7 +32,7 @@ class Ways {
         });
     }
 
-    /// The length of the shortest way from a to b that is shorter than `limit` and does not use the link `without`.
+    /// Length of the shortest path from a to b, if shorter than `limit`, without the link `without`.
     std::optional<double> between(Row a, Row b, double limit, Row without) {
         std::optional<double> found;
         walk(a, limit, without, [&](Row row, double length) {
@@ -47,7 +47,7 @@ class Ways {
         double length;
     };
 
-    /// Those of the sorted rows `goals` that links lead to from `start`, and how far it is.
+    /// Rows of the sorted `goals` connected to `start`, with path lengths.
     std::vector<Reached> from(Row start, std::span<const Row> goals) {
         std::vector<Reached> reached;
         walk(start, unknown, ~Row(0), [&](Row row, double length) {
@@ -65,12 +65,12 @@ class Ways {
     };
 
     std::vector<std::size_t> first_;
-    std::vector<Link> links_; // of each row, one row's after the other's
+    std::vector<Link> links_; // sorted by row
     std::vector<double> length_to_;
     std::vector<Row> touched_;
     std::size_t left_;
 
-    /// Calls visit(row, length) from the nearest on, as long as it returns true.
+    /// Calls visit(row, length), nearest first, until `visit` returns false.
     template <class Visit> void walk(Row start, double limit, Row without, Visit&& visit) {
         using Step = std::pair<double, Row>;
         std::priority_queue<Step, std::vector<Step>, std::greater<>> ahead;

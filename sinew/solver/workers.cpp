@@ -11,8 +11,8 @@
 namespace sinew {
 namespace {
 
-/// Waits until ready() for a moment at full speed, then lets others have the core: a step is over in less than a thread
-/// takes to fall asleep and wake, but cores may be shared.
+/// Polls ready(), at full speed and then yielding; false after a while. A step ends sooner than a thread can sleep and
+/// wake, but cores may be shared.
 template <class Ready> bool soon(Ready&& ready) {
     constexpr int quick = 2000, polite = 200;
     for (int i = 0; i < quick; ++i)
@@ -32,7 +32,7 @@ class Pool {
         for (auto& thread : threads_) thread.join();
     }
 
-    /// False where others use it already.
+    /// False if another caller uses the pool.
     bool run(const SharedWork& work) {
         const std::unique_lock lock(in_use_, std::try_to_lock);
         if (!lock) return false;
@@ -50,7 +50,7 @@ class Pool {
     }
 
   private:
-    /// The first part of a share that nobody does yet.
+    /// First part of a share not taken by any thread.
     struct alignas(64) Next {
         std::atomic<int> part = 0;
     };
@@ -58,13 +58,13 @@ class Pool {
 
     std::mutex in_use_;
     std::vector<std::thread> threads_;
-    std::deque<Next> next_; ///< of the caller, and of each of threads_
+    std::deque<Next> next_; ///< by share: the caller's, then one per thread
     SharedWork work_;
-    std::atomic<int> inside_ = closed; ///< threads that work; who comes when it is closed finds nothing left to do
-    std::atomic<int> calls_ = 0;       ///< rises with each run
+    std::atomic<int> inside_ = closed; ///< number of working threads; `closed` is set when no part is left
+    std::atomic<int> calls_ = 0;       ///< incremented by each run
     std::atomic<bool> stopping_ = false;
 
-    /// With the caller.
+    /// Starts threads up to a total of `threads`, the caller's included.
     void start(int threads) {
         threads_.reserve(std::size_t(threads - 1));
         while (int(next_.size()) < threads) next_.emplace_back();
@@ -73,7 +73,7 @@ class Pool {
                 threads_.emplace_back(
                     [this, number = int(threads_.size()) + 1, seen = calls_.load()] { serve(number, seen); });
             } catch (const std::system_error&) {
-                return; // the system has no more
+                return; // no more threads from the system
             }
         }
     }
@@ -105,7 +105,7 @@ class Pool {
     int shares() const { return work_.threads; }
     int first_of(int share) const { return int(std::int64_t(work_.parts) * share / shares()); }
 
-    /// And then those of others that have not done theirs.
+    /// Does a share, then the rest of the others.
     void do_share(int number) {
         for (int i = 0; i < shares(); ++i) {
             const int share = (number + i) % shares();

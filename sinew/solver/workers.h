@@ -5,23 +5,24 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The one place that knows threads. Work is cut into parts that touch nothing in common, so that who does which part,
-/// and when, changes no bit of the result.
+/// Threads; no other file uses any. Work is divided into independent parts, so the schedule changes no bit of the
+/// result.
 namespace sinew {
 
-/// How many threads there are to use: one for each core of the machine.
+/// Number of cores of the machine, at least 1.
 int hardware_threads();
-/// As many of those that are wanted (0: all) as help where so many particles are moved (docs/performance.md).
+/// Number of threads worth using for so many particles (docs/performance.md): 1 for few, otherwise `wanted`, or all
+/// cores if `wanted` is 0.
 int threads_for(std::size_t particles, int wanted);
 
-/// Stages that work goes through in turns: a stage does one turn after the other, each when the stage before has done
-/// it. Threads that help each do whatever is ready, so that none waits for one that is slow, or has lost its core.
+/// Wavefront scheduler: every stage does all turns in order, each after the stage before has done the same turn.
+/// Helping threads take any ready turn, so no thread waits for a slow or preempted one.
 class Relay {
   public:
     static constexpr int most_stages = 64;
     Relay(int stages, int turns) : count_(stages), turns_(std::uint64_t(turns)) {}
 
-    /// Calls work(stage, turn) for what is ready, until all is done; with others who do the same.
+    /// Calls work(stage, turn) for ready turns until all are done, together with other threads doing the same.
     template <class Work> void help(const Work& work) {
         for (int stage = next_from(0); stage < count_; stage = next_from(stage + 1)) {
             work(stage, int(turn_of(stage)));
@@ -31,19 +32,19 @@ class Relay {
 
   private:
     struct alignas(64) Stage {
-        std::atomic<std::uint64_t> done = 0; ///< turns, twice; and one more while the next is being done
+        std::atomic<std::uint64_t> done = 0; ///< twice the turns done, plus 1 while a turn is in progress
     };
     int count_;
     std::uint64_t turns_;
     std::array<Stage, most_stages> stages_;
 
-    /// That it does, or does next.
+    /// Current or next turn of a stage.
     std::uint64_t turn_of(int stage) const { return stages_[std::size_t(stage)].done / 2; }
     void finish(int stage) { ++stages_[std::size_t(stage)].done; }
     bool begin(int stage);
     bool over() const { return turn_of(count_ - 1) == turns_; }
-    /// Waits until some stage's next turn is ready, and begins it: of this one rather than of another, for what it
-    /// touches is near. When all is done, the number of stages.
+    /// Waits for a ready turn and begins it, preferably of the given stage, whose data are in cache. Returns the stage,
+    /// or the number of stages when all turns are done.
     int next_from(int stage);
 };
 
@@ -53,10 +54,10 @@ struct SharedWork {
     const void* context = nullptr;
 };
 
-/// Calls work(part) for every part in [0, parts), on up to that many threads, the caller's among them. Returns when all
-/// are done. Each thread begins with the same share of the parts each time, which is near to it, and then helps others.
-/// Threads are started once and kept; while another caller uses them, and where the system gives no more, fewer work.
-/// Allocates only when it is asked for more threads than ever before.
+/// Calls work(part) for every part in [0, parts) on up to `threads` threads, including the caller's. Returns when all
+/// are done. Each thread begins with the same share of the parts in every call, for the cache, and then helps others.
+/// Threads are started once and kept; fewer work while another caller uses the pool, or if the system has no more.
+/// Allocates only for more threads than ever before.
 class Workers {
   public:
     template <class Work> static void run(int threads, int parts, const Work& work) {

@@ -18,48 +18,49 @@
 #include <tuple>
 #include <vector>
 
-/// The state of everything, as plain columns. Data only: edit.h changes it, step.h moves it, energy.h measures it. A
-/// world is a value; copying it is a snapshot. Units are the user's own, as long as they agree (metres, kilograms,
+/// State of the simulation, as plain columns. Data only: edit.h changes a world, step.h advances it, measure.h measures
+/// it. A world is a value; a copy is a snapshot. Units are the user's, as long as they agree (metres, kilograms,
 /// seconds, newtons; or pixels and frames).
 namespace sinew {
 
-/// The stated limits within which finite input can never become infinite or not-a-number, in float as in double:
-/// nothing is further out, faster, heavier or lighter. What would be is held at the limit. In the user's units.
+/// Limits within which finite input can never become infinite or not-a-number, in float as in double. Values beyond a
+/// limit are clamped to the limit. In the user's units.
 namespace limit {
 template <class Real> inline constexpr Real coordinate = Real(1e8);
 template <class Real> inline constexpr Real speed = Real(1e12);
 template <class Real> inline constexpr Real force = Real(1e15);
-template <class Real> inline constexpr Real mass = Real(1e12);          ///< and its inverse
-template <class Real> inline constexpr Real measure = Real(1e26);       ///< a constraint's limits, compliance / h^2
-template <class Real> inline constexpr Real multiplier = Real(1e25);    ///< a constraint's multiplier
-template <class Real> inline constexpr Real step = Real(1e6);           ///< time units a step may last
-template <class Real> inline constexpr Real shortest_step = Real(1e-9); ///< a shorter one is none
+template <class Real> inline constexpr Real mass = Real(1e12);          ///< also of the inverse mass
+template <class Real> inline constexpr Real measure = Real(1e26);       ///< limits of a constraint, compliance / h^2
+template <class Real> inline constexpr Real multiplier = Real(1e25);    ///< multiplier of a constraint
+template <class Real> inline constexpr Real step = Real(1e6);           ///< length of a step, time units
+template <class Real> inline constexpr Real shortest_step = Real(1e-9); ///< a shorter step is ignored
 } // namespace limit
 
-/// A vector held at a limit. One that is not finite stays as it is: the next step puts its figure in quarantine.
+/// Components clamped to [-limit, limit]. A non-finite vector is returned unchanged: the next step quarantines its
+/// figure.
 template <int D, class Real> constexpr Vec<D, Real> clamp_finite(const Vec<D, Real>& vector, Real limit) {
     return is_finite(vector) ? clamp_components(vector, limit) : vector;
 }
 
-/// Nothing is pushed further in a substep of length h: what crosses the world.
+/// Largest displacement in a substep of length h: at most the width of the world.
 template <class Real> constexpr Real furthest_move(Real h) {
     return minimum(limit::speed<Real> * h, Real(2) * limit::coordinate<Real>);
 }
 
 template <int D, class Real> struct Particles {
     std::vector<Vec<D, Real>> position;
-    std::vector<Vec<D, Real>> previous; ///< where it was one step ago; classic mode's state
-    std::vector<Vec<D, Real>> velocity; ///< mean over the last substep; in classic mode over the step
-    std::vector<Vec<D, Real>> residual; ///< what rounding took from position (Kahan 1965)
-    std::vector<Vec<D, Real>> force;    ///< applied for one step, then cleared
-    bool any_force = false;             ///< who writes a force says so: else none is looked for
-    std::vector<Vec<D, Real>> rebound;  ///< scratch: the velocity with which it leaves what it struck
-    std::vector<Real> inverse_mass;     ///< 0: nothing moves it
-    std::vector<Real> mobility;         ///< the inverse mass that constraints see; 0 while pinned or quarantined
+    std::vector<Vec<D, Real>> previous; ///< position one step ago; the state of classic mode
+    std::vector<Vec<D, Real>> velocity; ///< mean over the substep (in a block: at the end); classic mode: over the step
+    std::vector<Vec<D, Real>> residual; ///< rounding error of position (Kahan 1965)
+    std::vector<Vec<D, Real>> force;    ///< external force, applied for one step, then cleared
+    bool any_force = false;             ///< set by whoever writes `force`; the step skips the column while false
+    std::vector<Vec<D, Real>> rebound;  ///< scratch: velocity of separation from the planes struck in this substep
+    std::vector<Real> inverse_mass;     ///< 0: immovable
+    std::vector<Real> mobility;         ///< inverse mass seen by the constraints; 0 while pinned hard or quarantined
     std::vector<Real> radius;
     std::vector<FigureIndex> figure;
-    std::vector<char> quarantined; ///< stands still: it or its figure was found non-finite
-    std::vector<char> in_block;    ///< scratch: a block moves it, not the sweep
+    std::vector<char> quarantined; ///< frozen: the particle or the particle's figure was found non-finite
+    std::vector<char> in_block;    ///< scratch: moved by a direct block, not by the sweep
     Slots<ParticleTag> slots;
 
     std::size_t size() const { return position.size(); }
@@ -80,7 +81,7 @@ template <int D, class Real> struct Particles {
     }
 };
 
-/// The particles of each constraint of a table, as rows of Particles.
+/// Particles of each constraint of a table, as rows of Particles.
 template <int Arity> struct Members {
     std::vector<std::array<Row, Arity>> rows;
 
@@ -97,8 +98,7 @@ template <int Arity> struct Members {
 
 template <> struct Members<any_arity> {
     std::vector<Row> pool;
-    std::vector<std::uint32_t> first{
-        0}; ///< where each constraint's members begin in the pool; one more than constraints
+    std::vector<std::uint32_t> first{0}; ///< offset of each constraint's members in the pool; size() + 1 entries
 
     std::span<const Row> operator[](Row constraint) const {
         return std::span(pool).subspan(first[constraint], first[constraint + 1] - first[constraint]);
@@ -132,27 +132,27 @@ template <> struct Members<any_arity> {
 template <class KindT, class Real> struct Constraints {
     using Kind = KindT;
     Members<Kind::arity> members;
-    LimitColumns<Real> limits;    ///< the measure is held within [low, high]; equal for an exact constraint
-    std::vector<Real> multiplier; ///< of the last substep; tension = -multiplier / h^2
-    Column<Real> compliance;      ///< 1/stiffness; 0 is rigid
+    LimitColumns<Real> limits;    ///< interval [low, high] of the measure; low == high for an equality constraint
+    std::vector<Real> multiplier; ///< Lagrange multiplier after the last substep; tension = -multiplier / h^2
+    Column<Real> compliance;      ///< 1 / stiffness; 0 is rigid
     Column<Real> relaxation;      ///< share of the error removed at once, (0, 1]
-    Column<Real> split;           ///< share of the correction that the first member takes, 0..1; 1/2 is fair
-    Column<Real> max_force;       ///< most it pulls or pushes with; limit::measure and more has no end
-    Column<Real> lead;            ///< a compliant one aims where the measure will be so much later: a damper
-    Column<Real> rate;            ///< at which the limits move: a winch, a motor
-    Column<char> driven;          ///< its limits were made to move once
-    Column<Real> breaking_strain; ///< torn beyond it; limit::measure and more never tears
-    Column<Real> toughness;       ///< strain beyond that, times time, which it bears before it tears; 0: none
-    Column<Real> fatigue;         ///< what it has borne of it
+    Column<Real> split;           ///< share of the correction taken by the first member, [0, 1]; 1/2 is fair
+    Column<Real> max_force;       ///< largest force; from limit::measure on unlimited
+    Column<Real> lead;            ///< damping time of a compliant constraint: force = k (C + lead (dC/dt - rate))
+    Column<Real> rate;            ///< rate of the limits: a winch, a motor
+    Column<char> driven;          ///< 1 once drive() has set a rate
+    Column<Real> breaking_strain; ///< strain beyond which the constraint tears; from limit::measure on never
+    Column<Real> toughness;       ///< damage limit: excess strain times time borne before tearing; 0: tears at once
+    Column<Real> fatigue;         ///< damage so far, excess strain times time
     Column<FigureIndex> figure;
-    Column<char> in_block; ///< scratch: a block solves it, not the sweep
-    Column<char> torn;     ///< scratch: to be removed when the step ends; the last of the columns (remove.h)
+    Column<char> in_block; ///< scratch: solved by a direct block, not by the sweep
+    Column<char> torn;     ///< scratch: to be removed at the end of the step; visited last (remove.h)
     Slots<ConstraintTag> slots;
 
     std::size_t size() const { return limits.size(); }
     Real low(Row row) const { return limits.low(row); }
     Real high(Row row) const { return limits.high(row); }
-    /// It gives way: it does not pull harder than that.
+    /// True if the force of the constraint is limited.
     bool gives(Row row) const { return max_force[row] < limit::measure<Real>; }
     bool any_gives() const {
         return max_force.any_of([](Real force) { return force < limit::measure<Real>; });
@@ -160,7 +160,7 @@ template <class KindT, class Real> struct Constraints {
     bool may_tear() const {
         return breaking_strain.any_of([](Real strain) { return strain < limit::measure<Real>; });
     }
-    /// From now on tearing allocates nothing.
+    /// Allocates all the memory tearing needs.
     void expect_tears() {
         slots.remember();
         fatigue.set_apart();
@@ -187,7 +187,7 @@ template <class KindT, class Real> struct Constraints {
     }
 };
 
-/// Whether a distance ties its ends together: what only keeps them apart does not.
+/// True for a distance with an upper limit: its ends are held together, not only apart.
 template <int D, class Real> bool ties(const Constraints<Distance<D>, Real>& distances, Row row) {
     return distances.high(row) < limit::measure<Real>;
 }
@@ -199,17 +199,17 @@ template <class Real, class... Kind> struct Tables<Real, TypeList<Kind...>> {
 };
 } // namespace detail
 
-/// One table a kind, in the order of the list of kinds.
+/// A table per kind, in the order of the list of kinds.
 template <int D, class Real> using ConstraintTables = typename detail::Tables<Real, Kinds<D>>::type;
 
-/// Consecutive rows of one kind's table, as they come in a sweep.
+/// Consecutive rows of one kind's table, in the order of the sweep.
 struct Run {
     int kind = 0;
     Row count = 0;
 };
 
-/// Classic mode: the effect of a pin on its particle, before the particles are moved and the constraints swept. A
-/// particle that is not fixed takes corrections like any other.
+/// Classic mode: effect of a pin on its particle, before the particles are moved and the constraints swept. Only a
+/// `fixed` particle takes no corrections.
 enum class Hold : std::uint8_t {
     fixed,      ///< x_prev = x, x = target; neither moved nor corrected
     corrected,  ///< x_prev = x, x = target; not moved (Flash, Godot)
@@ -221,85 +221,85 @@ enum class Hold : std::uint8_t {
 /// Holds a particle in place or on a moving target. A pointer's grab is a pin.
 template <int D, class Real> struct Pin {
     ParticleId particle{};
-    Vec<D, Real> from{};       ///< where the target was when the step began
-    Vec<D, Real> target{};     ///< where it is when the step ends; interpolated over the substeps
-    Real compliance = 0;       ///< 0: the particle is on the target, whatever pulls at it
-    Real damping = 1;          ///< of a compliant pin, as a fraction of critical
-    Real max_force = 0;        ///< most it pulls with; 0 means no limit
-    Vec<D, Real> multiplier{}; ///< of the last substep; force = -multiplier / h^2
-    Vec<D, Real> carried{};    ///< scratch: its particle's velocity before the constraints
-    Hold hold = Hold::fixed;   ///< in classic mode
-    Vec<D, Real> steer{};      ///< acceleration over the distance to the target, along each axis, 1/s^2; classic mode
-    Real steer_damping = 0;    ///< acceleration against the velocity, 1/s; classic mode
-    /// Accelerates its particle instead of holding it.
+    Vec<D, Real> from{};       ///< target at the start of the step
+    Vec<D, Real> target{};     ///< target at the end of the step; interpolated over the substeps
+    Real compliance = 0;       ///< 1 / stiffness; 0 is rigid
+    Real damping = 1;          ///< fraction of critical damping, for a compliant pin
+    Real max_force = 0;        ///< largest force; 0: unlimited
+    Vec<D, Real> multiplier{}; ///< Lagrange multiplier after the last substep; force = -multiplier / h^2
+    Vec<D, Real> carried{};    ///< scratch: velocity of the particle before the constraints
+    Hold hold = Hold::fixed;   ///< classic mode only
+    Vec<D, Real> steer{};      ///< acceleration per distance to the target, by axis, 1/s^2; classic mode only
+    Real steer_damping = 0;    ///< deceleration per velocity, 1/s; classic mode only
+    /// True if the pin accelerates the particle instead of holding it at the target.
     bool steers() const { return steer != Vec<D, Real>{} || steer_damping != Real(0); }
     bool hard() const { return compliance == Real(0) && max_force == Real(0) && !steers(); }
 };
 
-/// A plane that particles stay on one side of: dot(normal, x) >= offset + radius.
+/// Plane with the particles on one side: dot(normal, x) >= offset + radius.
 template <int D, class Real> struct HalfSpace {
-    Vec<D, Real> normal{}; ///< unit, pointing to the free side
+    Vec<D, Real> normal{}; ///< unit length, towards the free side
     Real offset = 0;
-    Real restitution = 0; ///< share of the approach speed given back, 0..1
+    Real restitution = 0; ///< share of the approach speed given back, [0, 1]
     Real friction = 0;    ///< Coulomb's coefficient
 };
 
 enum class Mode : std::uint8_t { physical, classic };
 
-/// When classic mode sweeps over the constraints.
+/// Order of moves, walls and sweeps in a step of classic mode.
 enum class PassOrder : std::uint8_t {
     sweeps_last,     ///< move, walls, then the sweep `passes` times
     walls_each_pass, ///< move, then (sweep, walls) `passes` times
     walls_last       ///< move, the sweep `passes` times, then walls
 };
 
-/// Classic mode's rules, each as some original had it (docs/classic.md). The last five are the originals' known bugs.
+/// Rules of classic mode, each found in some original (docs/classic.md). The last five are known bugs of the originals.
 template <class Real> struct ClassicRules {
     int passes = 1;
     PassOrder order = PassOrder::sweeps_last;
     bool moves_each_pass = false; ///< a pass moves the particles, then sweeps (a reader of the Roblox article)
-    /// Of all that belongs to no figure with an integrator of its own.
+    /// For particles of figures without an integrator, and of no figure.
     Integrator integrator = Integrator::verlet;
     Real keep = 1;                 ///< velocity kept each frame (the originals' "damping" or "friction")
     bool damp_after_force = false; ///< (v + a) keep, as on Roblox; else v keep + a, as in Godot
     bool root_free = false;        ///< distances by s = r^2/(d^2 + r^2) - 1/2 instead of a square root (Jakobsen)
-    Real bounce = 0;               ///< share of the speed a wall gives back; 0 only clamps and leaves `previous` alone
-    Real floor_keep = 1;           ///< velocity along the floor kept each frame while resting on it
+    Real bounce = 0;               ///< share of the speed given back by a wall; 0 with floor_keep 1: `previous` is kept
+    Real floor_keep = 1;           ///< velocity along the floor kept each frame while resting
     Real time_scale = 1;           ///< slow motion; acceleration scales with its square
-    Real longest_step = 4;         ///< frames: a stall never becomes more than this
-    bool outward_bounce = false;   ///< Roblox: top and right walls leave the outward speed as it is
+    Real longest_step = 4;         ///< largest step, frames: bounds the effect of a stall
+    bool outward_bounce = false;   ///< Roblox: top and right walls leave the outward speed unchanged
     bool points_only_passes = false;  ///< Roblox: the passes move the points, the constraints are swept once
     bool unscaled_inertia = false;    ///< GameMaker: inertia does not shrink with the step
     bool halved_acceleration = false; ///< tearable cloth: x += v + a/2 dt^2
-    bool dropped_leftover = false;    ///< tearable cloth: steps of 16 ms, what is left of a frame is dropped
+    bool dropped_leftover = false;    ///< tearable cloth: ticks of 16 ms, the remainder of a frame is dropped
 };
 
-/// Of a sweep, where the settings leave it open.
+/// Substeps of a sweep when the settings leave the number open.
 inline constexpr int usual_substeps = 16;
 
 template <class Real> struct Settings {
     Mode mode = Mode::physical;
-    int substeps = 0; ///< 0: as many as it takes, `usual_substeps` where constraints are swept
+    int substeps = 0; ///< 0: automatic, `usual_substeps` where constraints are swept
     int iterations = 1;
-    Real damping = 0;            ///< velocity decays as exp(-damping t); not negative
-    Real frame = Real(1.0 / 60); ///< how long a frame is in the user's time unit; classic mode's tick
+    Real damping = 0;            ///< rate of decay of velocities, >= 0: exp(-damping t)
+    Real frame = Real(1.0 / 60); ///< length of a frame in the user's time unit; tick of classic mode
     ClassicRules<Real> classic;
 };
 
 enum class EventType : std::uint8_t {
-    torn,        ///< a constraint exceeded its breaking strain and is gone
-    quarantined, ///< a figure or a loose particle became non-finite and stands still until it is reset
+    torn,        ///< a constraint exceeded its breaking strain and was removed
+    quarantined, ///< a figure or a loose particle became non-finite and is frozen; a figure until release_quarantine()
 };
 
 struct Event {
     EventType type{};
     FigureIndex figure = no_figure;
-    ConstraintId constraint{};        ///< torn: its id while it lived
+    ConstraintId constraint{};        ///< torn: id of the removed constraint
     std::array<ParticleId, 2> ends{}; ///< torn: its first particle and its last
-    ParticleId particle{};            ///< quarantined: the first that was not finite
+    ParticleId particle{};            ///< quarantined: the first non-finite particle
 };
 
-/// Events a step can report. A step that would tear more leaves the rest for the next.
+/// Largest number of events of a step. Further constraints tear in the next step.
 inline constexpr std::size_t events_per_step = 4096;
 
 template <int D, class RealT> struct World {
@@ -307,7 +307,7 @@ template <int D, class RealT> struct World {
     using Real = RealT;
     using Vector = Vec<D, Real>;
 
-    // Defined once, in world.cpp: it is a lot to make and to copy.
+    // Defined once, in world.cpp: costly to compile in every file.
     World();
     World(const World&);
     World(World&&) noexcept;
@@ -316,50 +316,50 @@ template <int D, class RealT> struct World {
     ~World();
 
     Settings<Real> settings;
-    int threads = 0; ///< how many may work on a step; 0: as many as the machine has cores. Never changes a result
+    int threads = 0; ///< threads of a step; 0: the number of cores. Results do not depend on the number
     Particles<D, Real> particles;
     ConstraintTables<D, Real> constraints;
-    std::vector<Run> sweep; ///< the order in which constraints are solved: as they were added
+    std::vector<Run> sweep; ///< order in which the constraints are solved: as added
     std::vector<Pin<D, Real>> pins;
     Slots<PinTag> pin_slots;
     std::vector<Force<D, Real>> forces;
     std::vector<HalfSpace<D, Real>> bounds;
-    std::vector<Figure> figures; ///< by FigureIndex; where one was removed, one that is not in use
+    std::vector<Figure> figures; ///< by FigureIndex; a removed figure leaves an unused entry
     NameTable<FigureIndex> figure_names;
-    Stamp figure_stamp;             ///< of figures that are added next
-    std::size_t unused_figures = 0; ///< of `figures`
+    Stamp figure_stamp;             ///< generation of the next figure added
+    std::size_t unused_figures = 0; ///< unused entries of `figures`
 
     double time = 0;
     std::uint64_t steps = 0;
-    double energy_lost = 0;      ///< where blocks were struck, cracked or snapped taut; decides nothing
-    Real last_step = 0;          ///< its length: in classic mode a change of it corrects the Verlet step
-    Real last_substep = 0;       ///< its length: a change of it corrects what is added to velocities
-    std::uint32_t restless = 0;  ///< bands swept again at once where links of tethered sheets are much too long
-    std::vector<Event> events;   ///< of the last step
-    Blocks<D> blocks;            ///< what is solved at once instead of in the sweep
-    Swept<D, Real> swept;        ///< room for the sweep, and its plan
-    Budgets<D> budgets;          ///< what the constraints of figures may do to their energy
-    std::vector<Vector> scratch; ///< room for the points and gradients of the widest constraint
+    double energy_lost = 0;      ///< dissipated by direct blocks at impacts, cracks and taut snaps; diagnostic only
+    Real last_step = 0;          ///< length of the last step; in classic mode the Verlet step is corrected for a change
+    Real last_substep = 0;       ///< length of the last substep; the velocity update is corrected for a change
+    std::uint32_t restless = 0;  ///< repair window, tiles: overstretched links of tethered components are swept again
+    std::vector<Event> events;   ///< reported by the last step
+    Blocks<D> blocks;            ///< direct solver: constraints solved at once instead of in the sweep
+    Swept<D, Real> swept;        ///< state and plan of the sweep
+    Budgets<D> budgets;          ///< limits on the energy added by constraints of figures
+    std::vector<Vector> scratch; ///< points and gradients of the widest constraint
 };
 
-/// Whether there is a figure of that index.
+/// True for the index of a living figure.
 template <class WorldT> bool has_figure(const WorldT& world, FigureIndex figure) {
     return figure < world.figures.size() && world.figures[figure].in_use();
 }
 
-/// As particles have it.
+/// Inverse mass of a particle, clamped to the limits; 0 for a mass that is infinite or not positive.
 template <class Real> constexpr Real inverse_of_mass(Real mass) {
     if (mass == std::numeric_limits<Real>::infinity() || mass <= Real(0)) return Real(0);
-    if (!is_finite(mass)) return mass; // not a number: the next step puts its figure in quarantine
+    if (!is_finite(mass)) return mass; // the next step quarantines the particle's figure
     return Real(1) / clamp(mass, Real(1) / limit::mass<Real>, limit::mass<Real>);
 }
 
-/// The time between `previous` and `position`: the last step, a frame before there was one.
+/// Time between `previous` and `position`: the last step, or a frame before the first step.
 template <int D, class Real> Real verlet_interval(const World<D, Real>& world) {
     return minimum(world.last_step > Real(0) ? world.last_step : world.settings.frame, limit::step<Real>);
 }
 
-/// What moves a particle in classic mode: its figure's integrator, or else that of the rules.
+/// Integrator of a particle in classic mode: the figure's, or else the one of the rules.
 template <int D, class Real> Integrator integrator_of(const World<D, Real>& world, Row row) {
     const auto figure = world.particles.figure[row];
     const auto usual = world.settings.classic.integrator;
@@ -379,7 +379,7 @@ template <class WorldT, class Visit> void visit_table(WorldT& world, int kind, V
     });
 }
 
-/// Defines a template for every world there is: SINEW_INSTANTIATE(X) with X(D, Real).
+/// Instantiates a template for every type of world: SINEW_INSTANTIATE(X) with X(D, Real).
 #define SINEW_INSTANTIATE(X) X(2, float) X(2, double) X(3, float) X(3, double)
 
 } // namespace sinew

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/session/picture.h"
+#include "sinew/picture/picture.h"
 
 #include "canvas/cairo_handle.h"
 
@@ -13,6 +13,8 @@
 #include <ostream>
 
 namespace sinew {
+
+constexpr Color white{1, 1, 1, 1}, black{0, 0, 0, 1}, red{1, 0, 0, 1};
 
 /// A pixel as it lies in memory: 8 bits a channel, premultiplied by alpha.
 struct Pixel {

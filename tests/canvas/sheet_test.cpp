@@ -19,7 +19,7 @@ Failure write(const std::filesystem::path& path, const SheetFormat& format, int 
     return failure ? failure : writer->finish();
 }
 
-constexpr SheetFormat three_by_two{
+const SheetFormat three_by_two{
     .columns = 3, .rows = 2, .frame_width = 160, .frame_height = 120, .seconds_between = 0.5};
 
 TEST(Sheet, LaysFramesOutInReadingOrderOnAMount) {

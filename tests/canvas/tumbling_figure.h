@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/session/picture.h"
+#include "sinew/picture/picture.h"
 
 #include <array>
 #include <cmath>

@@ -1,3 +1,4 @@
+#include "sinew/picture/draw.h"
 #include "sinew/session/session.h"
 
 #include "canvas/png.h"
@@ -61,7 +62,7 @@ Image taken(const Shot& shot) {
     Picture picture;
     picture.width = width;
     picture.height = height;
-    session.draw(picture);
+    draw(session, picture);
     std::erase_if(picture.items, [](const auto& item) { return item.shape == Shape::text; }); // fonts differ
     canvas::Raster raster(width, height);
     EXPECT_EQ(raster.paint(picture), canvas::Failure());

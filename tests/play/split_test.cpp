@@ -11,8 +11,8 @@ using games::pixel_of;
 using games::run;
 using games::shelf;
 
-struct Split : testing::Test {
-    Split() {
+struct SplitView : testing::Test {
+    SplitView() {
         play.resize(1000, 500);
         play.toggle_split();
     }
@@ -25,7 +25,7 @@ struct Split : testing::Test {
     Play play{shelf, "ragdoll"};
 };
 
-TEST_F(Split, ShowsBothModesFromTheStartInLockstep) {
+TEST_F(SplitView, ShowsBothModesFromTheStartInLockstep) {
     ASSERT_EQ(play.pane_count(), 2U) << play.problem();
     const auto modes = each([&] { return play.session().scene().solver.mode; });
     EXPECT_EQ(modes, (std::vector<std::string>{"classic", "physical"}));
@@ -41,7 +41,7 @@ TEST_F(Split, ShowsBothModesFromTheStartInLockstep) {
     }
 }
 
-TEST_F(Split, ThePointerTakesTheSameParticleInBoth) {
+TEST_F(SplitView, ThePointerTakesTheSameParticleInBoth) {
     run("size 1000x500\n0 key p\n0 move bob/right_hand over 0\n0.1 press\n0.2 move 100 100 over 0\n0.2 key p\n"
         "1.5 end",
         play);
@@ -55,7 +55,7 @@ TEST_F(Split, ThePointerTakesTheSameParticleInBoth) {
     for (const bool held : each([&] { return play.session().hand() != nullptr; })) EXPECT_FALSE(held);
 }
 
-TEST_F(Split, EditsCutsAndUndosHappenInBoth) {
+TEST_F(SplitView, EditsCutsAndUndosHappenInBoth) {
     EXPECT_TRUE(play.set("figures.bob.height", "150")) << play.problem();
     for (const auto& height : each([&] { return play.tape().undo_name(); })) EXPECT_EQ(height, "figures.bob.height");
     play.undo();
@@ -73,7 +73,7 @@ TEST_F(Split, EditsCutsAndUndosHappenInBoth) {
     EXPECT_EQ(each([&] { return play.session().report().constraints; }), before);
 }
 
-TEST_F(Split, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
+TEST_F(SplitView, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
     for (int i = 0; i < 30; ++i) play.advance(1.0 / 60);
     const auto hashes = each([&] { return play.hash(); });
     play.handle(Moved{{800, 250}});
@@ -84,7 +84,7 @@ TEST_F(Split, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
     EXPECT_EQ(play.session().scene().solver.mode, "physical");
 }
 
-TEST_F(Split, APictureHasBothHalves) {
+TEST_F(SplitView, APictureHasBothHalves) {
     Picture picture;
     play.draw(picture);
     ASSERT_EQ(picture.images.size(), 2U);

@@ -1,4 +1,5 @@
 #include "sinew/math/random.h"
+#include "sinew/session/focus.h"
 
 #include "tests/sanitized.h"
 #include "tests/scene/scene_runs.h"

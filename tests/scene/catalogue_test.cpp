@@ -1,3 +1,5 @@
+#include "sinew/picture/draw.h"
+
 #include "tests/paths.h"
 #include "tests/sanitized.h"
 #include "tests/scene/scene_runs.h"
@@ -14,7 +16,7 @@ std::size_t items_on_screen(const Session& session) {
     Picture picture;
     picture.width = session.scene().view.size[0];
     picture.height = session.scene().view.size[1];
-    session.draw(picture);
+    draw(session, picture);
     return std::size_t(std::count_if(picture.items.begin(), picture.items.end(), [&](const Picture::Item& item) {
         const auto points = picture.points_of(item);
         return std::any_of(points.begin(), points.end(), [&](const auto& point) {

@@ -1,3 +1,4 @@
+#include "sinew/picture/draw.h"
 #include "sinew/session/session.h"
 #include "sinew/session/view.h"
 #include "sinew/solver/edit.h"
@@ -90,7 +91,7 @@ TEST(Cuts, ATornLinkIsDrawnNoLonger) {
     const auto lines = [&] {
         Picture picture;
         picture.width = picture.height = 400;
-        session.draw(picture);
+        draw(session, picture);
         return std::count_if(picture.items.begin(), picture.items.end(),
                              [](const auto& item) { return item.shape == Shape::polyline; });
     };
@@ -126,7 +127,7 @@ float reach_across(const Session& session, Vec2<float> from, Vec2<float> to) {
     Picture picture;
     picture.width = 640;
     picture.height = 480;
-    session.draw(picture);
+    draw(session, picture);
     const auto along = direction(to - from);
     float worst = 0;
     for (const auto& item : picture.items) {

@@ -1,3 +1,4 @@
+#include "sinew/picture/draw.h"
 #include "sinew/prefab/prefabs.h"
 #include "sinew/session/session.h"
 
@@ -137,7 +138,7 @@ TEST(Figures, ARunningSessionLosesOneAndGoesBackToWhereItHadIt) {
     session.run_until(0.3);
     Picture picture;
     picture.width = 200, picture.height = 100;
-    session.draw(picture, OverlaySet{});
+    draw(session, picture, OverlaySet{});
     EXPECT_EQ(session.report().particles, 8U);
     session = snapshot;
     EXPECT_EQ(session.report().hash, snapshot.report().hash);

@@ -1,3 +1,4 @@
+#include "sinew/picture/draw.h"
 #include "sinew/session/session.h"
 
 #include "apps/window/gl_painter.h"
@@ -92,7 +93,7 @@ TEST_F(GlPainterTest, ShowsScenesAsCairoDoes) {
         Picture picture;
         picture.width = width, picture.height = height;
         for (const unsigned long overlay : {0UL, ~0UL}) {
-            session.draw(picture, OverlaySet(overlay));
+            draw(session, picture, OverlaySet(overlay));
             EXPECT_GE(ssim(by_gl(picture), by_cairo(picture)), 0.97) << name << " " << overlay;
         }
     }
@@ -103,9 +104,9 @@ TEST_F(GlPainterTest, ShowsPicturesBesideEachOtherAsCairoDoes) {
     for (int i = 0; i < 60; ++i) session.step();
     Picture left, right, whole;
     for (auto* part : {&left, &right}) part->width = 318, part->height = 455;
-    session.draw(left, OverlaySet(~0UL));
+    draw(session, left, OverlaySet(~0UL));
     session.set_theme("dark");
-    session.draw(right);
+    draw(session, right);
     const std::array parts = {canvas::Labelled{&left, "left"}, canvas::Labelled{&right, "right"}};
     canvas::put_beside(parts, whole);
     ASSERT_EQ(whole.width, width);
@@ -146,7 +147,7 @@ TEST(Screen, ShowsTheSameInANewContext) {
         auto session = session_of("ragdoll");
         Picture picture;
         picture.width = width, picture.height = height;
-        session.draw(picture);
+        draw(session, picture);
         const auto before = shown(screen, picture);
         EXPECT_GT(std::count_if(before.begin(), before.end(), [&](auto pixel) { return pixel != before[0]; }), 1000);
         EXPECT_FALSE(screen.lost());

@@ -1,0 +1,151 @@
+#include "sinew/picture/draw.h"
+#include "sinew/session/session.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+/// What overlays add to a picture.
+namespace sinew {
+namespace {
+
+struct Seen {
+    Picture plain, laid_over;
+    std::span<const Picture::Item> added() const { return std::span(laid_over.items).subspan(plain.items.size()); }
+    std::vector<std::string> texts() const { return laid_over.texts; }
+};
+
+Seen seen(const std::string& name, const std::string& figures, const std::string& more = "", double seconds = 0,
+          const std::string& walls = "") {
+    auto document = load(R"({"sinew": 1, "units": {"length": "px"}, "world": {"gravity": [0, -1000], "damping": 5)" +
+                             walls + "}, " + more + R"("figures": [)" + figures + "]}",
+                         "test.json");
+    auto opened = open_scene(document);
+    EXPECT_TRUE(opened) << to_text(document.diagnostics);
+    Seen result;
+    if (!opened) return result;
+    Session session(std::move(*opened));
+    session.run_until(seconds);
+    OverlaySet set;
+    for (std::size_t i = 0; i < overlays.size(); ++i) set[i] = overlays[i].name == name;
+    for (auto* picture : {&result.plain, &result.laid_over}) picture->width = 640, picture->height = 480;
+    draw(session, result.plain);
+    draw(session, result.laid_over, set);
+    return result;
+}
+
+const std::string weight = R"({"name": "x", "particles": {"top": {"at": [0, 100], "pinned": true},
+    "low": {"at": [0, 0], "mass": 2}}, "constraints": [{"name": "spring", "between": ["top", "low"], "compliance": )";
+
+std::size_t count(const Seen& picture, Shape shape) {
+    const auto added = picture.added();
+    return std::size_t(
+        std::count_if(added.begin(), added.end(), [&](const auto& item) { return item.shape == shape; }));
+}
+
+bool has_text(const Seen& picture, const std::string& text) {
+    const auto texts = picture.texts();
+    return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+TEST(Overlay, NoneAddsNothing) {
+    const auto picture = seen("", weight + "0}]}");
+    EXPECT_EQ(picture.plain.items.size(), picture.laid_over.items.size());
+    EXPECT_TRUE(picture.texts().empty());
+}
+
+// 2 kg at 10 m/s^2 pull with 20 N; a line in the deepest red would be 20, the scale goes to the next round number.
+TEST(Overlay, TensionIsInNewtonsWhateverTheUnits) {
+    const auto picture = seen("tension", weight + R"(0}]})", R"("solver": {"substeps": 8}, )", 1);
+    EXPECT_EQ(count(picture, Shape::polyline), 2U); // a line and its casing
+    EXPECT_TRUE(has_text(picture, "20 N") || has_text(picture, "50 N"));
+    const auto& item = *std::find_if(picture.added().begin() + 1, picture.added().end(),
+                                     [](const auto& i) { return i.shape == Shape::polyline; });
+    EXPECT_GT(item.color.red, item.color.blue);
+}
+
+TEST(Overlay, ClassicModeKnowsNoForces) {
+    EXPECT_TRUE(has_text(seen("tension", weight + "0}]}", R"("solver": {"mode": "classic"}, )"),
+                         "tension: classic mode knows no forces"));
+}
+
+// Under 2 kg at 1000 px/s^2 a spring of 0.002 gives 4 px of 100: on a scale to 5 %, four fifths of the way to red.
+TEST(Overlay, StrainOfASpringIsForceTimesComplianceOverItsLength) {
+    const auto at_first = seen("strain", weight + "0.002}]}"), at_rest = seen("strain", weight + "0.002}]}", "", 5);
+    EXPECT_TRUE(has_text(at_first, "0.1 %"));
+    EXPECT_TRUE(has_text(at_rest, "5 %"));
+    const auto pale = at_first.added()[1].color, red = at_rest.added()[1].color;
+    const Color deepest{0.85F, 0.15F, 0.12F, 1};
+    EXPECT_NEAR(red.blue, mix(pale, deepest, 0.8F).blue, 0.01);
+}
+
+TEST(Overlay, PinsAreMarkedWhereTheyHold) {
+    const auto picture = seen("pins", weight + "0}]}");
+    EXPECT_EQ(count(picture, Shape::disc), 3U);
+    const auto first = picture.added().front();
+    EXPECT_EQ(first.shape, Shape::disc);
+}
+
+TEST(Overlay, NamesAreThoseOfFiguresAndTheirParticlesAndDoNotLieOnEachOther) {
+    const auto apart = seen("names", weight + "0}]}");
+    for (const std::string name : {"x", "top", "low"}) EXPECT_TRUE(has_text(apart, name)) << name;
+    const auto together =
+        seen("names", R"({"name": "x", "particles": {"one": {"at": [0, 0]}, "two": {"at": [0, 0.1]}}})");
+    EXPECT_EQ(has_text(together, "one") + has_text(together, "two"), 1);
+}
+
+TEST(Overlay, WhatOnlyKeepsApartIsALineWhileItDoes) {
+    const auto lines = [](const std::string& at) {
+        return count(seen("strain", R"({"name": "x", "particles": {"a": {"at": [0, 0], "pinned": true}, "b": {"at": )" +
+                                        at + R"(, "mass": 1}}, "constraints": [{"between": ["a", "b"], "low": 50}]})"),
+                     Shape::polyline);
+    };
+    EXPECT_EQ(lines("[80, 0]"), 0U);
+    EXPECT_EQ(lines("[20, 0]"), 2U);
+}
+
+const std::string floor_at_zero = R"(, "bounds": {"planes": [{"normal": [0, 1]}]})";
+
+/// The length of the longest arrow's shaft and tip, pixels.
+double longest_arrow(const Seen& picture) {
+    double longest = 0;
+    const auto added = picture.added();
+    for (std::size_t i = 0; i + 1 < added.size(); ++i) {
+        if (added[i].shape != Shape::polyline || added[i + 1].shape != Shape::polygon) continue;
+        const auto shaft = picture.laid_over.points_of(added[i]), tip = picture.laid_over.points_of(added[i + 1]);
+        if (absolute(shaft[0][0] - 14) > 1)
+            longest = std::max(longest, double(distance(shaft[0], tip[0]))); // no legend
+    }
+    return longest;
+}
+
+// 1.8 kg at 10 m/s^2 weigh 18 N, and the pin bears them: both arrows are nine tenths of the legend's 70 pixels.
+TEST(Overlay, APinPullsWithTheWeightThatHangsOnIt) {
+    const auto picture = seen("forces", R"({"name": "x", "particles": {"top": {"at": [0, 100], "mass": 1e-6},
+        "low": {"at": [0, 0], "mass": 1.8}}, "constraints": [{"between": ["top", "low"]}]})",
+                              R"("pins": [{"particle": "x/top"}], )", 1);
+    EXPECT_TRUE(has_text(picture, "forces: 20 N"));
+    EXPECT_EQ(count(picture, Shape::polygon), 3U) << "weight, pin, legend";
+    EXPECT_NEAR(longest_arrow(picture), 63, 0.5);
+}
+
+// A square of 3.6 kg that rests on the floor is carried with 36 N by its two lower corners: 18 N each.
+TEST(Overlay, AFloorCarriesTheWeightOfWhatRestsOnIt) {
+    const auto picture = seen("contacts", R"({"prefab": "box", "name": "box", "at": [0, 20], "width": 40, "height": 40,
+        "mass": 3.6})",
+                              "", 3, floor_at_zero);
+    EXPECT_EQ(count(picture, Shape::polygon), 3U) << "two corners, legend";
+    EXPECT_EQ(count(picture, Shape::disc), 4U);
+    EXPECT_TRUE(has_text(picture, "contacts: 20 N"));
+    EXPECT_NEAR(longest_arrow(picture), 63, 0.5);
+}
+
+TEST(Overlay, ClassicWallsAreTouchedWithoutForce) {
+    const auto picture = seen("contacts", R"({"name": "x", "particles": {"a": {"at": [0, 1]}}})",
+                              R"("solver": {"mode": "classic"}, )", 2, floor_at_zero);
+    EXPECT_EQ(count(picture, Shape::disc), 2U);
+    EXPECT_EQ(count(picture, Shape::polygon), 0U);
+    EXPECT_TRUE(has_text(picture, "contacts: classic mode knows no forces"));
+}
+
+} // namespace
+} // namespace sinew
