@@ -96,6 +96,17 @@ std::string long_name(const std::string& names) {
     return names.substr(names.find("--"));
 }
 
+template <class Number>
+void declare_in_range(CLI::App& parser, const std::string& names, std::optional<Number>& target, Range range,
+                      const std::string& placeholder, const std::string& help, std::string_view kind) {
+    declare_taken(parser, names, placeholder, help, [=, &target](const std::string& text) {
+        target = number_of<Number>(text);
+        if (!target || !(*target >= range.low && *target <= range.high))
+            misused(fmt::format("{}: expected {} {}, found {}", long_name(names), kind, range_text(range),
+                                in_quotes(text)));
+    });
+}
+
 void declare_all(Command& command, CLI::App& parser) {
     parser.set_help_flag("-h,--help", "this text");
     command.declare(parser);
@@ -156,17 +167,20 @@ void declare_flag(CLI::App& parser, const std::string& names, bool& target, cons
 
 void declare_text(CLI::App& parser, const std::string& names, std::string& target, const std::string& placeholder,
                   const std::string& help) {
-    declare_taken(parser, names, placeholder, help, [&target](const std::string& text) { target = text; });
+    declare_taken(parser, names, placeholder, help, [=, &target](const std::string& text) {
+        if (text.empty()) misused(fmt::format("{}: expected {}, found nothing", long_name(names), placeholder));
+        target = text;
+    });
 }
 
 void declare_number(CLI::App& parser, const std::string& names, std::optional<double>& target, Range range,
                     const std::string& placeholder, const std::string& help) {
-    declare_taken(parser, names, placeholder, help, [=, &target](const std::string& text) {
-        target = number_of<double>(text);
-        if (!target || !(*target >= range.low && *target <= range.high))
-            misused(fmt::format("{}: expected a number {}, found {}", long_name(names), range_text(range),
-                                in_quotes(text)));
-    });
+    declare_in_range(parser, names, target, range, placeholder, help, "a number");
+}
+
+void declare_whole(CLI::App& parser, const std::string& names, std::optional<int>& target, Range range,
+                   const std::string& placeholder, const std::string& help) {
+    declare_in_range(parser, names, target, range, placeholder, help, "a whole number");
 }
 
 void declare_pair(CLI::App& parser, const std::string& names, std::optional<std::array<int, 2>>& target,

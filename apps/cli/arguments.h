@@ -42,12 +42,15 @@ void declare_scene(CLI::App& parser, SceneWords& target);
 
 /// Declares an option without a value.
 void declare_flag(CLI::App& parser, const std::string& names, bool& target, const std::string& help);
-/// Declares an option with any text as the value.
+/// Declares an option with any text but an empty one as the value.
 void declare_text(CLI::App& parser, const std::string& names, std::string& target, const std::string& placeholder,
                   const std::string& help);
 /// Declares an option with a number in a range as the value.
 void declare_number(CLI::App& parser, const std::string& names, std::optional<double>& target, Range range,
                     const std::string& placeholder, const std::string& help);
+/// Declares an option with a whole number in a range as the value.
+void declare_whole(CLI::App& parser, const std::string& names, std::optional<int>& target, Range range,
+                   const std::string& placeholder, const std::string& help);
 /// Declares an option with two whole numbers as the value: 640x480.
 void declare_pair(CLI::App& parser, const std::string& names, std::optional<std::array<int, 2>>& target,
                   const std::string& placeholder, const std::string& help);

@@ -26,6 +26,12 @@ std::string_view trimmed(std::string_view text) {
     return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
+/// Spreadsheets begin their files with a mark of UTF-8.
+std::string_view without_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 bool is_separator(char c) {
     return c == ',' || c == ';' || c == ' ' || c == '\t';
 }
@@ -60,12 +66,13 @@ double end_of_step(const Session& session) {
 } // namespace
 
 PointerPath PointerPath::read(const std::filesystem::path& path) {
-    const auto text = read_text(path, most_bytes);
+    const auto file = read_text(path, most_bytes);
+    const auto text = without_mark(file);
     PointerPath read;
     std::size_t number = 1;
     for (std::size_t begin = 0; begin < text.size(); ++number) {
         const auto end = std::min(text.find('\n', begin), text.size());
-        const auto line = trimmed(std::string_view(text).substr(begin, end - begin));
+        const auto line = trimmed(text.substr(begin, end - begin));
         begin = end + 1;
         if (is_no_sample(line, number)) continue;
         const auto numbers = numbers_of(line);

@@ -142,17 +142,17 @@ class RunCommand final : public Command {
     void declare(CLI::App& parser) override {
         declare_scene(parser, words);
         declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S", "how long; else what the scene says");
-        declare_number(parser, "--threads", threads, {1, 1024}, "N", "how many work on a step; else one for each core");
+        declare_whole(parser, "--threads", threads, {1, 1024}, "N", "how many work on a step; else one for each core");
         declare_flag(parser, "--json", as_json, "ends with one line of JSON");
         declare_text(parser, "--trace", trace_path, "FILE", "writes positions and velocities, frame by frame");
-        declare_number(parser, "--every", every, {1, 1e9}, "N", "of a trace: each Nth step only");
+        declare_whole(parser, "--every", every, {1, 1e9}, "N", "of a trace: each Nth step only");
         declare_text(parser, "--of", names, "A,B", "of a trace: these particles and figures; else all");
         declare_text(parser, "--pointer", pointer_path, "FILE", "plays a pointer's path: time, x, y, button a line");
     }
 
     int run() override {
         Run run(open_file(words.scene, words.overrides));
-        std::visit([&](auto& world) { world.threads = int(threads.value_or(0)); }, run.session.world());
+        std::visit([&](auto& world) { world.threads = threads.value_or(0); }, run.session.world());
         if (!pointer_path.empty()) run.pointer = PointerPath::read(pointer_path);
         auto trace = begin_trace(run.session);
         canvas::catch_interrupts();
@@ -184,7 +184,8 @@ class RunCommand final : public Command {
     }
 
     SceneWords words;
-    std::optional<double> seconds, threads, every;
+    std::optional<double> seconds;
+    std::optional<int> threads, every;
     std::string trace_path, names, pointer_path;
     bool as_json = false;
 };

@@ -156,7 +156,13 @@ fs::path scene_path(const std::string& word) {
 }
 
 std::string read_text(const fs::path& path, std::size_t most) {
-    return read_path(path, most);
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown)) refuse(path.string(), "a folder, not a file");
+    const File file(std::fopen(path.c_str(), "rb"));
+    if (!file) refuse(path.string(), std::strerror(errno));
+    auto read = read_bytes(file.get(), most);
+    if (!read.problem.empty()) refuse(path.string(), read.problem);
+    return std::move(read.text);
 }
 
 std::string title_of(const std::string& word) {

@@ -80,12 +80,12 @@ std::string heading(int dimension) {
 
 Trace::Trace(const std::string& path, const std::string& names, const Session& session)
     : path_(path), is_table_(path.ends_with(".csv")) {
+    all_ = names.empty();
+    if (!all_) choose(names, session); // first: a wrong name leaves an older file as it was
     if (path != "-") {
         file_.reset(std::fopen(path.c_str(), "wb"));
         if (!file_) refuse(path, std::strerror(errno));
     }
-    all_ = names.empty();
-    if (!all_) choose(names, session);
     if (is_table_) text_ = heading(session.scene().dimension);
 }
 

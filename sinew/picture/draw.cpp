@@ -44,7 +44,7 @@ template <class WorldT> class Drawer {
         picture_.images.clear();
         for (const auto& [name, image] : context_.images) picture_.images.push_back(image);
         if (D == 3) draw_floors(scene_, view_, theme_, picture_);
-        shadows();
+        if (!scene_.view.plain) shadows();
         if (D == 2) draw_walls(scene_, view_, theme_, wall_thickness * unit_, picture_);
         draw_traces(scene_, context_.history, view_, picture_);
         for (std::size_t i = 0; i < world_.figures.size(); ++i) figure(world_.figures[i], i);
@@ -147,7 +147,9 @@ template <class WorldT> class Drawer {
     }
 
     void draw_outline(const Piece& piece, const Style& style) {
-        if (is_area(piece) || style.color.alpha < 1 || image_of(piece, style) || !trace(piece, style)) return;
+        if (scene_.view.plain || is_area(piece) || style.color.alpha < 1 || image_of(piece, style) ||
+            !trace(piece, style))
+            return;
         if (traced_.width >= thinnest)
             brush_.paint(traced_, style, rim * unit_, mix(style.color, theme_.ink, theme_.outline_shade));
     }
@@ -162,9 +164,9 @@ template <class WorldT> class Drawer {
         const Color& own = piece.mark == Mark::fill ? style.fill : style.color;
         const Color shown = mix(own, {tint.red, tint.green, tint.blue, own.alpha}, tint.alpha);
         brush_.paint(traced_, style, 0, shown);
-        if (D == 3 && is_tube(piece) && shown.alpha == 1) shade_tube(style, shown);
+        if (D == 3 && is_tube(piece) && shown.alpha == 1 && !scene_.view.plain) shade_tube(style, shown);
         if (!is_round(piece)) return;
-        add_gloss(shown);
+        if (!scene_.view.plain) add_gloss(shown);
         if (!style.face.empty()) draw_face(piece, style.face, theme_.ink);
     }
 

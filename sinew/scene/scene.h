@@ -64,6 +64,7 @@ struct ViewSection {
     std::optional<double> height;
     CameraSection camera;
     std::string theme = "light";
+    bool plain = false;
 
     static constexpr std::array<std::string_view, 2> themes = {"light", "dark"};
 
@@ -80,6 +81,7 @@ struct ViewSection {
         visit(self.camera, Field{.name = "camera", .help = "Camera of a 3D scene"});
         visit(self.theme,
               Field{.name = "theme", .help = "Default colours, for parts without looks", .choices = themes});
+        visit(self.plain, Field{.name = "plain", .help = "Plain drawing: no outlines, shadows or highlights"});
     }
 };
 

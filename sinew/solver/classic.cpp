@@ -156,7 +156,12 @@ template <int D, class Real> class ClassicStep {
     Vec<D, Real> gained(const Push<D, Real>& push, const Vec<D, Real>& velocity) const {
         const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
         const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
-        return fallen - velocity * minimum(Real(1), push.drag_rate * h_);
+        return fallen - velocity * minimum(Real(1), push.drag_rate * h_ * dragged_share());
+    }
+
+    /// A displacement that is not scaled is the way of a frame: its drag is an acceleration like any other, over h^2.
+    Real dragged_share() const {
+        return rules_.unscaled_inertia ? h_ * inverse_or_zero(world_.settings.frame) : Real(1);
     }
 
     /// Step of an integrator other than Verlet: damping acts before or after; x_prev = x - v h.

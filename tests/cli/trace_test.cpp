@@ -85,11 +85,31 @@ TEST(Trace, TakesFiguresAndStemsAndSaysWhatItDoesNotKnow) {
     EXPECT_EQ(sinew({"run", "pendulum", "--seconds", "1", "--trace", "-"}, {.output = "/dev/full"}).code, 1);
 }
 
+TEST(Trace, WithAWrongNameLeavesAnOlderFileAsItWas) {
+    const auto path = scratch("older.csv");
+    write(path, "older\n");
+    EXPECT_EQ(sinew({"run", "-", "--trace", path.string(), "--of", "nobody"}, {.input = drifting}).code, 1);
+    EXPECT_EQ(lines_in(path), std::vector<std::string>{"older"});
+}
+
+TEST(Trace, TakesNoEmptyWordsAndNoPartsOfSteps) {
+    for (const std::string option : {"--trace", "--of", "--pointer"}) {
+        const auto outcome = sinew({"run", "-", option, ""}, {.input = drifting});
+        EXPECT_EQ(outcome.code, 2) << option;
+        EXPECT_TRUE(has(outcome.err, option + ": expected")) << outcome.err;
+    }
+    for (const std::string every : {"0", "-3", "1.5", "nan", "1e30", "99999999999999999999"}) {
+        const auto outcome = sinew({"run", "-", "--trace", "-", "--every", every}, {.input = drifting});
+        EXPECT_EQ(outcome.code, 2) << every;
+        EXPECT_TRUE(has(outcome.err, "--every: expected a whole number from 1 to 1e9")) << outcome.err;
+    }
+}
+
 // Over a at 2, pressed at 4 (a is set on it), straight to 60 px on at 10, and let go.
 TEST(Pointer, PressesWhatItIsOverAndCarriesIt) {
     const auto path = scratch("mouse.csv");
-    write(path,
-          "time, x, y, button\n# a press and a drag\n2, 100, 100, 0\n4, 100, 105, 1\n10 160 105 1\n11, 300, 300, 0\n");
+    write(path, "\xef\xbb\xbftime, x, y, button\r\n# a press and a drag\n2, 100, 100, 0\n4, 100, 105, 1\n10 160 105 "
+                "1\n11, 300, 300, 0\n");
     const auto outcome = sinew(
         {"run", "-", "--seconds", "0.2", "--trace", "-", "--of", "f/a", "--pointer", path.string()}, {.input = pixels});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -115,6 +135,9 @@ TEST(Pointer, SaysWhichLineIsWrong) {
         EXPECT_TRUE(has(outcome.err, said)) << outcome.err;
     }
     EXPECT_EQ(sinew({"run", "pendulum", "--pointer", "nowhere.csv"}).code, 1);
+    const auto folder = sinew({"run", "pendulum", "--pointer", "/"});
+    EXPECT_EQ(folder.code, 1);
+    EXPECT_TRUE(has(folder.err, "/: error: a folder, not a file")) << folder.err;
 }
 
 TEST(Pointer, LeadsWhatIsRendered) {

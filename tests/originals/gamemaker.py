@@ -2,8 +2,8 @@
 
 Each frame the author sets five roots on a body that bobs (x only: x_prev stays); replaces the acceleration of the hand
 by 0.05 of its way to the mouse less 0.1 of its speed, and that of the head by (0.005, 0.08) of its way to the place
-above the root less 0.05 of its speed. Then every point, the roots too, is integrated, x += x - x_prev + a; from then on
-its acceleration is gravity (0, 0.5), so that the first frame has none. Then three passes over the links: each end takes
+above the root less 0.05 of its speed. Then every point, the roots too, is integrated, x += x - x_prev + a (of another
+time scale: a s^2, while x - x_prev stays); from then on its acceleration is gravity (0, 0.5), so that the first frame has none. Then three passes over the links: each end takes
 0.3 of the error. Nothing is damped. (Every 64 frames hands and feet get random accelerations: left out.)
 """
 import math
@@ -20,7 +20,8 @@ head root, head left_shoulder, head right_shoulder"""
 
 
 class Humanoid:
-    def __init__(self):
+    def __init__(self, time_scale=1.0):
+        self.time_scale = time_scale  # set by the wheel
         places = {**ROOTS, **FREE}
         self.x = {name: [MIDDLE[0] + dx, MIDDLE[1] + dy] for name, (dx, dy) in places.items()}
         self.before = {name: list(place) for name, place in self.x.items()}
@@ -34,7 +35,7 @@ class Humanoid:
             self.acceleration[name][i] = gain[i] * (goal[i] - self.x[name][i]) - damping * speed
 
     def frame(self, mouse):
-        self.time += 1
+        self.time += self.time_scale
         body = (MIDDLE[0] + math.sin(math.radians(3 * self.time)) * 42, MIDDLE[1] + math.sin(math.radians(6 * self.time)) * 24)
         for name, (dx, dy) in ROOTS.items():
             self.x[name] = [body[0] + dx, body[1] + dy]
@@ -42,7 +43,7 @@ class Humanoid:
         self.steer("head", (body[0], body[1] - 24), (0.005, 0.08), 0.05)
         for name, x in self.x.items():
             before = self.before[name]
-            self.x[name] = [2 * x[i] - before[i] + self.acceleration[name][i] for i in (0, 1)]
+            self.x[name] = [2 * x[i] - before[i] + self.acceleration[name][i] * self.time_scale**2 for i in (0, 1)]
             self.before[name] = x
             self.acceleration[name] = [0.0, 0.5]
         for _ in range(3):

@@ -12,19 +12,24 @@ class World:
         self.before = {name: list(place) for name, place in previous.items()}
         self.sticks = [(a, b, self.square(points[a], points[b])) for a, b in sticks]
         self.acceleration = acceleration
+        self.touched = False  # the box, so far
 
     @staticmethod
     def square(a, b):
         return (b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2
 
-    def frame(self):
+    def frame(self, dragged=None, mouse=None):
+        """`dragged` is set on the mouse."""
         for name, now in self.now.items():
             before = self.before[name]
             moved = [2 * now[i] - before[i] + self.acceleration[i] for i in (0, 1)]
             self.before[name], self.now[name] = now, moved
         for now in self.now.values():
             for i in (0, 1):
+                self.touched |= not LOW <= now[i] <= HIGH
                 now[i] = min(max(now[i], LOW), HIGH)
+        if dragged:
+            self.now[dragged][:] = mouse
         for first, second, rest in self.sticks:
             a, b = self.now[first], self.now[second]
             share = rest / (self.square(a, b) + rest) - 0.5

@@ -30,7 +30,8 @@ class Point:
         self.force = [0.0, 0.0]
 
     def keep_in(self, width, height, outward=False):
-        """`outward`: the signs of the article, wrong at the top and on the right."""
+        """`outward`: the signs of the article, wrong at the top and on the right. Tells whether there was a wall."""
+        inside = 0 <= self.x <= width and 0 <= self.y <= height
         vx, vy = self.x - self.old_x, self.y - self.old_y
         wrong = -1.0 if outward else 1.0
         if self.y > height:
@@ -45,6 +46,7 @@ class Point:
         elif self.x > width:
             self.x = float(width)
             self.old_x = self.x + wrong * vx * BOUNCE
+        return not inside
 
 
 class Segment:
@@ -70,6 +72,7 @@ class World:
         self.points = points  # by name
         self.segments = [Segment(points[a], points[b]) for a, b in segments]
         self.size, self.loop, self.outward = size, loop, outward
+        self.touched = False  # a wall, so far
 
     def frame(self):
         if self.loop == "both":
@@ -83,7 +86,7 @@ class World:
                 self.sweep()
         if self.size:
             for point in self.points.values():
-                point.keep_in(*self.size, outward=self.outward)
+                self.touched |= point.keep_in(*self.size, outward=self.outward)
 
     def move(self):
         for point in self.points.values():

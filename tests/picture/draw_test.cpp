@@ -84,6 +84,22 @@ TEST(Draw, SticksThatHangTogetherHaveOneOutlineAndCrossingOnesTwo) {
     EXPECT_EQ(order(drawn(sticks("c"))), "obob");
 }
 
+TEST(Draw, APlainPictureIsWhatWasAskedForAndNothingElse) {
+    const auto text = R"({"name": "stick", "particles": {"a": {"at": [100, 120], "size": 30}, "b": {"at": [300, 120]}},
+        "pieces": [{"mark": "stroke", "through": ["a", "b"], "width": 12}]})";
+    const auto items = [&](const std::string& plain) {
+        auto document = load(scene(text), "test.json", std::vector<Override>{{"view.plain=" + plain}});
+        auto opened = open_scene(document);
+        EXPECT_TRUE(opened) << to_text(document.diagnostics);
+        Picture picture;
+        picture.width = 640, picture.height = 480;
+        draw(Session(std::move(*opened)), picture);
+        return picture.items.size();
+    };
+    EXPECT_EQ(items("true"), 3U) << "a stroke and two balls";
+    EXPECT_EQ(items("false"), 3U + 3 * 3 + 3 + 1) << "three layers of shadow and an outline each, and a highlight";
+}
+
 TEST(Draw, WhatIsHiddenIsNotThere) {
     const auto hidden =
         R"({"name": "ball", "particles": {"a": {"at": [100, 120]}}, "looks": {"all": {"hidden": true}}})";

@@ -194,6 +194,18 @@ TEST(Classic, GameMakersInertiaIsNotScaledWithTheStep) {
     }
 }
 
+// Its drag is an acceleration, c (x - x_prev), times the square of the step: 1 of a way of 2, a quarter of which at
+// half the time scale. Scaled properly, the way is 1, and the drag takes a quarter of that.
+TEST(Classic, GameMakersDragIsAnAccelerationOfTheWayOfAFrame) {
+    for (const bool bug : {true, false}) {
+        auto world = classic({.time_scale = 0.5, .unscaled_inertia = bug});
+        const auto p = add_particle(world, {.previous = Vec2<double>{0, -2}});
+        pin(world, p, {.target = Vec2<double>{}, .steer_damping = 0.5});
+        step(world, 1.0);
+        expect_at(world, p, 0, bug ? 1.75 : 0.75);
+    }
+}
+
 // step = min(dt * 60, 4) * time_scale: a stall of a minute counts as four frames.
 TEST(Classic, AStallIsNeverMoreThanTheLongestStep) {
     auto world = classic({.unscaled_inertia = true});
