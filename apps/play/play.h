@@ -47,7 +47,7 @@ class Play {
     void handle(const Input& input);
     /// Real time passes. Steps until all that is due is done, or `enough` says that it took too long.
     void advance(double seconds, const std::function<bool()>& enough = {});
-    /// Fills the picture, whose size is set by resize(); panes of a split view lie in it as images.
+    /// Fills the picture, whose size is set by resize(); that of a split view is larger by what canvas/beside.h adds.
     void draw(Picture& picture);
     /// Fills a picture for each pane.
     void draw_panes(std::vector<Picture>& pictures);
@@ -205,6 +205,7 @@ class Play {
     void find_selected_again();
     void paint_scene(std::size_t number, Picture& picture);
     void paint_pointer(std::size_t number, Picture& picture);
+    void label_pane(std::size_t number, Picture& picture) const;
     void lay_side_by_side(Picture& picture);
     void highlight(Picture& picture) const;
     bool wants_pictures() const { return !screenshots_.empty() || (film_ && film_due_ <= 0); }

@@ -33,7 +33,8 @@ struct SavedGrab {
     std::vector<std::int64_t> members;
     Point place;
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.members, Field{.name = name, .help = "Rows of particles", .low = 0, .high = 4294967295.0, .required = true});
+        visit(self.members,
+              Field{.name = name, .help = "Rows of particles", .low = 0, .high = 4294967295.0, .required = true});
         visit(self.place, Field{.name = "place", .help = "Where", .required = true});
     }
 };
@@ -98,7 +99,8 @@ struct SavedTweak {
     std::optional<Point> position, velocity;
     std::optional<double> mass;
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.particle, Field{.name = name, .help = "Row of the particle", .low = 0, .high = 4294967295.0, .required = true});
+        visit(self.particle,
+              Field{.name = name, .help = "Row of the particle", .low = 0, .high = 4294967295.0, .required = true});
         visit(self.position, Field{.name = "position", .help = "Where it is"});
         visit(self.velocity, Field{.name = "velocity", .help = "How it moves"});
         visit(self.mass, Field{.name = "mass", .help = "How heavy it is", .low = 0, .high = 1e12});

@@ -154,6 +154,8 @@ class Window {
         const auto drawn = Clock::now();
         name_window();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glDisable(GL_SCISSOR_TEST); // panes of a split view may leave a column
+        glClear(GL_COLOR_BUFFER_BIT);
         for (std::size_t i = 0; i < pictures_.size() && i < play_.pane_count(); ++i)
             painter_->paint(pictures_[i], area_.left + play_.pane_left(i), height - area_.top - area_.height);
         glViewport(0, 0, width, height);

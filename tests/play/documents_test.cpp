@@ -212,7 +212,7 @@ TEST_F(Documents, ABadStateIsRefusedWithItsPlaceAndWhatRunsGoesOn) {
     EXPECT_EQ(play.scene_name(), "ragdoll");
 }
 
-// Ids of particles that never were, a grab of nothing, actions out of order: told, or without effect; never a crash.
+// Rows of particles that never were, a grab of nothing, actions out of order: told, or without effect; never a crash.
 TEST_F(Documents, StrangeActionsDoNoHarm) {
     const auto play_with = [&](const std::string& actions) {
         std::ofstream(in("odd.json")) << R"({"sinew_state": 1, "steps": 5, "hash": "x", "actions": [)" << actions
@@ -220,9 +220,9 @@ TEST_F(Documents, StrangeActionsDoNoHarm) {
         return Play(shelf, in("odd.json")).problem();
     };
     for (const char* action :
-         {R"({"step": 1, "grab": [], "place": [0, 0]})", R"({"step": 1, "grab": [[77, 5]], "place": [0, 0]})",
-          R"({"step": 1, "grab": [[1, 0], [1, 0]], "place": [1e29, 0]})", R"({"step": 2, "drag": [1e29, -1e29]})",
-          R"({"step": 1, "tweak": [4294967295, 0], "mass": 0})", R"({"step": 1, "let_go": true})",
+         {R"({"step": 1, "grab": [], "place": [0, 0]})", R"({"step": 1, "grab": [77], "place": [0, 0]})",
+          R"({"step": 1, "grab": [1, 1], "place": [1e29, 0]})", R"({"step": 2, "drag": [1e29, -1e29]})",
+          R"({"step": 1, "tweak": 4294967295, "mass": 0})", R"({"step": 1, "let_go": true})",
           R"({"step": 1, "cut": [[0, 0], [0, 0]], "picture": [1, 1]})"})
         EXPECT_NE(play_with(action).find("that was saved"), std::string::npos) << action << play_with(action);
     EXPECT_NE(play_with(R"({"step": 9, "let_go": true})").find("after the last"), std::string::npos);

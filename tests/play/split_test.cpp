@@ -84,17 +84,18 @@ TEST_F(Split, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
     EXPECT_EQ(play.session().scene().solver.mode, "physical");
 }
 
-TEST_F(Split, APictureHasBothHalves) {
+TEST_F(Split, APictureHasBothHalvesUnderTheirNames) {
     Picture picture;
     play.draw(picture);
-    ASSERT_EQ(picture.images.size(), 2U);
-    for (const auto& image : picture.images) {
-        ASSERT_TRUE(image);
-        EXPECT_EQ(image->width, 500);
-        EXPECT_GT(std::count_if(image->pixels.begin(), image->pixels.end(),
-                                [&](auto pixel) { return pixel != image->pixels[0]; }),
-                  500);
-    }
+    EXPECT_GE(picture.width, 1000);
+    EXPECT_GT(picture.height, 500);
+    for (const char* mode : {"classic", "physical"})
+        EXPECT_NE(std::find(picture.texts.begin(), picture.texts.end(), mode), picture.texts.end()) << mode;
+    std::vector<Picture> panes;
+    play.draw_panes(panes);
+    ASSERT_EQ(panes.size(), 2U);
+    EXPECT_EQ(panes[0].width, 500);
+    EXPECT_GE(picture.items.size(), panes[0].items.size() + panes[1].items.size() - 4) << "all that panes show";
 }
 
 } // namespace
