@@ -154,7 +154,7 @@ bool Play::save_state(const fs::path& path) {
 // --- saving ----------------------------------------------------------------------------------------------------------
 
 std::string Play::saved_text() const {
-    return text_of(session());
+    return text_of(panes_[own_pane_].tape.session());
 }
 
 bool Play::would_lose() const {
@@ -304,7 +304,7 @@ void Play::offer_draft() {
         overrides_.clear();
         begin(std::move(fetched));
         beside_ = origin;
-        saved_edits_ = -1; // until it is saved
+        saved_edits_ = never_saved;
         saved_as_.clear();
         tell("scene", {{"name", name_}});
     };

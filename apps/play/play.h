@@ -202,6 +202,7 @@ class Play {
     void let_go_of_everything();
     void tell_happenings();
     void look_at_file(double seconds);
+    void read_again();
     void find_selected_again();
     void paint_scene(std::size_t number, Picture& picture);
     void paint_pointer(std::size_t number, Picture& picture);
@@ -221,7 +222,8 @@ class Play {
     double since_look_ = 0;
     std::vector<Pane> panes_;
     std::size_t active_ = 0;
-    bool muted_ = false; ///< what happens in other panes is not told
+    std::size_t own_pane_ = 0; ///< the one in the mode that the scene had before it was split: it is saved
+    bool muted_ = false;       ///< what happens in other panes is not told
     std::optional<Clock> clock_;
     std::optional<Restoration> restoration_;
     std::filesystem::path restored_from_;
@@ -233,9 +235,10 @@ class Play {
     bool space_ = false;
     std::optional<Button> held_;
     std::vector<std::unique_ptr<Tool>> tools_;
-    Tool* busy_ = nullptr;         ///< between press and release
-    std::int64_t saved_edits_ = 0; ///< the tape's, when it was saved last
-    std::string saved_as_;         ///< the scene's text then
+    Tool* busy_ = nullptr;                          ///< between press and release
+    static constexpr std::int64_t never_saved = -1; ///< edits that no tape has
+    std::int64_t saved_edits_ = 0;                  ///< the tape's, when it was saved last
+    std::string saved_as_;                          ///< the scene's text then
     std::filesystem::path draft_;
     std::int64_t draft_edits_ = 0; ///< the tape's, when the draft was written
     double since_draft_ = 0;       ///< seconds

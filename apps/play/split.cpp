@@ -48,7 +48,7 @@ void Play::toggle_split() {
     if (is_split()) {
         if (active_ != 0) std::swap(panes_[0], panes_[active_]);
         panes_.erase(panes_.begin() + 1, panes_.end());
-        active_ = 0;
+        active_ = own_pane_ = 0;
         resize_eyes();
         return tell("split", {{"on", false}});
     }
@@ -70,7 +70,12 @@ void Play::toggle_split() {
     }
     if (panes[0].tape.session().scene().solver.rate != panes[1].tape.session().scene().solver.rate)
         return report_problem("classic and physical mode of this scene take steps of other lengths");
+    const bool is_lost = would_lose();
+    const bool was_classic = session().scene().solver.mode == sides[0];
     begin(std::move(panes));
+    own_pane_ = was_classic ? 0 : 1;
+    saved_as_ = is_lost ? "" : saved_text();
+    if (is_lost) saved_edits_ = draft_edits_ = never_saved;
     tell("split", {{"on", true}});
 }
 

@@ -32,6 +32,7 @@ class Dialogs {
     void key_rows();
     void key_row(std::string_view name, std::string_view about);
     void help();
+    void dim() const;
     void progress();
 
     play::Play& play_;

@@ -2,6 +2,7 @@
 
 #include "apps/window/bars.h"
 #include "apps/window/inspector.h"
+#include "apps/window/label.h"
 #include "apps/window/menu.h"
 #include "apps/window/sliders.h"
 
@@ -77,7 +78,7 @@ void Panel::menu() {
     ImGui::End();
 }
 
-bool Panel::section(const char* name, bool open) {
+bool Panel::section(const char* name, const char* help, bool open) {
     ImGui::Dummy({0, 2 * scale_});
     ImGui::PushStyleColor(ImGuiCol_Header, ImVec4{0, 0, 0, 0});
     ImGui::PushStyleColor(ImGuiCol_Text, look().text);
@@ -85,6 +86,7 @@ bool Panel::section(const char* name, bool open) {
     const bool shown = ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     ImGui::PopFont();
     ImGui::PopStyleColor(2);
+    tooltip(help);
     return shown;
 }
 
@@ -110,12 +112,16 @@ void Panel::title() {
 
 void Panel::side() {
     title();
-    if (play_.tool == "spawn" && section("PREFAB", true)) prefab_form(play_, look());
-    if (section("SCENES", true)) browser_.show(look(), fonts_, scale_);
-    if (section("PARAMETERS", false)) sliders(play_, look(), fonts_);
-    if (section("OVERLAYS", false)) overlay_chips(play_, look());
-    if (section("INSPECTOR", true)) inspector(play_, look(), fonts_);
-    if (section("STATISTICS", true)) statistics_.show(play_, look(), fonts_, scale_);
+    if (play_.tool == "spawn" && section("PREFAB", "what the spawn tool puts in, and how it is made", true))
+        prefab_form(play_, look());
+    if (section("SCENES", "the catalogue: press one to open it", true)) browser_.show(look(), fonts_, scale_);
+    if (section("PARAMETERS", "numbers of the world, the solver and every figure: drag them", false))
+        sliders(play_, look(), fonts_);
+    if (section("OVERLAYS", "what can be laid over the scene to see into it", false)) overlay_chips(play_, look());
+    if (section("INSPECTOR", "the particle that was pressed last, or that the pointer is over", true))
+        inspector(play_, look(), fonts_);
+    if (section("STATISTICS", "counts, times and energies of the running scene", true))
+        statistics_.show(play_, look(), fonts_, scale_);
     ImGui::Dummy({0, 12 * scale_});
 }
 

@@ -42,7 +42,7 @@ class Panel {
     void message();
     void hint();
     void write_over_scene(const std::string& text, float share, float alpha);
-    bool section(const char* name, bool open);
+    bool section(const char* name, const char* help, bool open);
 
     play::Play& play_;
     Browser browser_;

@@ -6,6 +6,7 @@
 #include "tests/canvas/scratch_folder.h"
 #include "tests/play/game.h"
 
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 namespace sinew::play {
 namespace {
 
+namespace fs = std::filesystem;
 using games::Listening;
 using games::run;
 using games::shelf;
@@ -40,6 +42,43 @@ TEST_F(Documents, EscapeAsksWhereAnEditWouldBeLost) {
     play.handle(Key{"escape"});
     ASSERT_TRUE(play.answer("discard"));
     EXPECT_TRUE(play.quit);
+}
+
+TEST_F(Documents, EnterTakesTheFirstAnswer) {
+    Play play(shelf, "ragdoll");
+    play.handle(Key{"g"});
+    play.handle(Key{"escape"});
+    ASSERT_TRUE(play.question);
+    play.handle(Key{"p"});
+    EXPECT_FALSE(play.clock().paused()) << "keys act on the question alone";
+    play.handle(Key{"return"});
+    EXPECT_FALSE(play.question);
+    ASSERT_TRUE(play.path_request) << "Save was first, and asks where";
+    play.choose(in("mine.json"));
+    EXPECT_TRUE(play.quit);
+}
+
+// Another program writes the file while there are changes that are not in it.
+TEST_F(Documents, AFileThatWasChangedElsewhereReplacesAnEditOnlyOnRequest) {
+    const auto path = in("live.json");
+    const auto write = [&](const char* length, int later) {
+        std::ofstream(path) << R"({"sinew": 1, "figures": [{"prefab": "rope", "length": )" << length << "}]}";
+        fs::last_write_time(path, fs::file_time_type::clock::now() + std::chrono::seconds(later));
+    };
+    write("2", 0);
+    Play play(shelf, path);
+    Listening listening(play);
+    play.handle(Key{"g"});
+    for (const char* answer : {"keep", "read"}) {
+        ASSERT_TRUE(play.would_lose());
+        write("3", *answer == 'k' ? 10 : 20);
+        advance(play, 60);
+        ASSERT_TRUE(play.question);
+        EXPECT_EQ(listening.count("reloaded"), 0U);
+        ASSERT_TRUE(play.answer(answer));
+    }
+    EXPECT_EQ(listening.count("reloaded"), 1U);
+    EXPECT_FALSE(play.would_lose());
 }
 
 TEST_F(Documents, EscapeQuitsAtOnceWhereNothingWouldBeLost) {

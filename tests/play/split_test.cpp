@@ -1,4 +1,5 @@
 #include "apps/play/script.h"
+#include "tests/canvas/scratch_folder.h"
 #include "tests/play/game.h"
 
 #include <gtest/gtest.h>
@@ -82,6 +83,24 @@ TEST_F(Split, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
     EXPECT_EQ(play.pane_count(), 1U);
     EXPECT_EQ(play.hash(), hashes[1]);
     EXPECT_EQ(play.session().scene().solver.mode, "physical");
+}
+
+// What was not saved before the scene was split is still to be saved, in the mode that the scene had.
+TEST_F(Split, AnEditBeforeItIsNotLost) {
+    Play edited(games::shelf, "rope");
+    edited.handle(Key{"g"});
+    edited.toggle_split();
+    ASSERT_TRUE(edited.is_split());
+    EXPECT_TRUE(edited.would_lose());
+    edited.handle(Moved{{{1, 1}}}); // over the classic half
+    EXPECT_EQ(edited.session().scene().solver.mode, "classic");
+    const ScratchFolder folder;
+    ASSERT_TRUE(edited.save(folder / "mine.json"));
+    EXPECT_FALSE(edited.would_lose());
+    const auto saved = games::read(sinew::text_of(folder / "mine.json"), "mine");
+    ASSERT_TRUE(saved.opened) << saved.problem;
+    EXPECT_EQ(saved.opened->scene.solver.mode, "physical");
+    EXPECT_EQ(saved.opened->scene.world.gravity, Point{});
 }
 
 TEST_F(Split, APictureHasBothHalvesUnderTheirNames) {
