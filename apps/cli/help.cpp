@@ -1,10 +1,11 @@
 #include "apps/cli/help.h"
 
+#include "sinew/version.h"
+
 #include "apps/cli/arguments.h"
 #include "apps/cli/catalogue.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
-#include "sinew/version.h"
 
 #include <fmt/format.h>
 

@@ -38,7 +38,7 @@ void timeline(play::Play& play, const Look& look, float width, float scale) {
 
 } // namespace
 
-void tool_bar(play::Play& play, const Layout& layout, const Look& look, float scale) {
+void tool_bar(play::Play& play, const Arrangement& layout, const Look& look, float scale) {
     const float side = layout.tool_side, gap = 4 * scale, left = 8 * scale, top = 10 * scale;
     int number = 0;
     const auto button = [&](std::string_view icon, bool on, const std::string& tip) {
@@ -96,7 +96,7 @@ void speeds(play::Play& play, const Look& look, float width, bool all) {
 
 } // namespace
 
-void time_bar(play::Play& play, const Layout& layout, const Look& look, const Fonts& fonts, float scale) {
+void time_bar(play::Play& play, const Arrangement& layout, const Look& look, const Fonts& fonts, float scale) {
     const float side = layout.time_side, top = (float(layout.time.height) - side) / 2;
     const bool roomy = float(layout.time.width) > 560 * scale;
     const float gap = (roomy ? 14 : 8) * scale;

@@ -38,7 +38,7 @@ void Panel::arrange(int width, int height, double density) {
     scale_ = float(scale);
     window::dress(look(), scale, dressed_scale_, fonts_);
     ImGui::GetIO().FontDefault = fonts_.normal;
-    layout_ = Layout::of(width, height, scale_, play_.panel, drawer_);
+    layout_ = Arrangement::of(width, height, scale_, play_.panel, drawer_);
 }
 
 bool Panel::leaves_to_scene(double x, double y) const {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "apps/play/play.h"
+#include "apps/window/arrangement.h"
 #include "apps/window/browser.h"
 #include "apps/window/dialogs.h"
-#include "apps/window/layout.h"
 #include "apps/window/look.h"
 #include "apps/window/statistics.h"
 
@@ -49,7 +49,7 @@ class Panel {
     Statistics statistics_;
     Dialogs dialogs_;
     Fonts fonts_;
-    Layout layout_;
+    Arrangement layout_;
     float scale_ = 1;          ///< pixels a nominal pixel of bars has
     double dressed_scale_ = 0; ///< for which fonts were made
     int width_ = 0, height_ = 0;

@@ -40,7 +40,8 @@ template <int D, class Real> class BlockGraph {
     template <class Table> static bool is_driven(const Table& table, Row row) {
         return table.driven[row] || table.gives(row);
     }
-    /// Unsigned, an angle that has to be more than none has no direction to open in. A driven lower limit may get there.
+    /// Unsigned, an angle that has to be more than none has no direction to open in. A driven lower limit may get
+    /// there.
     static bool opens(const Constraints<Angle<D>, Real>& table, Row row) {
         const Real least = table.driven[row] ? -limit::measure<Real> : Real(0);
         return D == 3 && table.low(row) > least;

@@ -142,7 +142,7 @@ template <int D, class Real> class BlockStep {
     /// One linear step towards where it is pulled, as far as lengths and angles bear it. It always comes some of the
     /// way, so that what could not be solved for is left behind.
     void creep(Solve& solve) {
-        constexpr double bearable = 1e-3;
+        constexpr double bearable = 1e-5;
         state_.forget_tensions();
         solve.be_elastic();
         run(solve, Rule::implicit, 1);

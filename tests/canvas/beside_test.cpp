@@ -8,8 +8,6 @@
 namespace sinew {
 namespace {
 
-constexpr Color white{1, 1, 1, 1}, black{0, 0, 0, 1}, red{1, 0, 0, 1};
-
 Picture page(const Color& background) {
     Picture picture;
     picture.width = 200, picture.height = 480;

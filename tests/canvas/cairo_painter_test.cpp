@@ -14,8 +14,6 @@ namespace {
 
 using canvas::Raster;
 
-constexpr Color white{1, 1, 1, 1}, black{0, 0, 0, 1}, red{1, 0, 0, 1};
-
 /// Paints pictures of 100 x 100 and reads pixels.
 struct CairoPainter : testing::Test {
     Picture picture;

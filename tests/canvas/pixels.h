@@ -14,6 +14,8 @@
 
 namespace sinew {
 
+constexpr Color white{1, 1, 1, 1}, black{0, 0, 0, 1}, red{1, 0, 0, 1};
+
 /// A pixel as it lies in memory: 8 bits a channel, premultiplied by alpha.
 struct Pixel {
     int red = 0, green = 0, blue = 0, alpha = 255;

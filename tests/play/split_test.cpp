@@ -12,8 +12,8 @@ using games::pixel_of;
 using games::run;
 using games::shelf;
 
-struct Split : testing::Test {
-    Split() {
+struct SplitView : testing::Test {
+    SplitView() {
         play.resize(1000, 500);
         play.toggle_split();
     }
@@ -26,7 +26,7 @@ struct Split : testing::Test {
     Play play{shelf, "ragdoll"};
 };
 
-TEST_F(Split, ShowsBothModesFromTheStartInLockstep) {
+TEST_F(SplitView, ShowsBothModesFromTheStartInLockstep) {
     ASSERT_EQ(play.pane_count(), 2U) << play.problem();
     const auto modes = each([&] { return play.session().scene().solver.mode; });
     EXPECT_EQ(modes, (std::vector<std::string>{"classic", "physical"}));
@@ -42,7 +42,7 @@ TEST_F(Split, ShowsBothModesFromTheStartInLockstep) {
     }
 }
 
-TEST_F(Split, ThePointerTakesTheSameParticleInBoth) {
+TEST_F(SplitView, ThePointerTakesTheSameParticleInBoth) {
     run("size 1000x500\n0 key p\n0 move bob/right_hand over 0\n0.1 press\n0.2 move 100 100 over 0\n0.2 key p\n"
         "1.5 end",
         play);
@@ -56,7 +56,7 @@ TEST_F(Split, ThePointerTakesTheSameParticleInBoth) {
     for (const bool held : each([&] { return play.session().hand() != nullptr; })) EXPECT_FALSE(held);
 }
 
-TEST_F(Split, EditsCutsAndUndosHappenInBoth) {
+TEST_F(SplitView, EditsCutsAndUndosHappenInBoth) {
     EXPECT_TRUE(play.set("figures.bob.height", "150")) << play.problem();
     for (const auto& height : each([&] { return play.tape().undo_name(); })) EXPECT_EQ(height, "figures.bob.height");
     play.undo();
@@ -74,7 +74,7 @@ TEST_F(Split, EditsCutsAndUndosHappenInBoth) {
     EXPECT_EQ(each([&] { return play.session().report().constraints; }), before);
 }
 
-TEST_F(Split, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
+TEST_F(SplitView, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
     for (int i = 0; i < 30; ++i) play.advance(1.0 / 60);
     const auto hashes = each([&] { return play.hash(); });
     play.handle(Moved{{800, 250}});
@@ -86,7 +86,7 @@ TEST_F(Split, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
 }
 
 // What was not saved before the scene was split is still to be saved, in the mode that the scene had.
-TEST_F(Split, AnEditBeforeItIsNotLost) {
+TEST_F(SplitView, AnEditBeforeItIsNotLost) {
     Play edited(games::shelf, "rope");
     edited.handle(Key{"g"});
     edited.toggle_split();
@@ -103,7 +103,7 @@ TEST_F(Split, AnEditBeforeItIsNotLost) {
     EXPECT_EQ(saved.opened->scene.world.gravity, Point{});
 }
 
-TEST_F(Split, APictureHasBothHalvesUnderTheirNames) {
+TEST_F(SplitView, APictureHasBothHalvesUnderTheirNames) {
     Picture picture;
     play.draw(picture);
     EXPECT_GE(picture.width, 1000);

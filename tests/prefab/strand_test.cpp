@@ -82,7 +82,7 @@ TEST(Chain, HasLinksOfALoopAndAGap) {
     EXPECT_EQ(made.constraints(), 30U);
     EXPECT_NEAR(made.constraint("link_7").measure, 0.26, 1e-12);
     EXPECT_NEAR(made.place("end")[1], -30 * 0.26, 1e-12);
-    EXPECT_EQ(made.figure().pieces.size(), 30U);
+    EXPECT_EQ(made.figure().pieces.size(), 31U + 30) << "loops and what is between them";
 }
 
 TEST(Chain, GivesAllTheCorrectionToTheLowerLoopInClassicModeOnly) {

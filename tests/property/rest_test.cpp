@@ -71,7 +71,8 @@ template <class In, class Check> void for_every_lying(Check&& check) {
 template <class Type> struct Rest : ::testing::Test {};
 TYPED_TEST_SUITE(Rest, test::Everywhere, test::Names);
 
-// A pulled particle comes, or the hand pulls with its maximum force and the figure gives way as far as its joints allow.
+// A pulled particle comes, or the hand pulls with its maximum force and the figure gives way as far as its joints
+// allow.
 TYPED_TEST(Rest, WhatLiesComesWhenItIsPulled) {
     using Real = typename TypeParam::Real;
     const int every = few_or_many(23, 1);

@@ -13,7 +13,7 @@ struct Area {
 
 /// Where everything is in a window of some size. Bars shrink in small windows; the panel becomes a drawer over the
 /// scene, and a window too small for bars is all scene.
-struct Layout {
+struct Arrangement {
     static constexpr int tool_buttons = 11; ///< tools, undo, redo
 
     Area scene, menu, tools, time, side;
@@ -24,8 +24,8 @@ struct Layout {
     float time_side = 38; ///< of a button of the time bar, pixels
 
     /// `scale`: pixels a nominal pixel has.
-    static Layout of(int width, int height, float scale, bool panel, bool drawer) {
-        Layout layout;
+    static Arrangement of(int width, int height, float scale, bool panel, bool drawer) {
+        Arrangement layout;
         layout.scene = {0, 0, std::max(width, 1), std::max(height, 1)};
         const float wide = float(width) / scale, high = float(height) / scale; // nominal pixels
         constexpr float least_width = 330, least_height = 190, dock_width = 860, side_width = 340;

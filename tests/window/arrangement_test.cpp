@@ -1,7 +1,6 @@
-#include "sinew/scene/check.h"
 #include "sinew/scene/layout.h"
 
-#include "apps/window/layout.h"
+#include "apps/window/arrangement.h"
 #include "apps/window/sliders.h"
 #include "apps/window/statistics.h"
 #include "tests/play/game.h"
@@ -21,11 +20,11 @@ bool within(const Area& part, int width, int height) {
     return part.left >= 0 && part.top >= 0 && part.left + part.width <= width && part.top + part.height <= height;
 }
 
-TEST(Layout, NothingLiesOnAnythingElseAtAnySizeAndScale) {
+TEST(Arrangement, NothingLiesOnAnythingElseAtAnySizeAndScale) {
     for (const float scale : {0.5F, 1.0F, 1.25F, 2.0F, 3.0F})
         for (int width = 1; width < 4000; width += 97)
             for (int height = 1; height < 2200; height += 53) {
-                const auto layout = Layout::of(width, height, scale, true, false);
+                const auto layout = Arrangement::of(width, height, scale, true, false);
                 ASSERT_TRUE(within(layout.scene, width, height)) << width << "x" << height << " at " << scale;
                 if (!layout.bars) continue;
                 const Area parts[] = {layout.scene, layout.menu, layout.tools, layout.time};
@@ -37,24 +36,24 @@ TEST(Layout, NothingLiesOnAnythingElseAtAnySizeAndScale) {
                 }
                 ASSERT_TRUE(within(layout.tools, width, height));
                 ASSERT_GE(layout.scene.width, layout.tools.width) << width << "x" << height;
-                const int rows = (Layout::tool_buttons + layout.tool_columns - 1) / layout.tool_columns;
+                const int rows = (Arrangement::tool_buttons + layout.tool_columns - 1) / layout.tool_columns;
                 const float last = 10 * scale + float(rows) * (layout.tool_side + 4 * scale);
                 ASSERT_LE(last, float(layout.tools.height) + 4 * scale) << width << "x" << height << " at " << scale;
             }
 }
 
-TEST(Layout, ThePanelIsADrawerWhereItHasNoRoomOfItsOwn) {
-    EXPECT_TRUE(Layout::of(1280, 800, 1, true, false).docked);
-    EXPECT_TRUE(Layout::of(3840, 2160, 2, true, false).docked);
-    for (const auto& layout : {Layout::of(640, 400, 1, true, true), Layout::of(760, 480, 1, true, true),
-                               Layout::of(1280, 800, 2, true, true)}) {
+TEST(Arrangement, ThePanelIsADrawerWhereItHasNoRoomOfItsOwn) {
+    EXPECT_TRUE(Arrangement::of(1280, 800, 1, true, false).docked);
+    EXPECT_TRUE(Arrangement::of(3840, 2160, 2, true, false).docked);
+    for (const auto& layout : {Arrangement::of(640, 400, 1, true, true), Arrangement::of(760, 480, 1, true, true),
+                               Arrangement::of(1280, 800, 2, true, true)}) {
         EXPECT_FALSE(layout.docked);
         EXPECT_TRUE(overlap(layout.side, layout.scene));
         EXPECT_FALSE(overlap(layout.side, layout.time));
     }
-    EXPECT_EQ(Layout::of(640, 400, 1, true, false).side.width, 0);
-    EXPECT_FALSE(Layout::of(200, 150, 1, true, false).bars) << "all scene";
-    EXPECT_FALSE(Layout::of(1280, 800, 1, false, false).bars);
+    EXPECT_EQ(Arrangement::of(640, 400, 1, true, false).side.width, 0);
+    EXPECT_FALSE(Arrangement::of(200, 150, 1, true, false).bars) << "all scene";
+    EXPECT_FALSE(Arrangement::of(1280, 800, 1, false, false).bars);
 }
 
 // Of the same kinds, some have another number in two dimensions than in three.
