@@ -65,11 +65,13 @@ void Play::toggle_recording(std::filesystem::path path) {
     auto opened = canvas::open(film_path_, {.width = size.width, .height = size.height, .fps = film_rate});
     if (opened.failure) return report_problem(*opened.failure);
     film_ = std::move(opened.writer);
+    film_width_ = size.width, film_height_ = size.height;
     film_due_ = 0;
     message = "recording; V ends it";
     tell("recording", {{"path", film_path_.string()}});
 }
 
+/// A film ends where pictures take another size.
 void Play::take_pictures(const Picture& picture) {
     for (const auto& path : std::exchange(screenshots_, {})) {
         auto opened = canvas::open(path, {.width = picture.width, .height = picture.height});
@@ -83,6 +85,7 @@ void Play::take_pictures(const Picture& picture) {
         message = "screenshot " + full_path(path);
         tell("screenshot", {{"path", path.string()}});
     }
+    if (film_ && (picture.width != film_width_ || picture.height != film_height_)) toggle_recording();
     for (; film_ && film_due_ <= 0; film_due_ += 1 / film_rate)
         if (auto failure = film_->frame(picture)) {
             film_.reset();

@@ -48,7 +48,10 @@ Play::Play(Shelf shelf, std::string scene, std::vector<Override> overrides)
     open_now(scene, std::move(overrides));
 }
 
-Play::~Play() = default;
+/// A film that was not ended is a film nevertheless.
+Play::~Play() {
+    if (film_) (void)film_->finish();
+}
 
 // --- scenes ----------------------------------------------------------------------------------------------------------
 

@@ -247,6 +247,7 @@ class Play {
     std::vector<std::filesystem::path> screenshots_;
     std::unique_ptr<canvas::Writer> film_;
     std::filesystem::path film_path_;
+    int film_width_ = 0, film_height_ = 0;
     double film_due_ = 0; ///< seconds until its next frame
 };
 

@@ -72,9 +72,10 @@ void Play::toggle_split() {
         return report_problem("classic and physical mode of this scene take steps of other lengths");
     const bool is_lost = would_lose();
     const bool was_classic = session().scene().solver.mode == sides[0];
+    auto saved = std::move(saved_as_);
     begin(std::move(panes));
     own_pane_ = was_classic ? 0 : 1;
-    saved_as_ = is_lost ? "" : saved_text();
+    saved_as_ = is_lost ? std::move(saved) : saved_text();
     if (is_lost) saved_edits_ = draft_edits_ = never_saved;
     tell("split", {{"on", true}});
 }

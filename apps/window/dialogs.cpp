@@ -222,7 +222,7 @@ bool Dialogs::take_key(const std::string& key) {
 
 /// In as many columns as fit, over all else, which is dimmed.
 void Dialogs::help() {
-    const bool wide = width_ > 900 * scale_;
+    const bool wide = width_ > 680 * scale_;
     dim();
     ImGui::SetNextWindowPos({width_ / 2, height_ / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {width_ - 12 * scale_, height_ - 12 * scale_});

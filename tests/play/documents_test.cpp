@@ -6,6 +6,7 @@
 #include "tests/canvas/scratch_folder.h"
 #include "tests/play/game.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -162,6 +163,30 @@ TEST_F(Documents, ASceneRunsFromTheClipboard) {
     EXPECT_EQ(play.session().scene().figures.at(0).name, "line");
     play.copy_hash();
     EXPECT_EQ(copied, play.hash());
+}
+
+// Frames of one size make a film; and one that runs when the game ends is kept.
+TEST_F(Documents, AFilmEndsWhereThePictureTakesAnotherSizeAndWithTheGame) {
+    if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+    Picture picture;
+    {
+        Play play(shelf, "ragdoll");
+        Listening listening(play);
+        const auto film = [&](const char* name, int width) {
+            play.resize(width, 80);
+            play.toggle_recording(in(name));
+            for (int i = 0; i < 6; ++i) play.advance(1.0 / 60), play.draw(picture);
+        };
+        film("first.mp4", 120);
+        ASSERT_TRUE(play.recording()) << play.problem();
+        play.toggle_split();
+        play.draw(picture);
+        EXPECT_FALSE(play.recording());
+        EXPECT_EQ(listening.count("recorded"), 1U);
+        film("second.mp4", 200);
+        EXPECT_TRUE(play.recording()) << play.problem();
+    }
+    for (const char* name : {"first.mp4", "second.mp4"}) EXPECT_TRUE(fs::exists(in(name))) << name;
 }
 
 TEST_F(Documents, ANewSceneIsAFloorToPutThingsOn) {

@@ -92,6 +92,9 @@ TEST_F(SplitView, AnEditBeforeItIsNotLost) {
     edited.toggle_split();
     ASSERT_TRUE(edited.is_split());
     EXPECT_TRUE(edited.would_lose());
+    edited.handle(Key{"g"});
+    EXPECT_FALSE(edited.would_lose()) << "it is as it was";
+    edited.handle(Key{"g"});
     edited.handle(Moved{{{1, 1}}}); // over the classic half
     EXPECT_EQ(edited.session().scene().solver.mode, "classic");
     const ScratchFolder folder;

@@ -80,8 +80,9 @@ TEST(Statistics, KindsAreCalledByTheirOwnNamesInEveryDimension) {
 template <class Visit> void each_field(const sinew::Layout& layout, const std::string& path, const Visit& visit) {
     for (const auto& part : layout.parts) {
         const auto name = std::string(part.field.name);
-        const auto here = name.empty() ? path : path.empty() ? name : path + "." + name;
-        if (!name.empty()) visit(here, part);
+        const bool is_own = part.field.name != layout.field.name; // an element is called as its list
+        const auto here = !is_own || name.empty() ? path : path.empty() ? name : path + "." + name;
+        if (is_own && !name.empty()) visit(here, part);
         each_field(part, here, visit);
     }
 }

@@ -9,6 +9,7 @@
 #include "tests/play/game.h"
 
 #include <SDL.h>
+#include <array>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <epoxy/gl.h>
@@ -246,6 +247,30 @@ TEST_F(WindowTest, AsksBeforeAnEditIsLost) {
     if (const auto problem = show(game)) GTEST_SKIP() << *problem;
     EXPECT_EQ(told, "edit asks answer asks answer end ") << told;
     EXPECT_FALSE(std::filesystem::exists(folder / "sinew/autosave.json")) << "it was thrown away on purpose";
+}
+
+// On a slow machine a key goes down and up between two pictures.
+TEST_F(WindowTest, AKeyThatIsPressedForLessThanAPictureCounts) {
+    game.listener = [&](const play::Told& one) {
+        told += one.what + " ";
+        if (one.what == "saved_state") game.quit = true;
+        if (one.what == "end") keep_libraries();
+    };
+    game.ask_for_path(play::Purpose::save_state);
+    game.path_request->suggested = folder / "now.state.json";
+    const auto enter = [](Uint32, void*) -> Uint32 {
+        std::array<SDL_Event, 2> both{};
+        for (auto& event : both) event.key.keysym = {SDL_SCANCODE_RETURN, SDLK_RETURN, 0, 0};
+        both[0].key.type = SDL_KEYDOWN, both[1].key.type = SDL_KEYUP;
+        SDL_PeepEvents(both.data(), 2, SDL_ADDEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT);
+        return 0;
+    };
+    const auto give_up = [](Uint32 interval, void*) -> Uint32 { return key(SDLK_ESCAPE), interval; };
+    SDL_AddTimer(500, enter, nullptr);
+    SDL_AddTimer(4000, give_up, nullptr);
+    if (const auto problem = show(game)) GTEST_SKIP() << *problem;
+    EXPECT_EQ(told, "asks_for_path saved_state end ");
+    EXPECT_TRUE(std::filesystem::exists(folder / "now.state.json"));
 }
 
 TEST_F(WindowTest, OpensTheFileThatIsDroppedOnIt) {
