@@ -66,7 +66,7 @@ void Play::open_neighbour(int by) {
 }
 
 void Play::open_text(const std::string& text, const std::string& name) {
-    unless_lost("open " + name, [this, text, name] {
+    unless_lost("open another scene", [this, text, name] {
         auto fetched = shelf_.read(text, name, {});
         if (!fetched.opened) return report_problem(std::move(fetched.problem));
         let_go_of_everything();
