@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <imgui_internal.h>
+#include <utility>
 
 namespace sinew::window {
 namespace {
@@ -45,7 +47,16 @@ bool Panel::leaves_to_scene(double x, double y) const {
     return layout_.scene.contains(x, y) && !layout_.side.contains(x, y) && !popup_open_ && !play_.help;
 }
 
+/// Escape closes a menu or a list, or leaves a field of text; dialogs are the game's to close.
+bool Panel::take_key(const std::string& key) {
+    if (dialogs_.take_key(key)) return true;
+    if (key != "escape" || dialogs_.is_open()) return false;
+    if (popup_open_) return close_menus_ = true;
+    return ImGui::GetIO().WantTextInput;
+}
+
 void Panel::show() {
+    if (std::exchange(close_menus_, false)) ImGui::ClosePopupToLevel(0, true);
     statistics_.sample(play_);
     if (layout_.bars) {
         menu();
