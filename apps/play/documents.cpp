@@ -66,7 +66,7 @@ void Play::open_neighbour(int by) {
 }
 
 void Play::open_text(const std::string& text, const std::string& name) {
-    unless_lost("open " + name, [this, text, name] {
+    unless_lost("open another scene", [this, text, name] {
         auto fetched = shelf_.read(text, name, {});
         if (!fetched.opened) return report_problem(std::move(fetched.problem));
         let_go_of_everything();
@@ -154,7 +154,7 @@ bool Play::save_state(const fs::path& path) {
 // --- saving ----------------------------------------------------------------------------------------------------------
 
 std::string Play::saved_text() const {
-    return text_of(session());
+    return text_of(panes_[own_pane_].tape.session());
 }
 
 bool Play::would_lose() const {
@@ -304,7 +304,7 @@ void Play::offer_draft() {
         overrides_.clear();
         begin(std::move(fetched));
         beside_ = origin;
-        saved_edits_ = -1; // until it is saved
+        saved_edits_ = never_saved;
         saved_as_.clear();
         tell("scene", {{"name", name_}});
     };

@@ -4,6 +4,7 @@
 #include "apps/play/files.h"
 #include "apps/play/play.h"
 #include "apps/play/tool.h"
+#include "canvas/beside.h"
 #include "canvas/formats.h"
 
 #include <algorithm>
@@ -59,17 +60,21 @@ void Play::toggle_recording(std::filesystem::path path) {
         return tell("recorded", {{"path", film_path_.string()}});
     }
     film_path_ = path.empty() ? free_path("out/" + stem_of(name_) + ".mp4") : std::move(path);
-    auto opened = canvas::open(film_path_, {.width = width_, .height = height_, .fps = film_rate});
+    const auto size =
+        is_split() ? canvas::size_beside(panes_.size(), pane_width(0), height_) : canvas::BesideSize{width_, height_};
+    auto opened = canvas::open(film_path_, {.width = size.width, .height = size.height, .fps = film_rate});
     if (opened.failure) return report_problem(*opened.failure);
     film_ = std::move(opened.writer);
+    film_width_ = size.width, film_height_ = size.height;
     film_due_ = 0;
     message = "recording; V ends it";
     tell("recording", {{"path", film_path_.string()}});
 }
 
+/// A film ends where pictures take another size.
 void Play::take_pictures(const Picture& picture) {
     for (const auto& path : std::exchange(screenshots_, {})) {
-        auto opened = canvas::open(path, {.width = width_, .height = height_});
+        auto opened = canvas::open(path, {.width = picture.width, .height = picture.height});
         auto failure = opened.failure;
         if (!failure) failure = opened.writer->frame(picture);
         if (!failure) failure = opened.writer->finish();
@@ -80,6 +85,7 @@ void Play::take_pictures(const Picture& picture) {
         message = "screenshot " + full_path(path);
         tell("screenshot", {{"path", path.string()}});
     }
+    if (film_ && (picture.width != film_width_ || picture.height != film_height_)) toggle_recording();
     for (; film_ && film_due_ <= 0; film_due_ += 1 / film_rate)
         if (auto failure = film_->frame(picture)) {
             film_.reset();

@@ -48,7 +48,10 @@ Play::Play(Shelf shelf, std::string scene, std::vector<Override> overrides)
     open_now(scene, std::move(overrides));
 }
 
-Play::~Play() = default;
+/// A film that was not ended is a film nevertheless.
+Play::~Play() {
+    if (film_) (void)film_->finish();
+}
 
 // --- scenes ----------------------------------------------------------------------------------------------------------
 
@@ -68,7 +71,7 @@ void Play::begin(std::vector<Pane> panes) {
     const double scale = clock_ ? clock_->scale() : 1;
     const bool paused = clock_ && clock_->paused();
     panes_ = std::move(panes);
-    active_ = 0;
+    active_ = own_pane_ = 0;
     saved_as_ = saved_text();
     clock_.emplace(session().scene().solver.rate);
     clock_->set_scale(scale);
@@ -81,7 +84,7 @@ void Play::report_problem(std::string text) {
     tell("problem", {{"text", problem_}});
 }
 
-/// A scene file that was written since is played as it is now; one that is wrong leaves the scene that runs.
+/// A scene file that was written since is played as it is now.
 void Play::look_at_file(double seconds) {
     since_look_ += seconds;
     if (path_.empty() || since_look_ < look_every) return;
@@ -89,10 +92,22 @@ void Play::look_at_file(double seconds) {
     const auto written = time_written(path_);
     if (written == written_) return;
     written_ = written;
+    if (!would_lose()) return read_again();
+    if (question) return;
+    let_go_of_everything();
+    question = Question{"Read " + std::filesystem::path(name_).filename().string() + " again?",
+                        "The file was changed by another program. What you changed here is lost if it is read again.",
+                        {{"read", "Read it again", [this] { read_again(); }}, {"keep", "Keep what runs", {}}}};
+    tell("asks", {{"question", question->title}});
+}
+
+/// A file that is wrong leaves the scene that runs.
+void Play::read_again() {
     auto fetched = shelf_.fetch(name_, overrides_);
     if (!fetched.opened) return report_problem(std::move(fetched.problem));
     let_go_of_everything();
     const bool split = is_split();
+    if (would_lose()) drop_draft();
     begin(std::move(fetched));
     if (split) toggle_split();
     tell("reloaded", {{"name", name_}});
@@ -277,6 +292,7 @@ void Play::let_go_of_everything() {
 void Play::key(const std::string& name) {
     const auto action = keys.action_of(name);
     const bool is_page = settings && action == "settings";
+    if (question && name == "return") return answer(0);
     if ((question || path_request || settings) && action != "close" && !is_page) return;
     if (name == "space") space_ = true;
     for (auto& one : tools_)

@@ -47,7 +47,7 @@ class Play {
     void handle(const Input& input);
     /// Real time passes. Steps until all that is due is done, or `enough` says that it took too long.
     void advance(double seconds, const std::function<bool()>& enough = {});
-    /// Fills the picture, whose size is set by resize(); panes of a split view lie in it as images.
+    /// Fills the picture, whose size is set by resize(); that of a split view is larger by what canvas/beside.h adds.
     void draw(Picture& picture);
     /// Fills a picture for each pane.
     void draw_panes(std::vector<Picture>& pictures);
@@ -202,9 +202,11 @@ class Play {
     void let_go_of_everything();
     void tell_happenings();
     void look_at_file(double seconds);
+    void read_again();
     void find_selected_again();
     void paint_scene(std::size_t number, Picture& picture);
     void paint_pointer(std::size_t number, Picture& picture);
+    void label_pane(std::size_t number, Picture& picture) const;
     void lay_side_by_side(Picture& picture);
     void highlight(Picture& picture) const;
     bool wants_pictures() const { return !screenshots_.empty() || (film_ && film_due_ <= 0); }
@@ -220,7 +222,8 @@ class Play {
     double since_look_ = 0;
     std::vector<Pane> panes_;
     std::size_t active_ = 0;
-    bool muted_ = false; ///< what happens in other panes is not told
+    std::size_t own_pane_ = 0; ///< the one in the mode that the scene had before it was split: it is saved
+    bool muted_ = false;       ///< what happens in other panes is not told
     std::optional<Clock> clock_;
     std::optional<Restoration> restoration_;
     std::filesystem::path restored_from_;
@@ -232,9 +235,10 @@ class Play {
     bool space_ = false;
     std::optional<Button> held_;
     std::vector<std::unique_ptr<Tool>> tools_;
-    Tool* busy_ = nullptr;         ///< between press and release
-    std::int64_t saved_edits_ = 0; ///< the tape's, when it was saved last
-    std::string saved_as_;         ///< the scene's text then
+    Tool* busy_ = nullptr;                          ///< between press and release
+    static constexpr std::int64_t never_saved = -1; ///< edits that no tape has
+    std::int64_t saved_edits_ = 0;                  ///< the tape's, when it was saved last
+    std::string saved_as_;                          ///< the scene's text then
     std::filesystem::path draft_;
     std::int64_t draft_edits_ = 0; ///< the tape's, when the draft was written
     double since_draft_ = 0;       ///< seconds
@@ -243,6 +247,7 @@ class Play {
     std::vector<std::filesystem::path> screenshots_;
     std::unique_ptr<canvas::Writer> film_;
     std::filesystem::path film_path_;
+    int film_width_ = 0, film_height_ = 0;
     double film_due_ = 0; ///< seconds until its next frame
 };
 

@@ -1,8 +1,8 @@
 #include "apps/play/play.h"
 #include "apps/play/tool.h"
-#include "canvas/raster.h"
+#include "canvas/beside.h"
 
-#include <cstring>
+#include <array>
 #include <utility>
 
 /// Several panes side by side: classic and physical mode of one scene, in lockstep.
@@ -11,20 +11,10 @@ namespace {
 
 constexpr std::array<const char*, 2> sides = {"classic", "physical"};
 
-/// The pixels of a picture.
-std::shared_ptr<const Image> painted(const Picture& picture) {
-    canvas::Raster raster(picture.width, picture.height);
-    if (raster.paint(picture)) return nullptr;
-    Image image{picture.width, picture.height, std::vector<std::uint32_t>(std::size_t(picture.width * picture.height))};
-    std::memcpy(image.pixels.data(), raster.bytes().data(), image.pixels.size() * sizeof(std::uint32_t));
-    for (auto& pixel : image.pixels) pixel |= 0xff000000U;
-    return std::make_shared<const Image>(std::move(image));
-}
-
 } // namespace
 
 int Play::pane_left(std::size_t number) const {
-    return int(std::int64_t(width_) * std::int64_t(number) / std::int64_t(panes_.size()));
+    return width_ / int(panes_.size()) * int(number);
 }
 
 void Play::each_pane(const std::function<void()>& act) {
@@ -58,7 +48,7 @@ void Play::toggle_split() {
     if (is_split()) {
         if (active_ != 0) std::swap(panes_[0], panes_[active_]);
         panes_.erase(panes_.begin() + 1, panes_.end());
-        active_ = 0;
+        active_ = own_pane_ = 0;
         resize_eyes();
         return tell("split", {{"on", false}});
     }
@@ -80,7 +70,13 @@ void Play::toggle_split() {
     }
     if (panes[0].tape.session().scene().solver.rate != panes[1].tape.session().scene().solver.rate)
         return report_problem("classic and physical mode of this scene take steps of other lengths");
+    const bool is_lost = would_lose();
+    const bool was_classic = session().scene().solver.mode == sides[0];
+    auto saved = std::move(saved_as_);
     begin(std::move(panes));
+    own_pane_ = was_classic ? 0 : 1;
+    saved_as_ = is_lost ? std::move(saved) : saved_text();
+    if (is_lost) saved_edits_ = draft_edits_ = never_saved;
     tell("split", {{"on", true}});
 }
 
@@ -88,37 +84,34 @@ void Play::paint_scene(std::size_t number, Picture& picture) {
     const auto under_pointer = std::exchange(active_, number);
     picture.width = pane_width(number), picture.height = height_;
     tape().draw(picture, overlay, view(), clock_->paused() ? 1 : clock_->share(), theme);
-    if (is_split()) {
-        const auto& colors = theme_called(shown_theme());
-        const auto unit = float(density_);
-        picture.add_text(session().scene().solver.mode, {{float(picture.width) / 2, 18 * unit}}, 15 * unit, colors.pen);
-        const std::array<Vec2<float>, 2> edge = {{{{0, 0}}, {{0, float(picture.height)}}}};
-        if (number > 0) picture.add(Shape::polyline, edge, 2 * unit, colors.wall);
-    }
     active_ = under_pointer;
 }
 
 void Play::paint_pointer(std::size_t number, Picture& picture) {
     const auto under_pointer = std::exchange(active_, number);
+    if (is_split()) label_pane(number, picture);
     if (number == under_pointer) highlight(picture);
     if (busy_) busy_->draw(*this, picture);
     active_ = under_pointer;
 }
 
-/// Panes are painted into images, so that nothing of one lies over the other.
+/// The name of the mode, and a line between neighbours.
+void Play::label_pane(std::size_t number, Picture& picture) const {
+    const auto& colors = theme_called(shown_theme());
+    const auto unit = float(density_);
+    picture.add_text(session().scene().solver.mode, {{float(picture.width) / 2, 18 * unit}}, 15 * unit, colors.pen);
+    const std::array<Vec2<float>, 2> edge = {{{{0, 0}}, {{0, float(picture.height)}}}};
+    if (number > 0) picture.add(Shape::polyline, edge, 2 * unit, colors.wall);
+}
+
 void Play::lay_side_by_side(Picture& picture) {
-    picture.clear();
-    picture.width = width_, picture.height = height_;
-    picture.images.clear();
-    Picture part;
+    std::vector<Picture> parts(panes_.size());
+    std::vector<canvas::Labelled> labelled;
     for (std::size_t i = 0; i < panes_.size(); ++i) {
-        paint_scene(i, part);
-        picture.background = part.background;
-        picture.images.push_back(painted(part));
-        const auto left = float(pane_left(i)), right = float(pane_left(i + 1)), low = float(height_);
-        const std::array<Vec2<float>, 4> grid = {{{{left, 0}}, {{right, 0}}, {{left, low}}, {{right, low}}}};
-        picture.add_image(std::uint32_t(i), grid, 2, {});
+        paint_scene(i, parts[i]);
+        labelled.push_back({&parts[i], panes_[i].tape.session().scene().solver.mode});
     }
+    canvas::put_beside(labelled, picture);
 }
 
 void Play::draw(Picture& picture) {

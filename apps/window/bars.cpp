@@ -76,9 +76,13 @@ int chosen_scale(play::Play& play) {
 void speeds(play::Play& play, const Look& look, float width, bool all) {
     const int chosen = chosen_scale(play);
     if (all) {
-        const int pressed =
-            choice("speed", {scale_words[0], scale_words[1], scale_words[2], scale_words[3], scale_words[4]}, chosen,
-                   look, width);
+        const int pressed = choice("speed",
+                                   {{scale_words[0], "a tenth of the speed"},
+                                    {scale_words[1], "a quarter of the speed"},
+                                    {scale_words[2], "half the speed"},
+                                    {scale_words[3], "a second takes a second"},
+                                    {scale_words[4], "twice the speed"}},
+                                   chosen, look, width);
         if (pressed >= 0) play.clock().set_scale(scales[std::size_t(pressed)]);
         return;
     }
@@ -133,12 +137,17 @@ void mode_switch(play::Play& play, const Look& look, float scale) {
     const bool classic = play.session().scene().solver.mode == "classic";
     constexpr float share = 0.64F;
     const int now = play.is_split() ? 2 : classic ? 1 : 0;
-    const int mode = choice("mode", {"physical", "classic", "both"}, now, look, (width - gap) * share);
+    const int mode = choice("mode",
+                            {{"physical", "as it should be: nothing stretches, energy is kept"},
+                             {"classic", "as the original demo behaved, with its faults"},
+                             {"both", "classic and physical side by side, from the start"}},
+                            now, look, (width - gap) * share);
     if (mode == 2 && now != 2) play.toggle_split();
     if (mode >= 0 && mode < 2 && mode != now) play.show_mode(mode == 1 ? "classic" : "physical");
     ImGui::SetCursorScreenPos({at.x + (width - gap) * share + gap, at.y});
     const bool dark = play.shown_theme() == "dark";
-    const int theme = choice("theme", {"light", "dark"}, dark ? 1 : 0, look, (width - gap) * (1 - share));
+    const int theme = choice("theme", {{"light", "dark on light"}, {"dark", "light on dark"}}, dark ? 1 : 0, look,
+                             (width - gap) * (1 - share));
     if (theme >= 0 && (theme == 1) != dark) play.switch_theme();
     ImGui::SetCursorScreenPos({at.x, at.y + ImGui::GetFrameHeight()});
     ImGui::Dummy({0, 0});

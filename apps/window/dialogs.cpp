@@ -173,13 +173,13 @@ void Dialogs::settings() {
     int now = -1;
     for (std::size_t i = 0; i < sizes.size(); ++i)
         if (sizes[i] == text_size) now = int(i);
-    const int size =
-        choice("size", {"80 %", "100 %", "125 %", "150 %", "200 %"}, now, *look_, ImGui::GetContentRegionAvail().x);
+    const int size = choice("size", {{"80 %"}, {"100 %"}, {"125 %"}, {"150 %"}, {"200 %"}}, now, *look_,
+                            ImGui::GetContentRegionAvail().x);
     if (size >= 0) text_size = sizes[std::size_t(size)];
     label("theme", "colours of the window and of scenes", look_->text, 0.3F);
     const int theme = play_.theme.empty() ? 0 : play_.theme == "light" ? 1 : 2;
     const int chosen =
-        choice("theme", {"as scenes say", "light", "dark"}, theme, *look_, ImGui::GetContentRegionAvail().x);
+        choice("theme", {{"as scenes say"}, {"light"}, {"dark"}}, theme, *look_, ImGui::GetContentRegionAvail().x);
     if (chosen >= 0) play_.theme = std::array{"", "light", "dark"}[std::size_t(chosen)];
     label("fast as can be", "pictures do not wait for the display", look_->text, 0.3F);
     ImGui::Checkbox("##free", &play_.free_running);
@@ -220,9 +220,10 @@ bool Dialogs::take_key(const std::string& key) {
     return true;
 }
 
-/// In as many columns as fit.
+/// In as many columns as fit, over all else, which is dimmed.
 void Dialogs::help() {
-    const bool wide = width_ > 900 * scale_;
+    const bool wide = width_ > 680 * scale_;
+    dim();
     ImGui::SetNextWindowPos({width_ / 2, height_ / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {width_ - 12 * scale_, height_ - 12 * scale_});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 12 * scale_);
@@ -255,6 +256,20 @@ void Dialogs::help() {
     ImGui::PopStyleVar();
     ImGui::End();
     ImGui::PopStyleVar(2);
+}
+
+/// A window that lies over all that was begun before it.
+void Dialogs::dim() const {
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({width_, height_});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_ModalWindowDimBg));
+    ImGui::Begin("dimmed", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
 }
 
 void Dialogs::progress() {

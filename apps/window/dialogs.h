@@ -18,6 +18,7 @@ class Dialogs {
 
     double text_size = 1; ///< of all letters and bars; 1 is usual
     /// A key that was pressed while one was to be chosen is taken.
+    bool is_open() const { return open_ != nullptr; }
     bool take_key(const std::string& key);
 
   private:
@@ -32,6 +33,7 @@ class Dialogs {
     void key_rows();
     void key_row(std::string_view name, std::string_view about);
     void help();
+    void dim() const;
     void progress();
 
     play::Play& play_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace sinew::window {
 namespace {
@@ -65,13 +66,31 @@ template <class WorldT> class Shown {
             const auto state = constraint_state(world_, {kind, table.slots.id_of(i)});
             if (!state) continue;
             ++shown;
-            window::label(Kind::name, "what a constraint of this particle measures, and its strain", look_.faint);
+            window::label(Kind::name + to_others(members),
+                          "measured, and its strain, in " + std::string(Kind::name) + between(members), look_.faint);
             const auto format = number_format("%.4g", units.text(measured));
             ImGui::Text(format.c_str(), state->measure * in_file(measured));
             if (std::fabs(state->strain) <= 1e-6) continue;
             ImGui::SameLine();
             ImGui::TextColored(look_.accent, "%+.3g %%", state->strain * 100);
         }
+    }
+
+    std::string name_of(Row member) const {
+        return play::name_of(play_.session().world(), world_.particles.slots.id_of(member));
+    }
+
+    /// The other end of what has two, by the last part of its name.
+    std::string to_others(std::span<const Row> members) const {
+        if (members.size() != 2) return "";
+        const auto name = name_of(members[0] == row_ ? members[1] : members[0]);
+        return " to " + name.substr(name.find_last_of('/') + 1);
+    }
+
+    std::string between(std::span<const Row> members) const {
+        std::string names;
+        for (const auto member : members) names += (names.empty() ? " of " : ", ") + name_of(member);
+        return names;
     }
 
     bool numbers(const std::string& name, std::array<double, 3>& values, const std::string& unit) const {

@@ -45,18 +45,19 @@ std::string number_format(const char* number, const std::string& unit) {
     return unit.empty() ? number : number + (" " + unit);
 }
 
-int choice(const char* id, std::initializer_list<const char*> words, int chosen, const Look& look, float width) {
+int choice(const char* id, std::initializer_list<Choice> words, int chosen, const Look& look, float width) {
     const auto at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight(), each = width / float(words.size());
     auto& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + width, at.y + height}, packed(look.raised), height * 0.3F);
     int pressed = -1, number = 0;
     ImGui::PushID(id);
-    for (const char* word : words) {
+    for (const auto& [word, help] : words) {
         const ImVec2 corner{at.x + each * float(number), at.y};
         ImGui::SetCursorScreenPos(corner);
         ImGui::PushID(number);
         if (ImGui::InvisibleButton("word", {each, height})) pressed = number;
+        tooltip(help);
         ImGui::PopID();
         const float inset = height * 0.08F;
         if (number == chosen)

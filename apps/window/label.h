@@ -20,8 +20,14 @@ void row(const std::string& name, const std::string& help, const std::string& va
 /// A format for ImGui: a number with its unit.
 std::string number_format(const char* number, const std::string& unit);
 
+/// One of some words, and what it means.
+struct Choice {
+    const char* word;
+    const char* help = "";
+};
+
 /// Some words of which one is chosen, in one frame. The number of the one that is pressed, or -1.
-int choice(const char* id, std::initializer_list<const char*> words, int chosen, const Look& look, float width);
+int choice(const char* id, std::initializer_list<Choice> words, int chosen, const Look& look, float width);
 
 /// A square with an icon; `on` fills it.
 bool icon_button(std::string_view icon, float side, bool on, const Look& look, const std::string& tip);

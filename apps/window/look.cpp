@@ -2,6 +2,7 @@
 
 #include <array>
 #include <backends/imgui_impl_opengl3.h>
+#include <cmath>
 #include <filesystem>
 
 namespace sinew::window {
@@ -53,10 +54,11 @@ constexpr std::array fixed_fonts = {"/usr/share/fonts/truetype/dejavu/DejaVuSans
 void make_fonts(float density, Fonts& fonts) {
     auto& io = ImGui::GetIO();
     io.Fonts->Clear();
-    fonts.normal = font_of(text_fonts, 15 * density);
-    fonts.large = font_of(text_fonts, 22 * density);
+    // Parts of a pixel in a line's height add up to a scroll bar that nothing needs.
+    fonts.normal = font_of(text_fonts, std::round(15 * density));
+    fonts.large = font_of(text_fonts, std::round(22 * density));
     fonts.small = font_of(text_fonts, 12.5F * density);
-    fonts.fixed = font_of(fixed_fonts, 13 * density);
+    fonts.fixed = font_of(fixed_fonts, std::round(13 * density));
     io.Fonts->Build();
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();

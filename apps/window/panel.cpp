@@ -2,11 +2,14 @@
 
 #include "apps/window/bars.h"
 #include "apps/window/inspector.h"
+#include "apps/window/label.h"
 #include "apps/window/menu.h"
 #include "apps/window/sliders.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <imgui_internal.h>
+#include <utility>
 
 namespace sinew::window {
 namespace {
@@ -44,7 +47,16 @@ bool Panel::leaves_to_scene(double x, double y) const {
     return layout_.scene.contains(x, y) && !layout_.side.contains(x, y) && !popup_open_ && !play_.help;
 }
 
+/// Escape closes a menu or a list, or leaves a field of text; dialogs are the game's to close.
+bool Panel::take_key(const std::string& key) {
+    if (dialogs_.take_key(key)) return true;
+    if (key != "escape" || dialogs_.is_open()) return false;
+    if (popup_open_) return close_menus_ = true;
+    return ImGui::GetIO().WantTextInput;
+}
+
 void Panel::show() {
+    if (std::exchange(close_menus_, false)) ImGui::ClosePopupToLevel(0, true);
     statistics_.sample(play_);
     if (layout_.bars) {
         menu();
@@ -77,7 +89,7 @@ void Panel::menu() {
     ImGui::End();
 }
 
-bool Panel::section(const char* name, bool open) {
+bool Panel::section(const char* name, const char* help, bool open) {
     ImGui::Dummy({0, 2 * scale_});
     ImGui::PushStyleColor(ImGuiCol_Header, ImVec4{0, 0, 0, 0});
     ImGui::PushStyleColor(ImGuiCol_Text, look().text);
@@ -85,6 +97,7 @@ bool Panel::section(const char* name, bool open) {
     const bool shown = ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     ImGui::PopFont();
     ImGui::PopStyleColor(2);
+    tooltip(help);
     return shown;
 }
 
@@ -110,12 +123,16 @@ void Panel::title() {
 
 void Panel::side() {
     title();
-    if (play_.tool == "spawn" && section("PREFAB", true)) prefab_form(play_, look());
-    if (section("SCENES", true)) browser_.show(look(), fonts_, scale_);
-    if (section("PARAMETERS", false)) sliders(play_, look(), fonts_);
-    if (section("OVERLAYS", false)) overlay_chips(play_, look());
-    if (section("INSPECTOR", true)) inspector(play_, look(), fonts_);
-    if (section("STATISTICS", true)) statistics_.show(play_, look(), fonts_, scale_);
+    if (play_.tool == "spawn" && section("PREFAB", "what the spawn tool puts in, and how it is made", true))
+        prefab_form(play_, look());
+    if (section("SCENES", "the catalogue: press one to open it", true)) browser_.show(look(), fonts_, scale_);
+    if (section("PARAMETERS", "numbers of the world, the solver and every figure: drag them", false))
+        sliders(play_, look(), fonts_);
+    if (section("OVERLAYS", "what can be laid over the scene to see into it", false)) overlay_chips(play_, look());
+    if (section("INSPECTOR", "the particle that was pressed last, or that the pointer is over", true))
+        inspector(play_, look(), fonts_);
+    if (section("STATISTICS", "counts, times and energies of the running scene", true))
+        statistics_.show(play_, look(), fonts_, scale_);
     ImGui::Dummy({0, 12 * scale_});
 }
 

@@ -21,7 +21,8 @@ class Panel {
     bool leaves_to_scene(double x, double y) const;
     /// Within an ImGui frame.
     void show();
-    bool take_key(const std::string& key) { return dialogs_.take_key(key); }
+    /// Whether a key was for what lies over the scene and not for the game.
+    bool take_key(const std::string& key);
 
     double text_size() const { return dialogs_.text_size; }
     void set_text_size(double size) { dialogs_.text_size = size; }
@@ -42,7 +43,7 @@ class Panel {
     void message();
     void hint();
     void write_over_scene(const std::string& text, float share, float alpha);
-    bool section(const char* name, bool open);
+    bool section(const char* name, const char* help, bool open);
 
     play::Play& play_;
     Browser browser_;
@@ -55,6 +56,7 @@ class Panel {
     int width_ = 0, height_ = 0;
     bool drawer_ = false;     ///< a panel that is not docked is shown
     bool popup_open_ = false; ///< a menu, a list or a question lies over the scene
+    bool close_menus_ = false;
     std::string last_message_;
     double message_since_ = 0;
 };

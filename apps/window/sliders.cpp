@@ -16,13 +16,14 @@
 namespace sinew::window {
 namespace {
 
-/// Parts of the solver that act in one mode only.
+/// Parts of the solver, and of every figure, that act in one mode only.
 struct OfMode {
     std::string_view path, mode;
 };
-constexpr std::array parts_of_modes = {OfMode{"solver.rules", "classic"}, OfMode{"solver.passes", "classic"},
-                                       OfMode{"solver.substeps", "physical"}, OfMode{"solver.iterations", "physical"},
-                                       OfMode{"solver.direct", "physical"}};
+constexpr std::array parts_of_modes = {OfMode{"solver.rules", "classic"},      OfMode{"solver.passes", "classic"},
+                                       OfMode{"solver.substeps", "physical"},  OfMode{"solver.iterations", "physical"},
+                                       OfMode{"solver.direct", "physical"},    OfMode{"figures.direct", "physical"},
+                                       OfMode{"figures.integrator", "classic"}};
 
 /// Numbers that a scene's units do not measure.
 struct Measured {
@@ -37,10 +38,22 @@ constexpr std::array measured_otherwise = {Measured{"solver.rate", "", "a second
                                            Measured{"solver.substeps", "", "a step"},
                                            Measured{"solver.iterations", "", "a substep"}};
 
-bool acts_in(std::string_view mode, std::string_view path) {
-    return std::none_of(parts_of_modes.begin(), parts_of_modes.end(),
-                        [&](const OfMode& part) { return part.path == path && part.mode != mode; });
+/// The path of a figure's part without the figure's number.
+std::string of_any_figure(const std::string& path) {
+    constexpr std::string_view figures = "figures";
+    const auto number = path.starts_with(figures) ? path.find('.', figures.size() + 1) : std::string::npos;
+    return number == std::string::npos ? path : std::string(figures) + path.substr(number);
 }
+
+} // namespace
+
+bool acts_in(std::string_view mode, const std::string& path) {
+    const auto known = of_any_figure(path);
+    return std::none_of(parts_of_modes.begin(), parts_of_modes.end(),
+                        [&](const OfMode& part) { return part.path == known && part.mode != mode; });
+}
+
+namespace {
 
 /// Walks a layout beside what the scene says, and shows what can be changed.
 class Form {
@@ -137,7 +150,7 @@ class Form {
         if (part.field.choices.empty()) return;
         const auto* said = own ? own->as<std::string>() : part.usual.as<std::string>();
         label(part);
-        if (!ImGui::BeginCombo(id(path).c_str(), said ? said->c_str() : "as usual")) return;
+        if (!ImGui::BeginCombo(id(path).c_str(), said && !said->empty() ? said->c_str() : "as usual")) return;
         for (const auto choice : part.field.choices) {
             const std::string text(choice);
             if (ImGui::Selectable(text.c_str(), said && *said == text)) setter_(path, text, false);

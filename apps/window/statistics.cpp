@@ -68,9 +68,11 @@ struct Legend {
 };
 
 /// The name of a graph with its range, and what its colours are; in a line of their own where they do not fit.
-void graph_title(const char* name, const std::string& range, const std::vector<Legend>& legend, const Look& look) {
+void graph_title(const char* name, const char* help, const std::string& range, const std::vector<Legend>& legend,
+                 const Look& look) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImGui::TextColored(look.faint, "%s, %s", name, range.c_str());
+    tooltip(help);
     for (const auto& [word, color] : legend) {
         const float gap = ImGui::GetFontSize() * 0.5F, end = ImGui::GetItemRectMax().x;
         if (end + gap + ImGui::CalcTextSize(word.c_str()).x < right) ImGui::SameLine(0, gap);
@@ -173,7 +175,8 @@ void Statistics::times(const Look& look, float scale) const {
     std::vector<Legend> legend;
     for (std::size_t i = 0; i < phase_names.size(); ++i) legend.push_back({std::string(phase_names[i]), colors[i]});
     legend.push_back({"all", colors.back()});
-    graph_title("time of a step", text("to %.2g ms", double(slowest)), legend, look);
+    graph_title("time of a step", "how long its phases took to work out, one on the other",
+                text("to %.2g ms", double(slowest)), legend, look);
     const auto frame = graph_frame(look, 52 * scale);
     for (std::size_t i = 0; i < colors.size(); ++i)
         plot(frame, step_times_, 0, slowest, most, packed(colors[i]), 1.3F * scale,
@@ -187,7 +190,8 @@ void Statistics::energies(const Look& look, float scale) const {
     for (const auto& e : energies_)
         for (const float value : {e.kinetic, e.potential - origin, total(e) - origin})
             low = std::min(low, value), high = std::max(high, value);
-    graph_title("energy", text("%.3g to ", double(low)) + text("%.3g J", double(high)),
+    graph_title("energy", "of all particles; the potential one counts from where the graph began",
+                text("%.3g to ", double(low)) + text("%.3g J", double(high)),
                 {{"kinetic", look.accent}, {"potential", look.cool}, {"total", look.good}}, look);
     const auto frame = graph_frame(look, 80 * scale);
     plot(frame, energies_, low, high, most, packed(look.cool), 1.5F * scale,

@@ -15,6 +15,8 @@
 #include <chrono>
 #include <epoxy/gl.h>
 #include <imgui.h>
+#include <utility>
+#include <vector>
 
 namespace sinew::window {
 namespace {
@@ -62,6 +64,8 @@ class Window {
     std::unique_ptr<GlPainter> painter_;
     std::vector<Picture> pictures_; ///< one a pane
     Area area_;                     ///< of the scene
+    std::vector<SDL_Scancode> new_keys_;
+    std::vector<SDL_Event> late_releases_;
     std::string title_;
     std::int64_t frames_ = 0;
     double shown_ = 0, stepping_ = 0, gathering_ = 0, painting_ = 0; ///< seconds, of all frames
@@ -141,7 +145,12 @@ class Window {
         panel_.arrange(width, height, density);
         area_ = panel_.scene();
         play_.resize(area_.width, area_.height, density);
-        for (SDL_Event event; SDL_PollEvent(&event);) take(event);
+        for (const auto& event : std::exchange(late_releases_, {})) ImGui_ImplSDL2_ProcessEvent(&event);
+        new_keys_.clear();
+        for (SDL_Event event; SDL_PollEvent(&event);) {
+            tell_gui(event);
+            take(event);
+        }
         if (screen_.minimized() || width < 1 || height < 1) { // nothing to see: time stands still
             SDL_Delay(50);
             return;
@@ -154,6 +163,8 @@ class Window {
         const auto drawn = Clock::now();
         name_window();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glDisable(GL_SCISSOR_TEST); // panes of a split view may leave a column
+        glClear(GL_COLOR_BUFFER_BIT);
         for (std::size_t i = 0; i < pictures_.size() && i < play_.pane_count(); ++i)
             painter_->paint(pictures_[i], area_.left + play_.pane_left(i), height - area_.top - area_.height);
         glViewport(0, 0, width, height);
@@ -216,8 +227,16 @@ class Window {
         return {{x * scale - area_.left, y * scale - area_.top}};
     }
 
-    void take(const SDL_Event& event) {
+    /// ImGui looks at keys once a frame: the release of one that was pressed in the same frame waits for the next.
+    void tell_gui(const SDL_Event& event) {
+        const bool is_new = event.type == SDL_KEYUP &&
+                            std::find(new_keys_.begin(), new_keys_.end(), event.key.keysym.scancode) != new_keys_.end();
+        if (is_new) return late_releases_.push_back(event);
+        if (event.type == SDL_KEYDOWN) new_keys_.push_back(event.key.keysym.scancode);
         ImGui_ImplSDL2_ProcessEvent(&event);
+    }
+
+    void take(const SDL_Event& event) {
         const bool typing = ImGui::GetIO().WantTextInput;
         switch (event.type) {
         case SDL_QUIT:

@@ -6,6 +6,8 @@
 #include "tests/canvas/scratch_folder.h"
 #include "tests/play/game.h"
 
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -13,6 +15,7 @@
 namespace sinew::play {
 namespace {
 
+namespace fs = std::filesystem;
 using games::Listening;
 using games::run;
 using games::shelf;
@@ -40,6 +43,43 @@ TEST_F(Documents, EscapeAsksWhereAnEditWouldBeLost) {
     play.handle(Key{"escape"});
     ASSERT_TRUE(play.answer("discard"));
     EXPECT_TRUE(play.quit);
+}
+
+TEST_F(Documents, EnterTakesTheFirstAnswer) {
+    Play play(shelf, "ragdoll");
+    play.handle(Key{"g"});
+    play.handle(Key{"escape"});
+    ASSERT_TRUE(play.question);
+    play.handle(Key{"p"});
+    EXPECT_FALSE(play.clock().paused()) << "keys act on the question alone";
+    play.handle(Key{"return"});
+    EXPECT_FALSE(play.question);
+    ASSERT_TRUE(play.path_request) << "Save was first, and asks where";
+    play.choose(in("mine.json"));
+    EXPECT_TRUE(play.quit);
+}
+
+// Another program writes the file while there are changes that are not in it.
+TEST_F(Documents, AFileThatWasChangedElsewhereReplacesAnEditOnlyOnRequest) {
+    const auto path = in("live.json");
+    const auto write = [&](const char* length, int later) {
+        std::ofstream(path) << R"({"sinew": 1, "figures": [{"prefab": "rope", "length": )" << length << "}]}";
+        fs::last_write_time(path, fs::file_time_type::clock::now() + std::chrono::seconds(later));
+    };
+    write("2", 0);
+    Play play(shelf, path);
+    Listening listening(play);
+    play.handle(Key{"g"});
+    for (const char* answer : {"keep", "read"}) {
+        ASSERT_TRUE(play.would_lose());
+        write("3", *answer == 'k' ? 10 : 20);
+        advance(play, 60);
+        ASSERT_TRUE(play.question);
+        EXPECT_EQ(listening.count("reloaded"), 0U);
+        ASSERT_TRUE(play.answer(answer));
+    }
+    EXPECT_EQ(listening.count("reloaded"), 1U);
+    EXPECT_FALSE(play.would_lose());
 }
 
 TEST_F(Documents, EscapeQuitsAtOnceWhereNothingWouldBeLost) {
@@ -123,6 +163,30 @@ TEST_F(Documents, ASceneRunsFromTheClipboard) {
     EXPECT_EQ(play.session().scene().figures.at(0).name, "line");
     play.copy_hash();
     EXPECT_EQ(copied, play.hash());
+}
+
+// Frames of one size make a film; and one that runs when the game ends is kept.
+TEST_F(Documents, AFilmEndsWhereThePictureTakesAnotherSizeAndWithTheGame) {
+    if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+    Picture picture;
+    {
+        Play play(shelf, "ragdoll");
+        Listening listening(play);
+        const auto film = [&](const char* name, int width) {
+            play.resize(width, 80);
+            play.toggle_recording(in(name));
+            for (int i = 0; i < 6; ++i) play.advance(1.0 / 60), play.draw(picture);
+        };
+        film("first.mp4", 120);
+        ASSERT_TRUE(play.recording()) << play.problem();
+        play.toggle_split();
+        play.draw(picture);
+        EXPECT_FALSE(play.recording());
+        EXPECT_EQ(listening.count("recorded"), 1U);
+        film("second.mp4", 200);
+        EXPECT_TRUE(play.recording()) << play.problem();
+    }
+    for (const char* name : {"first.mp4", "second.mp4"}) EXPECT_TRUE(fs::exists(in(name))) << name;
 }
 
 TEST_F(Documents, ANewSceneIsAFloorToPutThingsOn) {
@@ -212,7 +276,7 @@ TEST_F(Documents, ABadStateIsRefusedWithItsPlaceAndWhatRunsGoesOn) {
     EXPECT_EQ(play.scene_name(), "ragdoll");
 }
 
-// Ids of particles that never were, a grab of nothing, actions out of order: told, or without effect; never a crash.
+// Rows of particles that never were, a grab of nothing, actions out of order: told, or without effect; never a crash.
 TEST_F(Documents, StrangeActionsDoNoHarm) {
     const auto play_with = [&](const std::string& actions) {
         std::ofstream(in("odd.json")) << R"({"sinew_state": 1, "steps": 5, "hash": "x", "actions": [)" << actions

@@ -1,4 +1,5 @@
 #include "apps/play/script.h"
+#include "tests/canvas/scratch_folder.h"
 #include "tests/play/game.h"
 
 #include <gtest/gtest.h>
@@ -84,17 +85,39 @@ TEST_F(SplitView, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
     EXPECT_EQ(play.session().scene().solver.mode, "physical");
 }
 
-TEST_F(SplitView, APictureHasBothHalves) {
+// What was not saved before the scene was split is still to be saved, in the mode that the scene had.
+TEST_F(SplitView, AnEditBeforeItIsNotLost) {
+    Play edited(games::shelf, "rope");
+    edited.handle(Key{"g"});
+    edited.toggle_split();
+    ASSERT_TRUE(edited.is_split());
+    EXPECT_TRUE(edited.would_lose());
+    edited.handle(Key{"g"});
+    EXPECT_FALSE(edited.would_lose()) << "it is as it was";
+    edited.handle(Key{"g"});
+    edited.handle(Moved{{{1, 1}}}); // over the classic half
+    EXPECT_EQ(edited.session().scene().solver.mode, "classic");
+    const ScratchFolder folder;
+    ASSERT_TRUE(edited.save(folder / "mine.json"));
+    EXPECT_FALSE(edited.would_lose());
+    const auto saved = games::read(sinew::text_of(folder / "mine.json"), "mine");
+    ASSERT_TRUE(saved.opened) << saved.problem;
+    EXPECT_EQ(saved.opened->scene.solver.mode, "physical");
+    EXPECT_EQ(saved.opened->scene.world.gravity, Point{});
+}
+
+TEST_F(SplitView, APictureHasBothHalvesUnderTheirNames) {
     Picture picture;
     play.draw(picture);
-    ASSERT_EQ(picture.images.size(), 2U);
-    for (const auto& image : picture.images) {
-        ASSERT_TRUE(image);
-        EXPECT_EQ(image->width, 500);
-        EXPECT_GT(std::count_if(image->pixels.begin(), image->pixels.end(),
-                                [&](auto pixel) { return pixel != image->pixels[0]; }),
-                  500);
-    }
+    EXPECT_GE(picture.width, 1000);
+    EXPECT_GT(picture.height, 500);
+    for (const char* mode : {"classic", "physical"})
+        EXPECT_NE(std::find(picture.texts.begin(), picture.texts.end(), mode), picture.texts.end()) << mode;
+    std::vector<Picture> panes;
+    play.draw_panes(panes);
+    ASSERT_EQ(panes.size(), 2U);
+    EXPECT_EQ(panes[0].width, 500);
+    EXPECT_GE(picture.items.size(), panes[0].items.size() + panes[1].items.size() - 4) << "all that panes show";
 }
 
 } // namespace

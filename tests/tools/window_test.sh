@@ -101,6 +101,27 @@ xdotool mousemove $((X + 22)) $((Y + 14)) click 1; sleep 0.4
 xdotool mousemove $((X + 60)) $((Y + 142)); sleep 0.2; xdotool click 1; until_said '"purpose": "save"'
 sleep 0.2; key Escape; sleep 0.2
 
+# Pictures, the scene as text, and all that led to here: by menu and keys. The running state goes on with the same bits.
+menu_entry() { # how far below the window's top
+    xdotool mousemove $((X + 22)) $((Y + 14)) click 1; sleep 0.4
+    xdotool mousemove $((X + 60)) $((Y + $1)); sleep 0.2; xdotool click 1
+}
+menu_entry 194; until_said '"purpose": "picture"'; sleep 0.3; key Return; until_said '"what": "screenshot"'
+[ "$(head -c 4 rope.png | tail -c 3)" = PNG ] || fail "no picture"
+sleep 0.5; key ctrl+c; until_said '"what": "copied"'
+key p; until_said '"what": "pause"' 2
+menu_entry 165; until_said '"purpose": "save_state"'; sleep 0.3; key Return; until_said '"what": "saved_state"'
+key e; until_said '"what": "split", .*"on": true'; key e; until_said '"what": "split", .*"on": false'
+key p; until_said '"what": "resume"' 2
+"$SINEW" play rope.state.json --script /dev/stdin --json <<<"0 key p" >restored || fail "the running state is not opened"
+grep -q "$(hashes saved_state)" restored || fail "the running state is another one"
+
+# Escape closes a menu, and leaves a field of text: the window stays, though nothing would be lost.
+xdotool mousemove $((X + 22)) $((Y + 14)) click 1; sleep 0.4; key Escape; sleep 0.3
+xdotool mousemove $((X + WIDTH - 170)) $((Y + 182)) click 1; sleep 0.4; key x; sleep 0.2; key Escape; sleep 0.3
+xdotool mousemove $middle_x $middle_y; sleep 0.2
+key p; until_said '"what": "pause"' 3; key p; until_said '"what": "resume"' 3
+
 # A file that is written again is read again; a wrong one leaves what runs.
 sleep 1; sed -i 's/"length": 3/"length": 2.5/' rope.json; until_said '"what": "reloaded"'
 sleep 1; echo '{' >rope.json; until_said '"what": "problem"'

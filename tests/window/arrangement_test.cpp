@@ -1,4 +1,7 @@
+#include "sinew/scene/layout.h"
+
 #include "apps/window/arrangement.h"
+#include "apps/window/sliders.h"
 #include "apps/window/statistics.h"
 #include "tests/play/game.h"
 
@@ -71,6 +74,41 @@ TEST(Statistics, KindsAreCalledByTheirOwnNamesInEveryDimension) {
         "constraints": [{"kind": "area", "between": ["a", "b", "c"]},
                         {"kind": "rail", "between": ["a", "b", "c"]}]}]})"),
               "1 area, 1 rail");
+}
+
+/// Calls visit(path, part) for every field, of lists and alternatives too.
+template <class Visit> void each_field(const sinew::Layout& layout, const std::string& path, const Visit& visit) {
+    for (const auto& part : layout.parts) {
+        const auto name = std::string(part.field.name);
+        const bool is_own = part.field.name != layout.field.name; // an element is called as its list
+        const auto here = !is_own || name.empty() ? path : path.empty() ? name : path + "." + name;
+        if (is_own && !name.empty()) visit(here, part);
+        each_field(part, here, visit);
+    }
+}
+
+TEST(Panel, EveryLabelHasATooltip) {
+    std::size_t count = 0;
+    each_field(scene_layout(), "", [&](const std::string& path, const sinew::Layout& part) {
+        ++count;
+        EXPECT_FALSE(part.field.help.empty()) << path;
+    });
+    EXPECT_GT(count, 100U);
+}
+
+// Each mode shows what acts in it: no rule of the originals in physical mode, no substeps in classic mode.
+TEST(Panel, ShowsWhatActsInTheMode) {
+    std::string only_classic, only_physical;
+    const auto ask = [&](const std::string& path) {
+        if (!acts_in("physical", path)) only_classic += path + " ";
+        if (!acts_in("classic", path)) only_physical += path + " ";
+    };
+    each_field(scene_layout(), "", [&](const std::string& path, const sinew::Layout&) { ask(path); });
+    EXPECT_EQ(only_classic, "solver.passes solver.rules figures.integrator ");
+    EXPECT_EQ(only_physical, "solver.substeps solver.iterations solver.direct figures.direct ");
+    EXPECT_FALSE(acts_in("physical", "figures.12.integrator"));
+    EXPECT_FALSE(acts_in("classic", "figures.12.direct"));
+    EXPECT_TRUE(acts_in("classic", "figures.12.direct.more"));
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "tests/play/game.h"
 
 #include <SDL.h>
+#include <array>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <epoxy/gl.h>
@@ -48,7 +49,7 @@ class WindowTest : public testing::Test {
         if (SDL_Init(SDL_INIT_VIDEO) != 0) GTEST_SKIP() << "no OpenGL without a display here: " << SDL_GetError();
         game.listener = [this](const play::Told& one) {
             told += one.what + " ";
-            if (one.what == "restart") resize_window();
+            if (one.what == "restart") look_on();
             if (one.what != "end") return; // the context is still there
             shot = front();
             keep_libraries();
@@ -109,6 +110,18 @@ class WindowTest : public testing::Test {
             if (auto* window = SDL_GetWindowFromID(id)) SDL_SetWindowSize(window, width, height);
     }
 
+    /// Each restart is told in a later picture than the one before, however slow the machine: the window has its size
+    /// for some pictures before it is closed.
+    void look_on() {
+        constexpr int enough = 6;
+        if (restarts == 0) resize_window();
+        if (!looking) return;
+        const bool done = ++restarts == enough;
+        const auto restart = [](Uint32, void*) -> Uint32 { return key(SDLK_r), 0; };
+        const auto quit = [](Uint32, void*) -> Uint32 { return key(SDLK_ESCAPE), 0; };
+        SDL_AddTimer(40, done ? +quit : +restart, nullptr);
+    }
+
     /// Shows it for a few frames, paused at the start.
     void look(const std::string& theme) {
         game.quit = false;
@@ -120,16 +133,17 @@ class WindowTest : public testing::Test {
         game.pause(true);
         const auto restart = [](Uint32, void*) -> Uint32 { return key(SDLK_r), 0; };
         SDL_AddTimer(40, restart, nullptr);
-        const auto quit = [](Uint32, void*) -> Uint32 { return key(SDLK_ESCAPE), 0; };
-        SDL_AddTimer(Uint32(std::max(200, width * height / 6000)), quit, nullptr);
+        looking = true, restarts = 0;
         const auto problem = show(game);
+        looking = false;
         if (problem) GTEST_SKIP() << *problem;
     }
 
     int width = 1280, height = 720, shrink = 2;
     ScratchFolder folder;
     Image shot;
-    bool panel = true;
+    bool panel = true, looking = false;
+    int restarts = 0;
     play::Shelf shelf{{}, {}, fetch, play::games::read}; // no scenes, no thumbnails, which come when they come
     play::Play game{shelf, "ragdoll"};
     std::string told;
@@ -246,6 +260,30 @@ TEST_F(WindowTest, AsksBeforeAnEditIsLost) {
     if (const auto problem = show(game)) GTEST_SKIP() << *problem;
     EXPECT_EQ(told, "edit asks answer asks answer end ") << told;
     EXPECT_FALSE(std::filesystem::exists(folder / "sinew/autosave.json")) << "it was thrown away on purpose";
+}
+
+// On a slow machine a key goes down and up between two pictures.
+TEST_F(WindowTest, AKeyThatIsPressedForLessThanAPictureCounts) {
+    game.listener = [&](const play::Told& one) {
+        told += one.what + " ";
+        if (one.what == "saved_state") game.quit = true;
+        if (one.what == "end") keep_libraries();
+    };
+    game.ask_for_path(play::Purpose::save_state);
+    game.path_request->suggested = folder / "now.state.json";
+    const auto enter = [](Uint32, void*) -> Uint32 {
+        std::array<SDL_Event, 2> both{};
+        for (auto& event : both) event.key.keysym = {SDL_SCANCODE_RETURN, SDLK_RETURN, 0, 0};
+        both[0].key.type = SDL_KEYDOWN, both[1].key.type = SDL_KEYUP;
+        SDL_PeepEvents(both.data(), 2, SDL_ADDEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT);
+        return 0;
+    };
+    const auto give_up = [](Uint32 interval, void*) -> Uint32 { return key(SDLK_ESCAPE), interval; };
+    SDL_AddTimer(500, enter, nullptr);
+    SDL_AddTimer(4000, give_up, nullptr);
+    if (const auto problem = show(game)) GTEST_SKIP() << *problem;
+    EXPECT_EQ(told, "asks_for_path saved_state end ");
+    EXPECT_TRUE(std::filesystem::exists(folder / "now.state.json"));
 }
 
 TEST_F(WindowTest, OpensTheFileThatIsDroppedOnIt) {
