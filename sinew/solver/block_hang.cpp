@@ -4,7 +4,9 @@
 
 /// Trees that hang on what is swept are one constraint of the sweep, solved exactly: where their particles would fly is
 /// corrected so that every link has its length, for the least change of momentum. Of what they hang on they move one
-/// particle, and the sweep hands on the rest.
+/// particle, and the sweep hands on the rest. Links pull along their new directions: lengths of at most so much are a
+/// convex set, and moving to its nearest point adds no energy. Along their old ones (SHAKE) they keep a swing's, but
+/// the sweep's pulls are no smooth forces: what it leaves undone is worked off across the swing, and adds up.
 namespace sinew {
 namespace {
 
@@ -20,8 +22,7 @@ template <int D, class Real> class Hanging {
         load(first_iteration);
         detail::BlockSolve<D> solve(blocks_, block_, double(h_));
         constexpr int few = 8, many = 40;
-        if (!solve.run(Rule::shake, few, [] {})) {
-            // the old directions do not serve where links turn fast
+        if (!solve.run(Rule::implicit, few, [] {})) {
             for (auto& node : unknowns()) node.start += node.velocity * double(h_), node.velocity = {};
             forget_tensions();
             for (int i = 0; i < 3 && !solve.run(Rule::place, many, [] {}); ++i) {
