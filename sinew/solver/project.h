@@ -124,10 +124,16 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     const Real measure = unwrap<Kind>(stencil.evaluate(stencil.points, stencil.gradient), low, high);
     mover.choose_direction(stencil, members);
 
+    constexpr bool coupled = requires {
+        mover.impart(members[0], stencil.direction[0]);
+    }; // particles move each other
     Real resistance = 0, steepness = 0;
+    if constexpr (coupled) resistance = mover.resistance(stencil, members, split);
     stencil.each([&](std::size_t i) {
-        const Real w = mover.weight(members[i]) * handicap(split, i);
-        resistance += w * dot(stencil.gradient[i], stencil.direction[i]);
+        if constexpr (!coupled) {
+            const Real w = mover.weight(members[i]) * handicap(split, i);
+            resistance += w * dot(stencil.gradient[i], stencil.direction[i]);
+        }
         steepness += dot(stencil.gradient[i], stencil.gradient[i]);
     });
     const Real error = measure - clamp(measure, low, high);
@@ -147,8 +153,11 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     const Real next = lambda + table.relaxation[row] * (solved - lambda);
     table.multiplier[row] = next;
     stencil.each([&](std::size_t i) {
-        mover.push(members[i],
-                   stencil.direction[i] * (mover.weight(members[i]) * handicap(split, i) * (next - lambda)));
+        if constexpr (coupled)
+            mover.impart(members[i], stencil.direction[i] * (handicap(split, i) * (next - lambda)));
+        else
+            mover.push(members[i],
+                       stencil.direction[i] * (mover.weight(members[i]) * handicap(split, i) * (next - lambda)));
     });
     return true;
 }

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "sinew/solver/project.h"
+#include "sinew/solver/world.h"
+
+/// Constraints add no energy to what blocks and sweep hold together. A sweep leaves errors, a linear model of a block
+/// has its own, and what makes up for one of them later may do work. Under impulses J of the constraints a particle
+/// goes from velocity v to v', where it would have gone to u without them; with the potential taken half way,
+///
+///     E' - E = sum J . (v + v')/2,        J = m (v' - u)
+///
+/// to rounding. Where that is more than what springs gave back and soft pins put in, it is taken from the velocities,
+/// relative to the mean of what is free, or to the pins that carry it. Where a particle is stays as it was solved.
+namespace sinew::detail {
+
+template <int D, class Real> class EnergyLimiter {
+  public:
+    EnergyLimiter(World<D, Real>& world, Real h)
+        : world_(world), swept_(world.swept), ports_(world.blocks.ports), per_h_(1 / double(h)) {}
+
+    /// Before a substep moves anything.
+    void begin() {
+        if (ports_.groups.empty()) return;
+        for (Row s = 0; s < swept_.size(); ++s) ports_.last_moves[s] = cast<double>(swept_.move_at(s));
+        for (auto& group : ports_.groups) group.stored = stored(group);
+    }
+    /// When places and velocities are those of its end.
+    void limit() {
+        for (const auto& group : ports_.groups)
+            if (!group.driven) limit(group);
+    }
+
+  private:
+    using Vector = Vec<D, double>;
+    World<D, Real>& world_;
+    Swept<D, Real>& swept_;
+    Ports<D>& ports_;
+    double per_h_;
+
+    std::span<const std::uint32_t> members(const PortGroup& group) const {
+        return std::span(ports_.members).subspan(group.first, group.members);
+    }
+    std::span<const std::uint32_t> anchors(const PortGroup& group) const {
+        return std::span(ports_.anchors).subspan(group.first_anchor, group.anchors);
+    }
+    double mass(Row slot) const { return inverse_or_zero(ports_.mobilities[slot]); }
+    Vector move(Row slot) const { return cast<double>(swept_.move_at(slot)); }
+
+    void limit(const PortGroup& group) {
+        Vector frame{};
+        if (!find_frame(group, frame)) return;
+        double work = 0, kinetic = 0;
+        for (const auto s : members(group)) {
+            const auto to = move(s) - frame;
+            work += 0.5 * mass(s) * dot(ports_.last_moves[s] - frame + to, move(s) - ports_.free_moves[s]);
+            kinetic += 0.5 * mass(s) * dot(to, to);
+        }
+        work -= of_soft_pins(group, frame);
+        const double gain = work * square(per_h_) + (group.springs > 0 ? stored(group) - group.stored : 0);
+        kinetic *= square(per_h_);
+        constexpr double rounding = 1e-14;
+        if (gain > rounding * kinetic) slow_down(group, frame, square_root(maximum(0.0, 1 - gain / kinetic)));
+    }
+
+    /// What energy is relative to: pins that are all carried alike do no work there. False where they are not.
+    bool find_frame(const PortGroup& group, Vector& frame) const {
+        const auto held = anchors(group);
+        if (held.empty()) {
+            double all = 0;
+            for (const auto s : members(group)) frame += move(s) * mass(s), all += mass(s);
+            frame *= inverse_or_zero(all);
+            return true;
+        }
+        frame = move(held.front());
+        return std::all_of(held.begin(), held.end(), [&](Row s) { return move(s) == frame; });
+    }
+
+    void slow_down(const PortGroup& group, const Vector& frame, double share) {
+        for (const auto s : members(group)) swept_.set_move(s, cast<Real>(frame + (move(s) - frame) * share));
+    }
+
+    double of_soft_pins(const PortGroup& group, const Vector& frame) const {
+        if (!swept_.any_pin_soft) return 0;
+        double work = 0;
+        for (const auto& pinned : swept_.plan.pins) {
+            const auto& pin = world_.pins[pinned.pin];
+            if (pin.hard() || !is_in(group, pinned.slot)) continue;
+            work += 0.5 *
+                    dot(cast<double>(pin.multiplier), ports_.last_moves[pinned.slot] + move(pinned.slot) - frame * 2.0);
+        }
+        return work;
+    }
+    bool is_in(const PortGroup& group, Row slot) const {
+        const auto all = members(group);
+        return std::find(all.begin(), all.end(), slot) != all.end();
+    }
+
+    /// In the springs of a group.
+    double stored(const PortGroup& group) const {
+        double sum = 0;
+        for (const auto& spring : std::span(ports_.springs).subspan(group.first_spring, group.springs))
+            visit_table(world_, spring.kind, [&](const auto& table) { sum += stored(table, spring.row); });
+        return sum;
+    }
+    template <class Table> double stored(const Table& table, Row row) const {
+        const auto members = table.members[row];
+        Stencil<typename Table::Kind, D, Real> stencil(world_, members.size());
+        stencil.each([&](std::size_t i) { stencil.points[i] = swept_.place_at(swept_.slot_of[members[i]]); });
+        const Real measure = unwrap<typename Table::Kind>(stencil.evaluate(stencil.points, stencil.gradient),
+                                                          table.low(row), table.high(row));
+        const double error = double(measure - clamp(measure, table.low(row), table.high(row)));
+        return 0.5 * square(error) / double(table.compliance[row]);
+    }
+};
+
+} // namespace sinew::detail

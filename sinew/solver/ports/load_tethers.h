@@ -1,0 +1,59 @@
+#pragma once
+
+#include "sinew/solver/world.h"
+
+#include <algorithm>
+#include <span>
+
+/// A port of a tethered mesh is held by the pins of the mesh: no further from them than its threads reach. In the sweep
+/// that would hold the port and nothing behind it; so the tethers of ports are links of their block, and what hangs
+/// there hangs on the pins, whatever it weighs.
+namespace sinew::detail {
+
+template <int D, class Real> class LoadTethers {
+  public:
+    explicit LoadTethers(World<D, Real>& world) : world_(world), swept_(world.swept), plan_(world.swept.plan) {}
+
+    /// Sets the load tethers of one port. What leads nowhere holds nothing.
+    void tie(std::span<BlockLink<D>> links) const {
+        auto& nodes = world_.blocks.nodes;
+        const auto slot = swept_.slot_of[nodes[links.front().a].row];
+        const auto* sheet = sheet_at(slot);
+        for (std::uint32_t t = 0; t < links.size(); ++t) {
+            auto& node = nodes[links[t].b];
+            const double reach = sheet && t < sheet->tethers ? reach_of(*sheet, t, slot) : 0;
+            if (reach > 0) {
+                node.row = swept_.row_of[plan_.tethers[sheet->first_tether + t].at + sheet->begin.slot];
+                node.slot = world_.particles.slots.slot_of(node.row);
+            }
+            set_reach(links[t], reach);
+        }
+    }
+
+  private:
+    World<D, Real>& world_;
+    const Swept<D, Real>& swept_;
+    const Plan<Real>& plan_;
+
+    const Sheet* sheet_at(Row slot) const {
+        const auto after = std::upper_bound(plan_.sheets.begin(), plan_.sheets.end(), slot,
+                                            [](Row s, const Sheet& sheet) { return s < sheet.begin.slot; });
+        return after == plan_.sheets.begin() ? nullptr : &*(after - 1);
+    }
+    /// 0 where it reaches anywhere.
+    double reach_of(const Sheet& sheet, std::uint32_t t, Row slot) const {
+        constexpr double far = double(limit::coordinate<Real>);
+        const auto& tether = plan_.tethers[sheet.first_tether + t];
+        const double half = double(plan_.half_per_reach_square[tether.first + slot - sheet.begin.slot]);
+        const double reach = square_root(inverse_or_zero(2 * half));
+        return reach < far ? reach : 0;
+    }
+    static void set_reach(BlockLink<D>& link, double reach) {
+        constexpr double nowhere = 1e12;
+        link.high = reach > 0 ? reach : nowhere;
+        link.length = reach;
+        link.per_length2 = inverse_or_zero(square(reach));
+    }
+};
+
+} // namespace sinew::detail

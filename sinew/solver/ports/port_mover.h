@@ -1,0 +1,85 @@
+#pragma once
+
+#include "sinew/solver/ports/port_response.h"
+#include "sinew/solver/substep.h"
+
+/// The swept constraints at ports. A port moves as its block lets it, and what pushes it moves the other ports of the
+/// block as well:
+///
+///     dlambda = -(C + alpha lambda) / (sum_ij g_i . W_ij g_j + alpha),      x_i += sum_j W_ij g_j dlambda
+///
+/// with W_ij the response of the block, or of a single particle its inverse mass.
+namespace sinew::detail {
+
+template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
+    using Base = SubstepMover<D, Real>;
+
+  public:
+    PortMover(World<D, Real>& world, const Base& mover)
+        : Base(mover), blocks_(world.blocks), ports_(world.blocks.ports) {}
+
+    /// A sweep that comes to ports last leaves them least undone.
+    static void project_all(World<D, Real>& world, const Base& base) {
+        PortMover mover(world, base);
+        for (auto& row : world.blocks.ports.rows)
+            visit_table(world, row.kind, [&](auto& table) {
+                table.multiplier[row.row] = Real(row.multiplier);
+                project_row(world, table, row.row, mover);
+                row.multiplier = double(table.multiplier[row.row]);
+            });
+    }
+
+    /// In any way but to and fro: what is parted is not at a port.
+    Real weight(Row row) const { return is_port(row) ? Real(0) : Base::weight(row); }
+    void push(Row row, const Vec<D, Real>& displacement) {
+        if (!is_port(row)) Base::push(row, displacement);
+    }
+
+    template <class Stencil> void choose_direction(Stencil& stencil, std::span<const Row>) const {
+        stencil.each([&](std::size_t i) { stencil.direction[i] = stencil.gradient[i]; });
+    }
+
+    /// How readily the measure yields to its multiplier.
+    template <class Stencil> Real resistance(const Stencil& stencil, std::span<const Row> members, Real split) const {
+        double sum = 0;
+        stencil.each([&](std::size_t i) {
+            stencil.each([&](std::size_t j) {
+                const auto moved = response(members[i], members[j], cast<double>(stencil.direction[j]));
+                sum += double(handicap(split, j)) * dot(cast<double>(stencil.gradient[i]), moved);
+            });
+        });
+        return Real(maximum(sum, 0.0));
+    }
+
+    void impart(Row row, const Vec<D, Real>& impulse) {
+        if (impulse == Vec<D, Real>{}) return;
+        if (!is_port(row)) return Base::push(row, impulse * Base::weight(row));
+        auto& pushed = ports_.list[ports_.at[row]];
+        const auto& block = blocks_.hanging[pushed.block];
+        pushed.impulse += cast<double>(impulse);
+        for (std::uint32_t q = 0; q < block.ports; ++q) {
+            const auto& node = blocks_.nodes[ports_.list[block.first_port + q].node];
+            const auto moved = response(block, q, pushed.number) * cast<double>(impulse);
+            Base::push(node.row, cast<Real>(moved));
+        }
+    }
+
+  private:
+    Blocks<D>& blocks_;
+    Ports<D>& ports_;
+
+    bool is_port(Row row) const { return ports_.at[row] != ports_.none; }
+
+    const Matrix<D, double>& response(const Block& block, std::uint32_t q, std::uint32_t p) const {
+        return PortResponse<D>::response(blocks_, block, q, p);
+    }
+    /// What an impulse at one particle does to the place of another.
+    Vec<D, double> response(Row of, Row to, const Vec<D, double>& impulse) const {
+        if (!is_port(of) || !is_port(to)) return of == to ? impulse * double(Base::weight(of)) : Vec<D, double>{};
+        const auto &moved = ports_.list[ports_.at[of]], &pushed = ports_.list[ports_.at[to]];
+        if (moved.block != pushed.block) return {};
+        return response(blocks_.hanging[moved.block], moved.number, pushed.number) * impulse;
+    }
+};
+
+} // namespace sinew::detail
