@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/block_solve.h"
 #include "sinew/solver/block_state.h"
 
 /// What acts on a block from outside: soft pins and planes, as terms on the diagonal of its equations.
@@ -8,6 +9,7 @@ namespace sinew::detail {
 template <int D, class Real> class BlockContact {
   public:
     using Vector = Vec<D, double>;
+    using Matrix = sinew::Matrix<D, double>;
 
     explicit BlockContact(BlockState<D, Real>& state) : state_(state), world_(state.world) {}
 
@@ -32,7 +34,8 @@ template <int D, class Real> class BlockContact {
     }
 
     /// Adds all to the equations. `hardest` is as stiff as a link.
-    void hold(double hardest) {
+    void hold(double hardest, const SolveProgress& progress) {
+        progress_ = progress;
         if (state_.driven())
             for (auto& node : state_.unknowns())
                 for (auto i = state_.blocks.pin_of[node.row]; i != Blocks<D>::none; i = state_.blocks.next_pin[i])
@@ -49,6 +52,16 @@ template <int D, class Real> class BlockContact {
                 node.place += cast<double>(plane.normal) * maximum(depth(node, plane), 0.0);
     }
 
+    /// Pins tell their forces as those of the sweep do, by a substep of that length.
+    void report_pins(double substep) {
+        if (!state_.driven()) return;
+        const auto longer = Real(square(substep / state_.substep()));
+        for (const auto& node : state_.unknowns())
+            for (auto i = state_.blocks.pin_of[node.row]; i != Blocks<D>::none; i = state_.blocks.next_pin[i])
+                world_.pins[i].multiplier =
+                    clamp_components(world_.pins[i].multiplier * longer, limit::multiplier<Real>);
+    }
+
     /// As `hold`, for velocities: what struck a plane leaves it with its restitution; what rests on it stays.
     void rebound(double k) {
         if (!near_) return;
@@ -60,6 +73,7 @@ template <int D, class Real> class BlockContact {
     BlockState<D, Real>& state_;
     World<D, Real>& world_;
     bool near_ = false, touched_ = false;
+    SolveProgress progress_{};
 
     double depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
         return double(plane.offset) + double(world_.particles.radius[node.row]) -
@@ -74,13 +88,10 @@ template <int D, class Real> class BlockContact {
         const double damper = double(pin.damping) * 2 * square_root(k * node.mass) / h;
         const auto error = node.place - state_.goal(pin, true), before = node.start - state_.goal(pin, false);
         auto force = error * k + (error - before) * damper;
-        double stiffness = k + damper;
-        if (const double most = double(pin.max_force); most > 0 && norm(force) > most) {
-            const double share = most / norm(force);
-            force *= share;
-            stiffness *= share;
-        }
-        node.diagonal += Matrix<D, double>::diagonal(stiffness);
+        auto growth = Matrix::diagonal(k + damper);
+        if (const double most = double(pin.max_force); most > 0)
+            bound(force, growth, k + damper, most, led_across(error, last_move(node)));
+        node.diagonal += growth;
         node.residual -= force;
         pin.multiplier = cast<Real>(clamp_components(force * -square(h), double(limit::multiplier<Real>)));
     }
@@ -95,12 +106,45 @@ template <int D, class Real> class BlockContact {
         if (!(plane.friction > Real(0))) return;
         const auto move = node.place - node.start;
         const auto slip = move - normal * dot(normal, move);
-        const double most = double(plane.friction) * pressure, grip = k * norm(slip);
-        const double stiffness = grip > most ? k * (most / grip) : k;
-        node.diagonal += Matrix<D, double>::diagonal(stiffness);
-        node.diagonal -= outer(normal * stiffness, normal);
-        node.residual -= slip * stiffness;
+        const auto last = last_move(node);
+        const bool across = led_across(slip, last - normal * dot(normal, last));
+        const double pressing = pressing_depth(node, plane), friction = double(plane.friction);
+        auto force = slip * k;
+        Matrix growth;
+        if (bound(force, growth, k, friction * k * pressing, across) && pressing > 0)
+            node.diagonal -= outer(direction(slip) * (friction * k), normal); // the deeper, the more
+        growth -= outer(normal * dot(normal, growth * normal), normal);
+        node.diagonal += growth;
+        node.residual -= force;
     }
+
+    /// The depth whose pressure lets a node rub. One that has just come through the plane tells nothing of how hard it
+    /// will be pressed on it: first it is tried to stick there; where that leads away again, to slide without friction.
+    double pressing_depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
+        constexpr int tries = 4;
+        const double now = depth(node, plane);
+        const bool knew = progress_.share > 0 && now + dot(cast<double>(plane.normal), last_move(node)) > 0;
+        return knew || progress_.iteration / tries % 2 == 0 ? now : 0;
+    }
+
+    /// How an iteration has just moved a node.
+    Vector last_move(const BlockNode<D>& node) const { return node.move * progress_.share; }
+
+    /// A force that has an end, of a spring so stiff, and how it grows. From one end of what it can do it does not go
+    /// straight to the other: where the last move led across, it holds for an iteration. True where it is at its end.
+    static bool bound(Vector& force, Matrix& growth, double stiffness, double most, bool across) {
+        const double size = norm(force);
+        growth = Matrix::diagonal(stiffness);
+        if (most > 0 && (size <= most || across)) return false;
+        const double share = most * inverse_or_zero(size);
+        const auto along = force * inverse_or_zero(size);
+        force *= share;
+        growth = Matrix::diagonal(stiffness * share);
+        growth -= outer(along * (stiffness * share), along);
+        return true;
+    }
+    /// Whether a move led from one side to the other.
+    static bool led_across(const Vector& now, const Vector& moved) { return dot(now, now - moved) < 0; }
 
     void rebound(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) const {
         if (!(depth(node, plane) > 0)) return;

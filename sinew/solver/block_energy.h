@@ -71,17 +71,20 @@ template <int D> class BlockEnergy {
         for (auto& node : unknowns) node.velocity = whole(node) + (node.velocity - whole(node)) * share;
     }
 
-    /// A free block has the momentum and the spin it had, and what the fields gave it: links only act within.
+    /// A free block has the momentum and the spin it had, and what the fields gave it: links only act within. The
+    /// moment of a field is taken about the mean of the centres at both ends of the substep: about either one of them
+    /// a figure in flight would be turned by its own weight.
     void keep_momentum() const {
         if (!free_) return;
         const auto unknowns = solve_.unknowns();
+        auto missing = Motion::of(unknowns, Solve::place_of);
+        const auto center = (begun_.center + missing.center) * 0.5;
         Motion due = begun_;
         for (const auto& node : unknowns) {
             const auto kick = node.push * (node.mass * solve_.substep());
             due.momentum += kick;
-            due.spin += Motion::moment((node.start + node.place) * 0.5 - begun_.center, kick);
+            due.spin += Motion::moment((node.start + node.place) * 0.5 - center, kick);
         }
-        auto missing = Motion::of(unknowns, Solve::place_of);
         missing.momentum = due.momentum - missing.momentum;
         missing.spin = due.spin - missing.spin;
         const auto rate = missing.rate_of(unknowns, Solve::place_of);

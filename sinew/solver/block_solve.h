@@ -10,6 +10,12 @@
 /// Each iteration gains about four digits, whatever the masses.
 namespace sinew::detail {
 
+/// How far a solve has come.
+struct SolveProgress {
+    int iteration = 0;
+    double share = 0; ///< of its move that each node went in the last iteration
+};
+
 template <int D> class BlockSolve : public BlockEquations<D> {
     using Base = BlockEquations<D>;
 
@@ -20,6 +26,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
     /// The length of all links.
     double reach() const { return reach_; }
+    const SolveProgress& progress() const { return progress_; }
 
     /// From now on lengths that cannot be kept are shared out, as by very stiff springs.
     void be_elastic() { elastic_ = true; }
@@ -111,6 +118,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
     using Base::add, Base::clear_entries, Base::bends_, Base::ways_, Base::block_, Base::h_, Base::per_h_;
     double reach_ = 0;
+    SolveProgress progress_{};
     double moved_ = 0, tightened_ = 0, strongest_ = 0; ///< by an iteration: the most of any node and link
     bool elastic_ = false, bounce_ = false;
     bool let_go_ = false; ///< a limit, since patience was last asked
@@ -122,6 +130,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
     /// Where it would go by itself, and a first guess.
     void set_out(Rule rule) {
+        progress_ = {};
         const double share = rule == Rule::swing ? 0.5 : rule == Rule::implicit ? 1 : 0;
         for (auto& node : unknowns()) {
             node.inertia = node.mass * per_h_ * per_h_ * (rule == Rule::swing ? 2 : 1);
@@ -228,7 +237,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     bool steady() const { return moved_ <= hardly * reach_ && tightened_ <= hardly_pulled * strongest_; }
 
     void take_step(double most) {
-        const double share = minimum(most, trusted_share());
+        const double share = progress_.share = minimum(most, trusted_share());
+        ++progress_.iteration;
         moved_ = 0;
         for (auto& node : unknowns()) {
             node.place += node.move * share;

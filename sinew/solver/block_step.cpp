@@ -21,7 +21,10 @@ template <int D, class Real> class BlockStep {
         longest_ = frame_ / substeps;
         for (int s = 0; s < substeps; ++s) advance(double(s) / substeps, double(s + 1) / substeps, 0);
     }
-    void report_tensions(double substep) { state_.report_tensions(substep); }
+    void report_tensions(double substep) {
+        state_.report_tensions(substep);
+        contact_.report_pins(substep);
+    }
     /// Energy that went where something struck, cracked or snapped taut.
     double lost() const { return lost_; }
 
@@ -43,16 +46,15 @@ template <int D, class Real> class BlockStep {
         contact_.look();
     }
     bool run(Solve& solve, Rule rule, int iterations) {
-        return solve.run(rule, iterations, [&] { contact_.hold(solve.stiffness()); });
+        return solve.run(rule, iterations, [&] { contact_.hold(solve.stiffness(), solve.progress()); });
     }
     bool refine(Solve& solve) {
-        return solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness()); });
+        return solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness(), solve.progress()); });
     }
     /// Nothing from outside acts on it but force fields.
     bool is_free() const { return state_.fixed().empty() && !state_.driven() && !contact_.near(); }
 
     void advance(double from, double to, int depth) {
-        constexpr int pieces = 4;
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
         Energy energy(solve, is_free());
@@ -68,7 +70,11 @@ template <int D, class Real> class BlockStep {
         if (swung_) return state_.store();
         if (state_.driven() && !solve.run(Rule::place, many, [] {})) return be_stretched(from, to);
         const bool blow = depth > 0 && went == Went::against_something;
-        if (blow || (depth >= deepest && went != Went::past_an_end)) return give_way(from, to);
+        if (blow || (depth >= deepest && went != Went::past_an_end)) return give_way(from, to, depth);
+        advance_in_pieces(from, to, depth);
+    }
+    void advance_in_pieces(double from, double to, int depth) {
+        constexpr int pieces = 4;
         const double piece = (to - from) / pieces;
         for (int i = 0; i < pieces; ++i)
             advance(from + piece * i, i + 1 == pieces ? to : from + piece * (i + 1), depth + 1);
@@ -109,9 +115,9 @@ template <int D, class Real> class BlockStep {
         return Went::well;
     }
 
-    /// The substep once more, implicit; if need be as if it had no springs. Where even that finds nothing, everything
-    /// stays where it is for this moment and slows down, until it does.
-    void give_way(double from, double to) {
+    /// The substep once more, implicit; if need be as if it had no springs. Where even that finds nothing, in shorter
+    /// ones: the shorter, the better Newton's model of them.
+    void give_way(double from, double to, int depth) {
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
         const Energy energy(solve, is_free());
@@ -123,17 +129,32 @@ template <int D, class Real> class BlockStep {
             solve.bends().go_limp();
             found = run(solve, Rule::implicit, many);
         }
-        if (found) {
-            take_mean_velocities();
-        } else {
-            for (auto& node : state_.unknowns()) node.place = node.start, node.velocity *= 0.5;
-            state_.start_tensions();
-        }
+        if (!found && depth < deepest) return advance_in_pieces(from, to, depth);
+        if (!found) creep(solve);
+        take_mean_velocities();
         settle(solve, energy);
         energy.keep_momentum();
         if (state_.works_alone()) energy.slow_down(kinetic + energy.work());
         note_lost(kinetic + energy.work() - solve.kinetic());
         state_.store();
+    }
+
+    /// One linear step towards where it is pulled, as far as lengths and angles bear it. It always comes some of the
+    /// way, so that what could not be solved for is left behind.
+    void creep(Solve& solve) {
+        constexpr double bearable = 1e-3;
+        state_.forget_tensions();
+        solve.be_elastic();
+        run(solve, Rule::implicit, 1);
+        retreat(solve, maximum(bearable, solve.worst_start_strain()));
+        state_.start_tensions();
+    }
+
+    /// Back towards where it began, until lengths are no further from what they should be than that.
+    void retreat(const Solve& solve, double most) {
+        constexpr int halvings = 20;
+        for (int i = 0; i < halvings && !(solve.worst_place_strain() <= most); ++i)
+            for (auto& node : state_.unknowns()) node.place = (node.place + node.start) * 0.5;
     }
 
     /// Pinned further apart than it is long: as near to its lengths as it gets.
@@ -145,8 +166,7 @@ template <int D, class Real> class BlockStep {
         solve.be_elastic();
         run(solve, Rule::implicit, stretched_iterations);
         constexpr double most = 10;
-        if (!(solve.worst_place_strain() <= maximum(most, before)))
-            for (auto& node : state_.unknowns()) node.place = node.start;
+        retreat(solve, maximum(most, before));
         contact_.lift(); // it has not converged
         take_mean_velocities();
         state_.forget_tensions();
