@@ -84,15 +84,9 @@ template <int D, class Real> class BlockBuilder {
 
     /// Whether a constraint is one of this block.
     template <class Table> bool takes(const Table& table, Row row) const {
-        using Kind = typename Table::Kind;
         for (const Row member : table.members[row])
             if (mobile(member) && room_.part_of[member] != part_) return false;
-        if (!hangs_) return true;
-        if constexpr (std::is_same_v<Kind, Distance<D>>) return graph_.is_stick(row);
-        if constexpr (std::is_same_v<Kind, Angle<D>>)
-            return table.compliance[row] == Real(0) && Graph::natural(table, row) && !is_driven(table, row) &&
-                   !Graph::opens(table, row);
-        return false;
+        return !hangs_ || graph_.is_rigid(table, row);
     }
 
     template <class Table> void add_neighbours(const Table& table, Row row) {

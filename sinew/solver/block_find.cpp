@@ -189,8 +189,7 @@ template <int D, class Real> class Finder {
         for (const Row row : room_.peeled) direct[row] = 1;
         find_skeletons(members);
         for (const Row row : members) room_.parent[row] = row, room_.part_of[row] = no_row;
-        for (const Row row : members)
-            if (direct[row]) unite_with_neighbours(row);
+        for (const Row row : members) unite_with_neighbours(row);
         auto& pieces = room_.trees;
         pieces.clear();
         for (const Row row : members)
@@ -201,18 +200,17 @@ template <int D, class Real> class Finder {
             room_.tree.clear();
             const Row root = pieces[first].first;
             for (; end < pieces.size() && pieces[end].first == root; ++end) room_.tree.push_back(pieces[end].second);
-            build_piece(root, part.links > part.inner_links);
+            build_piece(root);
         }
     }
 
-    /// A single link is as well solved in the sweep, but where something is held its weight may be the pins' to bear
-    /// (ports/load_tethers.h). What is sewn to a mesh along its length is better left to the sweep of that.
-    void build_piece(Row root, bool held) {
-        const std::size_t least = held ? 2 : 3, most_joints = 16;
+    /// What is sewn to a mesh along its length is better left to the sweep of that.
+    void build_piece(Row root) {
+        constexpr std::size_t most_joints = 16;
         const auto& all = room_.tree;
         const auto joints =
             std::size_t(std::count_if(all.begin(), all.end(), [&](Row row) { return !room_.direct[row]; }));
-        if (all.size() < least || joints > most_joints || !build(all, root, blocks_.hanging, true)) return;
+        if (all.size() < 2 || joints > most_joints || !build(all, root, blocks_.hanging, true)) return;
         for (const Row row : all)
             if (room_.direct[row]) room_.hung.push_back(row);
     }
@@ -222,11 +220,14 @@ template <int D, class Real> class Finder {
         while (parent[row] != row) row = parent[row] = parent[parent[row]];
         return row;
     }
+    /// By links of which an end is direct, or which join swept figures to each other.
     void unite_with_neighbours(Row row) {
-        room_.part_of[row] = row;
+        if (room_.direct[row]) room_.part_of[row] = row;
         graph_.each(graph_.distances(), row, [&](Row link) {
             const Row other = graph_.other_end(link, row);
-            if (!mobile(other) || !graph_.may_hang(link)) return;
+            const bool joins = particles_.figure[row] != particles_.figure[other];
+            if (!mobile(other) || !graph_.may_hang(link) || !(room_.direct[row] || joins)) return;
+            room_.part_of[row] = row;
             room_.part_of[other] = other;
             const Row a = first_of(row), b = first_of(other);
             room_.parent[std::max(a, b)] = std::min(a, b);
@@ -247,7 +248,7 @@ template <int D, class Real> class Finder {
             for (const auto& [figure, row] : own) room_.direct[row] = 1;
         }
     }
-    /// By what joins its own particles.
+    /// By what joins its own particles. A small mesh is left to the sweep: several joined have too many loops.
     bool is_skeleton(std::span<const std::pair<FigureIndex, Row>> own) const {
         Part part;
         for (const auto& [figure, row] : own) {
@@ -256,7 +257,7 @@ template <int D, class Real> class Finder {
                 visit_table(world_, kind, [&](const auto& table) { take_stock(part, table, slot, row); });
             });
         }
-        return part.suits && worth_.worthwhile(part);
+        return part.suits && worth_.worthwhile(part) && part.inner_links <= 2 * part.particles;
     }
     /// Of a constraint of which this is the first particle that moves.
     template <class Table> void take_stock(Part& part, const Table& table, std::uint32_t slot, Row row) const {
@@ -268,6 +269,18 @@ template <int D, class Real> class Finder {
             ++moving;
         }
         worth_.take_stock(part, table, constraint, moving);
+        part.suits = part.suits && graph_.is_rigid(table, constraint);
+    }
+
+    /// Whether something acts on it that blocks beside a sweep do not hold, links aside.
+    bool is_soft(Row row) const {
+        bool found = false;
+        blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+            if (kind == kind_number<Distance, D>) return;
+            visit_table(world_, kind,
+                        [&](const auto& table) { found = found || !graph_.is_rigid(table, table.slots.row_at(slot)); });
+        });
+        return found;
     }
 
     /// Leaves are taken away until none is left. What went is trees.
@@ -283,6 +296,7 @@ template <int D, class Real> class Finder {
                 const Row other = graph_.other_end(link, row);
                 if (mobile(other)) bonds[row] += graph_.may_hang(link) ? 1 : never;
             });
+            if (is_soft(row)) bonds[row] += never;
             if (bonds[row] == 1) peeled.push_back(row);
         }
         std::size_t kept = 0;

@@ -40,7 +40,8 @@ template <int D, class Real> class BlockGraph {
     template <class Table> static bool is_driven(const Table& table, Row row) {
         return table.driven[row] || table.gives(row);
     }
-    /// Unsigned, an angle that has to be more than none has no direction to open in. A driven lower limit may get there.
+    /// Unsigned, an angle that has to be more than none has no direction to open in. A driven lower limit may get
+    /// there.
     static bool opens(const Constraints<Angle<D>, Real>& table, Row row) {
         const Real least = table.driven[row] ? -limit::measure<Real> : Real(0);
         return D == 3 && table.low(row) > least;
@@ -50,6 +51,16 @@ template <int D, class Real> class BlockGraph {
     bool is_stick(Row link) const {
         return distances_.compliance[link] == Real(0) && natural(distances_, link) && has_length(link) &&
                !is_driven(distances_, link);
+    }
+
+    /// What a block that is joined to the sweep can hold.
+    template <class Table> bool is_rigid(const Table& table, Row row) const {
+        using Kind = typename Table::Kind;
+        if constexpr (std::is_same_v<Kind, Distance<D>>) return is_stick(row);
+        if constexpr (std::is_same_v<Kind, Angle<D>>)
+            return table.compliance[row] == Real(0) && natural(table, row) && !is_driven(table, row) &&
+                   !opens(table, row);
+        return false;
     }
 
     /// A link between particles that move, by which a tree hangs on the rest of the world.

@@ -97,9 +97,10 @@ template <int D, class Real> class Sweep {
             ports.begin_again();
         }
         hold(substep);
+        limiter.find_gains();
         for (const auto& band : plan_.bands) substep.advance(band);
         take_back_gains(world_, h_);
-        limiter.limit();
+        limiter.take_gains();
         for (const auto& band : plan_.bands) substep.rebound(band);
         if (driven_) slip(world_, h_);
     }

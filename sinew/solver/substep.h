@@ -106,7 +106,8 @@ template <int D, class Real> class Substep {
                             .first = mover_.first_iteration && !again,
                             .again = again};
         kernels_.project(links_, pass, runs + first, runs + last);
-        if (pass.strained && sheet.tethers > 0) plan.bands[sheet.first_band + band].strained = true;
+        const bool repeats = sheet.tethers > 0 || !world_.blocks.hanging.empty();
+        if (pass.strained && repeats) plan.bands[sheet.first_band + band].strained = true;
         if (pass.shortest < Real(1e-18)) part_heaps(first, last);
     }
 

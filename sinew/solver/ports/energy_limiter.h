@@ -10,7 +10,8 @@
 ///     E' - E = sum J . (v + v')/2,        J = m (v' - u)
 ///
 /// to rounding. Where that is more than what springs gave back and soft pins put in, it is taken from the velocities,
-/// relative to the mean of what is free, or to the pins that carry it. Where a particle is stays as it was solved.
+/// relative to the mean of what is free, or to the pins that carry it. Places stay as they were solved, unless the
+/// energy would multiply.
 namespace sinew::detail {
 
 template <int D, class Real> class EnergyLimiter {
@@ -18,16 +19,24 @@ template <int D, class Real> class EnergyLimiter {
     EnergyLimiter(World<D, Real>& world, Real h)
         : world_(world), swept_(world.swept), ports_(world.blocks.ports), per_h_(1 / double(h)) {}
 
-    /// Before a substep moves anything.
+    /// Before a substep moves anything: all moves are those of the last one, and none is under way.
     void begin() {
         if (ports_.groups.empty()) return;
         for (Row s = 0; s < swept_.size(); ++s) ports_.last_moves[s] = cast<double>(swept_.move_at(s));
-        for (auto& group : ports_.groups) group.stored = stored(group);
+        for (auto& group : ports_.groups) group.stored = stored(group, false);
     }
-    /// When places and velocities are those of its end.
-    void limit() {
+    /// When all has moved as far as it will, before it is there. What would multiply its energy goes less far.
+    void find_gains() {
+        constexpr double least = 0.7; // share of the velocity; above it what was solved stays as it was solved
+        for (auto& group : ports_.groups) {
+            group.share = group.driven ? 1 : share_left(group);
+            if (group.share < least && is_multiplied(group)) slow_down(group), group.share = 1;
+        }
+    }
+    /// When it is there.
+    void take_gains() {
         for (const auto& group : ports_.groups)
-            if (!group.driven) limit(group);
+            if (group.share < 1) slow_down(group);
     }
 
   private:
@@ -46,9 +55,10 @@ template <int D, class Real> class EnergyLimiter {
     double mass(Row slot) const { return inverse_or_zero(ports_.mobilities[slot]); }
     Vector move(Row slot) const { return cast<double>(swept_.move_at(slot)); }
 
-    void limit(const PortGroup& group) {
+    /// Of the velocity, without what constraints added to its energy.
+    double share_left(const PortGroup& group) const {
         Vector frame{};
-        if (!find_frame(group, frame)) return;
+        if (!find_frame(group, frame)) return 1;
         double work = 0, kinetic = 0;
         for (const auto s : members(group)) {
             const auto to = move(s) - frame;
@@ -56,10 +66,23 @@ template <int D, class Real> class EnergyLimiter {
             kinetic += 0.5 * mass(s) * dot(to, to);
         }
         work -= of_soft_pins(group, frame);
-        const double gain = work * square(per_h_) + (group.springs > 0 ? stored(group) - group.stored : 0);
+        const double gain = work * square(per_h_) + (group.springs > 0 ? stored(group, true) - group.stored : 0);
         kinetic *= square(per_h_);
         constexpr double rounding = 1e-14;
-        if (gain > rounding * kinetic) slow_down(group, frame, square_root(maximum(0.0, 1 - gain / kinetic)));
+        return gain > rounding * kinetic ? square_root(maximum(0.0, 1 - gain / kinetic)) : 1;
+    }
+
+    /// Whether constraints made much more of its motion than it had, by further than a link is long.
+    bool is_multiplied(const PortGroup& group) const {
+        constexpr double times = 4;
+        double had = 0, has = 0, most = 0;
+        for (const auto s : members(group)) {
+            const auto &last = ports_.last_moves[s], &free = ports_.free_moves[s], now = move(s);
+            had += mass(s) * (dot(last, last) + dot(free, free));
+            has += mass(s) * dot(now, now);
+            most += mass(s) * square(group.length);
+        }
+        return has > times * had && has > most;
     }
 
     /// What energy is relative to: pins that are all carried alike do no work there. False where they are not.
@@ -75,8 +98,10 @@ template <int D, class Real> class EnergyLimiter {
         return std::all_of(held.begin(), held.end(), [&](Row s) { return move(s) == frame; });
     }
 
-    void slow_down(const PortGroup& group, const Vector& frame, double share) {
-        for (const auto s : members(group)) swept_.set_move(s, cast<Real>(frame + (move(s) - frame) * share));
+    void slow_down(const PortGroup& group) {
+        Vector frame{};
+        find_frame(group, frame);
+        for (const auto s : members(group)) swept_.set_move(s, cast<Real>(frame + (move(s) - frame) * group.share));
     }
 
     double of_soft_pins(const PortGroup& group, const Vector& frame) const {
@@ -95,17 +120,20 @@ template <int D, class Real> class EnergyLimiter {
         return std::find(all.begin(), all.end(), slot) != all.end();
     }
 
-    /// In the springs of a group.
-    double stored(const PortGroup& group) const {
+    /// In the springs of a group, where they are or where they will be.
+    double stored(const PortGroup& group, bool moved) const {
         double sum = 0;
         for (const auto& spring : std::span(ports_.springs).subspan(group.first_spring, group.springs))
-            visit_table(world_, spring.kind, [&](const auto& table) { sum += stored(table, spring.row); });
+            visit_table(world_, spring.kind, [&](const auto& table) { sum += stored(table, spring.row, moved); });
         return sum;
     }
-    template <class Table> double stored(const Table& table, Row row) const {
+    template <class Table> double stored(const Table& table, Row row, bool moved) const {
         const auto members = table.members[row];
         Stencil<typename Table::Kind, D, Real> stencil(world_, members.size());
-        stencil.each([&](std::size_t i) { stencil.points[i] = swept_.place_at(swept_.slot_of[members[i]]); });
+        stencil.each([&](std::size_t i) {
+            const Row slot = swept_.slot_of[members[i]];
+            stencil.points[i] = swept_.place_at(slot) + (moved ? swept_.move_at(slot) : Vec<D, Real>{});
+        });
         const Real measure = unwrap<typename Table::Kind>(stencil.evaluate(stencil.points, stencil.gradient),
                                                           table.low(row), table.high(row));
         const double error = double(measure - clamp(measure, table.low(row), table.high(row)));

@@ -13,6 +13,14 @@ std::uint32_t first_tether(const Block& block, std::uint32_t port) {
     return block.first_link + block.links - block.load_tethers + port * std::uint32_t(most_tethers);
 }
 
+/// Of those of a node.
+template <int D> double shortest_link(const Blocks<D>& blocks, const Block& block, std::uint32_t node) {
+    double shortest = double(limit::coordinate<double>);
+    for (const auto& link : std::span(blocks.links).subspan(block.first_link, block.links - block.load_tethers))
+        if (link.a == node || link.b == node) shortest = minimum(shortest, link.length);
+    return shortest;
+}
+
 template <int D> void list_ports(Blocks<D>& blocks) {
     auto& ports = blocks.ports;
     ports.clear();
@@ -22,8 +30,11 @@ template <int D> void list_ports(Blocks<D>& blocks) {
         block.first_port = std::uint32_t(ports.list.size());
         block.first_response = responses;
         responses += block.ports * block.ports;
-        for (std::uint32_t p = 0; p < block.ports; ++p)
-            ports.list.push_back({.node = blocks.links[first_tether(block, p)].a, .block = b, .number = p});
+        for (std::uint32_t p = 0; p < block.ports; ++p) {
+            const auto node = blocks.links[first_tether(block, p)].a;
+            ports.list.push_back(
+                {.node = node, .block = b, .number = p, .radius = 0.5 * shortest_link(blocks, block, node)});
+        }
     }
     ports.responses.resize(responses);
 }
@@ -78,12 +89,15 @@ template <int D, class Real> class GroupFinder {
                                      .first_anchor = size(ports_.anchors)});
             reach(row);
             spread();
+            end_group();
         }
     }
 
   private:
     World<D, Real>& world_;
     Ports<D>& ports_;
+
+    double links_ = 0, length_ = 0; ///< of the group so far, links counted from both ends
 
     template <class Column> static std::uint32_t size(const Column& column) { return std::uint32_t(column.size()); }
 
@@ -97,13 +111,22 @@ template <int D, class Real> class GroupFinder {
         for (auto next = group.first; next < ports_.members.size(); ++next) {
             const Row row = world_.swept.row_of[ports_.members[next]];
             world_.blocks.bonds.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
-                visit_table(world_, kind,
-                            [&](const auto& table) { reach(group, kind, table, table.slots.row_at(slot)); });
+                visit_table(world_, kind, [&](const auto& table) {
+                    reach(group, kind, table, table.slots.row_at(slot));
+                    if (kind == kind_number<Distance, D>) measure(double(table.high(table.slots.row_at(slot))));
+                });
             });
         }
+    }
+    void measure(double length) {
+        if (length < double(limit::coordinate<Real>)) links_ += 1, length_ += length;
+    }
+    void end_group() {
+        auto& group = ports_.groups.back();
         group.members = size(ports_.members) - group.first;
         group.springs = size(ports_.springs) - group.first_spring;
         group.anchors = size(ports_.anchors) - group.first_anchor;
+        group.length = std::exchange(length_, 0) * inverse_or_zero(std::exchange(links_, 0));
     }
     template <class Table> void reach(PortGroup& group, int kind, const Table& table, Row constraint) {
         const auto members = table.members[constraint];

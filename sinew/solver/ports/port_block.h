@@ -27,12 +27,14 @@ template <int D, class Real> class PortBlock {
     void predict() {
         for (auto& link : links()) link.slackened = false;
         for (auto& port : ports()) port.impulse = port.guess;
+        start_tensions();
         solve();
         respond(Held::as_solved);
     }
     /// Once more, linear about no impulse, and at least as easily moved as it will be.
     void predict_loosely() {
         for (auto& port : ports()) port.impulse = {};
+        start_tensions();
         solve();
         respond(Held::at_least);
     }
@@ -49,7 +51,7 @@ template <int D, class Real> class PortBlock {
     /// Takes the impulses of the sweep. Returns the energy that they fed in beyond what the sweep thought: where a port
     /// is not where the sweep saw it when it pushed.
     double take() {
-        solve();
+        solve_again();
         double fed = 0;
         for (const auto& port : ports()) {
             const auto& node = blocks_.nodes[port.node];
@@ -71,7 +73,7 @@ template <int D, class Real> class PortBlock {
 
     void store() {
         const double furthest = double(furthest_move(Real(h_)));
-        const auto drift = block_.fixed() || is_tethered() ? Vector{} : drift_of();
+        const auto drift = is_held() ? Vector{} : drift_of();
         for (auto& node : unknowns()) {
             const auto s = slot(node);
             const auto move = node.place - begin_of(node) - drift;
@@ -138,29 +140,59 @@ template <int D, class Real> class PortBlock {
         for (auto& bend : bends()) bend.tension = 0;
     }
 
+    static constexpr int enough = 20; ///< iterations
+
     void solve() {
         load();
-        start_tensions();
         BlockSolve<D> solve(blocks_, block_, h_);
-        constexpr int enough = 20;
         if (!solve.run(Rule::implicit, enough, [] {})) find_nearest(solve);
+        note_slack();
+    }
+    /// From the last solution.
+    void solve_again() {
+        load();
+        BlockSolve<D> solve(blocks_, block_, h_);
+        if (!solve.run_again(Rule::implicit, enough, [] {})) {
+            start_tensions();
+            if (!solve.run(Rule::implicit, enough, [] {})) find_nearest(solve);
+        }
+        note_slack();
+    }
+    void note_slack() {
         for (auto& link : links())
             link.slackened = link.slackened || (link.one_sided() && !(link.tension * link.side > 0));
     }
 
-    /// Where Newton does not converge: the nearest place to where all would fly at which lengths are right.
+    /// Where Newton does not converge: the nearest place to where all would fly at which lengths are right. Where even
+    /// that is not found, all of it stays as it was and goes with its mean motion.
     void find_nearest(BlockSolve<D>& solve) {
-        constexpr int tries = 3, many = 40;
+        constexpr int tries = 2, many = 20;
         for (auto& node : unknowns()) {
             node.start += node.velocity * h_ + node.push * square(h_);
             node.velocity = node.push = {};
         }
         forget_tensions();
-        for (int i = 0; i < tries && !solve.run(Rule::place, many, [] {}); ++i) {
+        for (int i = 0; i < tries; ++i) {
+            if (solve.run(Rule::place, many, [] {})) return;
             solve.sweep(); // comes nearer from anywhere
             for (auto& node : unknowns()) node.start = node.place;
             forget_tensions();
         }
+        go_as_one();
+    }
+    void go_as_one() {
+        load();
+        const auto move = is_held() ? Vector{} : mean_move();
+        for (auto& node : unknowns()) node.place = node.start + move;
+    }
+    bool is_held() const { return block_.fixed() || is_tethered(); }
+    /// Without anything that holds it, under the impulses at its ports.
+    Vector mean_move() const {
+        double mass = 0;
+        Vector sum{};
+        for (const auto& node : unknowns()) sum += blocks_.ports.free_moves[slot(node)] * node.mass, mass += node.mass;
+        for (const auto& port : ports()) sum += port.impulse;
+        return sum * inverse_or_zero(mass);
     }
 
     void respond(Held held) {
@@ -177,13 +209,9 @@ template <int D, class Real> class PortBlock {
     /// Links only act within: what rounding adds to the momentum is taken out again.
     Vector drift_of() const {
         double mass = 0;
-        Vector gained{};
-        for (const auto& node : unknowns()) {
-            gained += (node.place - begin_of(node) - blocks_.ports.free_moves[slot(node)]) * node.mass;
-            mass += node.mass;
-        }
-        for (const auto& port : ports()) gained -= port.impulse;
-        return gained * inverse_or_zero(mass);
+        Vector sum{};
+        for (const auto& node : unknowns()) sum += (node.place - begin_of(node)) * node.mass, mass += node.mass;
+        return sum * inverse_or_zero(mass) - mean_move();
     }
 
     /// Multipliers are those of a sweep.

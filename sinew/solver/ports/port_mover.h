@@ -15,6 +15,8 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
     using Base = SubstepMover<D, Real>;
 
   public:
+    static constexpr bool couples = true;
+
     PortMover(World<D, Real>& world, const Base& mover)
         : Base(mover), blocks_(world.blocks), ports_(world.blocks.ports) {}
 
@@ -51,6 +53,22 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
         return Real(maximum(sum, 0.0));
     }
 
+    /// A port turns about what holds it: further than half a link from where it was made linear, that says nothing.
+    template <class Stencil>
+    Real trusted_share(const Stencil& stencil, std::span<const Row> members, Real split, Real change) const {
+        double share = 1;
+        stencil.each([&](std::size_t i) {
+            if (!is_port(members[i])) return;
+            Vec<D, double> move{};
+            stencil.each([&](std::size_t j) {
+                const auto impulse = cast<double>(stencil.direction[j]) * double(handicap(split, j) * change);
+                move += response(members[i], members[j], impulse);
+            });
+            share = minimum(share, trusted_share(ports_.list[ports_.at[members[i]]], members[i], move));
+        });
+        return Real(share);
+    }
+
     void impart(Row row, const Vec<D, Real>& impulse) {
         if (impulse == Vec<D, Real>{}) return;
         if (!is_port(row)) return Base::push(row, impulse * Base::weight(row));
@@ -70,6 +88,13 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
 
     bool is_port(Row row) const { return ports_.at[row] != ports_.none; }
 
+    double trusted_share(const Port<D>& port, Row row, const Vec<D, double>& move) const {
+        const auto moved = cast<double>(this->swept.move_at(this->swept.slot_of[row])) - port.free_move;
+        if (dot(moved, move) < 0) return 1;
+        const double left = maximum(0.0, port.radius - norm(moved));
+        const double length = norm(move);
+        return length > left ? left / length : 1;
+    }
     const Matrix<D, double>& response(const Block& block, std::uint32_t q, std::uint32_t p) const {
         return PortResponse<D>::response(blocks_, block, q, p);
     }

@@ -22,6 +22,7 @@ template <int D> struct Port {
     std::uint32_t number = 0; ///< among the ports of its block
     Vector impulse{};         ///< of the swept constraints, in this substep so far
     Vector guess{};           ///< about which the block was made linear: that of the last substep
+    double radius = 0;        ///< metres within which its block is linear: half its shortest link
     Vector free_move{};       ///< its displacement in this substep without any impulse, by the linear model
 };
 
@@ -39,6 +40,8 @@ struct PortGroup {
     std::uint32_t first_anchor = 0, anchors = 0; ///< of Ports::anchors
     bool driven = false;                         ///< a winch or a motor works on it
     double stored = 0;                           ///< energy in its springs, when the substep began
+    double length = 0;                           ///< mean of its links
+    double share = 1;                            ///< of its velocities that is left at the end of the substep
 };
 
 /// All of it follows from the rest of the world.
