@@ -33,6 +33,7 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 }
 
 /// What is in no block: substeps of projections.
+
 template <int D, class Real> class Sweep {
   public:
     Sweep(World<D, Real>& world, int substeps, Real h)
@@ -105,22 +106,32 @@ template <int D, class Real> class Sweep {
         if (driven_) slip(world_, h_);
     }
 
-    /// An iteration over all constraints: what is at ports after what is not, and before the tethers.
+    /// An iteration over all constraints: what is at ports after what is not, and before the tethers. Sheets with ports
+    /// are gone over again: most of what pulls there comes from outside them.
     void project_all(Substep& substep) {
-        for (const auto& sheet : plan_.sheets) {
-            for (std::uint32_t f = 0; f < sheet.families; ++f)
-                for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project(sheet, f, band);
-            substep.tie(sheet);
-            if (world_.restless)
-                for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project_again(sheet, band);
-            for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.tighten(sheet, band);
+        const auto& ports = world_.blocks.ports;
+        const int rounds = ports.list.empty() ? 1 : 2;
+        for (int round = 0; round < rounds; ++round) {
+            for (std::size_t i = 0; i < plan_.sheets.size(); ++i)
+                if (round == 0 || ports.sheets[i]) project_links(substep, plan_.sheets[i]);
+            for (const auto& run : plan_.others) detail::project_run(world_, run, substep.mover());
+            detail::PortMover<D, Real>::project_all(world_, substep.mover());
+            for (std::size_t i = 0; i < plan_.sheets.size(); ++i)
+                if (round == 0 || ports.sheets[i]) tether(substep, plan_.sheets[i]);
+            substep.mover().first_iteration = false;
         }
-        for (const auto& run : plan_.others) detail::project_run(world_, run, substep.mover());
-        detail::PortMover<D, Real>::project_all(world_, substep.mover());
-        for (const auto& sheet : plan_.sheets) {
-            substep.tie(sheet);
-            for (const auto& band : bands_of(sheet)) substep.tether_in_turn(band);
-        }
+    }
+    void project_links(Substep& substep, const Sheet& sheet) {
+        for (std::uint32_t f = 0; f < sheet.families; ++f)
+            for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project(sheet, f, band);
+        substep.tie(sheet);
+        if (world_.restless)
+            for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project_again(sheet, band);
+        for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.tighten(sheet, band);
+    }
+    void tether(Substep& substep, const Sheet& sheet) {
+        substep.tie(sheet);
+        for (const auto& band : bands_of(sheet)) substep.tether_in_turn(band);
     }
     /// What holds single particles, those of blocks among them.
     void hold(Substep& substep) {

@@ -74,6 +74,15 @@ template <int D, class Real> void list_rows(World<D, Real>& world) {
     rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
 }
 
+template <int D, class Real> void mark_sheets(World<D, Real>& world) {
+    auto& ports = world.blocks.ports;
+    const auto& plan = world.swept.plan;
+    ports.sheets.assign(plan.sheets.size(), 0);
+    for (const auto& port : ports.list)
+        if (const auto* sheet = detail::sheet_at(plan, world.swept.slot_of[world.blocks.nodes[port.node].row]))
+            ports.sheets[std::size_t(sheet - plan.sheets.data())] = 1;
+}
+
 /// All that hangs together with ports. What cannot move joins nothing.
 template <int D, class Real> class GroupFinder {
   public:
@@ -154,6 +163,7 @@ template <int D, class Real> void tie_ports(World<D, Real>& world) {
     auto& blocks = world.blocks;
     if (blocks.hanging.empty()) return;
     list_rows(world);
+    mark_sheets(world);
     const detail::LoadTethers<D, Real> tethers(world);
     for (const auto& block : blocks.hanging)
         for (std::uint32_t p = 0; p < block.ports; ++p)

@@ -10,6 +10,13 @@
 /// there hangs on the pins, whatever it weighs.
 namespace sinew::detail {
 
+/// The sheet of the plan that a particle is in, or none.
+template <class Real> const Sheet* sheet_at(const Plan<Real>& plan, Row slot) {
+    const auto after = std::upper_bound(plan.sheets.begin(), plan.sheets.end(), slot,
+                                        [](Row s, const Sheet& sheet) { return s < sheet.begin.slot; });
+    return after == plan.sheets.begin() ? nullptr : &*(after - 1);
+}
+
 template <int D, class Real> class LoadTethers {
   public:
     explicit LoadTethers(World<D, Real>& world) : world_(world), swept_(world.swept), plan_(world.swept.plan) {}
@@ -18,7 +25,7 @@ template <int D, class Real> class LoadTethers {
     void tie(std::span<BlockLink<D>> links) const {
         auto& nodes = world_.blocks.nodes;
         const auto slot = swept_.slot_of[nodes[links.front().a].row];
-        const auto* sheet = sheet_at(slot);
+        const auto* sheet = sheet_at(plan_, slot);
         for (std::uint32_t t = 0; t < links.size(); ++t) {
             auto& node = nodes[links[t].b];
             const double reach = sheet && t < sheet->tethers ? reach_of(*sheet, t, slot) : 0;
@@ -35,11 +42,6 @@ template <int D, class Real> class LoadTethers {
     const Swept<D, Real>& swept_;
     const Plan<Real>& plan_;
 
-    const Sheet* sheet_at(Row slot) const {
-        const auto after = std::upper_bound(plan_.sheets.begin(), plan_.sheets.end(), slot,
-                                            [](Row s, const Sheet& sheet) { return s < sheet.begin.slot; });
-        return after == plan_.sheets.begin() ? nullptr : &*(after - 1);
-    }
     /// 0 where it reaches anywhere.
     double reach_of(const Sheet& sheet, std::uint32_t t, Row slot) const {
         constexpr double far = double(limit::coordinate<Real>);

@@ -72,7 +72,10 @@ template <int D, class Real> class PortCoupling {
     }
 
     void begin_rows() {
-        for (auto& row : blocks_.ports.rows) row.multiplier = 0;
+        for (auto& row : blocks_.ports.rows) {
+            row.multiplier = 0;
+            visit_table(world_, row.kind, [&](auto& table) { table.multiplier[row.row] = Real(0); });
+        }
     }
 
     /// The impulse at a port is the sum of what the constraints there did.

@@ -3,6 +3,8 @@
 #include "sinew/solver/ports/port_response.h"
 #include "sinew/solver/substep.h"
 
+#include <utility>
+
 /// The swept constraints at ports. A port moves as its block lets it, and what pushes it moves the other ports of the
 /// block as well:
 ///
@@ -20,14 +22,15 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
     PortMover(World<D, Real>& world, const Base& mover)
         : Base(mover), blocks_(world.blocks), ports_(world.blocks.ports) {}
 
-    /// A sweep that comes to ports last leaves them least undone.
+    /// A sweep that comes to ports last leaves them least undone. Meanwhile the tables' multipliers are 0: the sweep's
+    /// own pass over these links takes back what they did.
     static void project_all(World<D, Real>& world, const Base& base) {
         PortMover mover(world, base);
         for (auto& row : world.blocks.ports.rows)
             visit_table(world, row.kind, [&](auto& table) {
                 table.multiplier[row.row] = Real(row.multiplier);
                 project_row(world, table, row.row, mover);
-                row.multiplier = double(table.multiplier[row.row]);
+                row.multiplier = double(std::exchange(table.multiplier[row.row], Real(0)));
             });
     }
 

@@ -54,6 +54,8 @@ template <int D> struct Ports {
     std::vector<std::uint32_t> at; ///< per particle: its port
     std::vector<char> is_port;     ///< per slot of a particle, which stays when rows move
 
+    std::vector<char> sheets; ///< per sheet of the plan: it has a port
+
     std::vector<PortGroup> groups;
     std::vector<std::uint32_t> members; ///< of the groups: particles, by their slots of the sweep
     std::vector<PortRow> springs;       ///< of the groups: constraints that give
@@ -68,6 +70,7 @@ template <int D> struct Ports {
     void clear() {
         list.clear();
         rows.clear();
+        sheets.clear();
         responses.clear();
         groups.clear();
         members.clear();
@@ -77,6 +80,7 @@ template <int D> struct Ports {
     void reserve(std::size_t particles, std::size_t constraints) {
         list.reserve(particles);
         rows.reserve(constraints);
+        sheets.reserve(particles);
         responses.reserve(4 * particles);
         groups.reserve(particles);
         springs.reserve(constraints);
