@@ -111,15 +111,17 @@ template <int D, class Real> class Sweep {
     void project_all(Substep& substep) {
         const auto& ports = world_.blocks.ports;
         const int rounds = ports.list.empty() ? 1 : 2;
+        const bool first = substep.mover().first_iteration;
         for (int round = 0; round < rounds; ++round) {
+            substep.mover().first_iteration = first && round == 0;
             for (std::size_t i = 0; i < plan_.sheets.size(); ++i)
                 if (round == 0 || ports.sheets[i]) project_links(substep, plan_.sheets[i]);
             for (const auto& run : plan_.others) detail::project_run(world_, run, substep.mover());
             detail::PortMover<D, Real>::project_all(world_, substep.mover());
             for (std::size_t i = 0; i < plan_.sheets.size(); ++i)
                 if (round == 0 || ports.sheets[i]) tether(substep, plan_.sheets[i]);
-            substep.mover().first_iteration = false;
         }
+        substep.mover().first_iteration = first;
     }
     void project_links(Substep& substep, const Sheet& sheet) {
         for (std::uint32_t f = 0; f < sheet.families; ++f)
