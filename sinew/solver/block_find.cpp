@@ -178,9 +178,9 @@ template <int D, class Real> class Finder {
 
     // --- what is joined to something with too many loops: ropes on a cloth, a ragdoll in a hammock -------------------
 
-    /// Trees, and figures that would be blocks if they were by themselves, become blocks that are joined to the rest
-    /// (ports/ports.h). Of the rest, what a link of theirs leads to is a node of them, too; so what hangs on the same
-    /// particle is one block.
+    /// Trees, and figures that would be blocks by themselves, become blocks with ports (ports/ports.h). Particles of
+    /// the rest at the other end of their links are nodes of them, too: all pieces that hang on one particle are one
+    /// block.
     void hang_pieces(const Part& part) {
         const auto members = members_of(part);
         peel(members);
@@ -204,7 +204,7 @@ template <int D, class Real> class Finder {
         }
     }
 
-    /// What is sewn to a mesh along its length is better left to the sweep of that.
+    /// Pieces with many joints, as a rope sewn to a mesh along its length, are left to the sweep.
     void build_piece(Row root) {
         constexpr std::size_t most_joints = 16;
         const auto& all = room_.tree;
@@ -220,7 +220,7 @@ template <int D, class Real> class Finder {
         while (parent[row] != row) row = parent[row] = parent[parent[row]];
         return row;
     }
-    /// By links of which an end is direct, or which join swept figures to each other.
+    /// Links with a direct end unite, and links that join swept figures to each other.
     void unite_with_neighbours(Row row) {
         if (room_.direct[row]) room_.part_of[row] = row;
         graph_.each(graph_.distances(), row, [&](Row link) {
@@ -234,7 +234,7 @@ template <int D, class Real> class Finder {
         });
     }
 
-    /// Of figures that are joined to others, those that are as good as blocks.
+    /// Figures that are joined to others and would be blocks by themselves.
     void find_skeletons(std::span<const Row> members) {
         auto& figures = room_.figures;
         figures.clear();
@@ -248,7 +248,8 @@ template <int D, class Real> class Finder {
             for (const auto& [figure, row] : own) room_.direct[row] = 1;
         }
     }
-    /// By what joins its own particles. A small mesh is left to the sweep: several joined have too many loops.
+    /// Judged by the constraints among its own particles. A small mesh is left to the sweep: several joined have too
+    /// many loops.
     bool is_skeleton(std::span<const std::pair<FigureIndex, Row>> own) const {
         Part part;
         for (const auto& [figure, row] : own) {
@@ -259,7 +260,7 @@ template <int D, class Real> class Finder {
         }
         return part.suits && worth_.worthwhile(part) && part.inner_links <= 2 * part.particles;
     }
-    /// Of a constraint of which this is the first particle that moves.
+    /// Constraints count at their first movable particle.
     template <class Table> void take_stock(Part& part, const Table& table, std::uint32_t slot, Row row) const {
         const Row constraint = table.slots.row_at(slot);
         std::uint32_t moving = 0;
@@ -272,7 +273,7 @@ template <int D, class Real> class Finder {
         part.suits = part.suits && graph_.is_rigid(table, constraint);
     }
 
-    /// Whether something acts on it that blocks beside a sweep do not hold, links aside.
+    /// True if a constraint other than a distance acts on a particle that blocks with ports cannot hold.
     bool is_soft(Row row) const {
         bool found = false;
         blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
@@ -283,7 +284,7 @@ template <int D, class Real> class Finder {
         return found;
     }
 
-    /// Leaves are taken away until none is left. What went is trees.
+    /// Leaves are removed until none is left; all removed particles form trees.
     void peel(std::span<const Row> members) {
         auto& bonds = room_.bonds; // to others that move and have not gone
         auto& peeled = room_.peeled;

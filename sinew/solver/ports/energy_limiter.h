@@ -3,15 +3,15 @@
 #include "sinew/solver/project.h"
 #include "sinew/solver/world.h"
 
-/// Constraints add no energy to what blocks and sweep hold together. A sweep leaves errors, a linear model of a block
-/// has its own, and what makes up for one of them later may do work. Under impulses J of the constraints a particle
-/// goes from velocity v to v', where it would have gone to u without them; with the potential taken half way,
+/// Energy limit of blocks and sweep together. Sweeps and linear models leave errors, and repairing one may do work.
+/// Under impulses J of the constraints a particle goes from velocity v to v', without them to u; with the potential
+/// taken half way,
 ///
 ///     E' - E = sum J . (v + v')/2,        J = m (v' - u)
 ///
-/// to rounding. Where that is more than what springs gave back and soft pins put in, it is taken from the velocities,
-/// relative to the mean of what is free, or to the pins that carry it. Places stay as they were solved, unless the
-/// energy would multiply.
+/// to rounding. Any excess over the energy from springs and soft pins is taken from the velocities: relative to the
+/// mean motion of a free group, to the motion of the pins of a held one. Positions stay as solved, unless the energy
+/// would multiply.
 namespace sinew::detail {
 
 template <int D, class Real> class EnergyLimiter {
@@ -19,21 +19,22 @@ template <int D, class Real> class EnergyLimiter {
     EnergyLimiter(World<D, Real>& world, Real h)
         : world_(world), swept_(world.swept), ports_(world.blocks.ports), per_h_(1 / double(h)) {}
 
-    /// Before a substep moves anything: all moves are those of the last one, and none is under way.
+    /// Notes the motion and the stored energy before a substep.
     void begin() {
         if (ports_.groups.empty()) return;
         for (Row s = 0; s < swept_.size(); ++s) ports_.last_moves[s] = cast<double>(swept_.move_at(s));
         for (auto& group : ports_.groups) group.stored = stored(group, false);
     }
-    /// When all has moved as far as it will, before it is there. What would multiply its energy goes less far.
+    /// Measures the gains once all moves are known, before positions advance. A group whose motion would multiply is
+    /// slowed down at once.
     void find_gains() {
-        constexpr double least = 0.7; // share of the velocity; above it what was solved stays as it was solved
+        constexpr double least = 0.7; // share of the velocity; above it solved positions are kept
         for (auto& group : ports_.groups) {
             group.share = group.driven ? 1 : share_left(group);
             if (group.share < least && is_multiplied(group)) slow_down(group), group.share = 1;
         }
     }
-    /// When it is there.
+    /// Removes the gains once positions have advanced.
     void take_gains() {
         for (const auto& group : ports_.groups)
             if (group.share < 1) slow_down(group);
@@ -55,7 +56,7 @@ template <int D, class Real> class EnergyLimiter {
     double mass(Row slot) const { return inverse_or_zero(ports_.mobilities[slot]); }
     Vector move(Row slot) const { return cast<double>(swept_.move_at(slot)); }
 
-    /// Of the velocity, without what constraints added to its energy.
+    /// Factor of the velocities that removes energy added by constraints, 0..1.
     double share_left(const PortGroup& group) const {
         Vector frame{};
         if (!find_frame(group, frame)) return 1;
@@ -72,7 +73,7 @@ template <int D, class Real> class EnergyLimiter {
         return gain > rounding * kinetic ? square_root(maximum(0.0, 1 - gain / kinetic)) : 1;
     }
 
-    /// Whether constraints made much more of its motion than it had, by further than a link is long.
+    /// True if constraints multiplied the motion of a group, and moved particles by more than a link.
     bool is_multiplied(const PortGroup& group) const {
         constexpr double times = 4;
         double had = 0, has = 0, most = 0;
@@ -85,7 +86,7 @@ template <int D, class Real> class EnergyLimiter {
         return has > times * had && has > most;
     }
 
-    /// What energy is relative to: pins that are all carried alike do no work there. False where they are not.
+    /// Frame in which energy is measured: pins that are all carried alike do no work in this one. False for other pins.
     bool find_frame(const PortGroup& group, Vector& frame) const {
         const auto held = anchors(group);
         if (held.empty()) {
@@ -120,7 +121,7 @@ template <int D, class Real> class EnergyLimiter {
         return std::find(all.begin(), all.end(), slot) != all.end();
     }
 
-    /// In the springs of a group, where they are or where they will be.
+    /// Energy in the springs of a group, before or after the move.
     double stored(const PortGroup& group, bool moved) const {
         double sum = 0;
         for (const auto& spring : std::span(ports_.springs).subspan(group.first_spring, group.springs))

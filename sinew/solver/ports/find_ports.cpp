@@ -13,7 +13,7 @@ std::uint32_t first_tether(const Block& block, std::uint32_t port) {
     return block.first_link + block.links - block.load_tethers + port * std::uint32_t(most_tethers);
 }
 
-/// Of those of a node.
+/// Length of the shortest link at a node.
 template <int D> double shortest_link(const Blocks<D>& blocks, const Block& block, std::uint32_t node) {
     double shortest = double(limit::coordinate<double>);
     for (const auto& link : std::span(blocks.links).subspan(block.first_link, block.links - block.load_tethers))
@@ -55,8 +55,8 @@ template <int D, class Real> void mark_ports(World<D, Real>& world) {
     }
 }
 
-/// By kind and row, so that their order does not depend on how the world came to be what it is. Distances come last: it
-/// is them one sees.
+/// Order by kind and row, independent of the history of the world. Distances come last, because their errors are
+/// visible.
 template <int D, class Real> void list_rows(World<D, Real>& world) {
     auto& blocks = world.blocks;
     auto& rows = blocks.ports.rows;
@@ -83,7 +83,7 @@ template <int D, class Real> void mark_sheets(World<D, Real>& world) {
             ports.sheets[std::size_t(sheet - plan.sheets.data())] = 1;
 }
 
-/// All that hangs together with ports. What cannot move joins nothing.
+/// Connected components with ports. Immovable particles do not connect.
 template <int D, class Real> class GroupFinder {
   public:
     explicit GroupFinder(World<D, Real>& world) : world_(world), ports_(world.blocks.ports) {}
@@ -106,7 +106,7 @@ template <int D, class Real> class GroupFinder {
     World<D, Real>& world_;
     Ports<D>& ports_;
 
-    double links_ = 0, length_ = 0; ///< of the group so far, links counted from both ends
+    double links_ = 0, length_ = 0; ///< sums over the current group, links counted from both ends
 
     template <class Column> static std::uint32_t size(const Column& column) { return std::uint32_t(column.size()); }
 

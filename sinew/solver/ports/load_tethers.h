@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <span>
 
-/// A port of a tethered mesh is held by the pins of the mesh: no further from them than its threads reach. In the sweep
-/// that would hold the port and nothing behind it; so the tethers of ports are links of their block, and what hangs
-/// there hangs on the pins, whatever it weighs.
+/// Tethers of ports: a port of a tethered mesh is never further from the pins of the mesh than the threads reach.
+/// Tethers in the sweep would hold the port alone; as links of the block they carry all loads that hang on the port.
 namespace sinew::detail {
 
-/// The sheet of the plan that a particle is in, or none.
+/// The sheet of a particle in the plan, or none.
 template <class Real> const Sheet* sheet_at(const Plan<Real>& plan, Row slot) {
     const auto after = std::upper_bound(plan.sheets.begin(), plan.sheets.end(), slot,
                                         [](Row s, const Sheet& sheet) { return s < sheet.begin.slot; });
@@ -21,7 +20,7 @@ template <int D, class Real> class LoadTethers {
   public:
     explicit LoadTethers(World<D, Real>& world) : world_(world), swept_(world.swept), plan_(world.swept.plan) {}
 
-    /// Sets the load tethers of one port. What leads nowhere holds nothing.
+    /// Sets the load tethers of one port. Tethers without a reach hold nothing.
     void tie(std::span<BlockLink<D>> links) const {
         auto& nodes = world_.blocks.nodes;
         const auto slot = swept_.slot_of[nodes[links.front().a].row];
@@ -42,7 +41,7 @@ template <int D, class Real> class LoadTethers {
     const Swept<D, Real>& swept_;
     const Plan<Real>& plan_;
 
-    /// 0 where it reaches anywhere.
+    /// Reach in metres, 0 if unlimited.
     double reach_of(const Sheet& sheet, std::uint32_t t, Row slot) const {
         constexpr double far = double(limit::coordinate<Real>);
         const auto& tether = plan_.tethers[sheet.first_tether + t];

@@ -3,13 +3,12 @@
 #include "sinew/solver/ports/port_response.h"
 #include "sinew/solver/world.h"
 
-/// One block that is joined to what is swept, in one substep. Before the sweep it is solved with the impulses that the
-/// last substep's sweep left at its ports; about that solution the ports are linear for as long as the sweep lasts.
-/// After it the block takes the impulses that came of it.
+/// One block with ports, in one substep. Before the sweep the block is solved with the impulses of the last substep at
+/// the ports; during the sweep the ports are linear about this solution; afterwards the block takes the new impulses.
 ///
-/// Links pull along their new directions: lengths of at most so much are a convex set, and moving to its nearest point
-/// adds no energy. Along their old ones (SHAKE) they keep a swing's, but a sweep's pulls are no smooth forces, and what
-/// one leaves undone and the next works off would add up.
+/// Links pull along their new directions: maximum lengths form a convex set, and a projection onto a convex set adds no
+/// energy. Old directions (SHAKE) keep the energy of a swing, but the pulls of a sweep are no smooth forces, and errors
+/// left by one substep and repaired by the next would add up.
 namespace sinew::detail {
 
 template <int D, class Real> class PortBlock {
@@ -31,7 +30,7 @@ template <int D, class Real> class PortBlock {
         solve();
         respond(Held::as_solved);
     }
-    /// Once more, linear about no impulse, and at least as easily moved as it will be.
+    /// Once more, linear about no impulse, with an upper bound of the mobility.
     void predict_loosely() {
         for (auto& port : ports()) port.impulse = {};
         start_tensions();
@@ -39,7 +38,7 @@ template <int D, class Real> class PortBlock {
         respond(Held::at_least);
     }
 
-    /// Where the sweep finds its ports. Nothing else moves the block until it has taken its impulses.
+    /// Places of the ports before the sweep. Only the sweep's impulses move the block from here on.
     void show() {
         for (auto& node : unknowns()) swept_.mobility[slot(node)] = 0;
         for (auto& port : ports()) {
@@ -48,8 +47,8 @@ template <int D, class Real> class PortBlock {
         }
     }
 
-    /// Takes the impulses of the sweep. Returns the energy that they fed in beyond what the sweep thought: where a port
-    /// is not where the sweep saw it when it pushed.
+    /// Takes the impulses of the sweep. Returns the energy fed in by the linear model: impulse times the distance
+    /// between a port and the place at which the sweep saw the port.
     double take() {
         solve_again();
         double fed = 0;
@@ -61,7 +60,7 @@ template <int D, class Real> class PortBlock {
         return fed / square(h_);
     }
 
-    /// The energy that rounding and the tolerance of the solution may make of it.
+    /// Energy within rounding and the tolerance of the solution.
     double trace(double gravity) const {
         double mass = 0, length = 0, kinetic = 0;
         for (const auto& node : unknowns())
@@ -108,7 +107,7 @@ template <int D, class Real> class PortBlock {
         return std::any_of(tethers.begin(), tethers.end(), [](const auto& tether) { return tether.length > 0; });
     }
 
-    /// As the substep begins, with the impulses at its ports.
+    /// State at the begin of the substep, with the impulses at the ports.
     void load() {
         for (auto& node : unknowns()) {
             const auto s = slot(node);
@@ -124,7 +123,7 @@ template <int D, class Real> class PortBlock {
         for (auto& node : nodes().subspan(block_.unknowns)) {
             node.velocity = node.move = {};
             node.start = begin_of(node);
-            node.place = node.start + cast<double>(swept_.move_at(slot(node))); // a pin may carry it
+            node.place = node.start + cast<double>(swept_.move_at(slot(node))); // moving pins
         }
     }
 
@@ -148,7 +147,7 @@ template <int D, class Real> class PortBlock {
         if (!solve.run(Rule::implicit, enough, [] {})) find_nearest(solve);
         note_slack();
     }
-    /// From the last solution.
+    /// Solution with the last one for a guess.
     void solve_again() {
         load();
         BlockSolve<D> solve(blocks_, block_, h_);
@@ -163,8 +162,8 @@ template <int D, class Real> class PortBlock {
             link.slackened = link.slackened || (link.one_sided() && !(link.tension * link.side > 0));
     }
 
-    /// Where Newton does not converge: the nearest place to where all would fly at which lengths are right. Where even
-    /// that is not found, all of it stays as it was and goes with its mean motion.
+    /// Fallback if Newton's method does not converge: the nearest places to the free flight at which lengths are right;
+    /// if none are found, a rigid translation with the mean motion.
     void find_nearest(BlockSolve<D>& solve) {
         constexpr int tries = 2, many = 20;
         for (auto& node : unknowns()) {
@@ -186,7 +185,7 @@ template <int D, class Real> class PortBlock {
         for (auto& node : unknowns()) node.place = node.start + move;
     }
     bool is_held() const { return block_.fixed() || is_tethered(); }
-    /// Without anything that holds it, under the impulses at its ports.
+    /// Mean motion of a free block under the impulses at the ports.
     Vector mean_move() const {
         double mass = 0;
         Vector sum{};
@@ -206,7 +205,7 @@ template <int D, class Real> class PortBlock {
         }
     }
 
-    /// Links only act within: what rounding adds to the momentum is taken out again.
+    /// Momentum added by rounding, as a displacement: links only act within.
     Vector drift_of() const {
         double mass = 0;
         Vector sum{};
@@ -214,7 +213,7 @@ template <int D, class Real> class PortBlock {
         return sum * inverse_or_zero(mass) - mean_move();
     }
 
-    /// Multipliers are those of a sweep.
+    /// Force as a multiplier of the sweep.
     void note(Real& multiplier, double force) const {
         constexpr double most = double(limit::multiplier<Real>);
         multiplier = Real(clamp(-force * square(h_), -most, most));

@@ -3,8 +3,8 @@
 #include "sinew/solver/ports/port_block.h"
 #include "sinew/solver/ports/port_mover.h"
 
-/// Blocks and sweep in one substep: begin, sweep, take; where the blocks did not do what their ports had promised, the
-/// sweep begins again with ports that promise less.
+/// Coupling of blocks and sweep in one substep: begin, sweep, take. If the linear models of the ports fed in energy,
+/// the sweep is repeated with responses that overestimate the mobility.
 namespace sinew::detail {
 
 template <int D, class Real> class PortCoupling {
@@ -14,7 +14,7 @@ template <int D, class Real> class PortCoupling {
 
     bool any() const { return !blocks_.hanging.empty(); }
 
-    /// After everything has been predicted. Guesses are of the last substep; of the last step its multipliers tell.
+    /// Called after the prediction. Guesses come from the last substep, in the first one from the stored multipliers.
     void begin() {
         if (!any()) return;
         note_free_moves();
@@ -23,7 +23,7 @@ template <int D, class Real> class PortCoupling {
         begin_rows();
     }
 
-    /// After the sweep. False where it has to begin again.
+    /// Called after the sweep. False if the sweep has to be repeated.
     bool take(bool again) {
         if (!any()) return true;
         bool well = true;
@@ -78,7 +78,7 @@ template <int D, class Real> class PortCoupling {
         }
     }
 
-    /// The impulse at a port is the sum of what the constraints there did.
+    /// The impulse at a port is the sum over the constraints there.
     void guess_from_multipliers() {
         auto& ports = blocks_.ports;
         for (auto& port : ports.list) port.guess = {};

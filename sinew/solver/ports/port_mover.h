@@ -5,8 +5,7 @@
 
 #include <utility>
 
-/// The swept constraints at ports. A port moves as its block lets it, and what pushes it moves the other ports of the
-/// block as well:
+/// Swept constraints at ports. An impulse at one port moves all ports of the block:
 ///
 ///     dlambda = -(C + alpha lambda) / (sum_ij g_i . W_ij g_j + alpha),      x_i += sum_j W_ij g_j dlambda
 ///
@@ -22,8 +21,8 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
     PortMover(World<D, Real>& world, const Base& mover)
         : Base(mover), blocks_(world.blocks), ports_(world.blocks.ports) {}
 
-    /// A sweep that comes to ports last leaves them least undone. Meanwhile the tables' multipliers are 0: the sweep's
-    /// own pass over these links takes back what they did.
+    /// Constraints at ports come last in a pass, so that ports are left with the smallest errors. The multipliers in
+    /// the tables are 0 meanwhile, because a pass of the sweep over inactive links undoes stored multipliers.
     static void project_all(World<D, Real>& world, const Base& base) {
         PortMover mover(world, base);
         for (auto& row : world.blocks.ports.rows)
@@ -34,7 +33,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
             });
     }
 
-    /// In any way but to and fro: what is parted is not at a port.
+    /// Ports are never parted from coincident particles.
     Real weight(Row row) const { return is_port(row) ? Real(0) : Base::weight(row); }
     void push(Row row, const Vec<D, Real>& displacement) {
         if (!is_port(row)) Base::push(row, displacement);
@@ -44,7 +43,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
         stencil.each([&](std::size_t i) { stencil.direction[i] = stencil.gradient[i]; });
     }
 
-    /// How readily the measure yields to its multiplier.
+    /// Response of the measure to the multiplier.
     template <class Stencil> Real resistance(const Stencil& stencil, std::span<const Row> members, Real split) const {
         double sum = 0;
         stencil.each([&](std::size_t i) {
@@ -56,7 +55,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
         return Real(maximum(sum, 0.0));
     }
 
-    /// A port turns about what holds it: further than half a link from where it was made linear, that says nothing.
+    /// Trust region of the linear model: half a link about the place of linearisation.
     template <class Stencil>
     Real trusted_share(const Stencil& stencil, std::span<const Row> members, Real split, Real change) const {
         double share = 1;
@@ -101,7 +100,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
     const Matrix<D, double>& response(const Block& block, std::uint32_t q, std::uint32_t p) const {
         return PortResponse<D>::response(blocks_, block, q, p);
     }
-    /// What an impulse at one particle does to the place of another.
+    /// Displacement of one particle by an impulse at another.
     Vec<D, double> response(Row of, Row to, const Vec<D, double>& impulse) const {
         if (!is_port(of) || !is_port(to)) return of == to ? impulse * double(Base::weight(of)) : Vec<D, double>{};
         const auto &moved = ports_.list[ports_.at[of]], &pushed = ports_.list[ports_.at[to]];

@@ -2,14 +2,14 @@
 
 #include "sinew/solver/block_solve.h"
 
-/// What a block does at its ports under impulses there, its links held: W = J (M + h^2 K)^-1 J^T, the response of its
+/// Response of a block's ports to impulses there, its links held: W = J (M + h^2 K)^-1 J^T, the response of its
 /// factorised equations to unit impulses.
 namespace sinew::detail {
 
-/// What of a block is taken to hold.
+/// Selection of the links and limits held in a response.
 enum class Held {
-    as_solved, ///< what is taut in the solution, and swings no more easily than its tension lets it
-    at_least   ///< what was taut in every solution of this substep: ports move at least as readily as this
+    as_solved, ///< all that are taut in the solution, with their geometric stiffness
+    at_least   ///< only those taut in every solution of this substep: an upper bound of the ports' mobility
 };
 
 template <int D> class PortResponse {
@@ -23,7 +23,7 @@ template <int D> class PortResponse {
             for (int axis = 0; axis < D; ++axis) respond(p, axis);
     }
 
-    /// Of port q to an impulse at port p.
+    /// Response of port q to an impulse at port p.
     static Matrix<D, double>& response(Blocks<D>& blocks, const Block& block, std::uint32_t q, std::uint32_t p) {
         return blocks.ports.responses[block.first_response + q * block.ports + p];
     }
