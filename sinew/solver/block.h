@@ -3,6 +3,7 @@
 #include "sinew/math/matrix.h"
 #include "sinew/solver/bonds.h"
 #include "sinew/solver/elimination.h"
+#include "sinew/solver/ports/ports.h"
 
 #include <array>
 #include <cstdint>
@@ -39,8 +40,9 @@ struct BlockLimit {
     double tension = 0; ///< the multiplier; of a distance, of (length^2 - limit^2) / 2
     double pull = 0;    ///< what it is in this iteration
     double stiffness = 0;
-    int side = 0;  ///< at its high limit: 1, at its low one: -1, between them: 0
-    int flips = 0; ///< how often it came to a limit in this substep
+    int side = 0;           ///< at its high limit: 1, at its low one: -1, between them: 0
+    int flips = 0;          ///< how often it came to a limit in this substep
+    bool slackened = false; ///< it let go in a solve of this substep, of a block with ports
 
     bool one_sided() const { return low < high; }
     void come_to_a_limit(double above, double below, double margin) {
@@ -130,8 +132,15 @@ struct Block {
     bool springy = false;        ///< some of it gives
     double lost = 0;             ///< energy, in the last step
 
+    // Of one that is joined to what is swept.
+    std::uint32_t first_port = 0, ports = 0; ///< of Ports::list
+    std::uint32_t first_response = 0;        ///< of Ports::responses: ports x ports
+    std::uint32_t load_tethers = 0;          ///< the last of its links, each to a fixed node of its own
+
     /// Some of its links may hold what others hold too.
-    bool braced() const { return links > unknowns + 1; }
+    bool braced() const { return links - load_tethers > unknowns + 1; }
+    /// Something that does not move holds it, load tethers aside.
+    bool fixed() const { return nodes > unknowns + load_tethers; }
 };
 
 /// Rows [first, last) of a table.
@@ -171,13 +180,17 @@ struct BlockRoom {
     std::vector<Row> part_of;            ///< per particle: the block it is in, by one of its particles
     std::vector<Row> node_of;            ///< per particle
     std::vector<Row> bonds, parent, peeled, tree;
-    std::vector<std::pair<Row, Row>> trees; ///< particles that hang, behind what they hang on
+    std::vector<std::pair<Row, Row>> trees; ///< particles of pieces, behind the first of their piece
     std::vector<Row> hung;                  ///< those of them that are in blocks
+    std::vector<char> direct; ///< per particle: it is of a tree, or of a figure that is as good as a block
+    std::vector<std::pair<FigureIndex, Row>> figures; ///< of the particles of a part
 
     void reserve(std::size_t particles) {
         parts.reserve(particles);
         for (auto* column : {&members, &peeled, &tree}) column->reserve(particles);
         trees.reserve(particles);
+        figures.reserve(particles);
+        direct.reserve(particles);
         hung.reserve(particles);
     }
 };
@@ -200,6 +213,7 @@ template <int D> struct Blocks {
     std::vector<std::uint32_t> pairs;
 
     std::vector<SweepRun> runs; ///< constraints that are left to the sweep, in its order
+    Ports<D> ports;             ///< where blocks of `hanging` are joined to the rest
 
     // Room for a step.
     std::vector<std::uint32_t> pin_of, next_pin; ///< per particle its first pin, per pin the next of the same particle
@@ -239,6 +253,7 @@ template <int D> struct Blocks {
         columns([](auto& column) { column.clear(); });
         list.clear();
         hanging.clear();
+        ports.clear();
         touched.clear();
     }
     /// Calls visit(column) for what grows with every block.
@@ -258,16 +273,17 @@ template <int D> struct Blocks {
     /// Room for whatever becomes of so many particles and constraints as they tear.
     void reserve(std::size_t particles, std::size_t distances, std::size_t angles) {
         for (auto* blocks : {&list, &hanging}) blocks->reserve(particles / 2 + 1);
-        const auto most_nodes = 2 * (particles + distances + 2 * angles);
+        const auto most_nodes = 2 * (3 * particles + distances + 2 * angles);
         const auto most_entries = 8 * distances + 16 * angles + 1024;
         nodes.reserve(most_nodes);
-        links.reserve(2 * distances);
+        links.reserve(2 * distances + 4 * particles);
         bends.reserve(2 * angles);
         for (auto* column : {&first_entry, &first_pair}) column->reserve(most_nodes + 1);
         entries.reserve(most_entries);
         pairs.reserve(2 * most_entries);
         runs.reserve(2 * (distances + angles) + particles);
         elimination.reserve(particles, 2 * distances + 6 * angles);
+        ports.reserve(particles, distances + angles);
         room.reserve(particles);
     }
 

@@ -44,6 +44,17 @@ template <int D> class BlockBends {
         return worst;
     }
 
+    /// Adds what holds to equations of the response to impulses: exact ones and, where it is said so, those at a limit.
+    void stiffen(bool limits, double hardest) {
+        for (auto& bend : all()) {
+            if (soft(bend) || bend.slips || (bend.one_sided() && !(limits && bend.tension * bend.side > 0))) continue;
+            measure(bend);
+            bend.along = bend.gradient;
+            bend.stiffness = hardest * arm2(bend);
+            add(bend, 0);
+        }
+    }
+
     double worst_error() const {
         double worst = 0;
         for (const auto& bend : all()) {

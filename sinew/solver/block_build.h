@@ -13,7 +13,8 @@ template <int D, class Real> class BlockBuilder {
 
   public:
     BlockBuilder(World<D, Real>& world, const Graph& graph)
-        : graph_(graph), particles_(world.particles), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
+        : world_(world), graph_(graph), particles_(world.particles),
+          distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           angles_(std::get<kind_number<Angle, D>>(world.constraints)),
           pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), blocks_(world.blocks),
           elimination_(world.blocks.elimination), room_(world.blocks.room) {}
@@ -32,7 +33,8 @@ template <int D, class Real> class BlockBuilder {
             elimination_.end_row(row);
         }
         if (!elimination_.run(members)) return false;
-        if (!blocks_.stale && !blocks_.has_room(4 * members.size() + 2 * neighbours_ + elimination_.pairs())) {
+        const auto each = 4 + (hangs ? most_tethers : 0);
+        if (!blocks_.stale && !blocks_.has_room(each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
             blocks_.stale = true;
             return false;
         }
@@ -51,6 +53,7 @@ template <int D, class Real> class BlockBuilder {
         block.first_way = std::uint32_t(blocks_.ways.size());
         for (const Row row : elimination_.order()) add_ways(row);
         block.ways = std::uint32_t(blocks_.ways.size()) - block.first_way;
+        if (hangs) add_ports(block);
         block.motored = is_motored(block);
         block.springy = is_springy(block);
         block.nodes = std::uint32_t(blocks_.nodes.size()) - block.first_node;
@@ -63,6 +66,7 @@ template <int D, class Real> class BlockBuilder {
     }
 
   private:
+    World<D, Real>& world_;
     const Graph& graph_;
     const Particles<D, Real>& particles_;
     Constraints<Distance<D>, Real>& distances_;
@@ -80,15 +84,9 @@ template <int D, class Real> class BlockBuilder {
 
     /// Whether a constraint is one of this block.
     template <class Table> bool takes(const Table& table, Row row) const {
-        using Kind = typename Table::Kind;
         for (const Row member : table.members[row])
             if (mobile(member) && room_.part_of[member] != part_) return false;
-        if (!hangs_) return true;
-        if constexpr (std::is_same_v<Kind, Distance<D>>) return graph_.is_stick(row);
-        if constexpr (std::is_same_v<Kind, Angle<D>>)
-            return table.compliance[row] == Real(0) && Graph::natural(table, row) && !is_driven(table, row) &&
-                   !Graph::opens(table, row);
-        return false;
+        return !hangs_ || graph_.is_rigid(table, row);
     }
 
     template <class Table> void add_neighbours(const Table& table, Row row) {
@@ -148,6 +146,42 @@ template <int D, class Real> class BlockBuilder {
             blocks_.links.push_back(added);
             distances_.in_block.set(link, 1);
         });
+    }
+
+    // --- ports
+
+    /// Nodes on which constraints act that are not the block's. Each has load tethers, which hold nothing yet
+    /// (ports/load_tethers.h). They come behind all links, so the block's angles come before.
+    void add_ports(Block& block) {
+        for (std::uint32_t i = block.first_node; i < block.first_node + block.unknowns; ++i) {
+            if (!is_port(blocks_.nodes[i].row)) continue;
+            ++block.ports;
+            for (std::size_t t = 0; t < most_tethers; ++t) add_load_tether(i);
+            block.load_tethers += std::uint32_t(most_tethers);
+        }
+        block.links += block.load_tethers;
+    }
+    bool is_port(Row row) const {
+        bool found = false;
+        blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+            visit_table(world_, kind, [&](const auto& table) {
+                const Row constraint = table.slots.row_at(slot);
+                found = found || !table.in_block[constraint];
+            });
+        });
+        return found;
+    }
+    void add_load_tether(std::uint32_t node) {
+        constexpr double far = 1e12;
+        BlockLink<D> tether;
+        tether.slot = no_row;
+        tether.high = far;
+        tether.a = node;
+        tether.b = std::uint32_t(blocks_.nodes.size());
+        tether.entry = Blocks<D>::none;
+        const auto& at = blocks_.nodes[node];
+        blocks_.nodes.push_back({.row = at.row, .slot = at.slot});
+        blocks_.links.push_back(tether);
     }
 
     /// A particle that cannot move is a node each time it is needed.

@@ -47,6 +47,7 @@ template <int D, class Real> class Finder {
         detail::list_bonds(world_);
         const auto count = particles_.size();
         for (auto* column : {&room_.part_of, &room_.node_of, &room_.bonds, &room_.parent}) column->resize(count);
+        room_.direct.resize(count);
         room_.met.resize(count, 0);
         blocks_.pin_of.resize(count);
         blocks_.next_pin.resize(world_.pins.size());
@@ -166,7 +167,7 @@ template <int D, class Real> class Finder {
             const auto members = members_of(part);
             const bool built = worth_.worthwhile(part) && build(members, members.front(), blocks_.list, false);
             for (const Row row : members) particles_.in_block[row] = built;
-            if (!built) hang_trees(members);
+            if (!built) hang_pieces(part);
         }
         blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
     }
@@ -175,33 +176,115 @@ template <int D, class Real> class Finder {
         return builder_.build(members, part, list, hangs);
     }
 
-    // --- trees that hang on what has too many loops: ropes on a cloth -----------------------------------------------
+    // --- what is joined to something with too many loops: ropes on a cloth, a ragdoll in a hammock -------------------
 
-    /// Leaves are taken away until none is left. What went, and what it went from, is a tree.
-    void hang_trees(std::span<const Row> members) {
+    /// Trees, and figures that would be blocks by themselves, become blocks with ports (ports/ports.h). Particles of
+    /// the rest at the other end of their links are nodes of them, too: all pieces that hang on one particle are one
+    /// block.
+    void hang_pieces(const Part& part) {
+        const auto members = members_of(part);
         peel(members);
-        if (room_.peeled.empty()) return;
-        for (const Row row : members) room_.part_of[row] = no_row;
-        for (std::size_t i = room_.peeled.size(); i-- > 0;) {
-            const Row row = room_.peeled[i], parent = room_.parent[row];
-            const Row root = room_.parent[parent] == no_row ? parent : room_.part_of[parent];
-            room_.part_of[row] = room_.part_of[root] = root;
-        }
-        auto& trees = room_.trees;
-        trees.clear();
+        auto& direct = room_.direct;
+        for (const Row row : members) direct[row] = 0;
+        for (const Row row : room_.peeled) direct[row] = 1;
+        find_skeletons(members);
+        for (const Row row : members) room_.parent[row] = row, room_.part_of[row] = no_row;
+        for (const Row row : members) unite_with_neighbours(row);
+        auto& pieces = room_.trees;
+        pieces.clear();
         for (const Row row : members)
-            if (room_.part_of[row] != no_row) trees.push_back({room_.part_of[row], row});
-        std::sort(trees.begin(), trees.end());
-        for (std::size_t first = 0, end = 0; first < trees.size(); first = end) {
+            if (room_.part_of[row] != no_row) pieces.push_back({first_of(row), row});
+        std::sort(pieces.begin(), pieces.end());
+        for (const auto& [first, row] : pieces) room_.part_of[row] = no_row;
+        for (std::size_t first = 0, end = 0; first < pieces.size(); first = end) {
             room_.tree.clear();
-            const Row root = trees[first].first;
-            for (; end < trees.size() && trees[end].first == root; ++end) room_.tree.push_back(trees[end].second);
-            if (room_.tree.size() <= 2 || !build(room_.tree, root, blocks_.hanging, true)) continue;
-            for (const Row row : room_.tree)
-                if (row != root) room_.hung.push_back(row);
+            const Row root = pieces[first].first;
+            for (; end < pieces.size() && pieces[end].first == root; ++end) room_.tree.push_back(pieces[end].second);
+            build_piece(root);
         }
     }
 
+    /// Pieces with many joints, as a rope sewn to a mesh along its length, are left to the sweep.
+    void build_piece(Row root) {
+        constexpr std::size_t most_joints = 16;
+        const auto& all = room_.tree;
+        const auto joints =
+            std::size_t(std::count_if(all.begin(), all.end(), [&](Row row) { return !room_.direct[row]; }));
+        if (all.size() < 2 || joints > most_joints || !build(all, root, blocks_.hanging, true)) return;
+        for (const Row row : all)
+            if (room_.direct[row]) room_.hung.push_back(row);
+    }
+
+    Row first_of(Row row) {
+        auto& parent = room_.parent;
+        while (parent[row] != row) row = parent[row] = parent[parent[row]];
+        return row;
+    }
+    /// Links with a direct end unite, and links that join swept figures to each other.
+    void unite_with_neighbours(Row row) {
+        if (room_.direct[row]) room_.part_of[row] = row;
+        graph_.each(graph_.distances(), row, [&](Row link) {
+            const Row other = graph_.other_end(link, row);
+            const bool joins = particles_.figure[row] != particles_.figure[other];
+            if (!mobile(other) || !graph_.may_hang(link) || !(room_.direct[row] || joins)) return;
+            room_.part_of[row] = row;
+            room_.part_of[other] = other;
+            const Row a = first_of(row), b = first_of(other);
+            room_.parent[std::max(a, b)] = std::min(a, b);
+        });
+    }
+
+    /// Figures that are joined to others and would be blocks by themselves.
+    void find_skeletons(std::span<const Row> members) {
+        auto& figures = room_.figures;
+        figures.clear();
+        for (const Row row : members)
+            if (particles_.figure[row] < world_.figures.size()) figures.push_back({particles_.figure[row], row});
+        std::sort(figures.begin(), figures.end());
+        for (std::size_t first = 0, end = 0; first < figures.size(); first = end) {
+            while (end < figures.size() && figures[end].first == figures[first].first) ++end;
+            const auto own = std::span(figures).subspan(first, end - first);
+            if (own.size() == members.size() || !is_skeleton(own)) continue;
+            for (const auto& [figure, row] : own) room_.direct[row] = 1;
+        }
+    }
+    /// Judged by the constraints among its own particles. A small mesh is left to the sweep: several joined have too
+    /// many loops.
+    bool is_skeleton(std::span<const std::pair<FigureIndex, Row>> own) const {
+        Part part;
+        for (const auto& [figure, row] : own) {
+            worth_.take_stock(part, row);
+            blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+                visit_table(world_, kind, [&](const auto& table) { take_stock(part, table, slot, row); });
+            });
+        }
+        return part.suits && worth_.worthwhile(part) && part.inner_links <= 2 * part.particles;
+    }
+    /// Constraints count at their first movable particle.
+    template <class Table> void take_stock(Part& part, const Table& table, std::uint32_t slot, Row row) const {
+        const Row constraint = table.slots.row_at(slot);
+        std::uint32_t moving = 0;
+        for (const Row member : table.members[constraint]) {
+            if (!mobile(member)) continue;
+            if (particles_.figure[member] != particles_.figure[row] || (moving == 0 && member != row)) return;
+            ++moving;
+        }
+        worth_.take_stock(part, table, constraint, moving);
+        part.suits = part.suits && graph_.is_rigid(table, constraint);
+    }
+
+    /// True if a constraint other than a distance acts on a particle that blocks with ports cannot hold.
+    bool is_soft(Row row) const {
+        bool found = false;
+        blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+            if (kind == kind_number<Distance, D>) return;
+            visit_table(world_, kind,
+                        [&](const auto& table) { found = found || !graph_.is_rigid(table, table.slots.row_at(slot)); });
+        });
+        return found;
+    }
+
+    /// Leaves are removed until none is left; all removed particles form trees.
     void peel(std::span<const Row> members) {
         auto& bonds = room_.bonds; // to others that move and have not gone
         auto& peeled = room_.peeled;
@@ -214,6 +297,7 @@ template <int D, class Real> class Finder {
                 const Row other = graph_.other_end(link, row);
                 if (mobile(other)) bonds[row] += graph_.may_hang(link) ? 1 : never;
             });
+            if (is_soft(row)) bonds[row] += never;
             if (bonds[row] == 1) peeled.push_back(row);
         }
         std::size_t kept = 0;
@@ -277,8 +361,10 @@ template <int D, class Real> void prepare(World<D, Real>& world) {
     make_room_for_budgets(world);
     Waiting::tell(0);
     const bool anew = Finder(world).run();
+    find_ports(world);
     Waiting::tell(0.2);
     make_plan(world, anew);
+    tie_ports(world);
     blocks.touched.clear();
     blocks.stale = blocks.changed = false;
     Waiting::tell(1);

@@ -53,6 +53,16 @@ template <int D, class Real> class BlockGraph {
                !is_driven(distances_, link);
     }
 
+    /// What a block that is joined to the sweep can hold.
+    template <class Table> bool is_rigid(const Table& table, Row row) const {
+        using Kind = typename Table::Kind;
+        if constexpr (std::is_same_v<Kind, Distance<D>>) return is_stick(row);
+        if constexpr (std::is_same_v<Kind, Angle<D>>)
+            return table.compliance[row] == Real(0) && natural(table, row) && !is_driven(table, row) &&
+                   !opens(table, row);
+        return false;
+    }
+
     /// A link between particles that move, by which a tree hangs on the rest of the world.
     bool may_hang(Row link) const {
         return is_stick(link) && direct_of(end(link, 0)) != Direct::off && direct_of(end(link, 1)) != Direct::off;

@@ -4,6 +4,16 @@
 
 namespace sinew::detail {
 
+template <int D> void substitute_back(Blocks<D>& blocks, const Block& block) {
+    auto* const nodes = blocks.nodes.data();
+    for (auto i = block.first_node + block.unknowns; i-- > block.first_node;) {
+        Vec<D, double> pulled{};
+        for (auto e = blocks.first_entry[i]; e < blocks.first_entry[i + 1]; ++e)
+            pulled += blocks.entries[e].upper * nodes[blocks.entries[e].node].move;
+        nodes[i].move -= nodes[i].diagonal * pulled;
+    }
+}
+
 /// Solves a block's equations for `move`, in the order that fill was worked out for (elimination.h): LU by D x D parts,
 /// alike in structure but not in value on both sides of the diagonal. With D_i the diagonal of node i, L_e and U_e what
 /// it has below and to the right,
@@ -33,13 +43,19 @@ template <int D> void solve_block(Blocks<D>& blocks, const Block& block) {
             }
         }
     }
-    for (auto i = end; i-- > begin;) {
+    substitute_back(blocks, block);
+}
+
+/// For another right-hand side, by the factors that solve_block has left.
+template <int D> void solve_block_again(Blocks<D>& blocks, const Block& block) {
+    auto* const nodes = blocks.nodes.data();
+    for (auto i = block.first_node; i < block.first_node + block.unknowns; ++i) {
         auto& node = nodes[i];
-        Vec<D, double> pulled{};
-        for (auto e = first_entry[i]; e < first_entry[i + 1]; ++e)
-            pulled += entries[e].upper * nodes[entries[e].node].move;
-        node.move -= node.diagonal * pulled;
+        node.move = node.diagonal * node.residual;
+        for (auto e = blocks.first_entry[i]; e < blocks.first_entry[i + 1]; ++e)
+            nodes[blocks.entries[e].node].residual -= blocks.entries[e].lower * node.move;
     }
+    substitute_back(blocks, block);
 }
 
 } // namespace sinew::detail

@@ -16,7 +16,9 @@ template <int D, class Real> void look_up_rows(World<D, Real>& world, Block& blo
     const auto& angles = std::get<kind_number<Angle, D>>(world.constraints);
     const auto& pulleys = std::get<kind_number<Pulley, D>>(world.constraints);
     const auto row_in = [](const auto& table) {
-        return [&table](BlockLimit& limit) { limit.constraint = table.slots.row_at(limit.slot); };
+        return [&table](BlockLimit& limit) {
+            if (limit.slot != no_row) limit.constraint = table.slots.row_at(limit.slot); // a load tether has none
+        };
     };
     each(blocks.nodes, block.first_node, block.nodes,
          [&](BlockNode<D>& node) { node.row = world.particles.slots.row_at(node.slot); });

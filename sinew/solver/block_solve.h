@@ -50,29 +50,14 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// not converge.
     template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
         set_out(rule);
-        double before = 0, last = 0;
-        for (int i = 0;; ++i) {
-            if (i > 0 && steady() && worst_error() <= good_enough) return true;
-            const double worst = assemble(rule);
-            hold();
-            if (i > 0 && !(worst <= absurd)) return false;
-            if (i > 1 && block_.braced() && worst <= braces_give && worst > 0.5 * last && moved_ <= hardly * reach_)
-                return true; // braces in a plane: Newton does not come nearer
-            last = worst;
-            if (i % patience == 0) { // a solution that exists comes nearer
-                if (i > 0 && !let_go_ && worst > 0.5 * before && worst > acceptable) return false;
-                before = worst;
-                let_go_ = false; // a rope that falls slack does so link by link
-            }
-            // what cannot decide whether it touches: its lengths are right, and it hardly moves
-            const double slight_move = slight * reach_ / double(block_.links + block_.ways);
-            if (rule == Rule::implicit && i >= undecided_after && worst <= acceptable && moved_ <= slight_move)
-                return true;
-            if (i == most_iterations)
-                return worst <= acceptable && moved_ <= acceptable * reach_; // links that cannot decide to be taut
-            Base::solve();
-            take_step(i >= undecided_after ? 0.5 : 1);
-        }
+        for (auto& node : unknowns()) node.place = node.start + flight(rule, node);
+        return iterate(rule, most_iterations, hold);
+    }
+
+    /// The same from a guess: places and tensions as they are.
+    template <class Hold> bool run_again(Rule rule, int most_iterations, Hold&& hold) {
+        set_out(rule);
+        return iterate(rule, most_iterations, hold);
     }
 
     /// One iteration more. False where that led away: a limit let go that should have held.
@@ -128,15 +113,43 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         return i < block_.first_node + block_.unknowns ? inverse_or_zero(node(i).mass) : 0;
     }
 
-    /// Where it would go by itself, and a first guess.
+    template <class Hold> bool iterate(Rule rule, int most_iterations, Hold&& hold) {
+        double before = 0, last = 0;
+        for (int i = 0;; ++i) {
+            if (i > 0 && steady() && worst_error() <= good_enough) return true;
+            const double worst = assemble(rule);
+            hold();
+            if (i > 0 && !(worst <= absurd)) return false;
+            if (i > 1 && block_.braced() && worst <= braces_give && worst > 0.5 * last && moved_ <= hardly * reach_)
+                return true; // braces in a plane: Newton does not come nearer
+            last = worst;
+            if (i % patience == 0) { // a solution that exists comes nearer
+                if (i > 0 && !let_go_ && worst > 0.5 * before && worst > acceptable) return false;
+                before = worst;
+                let_go_ = false; // a rope that falls slack does so link by link
+            }
+            // what cannot decide whether it touches: its lengths are right, and it hardly moves
+            const double slight_move = slight * reach_ / double(block_.links + block_.ways);
+            if (rule == Rule::implicit && i >= undecided_after && worst <= acceptable && moved_ <= slight_move)
+                return true;
+            if (i == most_iterations)
+                return worst <= acceptable && moved_ <= acceptable * reach_; // links that cannot decide to be taut
+            Base::solve();
+            take_step(i >= undecided_after ? 0.5 : 1);
+        }
+    }
+
+    Vector flight(Rule rule, const BlockNode<D>& node) const {
+        return rule == Rule::place ? Vector{} : node.velocity * h_;
+    }
+
+    /// Where it would go by itself.
     void set_out(Rule rule) {
         progress_ = {};
         const double share = rule == Rule::swing ? 0.5 : rule == Rule::implicit ? 1 : 0;
         for (auto& node : unknowns()) {
             node.inertia = node.mass * per_h_ * per_h_ * (rule == Rule::swing ? 2 : 1);
-            const auto flight = rule == Rule::place ? Vector{} : node.velocity * h_;
-            node.place = node.start + flight;
-            node.aim = node.place + node.push * (share * h_ * h_);
+            node.aim = node.start + flight(rule, node) + node.push * (share * h_ * h_);
         }
         choose_sides(rule);
         slight_ = 1e-6 * Base::weight() * inverse_or_zero(reach_) * double(block_.links + block_.ways);

@@ -42,8 +42,10 @@ template <int D, class Real> void make_plan(World<D, Real>& world, bool anew);
 /// block_step.cpp: moves every block over a step; tensions are told as multipliers of a substep of that length.
 template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep);
 
-/// block_hang.cpp: one more constraint of the sweep: trees that hang on what is swept.
-template <int D, class Real> void correct_hanging(World<D, Real>& world, Real h, bool first_iteration);
+/// ports/find_ports.cpp: where blocks are joined to what is swept; when the sweep is planned, which of its constraints
+/// act there, and the load tethers.
+template <int D, class Real> void find_ports(World<D, Real>& world);
+template <int D, class Real> void tie_ports(World<D, Real>& world);
 
 /// passive.cpp: limits of turns give a figure no energy. Finds the figures of which that can be said; notes their
 /// energy before the constraints act; takes back what those added. Room for it is made before the step.

@@ -99,6 +99,16 @@ template <int D, class Real> class PlanParts {
                distances_.low(link) <= far && distances_.high(link) >= Real(0);
     }
 
+    bool is_at_port(int kind, Row row) const {
+        const auto& ports = world_.blocks.ports;
+        bool found = false;
+        if (ports.list.empty()) return found;
+        visit_table(world_, kind, [&](const auto& table) {
+            for (const Row member : table.members[row]) found = found || ports.at[member] != ports.none;
+        });
+        return found;
+    }
+
     template <class Meet> bool take_plain(Meet&& meet) {
         bool apart = true;
         room_.links.clear();
@@ -115,6 +125,7 @@ template <int D, class Real> class PlanParts {
                     apart = false;
                     continue;
                 }
+                if (is_at_port(run.kind, row)) continue;
                 auto* last = plan_.others.empty() ? nullptr : &plan_.others.back();
                 if (!last || last->kind != run.kind || last->rows.last != row)
                     plan_.others.push_back({run.kind, {row, row}});

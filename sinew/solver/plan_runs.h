@@ -36,6 +36,7 @@ template <int D, class Real> class RunWriter {
             auto& run = plan_.runs.back();
             const auto apart = run.a < run.b ? run.b - run.a : run.a - run.b;
             const bool follows = a == run.a + run.count && b == run.b + run.count && !run.scattered &&
+                                 is_at_port(link) == is_at_port(plan_.row_of(run, 0)) &&
                                  (apart >= most_lanes || run.count < apart) &&
                                  (run.count == 1 ? link > run.row : link == run.row + run.count * run.row_step);
             if (follows) {
@@ -117,9 +118,19 @@ template <int D, class Real> class RunWriter {
     bool has_parameters(Row link, std::uint32_t number) const {
         return plan_.parameters.are(number, low(link), high(link), distances_.compliance[link]);
     }
-    Real low(Row link) const { return maximum(distances_.low(link), Real(0)); }
+    /// A link at a port keeps its place among the others, for tethers lead over it, but holds nothing: its port solves
+    /// it after all others (ports/port_mover.h).
+    Real low(Row link) const { return is_at_port(link) ? Real(0) : maximum(distances_.low(link), Real(0)); }
     /// Squares and products of limits have to be finite.
-    Real high(Row link) const { return minimum(distances_.high(link), limit::coordinate<Real> * Real(100)); }
+    Real high(Row link) const {
+        constexpr Real most = limit::coordinate<Real> * Real(100);
+        return is_at_port(link) ? most : minimum(distances_.high(link), most);
+    }
+    bool is_at_port(Row link) const {
+        const auto& ports = world_.blocks.ports;
+        if (ports.list.empty()) return false;
+        return ports.at[end(link, 0)] != ports.none || ports.at[end(link, 1)] != ports.none;
+    }
 
     /// Its ends can move, and equally readily whatever slows them down.
     bool is_even(Row link) const {
@@ -129,7 +140,7 @@ template <int D, class Real> class RunWriter {
     }
 
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
-    bool is_exact(Row link) const { return distances_.low(link) == distances_.high(link); }
+    bool is_exact(Row link) const { return low(link) == high(link); }
 
     void extend(LinkRun& run, Row link) {
         if (run.uniform && !has_parameters(link, run.parameters)) {

@@ -11,8 +11,8 @@ namespace sinew::detail {
 template <int D, class Real> class SheetMaker {
   public:
     SheetMaker(World<D, Real>& world, PlanParts<D, Real>& parts)
-        : swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), parts_(parts), runs_(world),
-          mesh_(world, parts, runs_), particle_ids_(world.particles.slots),
+        : world_(world), swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), parts_(parts),
+          runs_(world), mesh_(world, parts, runs_), particle_ids_(world.particles.slots),
           link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {}
 
     static constexpr std::size_t most_in_copies = 1024; ///< particles
@@ -26,6 +26,7 @@ template <int D, class Real> class SheetMaker {
   private:
     static constexpr Row none = ~Row(0);
 
+    World<D, Real>& world_;
     Swept<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
@@ -88,10 +89,16 @@ template <int D, class Real> class SheetMaker {
     Row end(Row link, std::size_t i) const { return parts_.end(link, i); }
     Row slot(Row row) const { return swept_.slot_of[row]; }
 
+    bool has_port(std::size_t part) const {
+        const auto& ports = world_.blocks.ports;
+        return !ports.list.empty() &&
+               std::ranges::any_of(members(part), [&](Row row) { return ports.at[row] != ports.none; });
+    }
+
     /// Corrections along the links as they were keep the energy of a swing, where a sweep comes near to a solution. In
-    /// a mesh it does not, and they buy nothing (docs/step.md).
+    /// a mesh it does not, and they buy nothing (docs/step.md). Beside a port they would add energy.
     void begin_sheet(std::size_t part) {
-        runs_.begin_sheet(2 * links(part).size() <= 3 * members(part).size());
+        runs_.begin_sheet(2 * links(part).size() <= 3 * members(part).size() && !has_port(part));
         const auto begin = plan_.end();
         plan_.sheets.push_back({.first_band = begin.band,
                                 .first_family = begin.family,

@@ -112,6 +112,48 @@ template <class Real> Real handicap(Real split, std::size_t member) {
     return Real(2) * (member == 0 ? split : Real(1) - split);
 }
 
+/// What pushes particles that move each other, as those of a block do (ports/port_mover.h).
+template <class Mover>
+concept CouplesParticles = Mover::couples;
+
+/// How readily a measure yields to its multiplier: the sum of w g . d.
+template <class Mover, class Stencil, class Real>
+Real resistance_of(const Mover& mover, const Stencil& stencil, std::span<const Row> members, Real split) {
+    if constexpr (CouplesParticles<Mover>) {
+        return mover.resistance(stencil, members, split);
+    } else {
+        Real sum = 0;
+        stencil.each([&](std::size_t i) {
+            const Real w = mover.weight(members[i]) * handicap(split, i);
+            sum += w * dot(stencil.gradient[i], stencil.direction[i]);
+        });
+        return sum;
+    }
+}
+
+/// As much of a multiplier's change as leaves the particles where the model of them means something.
+template <class Mover, class Stencil, class Real>
+Real trusted(const Mover& mover, const Stencil& stencil, std::span<const Row> members, Real split, Real change) {
+    if constexpr (CouplesParticles<Mover>) return change * mover.trusted_share(stencil, members, split, change);
+    return change;
+}
+
+template <class Mover, class Stencil, class Real>
+void push_all(Mover& mover, const Stencil& stencil, std::span<const Row> members, Real split, Real change) {
+    stencil.each([&](std::size_t i) {
+        if constexpr (CouplesParticles<Mover>)
+            mover.impart(members[i], stencil.direction[i] * (handicap(split, i) * change));
+        else
+            mover.push(members[i], stencil.direction[i] * (mover.weight(members[i]) * handicap(split, i) * change));
+    });
+}
+
+template <class Stencil> auto squared(const Stencil& stencil) {
+    decltype(dot(stencil.gradient[0], stencil.gradient[0])) sum = 0;
+    stencil.each([&](std::size_t i) { sum += dot(stencil.gradient[i], stencil.gradient[i]); });
+    return sum;
+}
+
 /// False, and nothing corrected, where the gradient vanishes though the limits are not kept.
 template <class Mover, class Table, int D, class Real>
 bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
@@ -124,12 +166,8 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     const Real measure = unwrap<Kind>(stencil.evaluate(stencil.points, stencil.gradient), low, high);
     mover.choose_direction(stencil, members);
 
-    Real resistance = 0, steepness = 0;
-    stencil.each([&](std::size_t i) {
-        const Real w = mover.weight(members[i]) * handicap(split, i);
-        resistance += w * dot(stencil.gradient[i], stencil.direction[i]);
-        steepness += dot(stencil.gradient[i], stencil.gradient[i]);
-    });
+    const Real steepness = squared(stencil);
+    Real resistance = resistance_of(mover, stencil, members, split);
     const Real error = measure - clamp(measure, low, high);
     if (steepness == Real(0) && error != Real(0)) return false;
 
@@ -144,12 +182,10 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     const Real solved = clamp(limited_multiplier(lambda, measure - low + ahead, measure - high + ahead, alpha,
                                                  inverse_or_zero(resistance + alpha)),
                               -most, most);
-    const Real next = lambda + table.relaxation[row] * (solved - lambda);
+    const Real change = table.relaxation[row] * (solved - lambda);
+    const Real next = lambda + trusted(mover, stencil, members, split, change);
     table.multiplier[row] = next;
-    stencil.each([&](std::size_t i) {
-        mover.push(members[i],
-                   stencil.direction[i] * (mover.weight(members[i]) * handicap(split, i) * (next - lambda)));
-    });
+    push_all(mover, stencil, members, split, next - lambda);
     return true;
 }
 

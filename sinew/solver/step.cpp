@@ -1,5 +1,7 @@
 #include "sinew/solver/step.h"
 
+#include "sinew/solver/ports/energy_limiter.h"
+#include "sinew/solver/ports/port_coupling.h"
 #include "sinew/solver/profile.h"
 #include "sinew/solver/substep.h"
 #include "sinew/solver/workers.h"
@@ -31,6 +33,7 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 }
 
 /// What is in no block: substeps of projections.
+
 template <int D, class Real> class Sweep {
   public:
     Sweep(World<D, Real>& world, int substeps, Real h)
@@ -79,32 +82,63 @@ template <int D, class Real> class Sweep {
     void run_substep(int number) {
         if (driven_) move_limits(world_, h_);
         auto substep = make_substep(number);
-        auto& mover = substep.mover();
+        detail::EnergyLimiter<D, Real> limiter(world_, h_);
+        limiter.begin();
         for (const auto& band : plan_.bands) substep.predict(band);
         note_energy(world_);
-        for (int i = 0; i < world_.settings.iterations; ++i) {
-            mover.first_iteration = i == 0;
-            for (const auto& sheet : plan_.sheets) {
-                for (std::uint32_t f = 0; f < sheet.families; ++f)
-                    for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project(sheet, f, band);
-                substep.tie(sheet);
-                if (world_.restless)
-                    for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project_again(sheet, band);
-                for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.tighten(sheet, band);
+        detail::PortCoupling<D, Real> ports(world_, h_, number);
+        ports.begin();
+        for (bool again = false;; again = true) {
+            for (int i = 0; i < world_.settings.iterations; ++i) {
+                if (i > 0) hold(substep);
+                substep.mover().first_iteration = i == 0;
+                project_all(substep);
             }
-            for (const auto& run : plan_.others) detail::project_run(world_, run, mover);
-            correct_hanging(world_, h_, mover.first_iteration);
-            for (const auto& sheet : plan_.sheets) {
-                substep.tie(sheet);
-                for (const auto& band : bands_of(sheet)) substep.tether_in_turn(band);
-            }
-            for (const auto& band : plan_.bands) substep.pull_pins(band);
-            for (const auto& band : plan_.bands) substep.keep_in_bounds(band);
+            if (ports.take(again)) break;
+            ports.begin_again();
         }
+        hold(substep);
+        limiter.find_gains();
         for (const auto& band : plan_.bands) substep.advance(band);
         take_back_gains(world_, h_);
+        limiter.take_gains();
         for (const auto& band : plan_.bands) substep.rebound(band);
         if (driven_) slip(world_, h_);
+    }
+
+    /// An iteration over all constraints: what is at ports after what is not, and before the tethers. Sheets with ports
+    /// are gone over again: most of what pulls there comes from outside them.
+    void project_all(Substep& substep) {
+        const auto& ports = world_.blocks.ports;
+        const int rounds = ports.list.empty() ? 1 : 2;
+        const bool first = substep.mover().first_iteration;
+        for (int round = 0; round < rounds; ++round) {
+            substep.mover().first_iteration = first && round == 0;
+            for (std::size_t i = 0; i < plan_.sheets.size(); ++i)
+                if (round == 0 || ports.sheets[i]) project_links(substep, plan_.sheets[i]);
+            for (const auto& run : plan_.others) detail::project_run(world_, run, substep.mover());
+            detail::PortMover<D, Real>::project_all(world_, substep.mover());
+            for (std::size_t i = 0; i < plan_.sheets.size(); ++i)
+                if (round == 0 || ports.sheets[i]) tether(substep, plan_.sheets[i]);
+        }
+        substep.mover().first_iteration = first;
+    }
+    void project_links(Substep& substep, const Sheet& sheet) {
+        for (std::uint32_t f = 0; f < sheet.families; ++f)
+            for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project(sheet, f, band);
+        substep.tie(sheet);
+        if (world_.restless)
+            for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project_again(sheet, band);
+        for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.tighten(sheet, band);
+    }
+    void tether(Substep& substep, const Sheet& sheet) {
+        substep.tie(sheet);
+        for (const auto& band : bands_of(sheet)) substep.tether_in_turn(band);
+    }
+    /// What holds single particles, those of blocks among them.
+    void hold(Substep& substep) {
+        for (const auto& band : plan_.bands) substep.pull_pins(band);
+        for (const auto& band : plan_.bands) substep.keep_in_bounds(band);
     }
 
     /// Sheets are shared out; one that would keep a thread busy after the others have done theirs, by itself.

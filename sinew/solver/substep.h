@@ -101,7 +101,7 @@ template <int D, class Real> class Substep {
         const auto first = plan.first_run[family.first_run + band], last = plan.first_run[family.first_run + band + 1];
         if (first == last) return;
         LinkPass<Real> pass{.per_h2 = mover_.per_h * mover_.per_h,
-                            .kept = last_ || world_.settings.iterations > 1,
+                            .kept = last_ || world_.settings.iterations > 1 || !world_.blocks.hanging.empty(),
                             .told = last_,
                             .first = mover_.first_iteration && !again,
                             .again = again};

@@ -1,0 +1,145 @@
+#pragma once
+
+#include "sinew/solver/project.h"
+#include "sinew/solver/world.h"
+
+/// Energy limit of blocks and sweep together. Sweeps and linear models leave errors, and repairing one may do work.
+/// Under impulses J of the constraints a particle goes from velocity v to v', without them to u; with the potential
+/// taken half way,
+///
+///     E' - E = sum J . (v + v')/2,        J = m (v' - u)
+///
+/// to rounding. Any excess over the energy from springs and soft pins is taken from the velocities: relative to the
+/// mean motion of a free group, to the motion of the pins of a held one. Positions stay as solved, unless the energy
+/// would multiply.
+namespace sinew::detail {
+
+template <int D, class Real> class EnergyLimiter {
+  public:
+    EnergyLimiter(World<D, Real>& world, Real h)
+        : world_(world), swept_(world.swept), ports_(world.blocks.ports), per_h_(1 / double(h)) {}
+
+    /// Notes the motion and the stored energy before a substep.
+    void begin() {
+        if (ports_.groups.empty()) return;
+        for (Row s = 0; s < swept_.size(); ++s) ports_.last_moves[s] = cast<double>(swept_.move_at(s));
+        for (auto& group : ports_.groups) group.stored = stored(group, false);
+    }
+    /// Measures the gains once all moves are known, before positions advance. A group whose motion would multiply is
+    /// slowed down at once.
+    void find_gains() {
+        constexpr double least = 0.7; // share of the velocity; above it solved positions are kept
+        for (auto& group : ports_.groups) {
+            group.share = group.driven ? 1 : share_left(group);
+            if (group.share < least && is_multiplied(group)) slow_down(group), group.share = 1;
+        }
+    }
+    /// Removes the gains once positions have advanced.
+    void take_gains() {
+        for (const auto& group : ports_.groups)
+            if (group.share < 1) slow_down(group);
+    }
+
+  private:
+    using Vector = Vec<D, double>;
+    World<D, Real>& world_;
+    Swept<D, Real>& swept_;
+    Ports<D>& ports_;
+    double per_h_;
+
+    std::span<const std::uint32_t> members(const PortGroup& group) const {
+        return std::span(ports_.members).subspan(group.first, group.members);
+    }
+    std::span<const std::uint32_t> anchors(const PortGroup& group) const {
+        return std::span(ports_.anchors).subspan(group.first_anchor, group.anchors);
+    }
+    double mass(Row slot) const { return inverse_or_zero(ports_.mobilities[slot]); }
+    Vector move(Row slot) const { return cast<double>(swept_.move_at(slot)); }
+
+    /// Factor of the velocities that removes energy added by constraints, 0..1.
+    double share_left(const PortGroup& group) const {
+        Vector frame{};
+        if (!find_frame(group, frame)) return 1;
+        double work = 0, kinetic = 0;
+        for (const auto s : members(group)) {
+            const auto to = move(s) - frame;
+            work += 0.5 * mass(s) * dot(ports_.last_moves[s] - frame + to, move(s) - ports_.free_moves[s]);
+            kinetic += 0.5 * mass(s) * dot(to, to);
+        }
+        work -= of_soft_pins(group, frame);
+        const double gain = work * square(per_h_) + (group.springs > 0 ? stored(group, true) - group.stored : 0);
+        kinetic *= square(per_h_);
+        constexpr double rounding = 1e-14;
+        return gain > rounding * kinetic ? square_root(maximum(0.0, 1 - gain / kinetic)) : 1;
+    }
+
+    /// True if constraints multiplied the motion of a group, and moved particles by more than a link.
+    bool is_multiplied(const PortGroup& group) const {
+        constexpr double times = 4;
+        double had = 0, has = 0, most = 0;
+        for (const auto s : members(group)) {
+            const auto &last = ports_.last_moves[s], &free = ports_.free_moves[s], now = move(s);
+            had += mass(s) * (dot(last, last) + dot(free, free));
+            has += mass(s) * dot(now, now);
+            most += mass(s) * square(group.length);
+        }
+        return has > times * had && has > most;
+    }
+
+    /// Frame in which energy is measured: pins that are all carried alike do no work in this one. False for other pins.
+    bool find_frame(const PortGroup& group, Vector& frame) const {
+        const auto held = anchors(group);
+        if (held.empty()) {
+            double all = 0;
+            for (const auto s : members(group)) frame += move(s) * mass(s), all += mass(s);
+            frame *= inverse_or_zero(all);
+            return true;
+        }
+        frame = move(held.front());
+        return std::all_of(held.begin(), held.end(), [&](Row s) { return move(s) == frame; });
+    }
+
+    void slow_down(const PortGroup& group) {
+        Vector frame{};
+        find_frame(group, frame);
+        for (const auto s : members(group)) swept_.set_move(s, cast<Real>(frame + (move(s) - frame) * group.share));
+    }
+
+    double of_soft_pins(const PortGroup& group, const Vector& frame) const {
+        if (!swept_.any_pin_soft) return 0;
+        double work = 0;
+        for (const auto& pinned : swept_.plan.pins) {
+            const auto& pin = world_.pins[pinned.pin];
+            if (pin.hard() || !is_in(group, pinned.slot)) continue;
+            work += 0.5 *
+                    dot(cast<double>(pin.multiplier), ports_.last_moves[pinned.slot] + move(pinned.slot) - frame * 2.0);
+        }
+        return work;
+    }
+    bool is_in(const PortGroup& group, Row slot) const {
+        const auto all = members(group);
+        return std::find(all.begin(), all.end(), slot) != all.end();
+    }
+
+    /// Energy in the springs of a group, before or after the move.
+    double stored(const PortGroup& group, bool moved) const {
+        double sum = 0;
+        for (const auto& spring : std::span(ports_.springs).subspan(group.first_spring, group.springs))
+            visit_table(world_, spring.kind, [&](const auto& table) { sum += stored(table, spring.row, moved); });
+        return sum;
+    }
+    template <class Table> double stored(const Table& table, Row row, bool moved) const {
+        const auto members = table.members[row];
+        Stencil<typename Table::Kind, D, Real> stencil(world_, members.size());
+        stencil.each([&](std::size_t i) {
+            const Row slot = swept_.slot_of[members[i]];
+            stencil.points[i] = swept_.place_at(slot) + (moved ? swept_.move_at(slot) : Vec<D, Real>{});
+        });
+        const Real measure = unwrap<typename Table::Kind>(stencil.evaluate(stencil.points, stencil.gradient),
+                                                          table.low(row), table.high(row));
+        const double error = double(measure - clamp(measure, table.low(row), table.high(row)));
+        return 0.5 * square(error) / double(table.compliance[row]);
+    }
+};
+
+} // namespace sinew::detail

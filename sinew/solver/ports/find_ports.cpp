@@ -1,0 +1,182 @@
+#include "sinew/solver/block_rows.h"
+#include "sinew/solver/phases.h"
+#include "sinew/solver/ports/load_tethers.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sinew {
+namespace {
+
+/// The first of a port's load tethers.
+std::uint32_t first_tether(const Block& block, std::uint32_t port) {
+    return block.first_link + block.links - block.load_tethers + port * std::uint32_t(most_tethers);
+}
+
+/// Length of the shortest link at a node.
+template <int D> double shortest_link(const Blocks<D>& blocks, const Block& block, std::uint32_t node) {
+    double shortest = double(limit::coordinate<double>);
+    for (const auto& link : std::span(blocks.links).subspan(block.first_link, block.links - block.load_tethers))
+        if (link.a == node || link.b == node) shortest = minimum(shortest, link.length);
+    return shortest;
+}
+
+template <int D> void list_ports(Blocks<D>& blocks) {
+    auto& ports = blocks.ports;
+    ports.clear();
+    std::uint32_t responses = 0;
+    for (std::uint32_t b = 0; b < blocks.hanging.size(); ++b) {
+        auto& block = blocks.hanging[b];
+        block.first_port = std::uint32_t(ports.list.size());
+        block.first_response = responses;
+        responses += block.ports * block.ports;
+        for (std::uint32_t p = 0; p < block.ports; ++p) {
+            const auto node = blocks.links[first_tether(block, p)].a;
+            ports.list.push_back(
+                {.node = node, .block = b, .number = p, .radius = 0.5 * shortest_link(blocks, block, node)});
+        }
+    }
+    ports.responses.resize(responses);
+}
+
+/// Sheets whose links have come to be at ports, or are no longer, are laid out again.
+template <int D, class Real> void mark_ports(World<D, Real>& world) {
+    auto& blocks = world.blocks;
+    auto& ports = blocks.ports;
+    const auto& slots = world.particles.slots;
+    ports.at.assign(world.particles.size(), ports.none);
+    for (std::uint32_t p = 0; p < ports.list.size(); ++p) ports.at[blocks.nodes[ports.list[p].node].row] = p;
+    ports.is_port.resize(slots.slots(), 0);
+    for (Row row = 0; row < world.particles.size(); ++row) {
+        const char is_port = ports.at[row] != ports.none;
+        char& was_port = ports.is_port[slots.slot_of(row)];
+        if (is_port != was_port) blocks.room.hung.push_back(row);
+        was_port = is_port;
+    }
+}
+
+/// Order by kind and row, independent of the history of the world. Distances come last, because their errors are
+/// visible.
+template <int D, class Real> void list_rows(World<D, Real>& world) {
+    auto& blocks = world.blocks;
+    auto& rows = blocks.ports.rows;
+    rows.clear();
+    for (const auto& port : blocks.ports.list)
+        blocks.bonds.each(blocks.nodes[port.node].slot, [&](int kind, std::uint32_t slot) {
+            visit_table(world, kind, [&](const auto& table) {
+                const Row row = table.slots.row_at(slot);
+                if (!table.in_block[row]) rows.push_back({.kind = kind, .row = row});
+            });
+        });
+    std::sort(rows.begin(), rows.end(),
+              [](const auto& a, const auto& b) { return std::pair(-a.kind, a.row) < std::pair(-b.kind, b.row); });
+    const auto same = [](const auto& a, const auto& b) { return a.kind == b.kind && a.row == b.row; };
+    rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
+}
+
+template <int D, class Real> void mark_sheets(World<D, Real>& world) {
+    auto& ports = world.blocks.ports;
+    const auto& plan = world.swept.plan;
+    ports.sheets.assign(plan.sheets.size(), 0);
+    for (const auto& port : ports.list)
+        if (const auto* sheet = detail::sheet_at(plan, world.swept.slot_of[world.blocks.nodes[port.node].row]))
+            ports.sheets[std::size_t(sheet - plan.sheets.data())] = 1;
+}
+
+/// Connected components with ports. Immovable particles do not connect.
+template <int D, class Real> class GroupFinder {
+  public:
+    explicit GroupFinder(World<D, Real>& world) : world_(world), ports_(world.blocks.ports) {}
+
+    void run() {
+        ports_.reached.assign(world_.particles.size(), 0);
+        for (const auto& port : ports_.list) {
+            const Row row = world_.blocks.nodes[port.node].row;
+            if (ports_.reached[row]) continue;
+            ports_.groups.push_back({.first = size(ports_.members),
+                                     .first_spring = size(ports_.springs),
+                                     .first_anchor = size(ports_.anchors)});
+            reach(row);
+            spread();
+            end_group();
+        }
+    }
+
+  private:
+    World<D, Real>& world_;
+    Ports<D>& ports_;
+
+    double links_ = 0, length_ = 0; ///< sums over the current group, links counted from both ends
+
+    template <class Column> static std::uint32_t size(const Column& column) { return std::uint32_t(column.size()); }
+
+    void reach(Row row) {
+        if (std::exchange(ports_.reached[row], char(1))) return;
+        const bool moves = world_.particles.mobility[row] > Real(0);
+        (moves ? ports_.members : ports_.anchors).push_back(world_.swept.slot_of[row]);
+    }
+    void spread() {
+        auto& group = ports_.groups.back();
+        for (auto next = group.first; next < ports_.members.size(); ++next) {
+            const Row row = world_.swept.row_of[ports_.members[next]];
+            world_.blocks.bonds.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+                visit_table(world_, kind, [&](const auto& table) {
+                    reach(group, kind, table, table.slots.row_at(slot));
+                    if (kind == kind_number<Distance, D>) measure(double(table.high(table.slots.row_at(slot))));
+                });
+            });
+        }
+    }
+    void measure(double length) {
+        if (length < double(limit::coordinate<Real>)) links_ += 1, length_ += length;
+    }
+    void end_group() {
+        auto& group = ports_.groups.back();
+        group.members = size(ports_.members) - group.first;
+        group.springs = size(ports_.springs) - group.first_spring;
+        group.anchors = size(ports_.anchors) - group.first_anchor;
+        group.length = std::exchange(length_, 0) * inverse_or_zero(std::exchange(links_, 0));
+    }
+    template <class Table> void reach(PortGroup& group, int kind, const Table& table, Row constraint) {
+        const auto members = table.members[constraint];
+        for (const Row member : members) reach(member);
+        group.driven = group.driven || table.driven[constraint] || table.gives(constraint);
+        const bool seen = std::any_of(ports_.springs.begin() + group.first_spring, ports_.springs.end(),
+                                      [&](const auto& row) { return row.kind == kind && row.row == constraint; });
+        if (table.compliance[constraint] > Real(0) && !seen)
+            ports_.springs.push_back({.kind = kind, .row = constraint});
+    }
+};
+
+} // namespace
+
+template <int D, class Real> void find_ports(World<D, Real>& world) {
+    auto& blocks = world.blocks;
+    const bool had_any = !blocks.ports.list.empty();
+    if (blocks.hanging.empty() && !had_any) return;
+    for (auto& block : blocks.hanging) detail::look_up_rows(world, block);
+    list_ports(blocks);
+    mark_ports(world);
+}
+
+template <int D, class Real> void tie_ports(World<D, Real>& world) {
+    auto& blocks = world.blocks;
+    if (blocks.hanging.empty()) return;
+    list_rows(world);
+    mark_sheets(world);
+    const detail::LoadTethers<D, Real> tethers(world);
+    for (const auto& block : blocks.hanging)
+        for (std::uint32_t p = 0; p < block.ports; ++p)
+            tethers.tie(std::span(blocks.links).subspan(first_tether(block, p), most_tethers));
+    GroupFinder<D, Real>(world).run();
+    blocks.ports.free_moves.resize(world.swept.size());
+    blocks.ports.last_moves.resize(world.swept.size());
+    blocks.ports.mobilities.resize(world.swept.size());
+}
+
+#define SINEW_PORTS(D, Real)                                                                                           \
+    template void find_ports(World<D, Real>&);                                                                         \
+    template void tie_ports(World<D, Real>&);
+SINEW_INSTANTIATE(SINEW_PORTS)
+
+} // namespace sinew

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "sinew/solver/ports/port_response.h"
+#include "sinew/solver/substep.h"
+
+#include <utility>
+
+/// Swept constraints at ports. An impulse at one port moves all ports of the block:
+///
+///     dlambda = -(C + alpha lambda) / (sum_ij g_i . W_ij g_j + alpha),      x_i += sum_j W_ij g_j dlambda
+///
+/// with W_ij the response of the block, or of a single particle its inverse mass.
+namespace sinew::detail {
+
+template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
+    using Base = SubstepMover<D, Real>;
+
+  public:
+    static constexpr bool couples = true;
+
+    PortMover(World<D, Real>& world, const Base& mover)
+        : Base(mover), blocks_(world.blocks), ports_(world.blocks.ports) {}
+
+    /// Constraints at ports come last in a pass, so that ports are left with the smallest errors. The multipliers in
+    /// the tables are 0 meanwhile, because a pass of the sweep over inactive links undoes stored multipliers.
+    static void project_all(World<D, Real>& world, const Base& base) {
+        PortMover mover(world, base);
+        for (auto& row : world.blocks.ports.rows)
+            visit_table(world, row.kind, [&](auto& table) {
+                table.multiplier[row.row] = Real(row.multiplier);
+                project_row(world, table, row.row, mover);
+                row.multiplier = double(std::exchange(table.multiplier[row.row], Real(0)));
+            });
+    }
+
+    /// Ports are never parted from coincident particles.
+    Real weight(Row row) const { return is_port(row) ? Real(0) : Base::weight(row); }
+    void push(Row row, const Vec<D, Real>& displacement) {
+        if (!is_port(row)) Base::push(row, displacement);
+    }
+
+    template <class Stencil> void choose_direction(Stencil& stencil, std::span<const Row>) const {
+        stencil.each([&](std::size_t i) { stencil.direction[i] = stencil.gradient[i]; });
+    }
+
+    /// Response of the measure to the multiplier.
+    template <class Stencil> Real resistance(const Stencil& stencil, std::span<const Row> members, Real split) const {
+        double sum = 0;
+        stencil.each([&](std::size_t i) {
+            stencil.each([&](std::size_t j) {
+                const auto moved = response(members[i], members[j], cast<double>(stencil.direction[j]));
+                sum += double(handicap(split, j)) * dot(cast<double>(stencil.gradient[i]), moved);
+            });
+        });
+        return Real(maximum(sum, 0.0));
+    }
+
+    /// Trust region of the linear model: half a link about the place of linearisation.
+    template <class Stencil>
+    Real trusted_share(const Stencil& stencil, std::span<const Row> members, Real split, Real change) const {
+        double share = 1;
+        stencil.each([&](std::size_t i) {
+            if (!is_port(members[i])) return;
+            Vec<D, double> move{};
+            stencil.each([&](std::size_t j) {
+                const auto impulse = cast<double>(stencil.direction[j]) * double(handicap(split, j) * change);
+                move += response(members[i], members[j], impulse);
+            });
+            share = minimum(share, trusted_share(ports_.list[ports_.at[members[i]]], members[i], move));
+        });
+        return Real(share);
+    }
+
+    void impart(Row row, const Vec<D, Real>& impulse) {
+        if (impulse == Vec<D, Real>{}) return;
+        if (!is_port(row)) return Base::push(row, impulse * Base::weight(row));
+        auto& pushed = ports_.list[ports_.at[row]];
+        const auto& block = blocks_.hanging[pushed.block];
+        pushed.impulse += cast<double>(impulse);
+        for (std::uint32_t q = 0; q < block.ports; ++q) {
+            const auto& node = blocks_.nodes[ports_.list[block.first_port + q].node];
+            const auto moved = response(block, q, pushed.number) * cast<double>(impulse);
+            Base::push(node.row, cast<Real>(moved));
+        }
+    }
+
+  private:
+    Blocks<D>& blocks_;
+    Ports<D>& ports_;
+
+    bool is_port(Row row) const { return ports_.at[row] != ports_.none; }
+
+    double trusted_share(const Port<D>& port, Row row, const Vec<D, double>& move) const {
+        const auto moved = cast<double>(this->swept.move_at(this->swept.slot_of[row])) - port.free_move;
+        if (dot(moved, move) < 0) return 1;
+        const double left = maximum(0.0, port.radius - norm(moved));
+        const double length = norm(move);
+        return length > left ? left / length : 1;
+    }
+    const Matrix<D, double>& response(const Block& block, std::uint32_t q, std::uint32_t p) const {
+        return PortResponse<D>::response(blocks_, block, q, p);
+    }
+    /// Displacement of one particle by an impulse at another.
+    Vec<D, double> response(Row of, Row to, const Vec<D, double>& impulse) const {
+        if (!is_port(of) || !is_port(to)) return of == to ? impulse * double(Base::weight(of)) : Vec<D, double>{};
+        const auto &moved = ports_.list[ports_.at[of]], &pushed = ports_.list[ports_.at[to]];
+        if (moved.block != pushed.block) return {};
+        return response(blocks_.hanging[moved.block], moved.number, pushed.number) * impulse;
+    }
+};
+
+} // namespace sinew::detail

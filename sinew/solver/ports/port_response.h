@@ -1,0 +1,72 @@
+#pragma once
+
+#include "sinew/solver/block_solve.h"
+
+/// Response of a block's ports to impulses there, its links held: W = J (M + h^2 K)^-1 J^T, the response of its
+/// factorised equations to unit impulses.
+namespace sinew::detail {
+
+/// Selection of the links and limits held in a response.
+enum class Held {
+    as_solved, ///< all that are taut in the solution, with their geometric stiffness
+    at_least   ///< only those taut in every solution of this substep: an upper bound of the ports' mobility
+};
+
+template <int D> class PortResponse {
+  public:
+    PortResponse(BlockEquations<D>& equations, Blocks<D>& blocks, const Block& block)
+        : equations_(equations), blocks_(blocks), block_(block) {}
+
+    void find(Held held) {
+        factorise(held);
+        for (std::uint32_t p = 0; p < block_.ports; ++p)
+            for (int axis = 0; axis < D; ++axis) respond(p, axis);
+    }
+
+    /// Response of port q to an impulse at port p.
+    static Matrix<D, double>& response(Blocks<D>& blocks, const Block& block, std::uint32_t q, std::uint32_t p) {
+        return blocks.ports.responses[block.first_response + q * block.ports + p];
+    }
+
+  private:
+    using Vector = Vec<D, double>;
+    BlockEquations<D>& equations_;
+    Blocks<D>& blocks_;
+    const Block& block_;
+
+    Port<D>& port(std::uint32_t p) const { return blocks_.ports.list[block_.first_port + p]; }
+
+    static bool holds(const BlockLink<D>& link, Held held) {
+        if (!link.one_sided()) return true;
+        return held == Held::at_least ? !link.slackened : link.tension * link.side > 0;
+    }
+
+    void factorise(Held held) {
+        const double per_h2 = 1 / square(equations_.substep());
+        for (auto& node : equations_.unknowns()) {
+            node.diagonal = Matrix<D, double>::diagonal(node.mass * per_h2);
+            node.residual = {};
+        }
+        equations_.clear_entries();
+        for (auto& link : equations_.links()) {
+            if (!holds(link, held)) continue;
+            const auto along = equations_.node(link.b).place - equations_.node(link.a).place;
+            auto matrix = outer(along * (equations_.stiffness() * link.per_length2), along);
+            if (held == Held::as_solved) matrix += Matrix<D, double>::diagonal(maximum(link.tension, 0.0));
+            equations_.add(link, matrix, Vector{});
+        }
+        equations_.bends().stiffen(held == Held::as_solved, equations_.stiffness());
+        equations_.solve();
+    }
+
+    void respond(std::uint32_t p, int axis) {
+        const double per_h2 = 1 / square(equations_.substep());
+        for (auto& node : equations_.unknowns()) node.residual = {};
+        blocks_.nodes[port(p).node].residual = Vector::axis(axis) * per_h2;
+        solve_block_again(blocks_, block_);
+        for (std::uint32_t q = 0; q < block_.ports; ++q)
+            response(blocks_, block_, q, p).column[std::size_t(axis)] = blocks_.nodes[port(q).node].move;
+    }
+};
+
+} // namespace sinew::detail

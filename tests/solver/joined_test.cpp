@@ -1,0 +1,157 @@
+#include "sinew/prefab/prefabs.h"
+
+#include "tests/worlds.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// Figures that are joined by hand: loads on cloth, jelly on ropes, ragdolls with cloth. Undamped, 16 substeps; bounds
+/// are what was measured in 6 s with a little room (docs/joined.md).
+namespace sinew {
+namespace {
+
+using namespace test;
+
+template <int D> struct Scene {
+    using Vector = Vec<D, double>;
+    World<D, double> world;
+
+    Scene() {
+        fall(world, gravity);
+        world.settings.substeps = 16;
+    }
+    ParticleId id(const std::string& name) const { return *find_particle(world, name); }
+    Vector place(ParticleId particle) const { return *position_of(world, particle); }
+    void join(ParticleId a, ParticleId b) {
+        add<Distance>(world, {a, b}, {.limits = at_most(distance(place(a), place(b)))});
+    }
+    /// Returns its end.
+    ParticleId rope(double length, int pieces) {
+        build(world, Rope{.length = length, .segments = pieces, .angle = 0, .pinned = "start", .mass = 0.2}, "rope",
+              {});
+        return id("rope/end");
+    }
+    void cloth(const char* pins, double mass, const Placement<D, double>& at = {}) {
+        build(world, Cloth{.columns = 16, .rows = 16, .spacing = 1.0 / 15, .pins = pins, .mass = mass}, "cloth", at);
+    }
+    /// A bead of so much, so far below a particle.
+    ParticleId hang(ParticleId on, double mass, double length) {
+        const auto bead = add_particle(world, {.position = place(on) - at<Vector>(0, length), .mass = mass});
+        join(on, bead);
+        return bead;
+    }
+};
+
+struct Worst {
+    double stretch = 0, gain = 0, last_speed = 0;
+};
+
+/// Over so many seconds; the gain as a part of weight times metres.
+template <int D> Worst watch(Scene<D>& scene, double seconds, double metres) {
+    Worst worst;
+    auto& world = scene.world;
+    const double put_in = energy(world).total(), scale = total_mass(world) * gravity * metres;
+    for (int frame = 0; frame < int(60 * seconds); ++frame) {
+        step(world, 1.0 / 60);
+        worst.stretch = std::max(worst.stretch, double(stretch(world).max));
+        worst.gain = std::max(worst.gain, (energy(world).total() - put_in) / scale);
+    }
+    worst.last_speed = max_speed(world);
+    return worst;
+}
+
+void expect(const Worst& worst, double stretch, double speed, const char* what) {
+    EXPECT_LE(worst.stretch, stretch) << what;
+    EXPECT_LE(worst.gain, 1e-6) << what;
+    EXPECT_LE(worst.last_speed, speed) << what;
+}
+
+constexpr double any = 1e3; // speed of what swings
+
+TEST(JoinedFigures, AJellyRestsOnARope) {
+    for (const auto& [mass, pieces] : {std::pair(2.0, 50), std::pair(20.0, 14), std::pair(100.0, 14)}) {
+        Scene<2> scene;
+        const auto end = scene.rope(1.1, pieces);
+        const Polygon jelly{.sides = 9, .radius = 0.2, .braced = "area", .mass = mass};
+        build(scene.world, jelly, "jelly", {.at = scene.place(end) - at<Vec<2, double>>(0, 0.25)});
+        scene.join(end, scene.id("jelly/corner_4"));
+        expect(watch(scene, 5, 1.5), 0.02, 0.2, "jelly");
+    }
+}
+
+TEST(JoinedFigures, WhatHangsOnATetheredClothHangsOnItsPins) {
+    for (const double mass : {2.0, 20.0, 300.0})
+        for (const char* at : {"cloth/bottom_right", "cloth/particle_8_15"}) {
+            Scene<3> scene;
+            scene.cloth("corners", 1);
+            scene.hang(scene.id(at), mass, 0.1);
+            expect(watch(scene, 3, 1.1), 3e-3, 0.1, at);
+        }
+}
+
+TEST(JoinedFigures, EightLoadsOnAHem) {
+    Scene<3> scene;
+    scene.cloth("corners", 1);
+    for (int i = 0; i < 16; i += 2) scene.hang(scene.id("cloth/particle_" + std::to_string(i) + "_15"), 20, 0.1);
+    expect(watch(scene, 2, 1.1), 3e-3, 0.1, "hem");
+}
+
+TEST(JoinedFigures, ALoadThatIsDroppedOrThrownAddsNothing) {
+    for (const double mass : {20.0, 300.0}) {
+        Scene<3> dropped, thrown;
+        for (auto* scene : {&dropped, &thrown}) scene->cloth("corners", 1);
+        const auto raised = dropped.hang(dropped.id("cloth/bottom_right"), mass, 0.3);
+        set_position(dropped.world, raised, dropped.place(raised) + at<Vec<3, double>>(0, 0.3));
+        expect(watch(dropped, 3, 1.3), 3e-3, 0.1, "dropped");
+        const auto flung = thrown.hang(thrown.id("cloth/bottom_right"), mass, 0.1);
+        set_velocity(thrown.world, flung, Vec<3, double>{{0, 0, 3}});
+        expect(watch(thrown, 3, 1.1), 0.15, any, "thrown");
+    }
+}
+
+TEST(JoinedFigures, ARagdollOnAClothAndAClothInItsHand) {
+    Scene<3> hanging;
+    hanging.cloth("corners", 1);
+    const auto hem = hanging.id("cloth/particle_8_15");
+    build(hanging.world, Ragdoll{.pose = "hands_up"}, "doll", {});
+    const auto hand = hanging.id("doll/left_hand");
+    const auto below = hanging.place(hem) - at<Vec<3, double>>(0, 0.03);
+    teleport(hanging.world, *find_figure(hanging.world, "doll"), below - hanging.place(hand));
+    hanging.join(hem, hand);
+    expect(watch(hanging, 3, 3), 0.15, any, "on a cloth");
+
+    Scene<3> holding;
+    build(holding.world, Ragdoll{}, "doll", {});
+    pin(holding.world, holding.id("doll/left_hand"));
+    const auto free = holding.id("doll/right_hand");
+    holding.cloth("none", 1, {.at = holding.place(free) + at<Vec<3, double>>(0.5, -0.02)});
+    holding.join(free, holding.id("cloth/top_left"));
+    expect(watch(holding, 3, 3), 0.6, any, "in its hand");
+}
+
+TEST(JoinedFigures, MoreIterationsLeaveLess) {
+    double before = 1;
+    for (const int iterations : {1, 2, 4}) {
+        Scene<2> scene;
+        scene.world.settings.iterations = iterations;
+        const auto end = scene.rope(1.5, 14);
+        const Polygon jelly{.sides = 9, .radius = 0.2, .braced = "area", .mass = 20};
+        build(scene.world, jelly, "jelly", {.at = scene.place(end) - at<Vec<2, double>>(0, 0.3)});
+        scene.join(end, scene.id("jelly/corner_4"));
+        const auto worst = watch(scene, 2, 1.5);
+        EXPECT_LT(worst.stretch, before);
+        EXPECT_LE(worst.gain, 1e-6);
+        before = worst.stretch;
+    }
+}
+
+TEST(JoinedFigures, DampedTheyComeToRest) {
+    Scene<3> scene;
+    scene.world.settings.damping = 2;
+    scene.cloth("corners", 1);
+    scene.hang(scene.id("cloth/particle_8_15"), 20, 0.1);
+    EXPECT_LE(watch(scene, 5, 1.1).last_speed, 0.02);
+}
+
+} // namespace
+} // namespace sinew
