@@ -46,13 +46,13 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         reach_ += ways_.set_out(as_good_as_taut);
     }
 
-    /// Finds every `place`. `hold(assemble)` adds what else acts on the nodes to their equations. False where it did
+    /// Finds every `place`. `hold()` adds what else acts on the nodes to their equations. False where it did
     /// not converge.
     template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
         set_out(rule);
         double before = 0, last = 0;
         for (int i = 0;; ++i) {
-            if (i > 0 && steady() && worst_error() <= good_enough) return true;
+            if (i > 0 && steady() && worst_error() <= good_enough && agrees(hold)) return true;
             const double worst = assemble(rule);
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
@@ -73,6 +73,14 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             Base::solve();
             take_step(i >= undecided_after ? 0.5 : 1);
         }
+    }
+
+    /// Whether what acts from outside decides as it did in the equations before; where nothing does, it has no say.
+    template <class Hold> static bool agrees(Hold& hold) {
+        if constexpr (std::is_void_v<decltype(hold())>)
+            return true;
+        else
+            return hold();
     }
 
     /// One iteration more. False where that led away: a limit let go that should have held.

@@ -46,7 +46,7 @@ template <int D, class Real> class BlockStep {
         contact_.look();
     }
     bool run(Solve& solve, Rule rule, int iterations) {
-        return solve.run(rule, iterations, [&] { contact_.hold(solve.stiffness(), solve.progress()); });
+        return solve.run(rule, iterations, [&] { return contact_.hold(solve.stiffness(), solve.progress()); });
     }
     bool refine(Solve& solve) {
         return solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness(), solve.progress()); });
@@ -124,13 +124,13 @@ template <int D, class Real> class BlockStep {
         pull_together(solve);
         const double kinetic = solve.kinetic();
         bool found = run(solve, Rule::implicit, many);
+        if (!found && depth < deepest) return advance_in_pieces(from, to, depth);
         if (!found && state_.block.springy) {
             state_.start_tensions();
             solve.bends().go_limp();
-            found = run(solve, Rule::implicit, many);
+            found = run(solve, Rule::implicit, many) && kinetic + energy.work() >= 0;
         }
-        if (!found && depth < deepest) return advance_in_pieces(from, to, depth);
-        if (!found) creep(solve);
+        if (!found) creep(solve, energy, kinetic);
         take_mean_velocities();
         settle(solve, energy);
         energy.keep_momentum();
@@ -141,19 +141,20 @@ template <int D, class Real> class BlockStep {
 
     /// One linear step towards where it is pulled, as far as lengths and angles bear it. It always comes some of the
     /// way, so that what could not be solved for is left behind.
-    void creep(Solve& solve) {
-        constexpr double bearable = 1e-3;
+    void creep(Solve& solve, const Energy& energy, double kinetic) {
+        constexpr double bearable = 1e-5;
         state_.forget_tensions();
         solve.be_elastic();
         run(solve, Rule::implicit, 1);
-        retreat(solve, maximum(bearable, solve.worst_start_strain()));
+        const double most = maximum(bearable, solve.worst_start_strain());
+        retreat([&] { return solve.worst_place_strain() <= most && kinetic + energy.work() >= 0; });
         state_.start_tensions();
     }
 
-    /// Back towards where it began, until lengths are no further from what they should be than that.
-    void retreat(const Solve& solve, double most) {
+    /// Back towards where it began, until that is so.
+    template <class Bearable> void retreat(Bearable&& bearable) {
         constexpr int halvings = 20;
-        for (int i = 0; i < halvings && !(solve.worst_place_strain() <= most); ++i)
+        for (int i = 0; i < halvings && !bearable(); ++i)
             for (auto& node : state_.unknowns()) node.place = (node.place + node.start) * 0.5;
     }
 
@@ -166,7 +167,7 @@ template <int D, class Real> class BlockStep {
         solve.be_elastic();
         run(solve, Rule::implicit, stretched_iterations);
         constexpr double most = 10;
-        retreat(solve, maximum(most, before));
+        retreat([&] { return solve.worst_place_strain() <= maximum(most, before); });
         contact_.lift(); // it has not converged
         take_mean_velocities();
         state_.forget_tensions();
