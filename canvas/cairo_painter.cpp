@@ -68,8 +68,20 @@ void paint_item(cairo_t* context, Shape shape, Outline outline, double width, do
         return cairo_fill(context);
     case Shape::image:
     case Shape::text:
+    case Shape::pane:
         return; // not of a path alone
     }
+}
+
+/// What lies between two corners, covered with a colour, and the only part that is painted on from now.
+void begin_pane(cairo_t* context, Outline corners, const Color& paper) {
+    const auto low = [&](int i) { return double(minimum(corners[0][i], corners[1][i])); };
+    const auto side = [&](int i) { return double(absolute(corners[1][i] - corners[0][i])); };
+    cairo_restore(context); // the pane before it
+    cairo_save(context);
+    cairo_rectangle(context, low(0), low(1), side(0), side(1));
+    cairo_clip(context);
+    cover(context, paper);
 }
 
 /// Of the height of letters: how wide the rim around them is, both sides together.
@@ -125,18 +137,22 @@ void paint(cairo_t* context, const Picture& picture) {
     const double pixel = pixel_of(context);
     cover(context, picture.background);
     ImagePainter images(context, picture);
+    Color paper = picture.background;
+    cairo_save(context);
     for (const Picture::Item& item : picture.items) {
         const Outline outline = picture.points_of(item);
         if (!is_paintable(outline)) continue;
+        if (item.shape == Shape::pane && outline.size() == 2) begin_pane(context, outline, paper = item.color);
         if (item.shape == Shape::image) images.paint(item);
         if (item.shape == Shape::image || item.color.alpha <= 0) continue;
         // Written so that a width that is not a number also becomes one pixel.
         const double width = item.width >= pixel ? minimum(double(item.width), farthest * pixel) : pixel;
         set_color(context, item.color);
         if (item.shape == Shape::text && item.number < picture.texts.size())
-            write(context, picture.texts[item.number], outline[0], width, item.color, picture.background);
+            write(context, picture.texts[item.number], outline[0], width, item.color, paper);
         paint_item(context, item.shape, outline, width, pixel);
     }
+    cairo_restore(context);
     cairo_restore(context);
 }
 

@@ -34,12 +34,12 @@ Failure gif_fps(double fps) {
 }
 
 constexpr std::array<Format, 6> list{{
-    {".png", "one picture, or a contact sheet", false, 0, 16384, any_fps, open_image},
-    {".svg", "one picture as vectors", false, 0, 16384, any_fps, open_image},
-    {".pdf", "one picture as vectors, a page of its size", false, 0, 16384, any_fps, open_image},
-    {".gif", "a looping animation, 256 colours", true, 25, 8192, gif_fps, open_gif},
-    {".mp4", "a film (H.264)", true, 60, 8192, movie_fps, open_mp4},
-    {".webp", "a looping animation, all colours", true, 30, 8192, movie_fps, open_webp},
+    {".png", "one picture, or a contact sheet", false, 0, 16384, 1, any_fps, open_image},
+    {".svg", "one picture as vectors", false, 0, 16384, 1, any_fps, open_image},
+    {".pdf", "one picture as vectors, a page of its size", false, 0, 16384, 1, any_fps, open_image},
+    {".gif", "a looping animation, 256 colours", true, 25, 8192, 1, gif_fps, open_gif},
+    {".mp4", "a film (H.264)", true, 60, 8192, even, movie_fps, open_mp4},
+    {".webp", "a looping animation, all colours", true, 30, 8192, 1, movie_fps, open_webp},
 }};
 
 /// Levenshtein's distance: how many letters to insert, remove or replace (1965).
@@ -84,6 +84,10 @@ std::span<const Format> formats() {
 const Format* format_of(const fs::path& path) {
     const auto found = std::ranges::find(list, extension_of(path), &Format::extension);
     return found == list.end() ? nullptr : &*found;
+}
+
+int padded(int side, const Format& format) {
+    return (side + format.side_multiple - 1) / format.side_multiple * format.side_multiple;
 }
 
 Failure size_problem(const std::string& what, long width, long height, int longest_side) {

@@ -16,6 +16,7 @@ struct Format {
     bool moves;                 ///< many frames, or one
     double usual_fps;           ///< what to take where nothing is asked for
     int longest_side;           ///< pixels
+    int side_multiple;          ///< pixels: sides are padded to multiples of it
     Failure (*fps_problem)(double fps);
     Opened (*open)(const std::filesystem::path&, const FrameFormat&);
 };
@@ -39,6 +40,9 @@ const Format* format_of(const std::filesystem::path& path);
 /// Opens a file by its extension: checks, creates missing folders, starts ffmpeg where it is needed. An existing file
 /// is replaced at finish().
 Opened open(const std::filesystem::path& path, const FrameFormat& format);
+
+/// How long a side of that many pixels is in a file of that format.
+int padded(int side, const Format& format);
 
 /// What is wrong with this size, where no side may be longer than `longest_side`. `what` begins the message ("a .gif").
 [[nodiscard]] Failure size_problem(const std::string& what, long width, long height, int longest_side);

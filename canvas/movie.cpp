@@ -67,7 +67,7 @@ class MovieWriter : public Writer {
 
 class Mp4Writer final : public MovieWriter {
   public:
-    Mp4Writer(const fs::path& path, const FrameFormat& frame_format) : MovieWriter(path, frame_format, 2) {}
+    Mp4Writer(const fs::path& path, const FrameFormat& frame_format) : MovieWriter(path, frame_format, even) {}
 
   private:
     Arguments encoding() const override {

@@ -7,6 +7,9 @@ namespace sinew::canvas {
 /// Writers of movies. Frames are handed to ffmpeg as they come, so memory does not grow with length. Pictures are
 /// opaque: what a background lets through is white.
 
+/// H.264 with 4:2:0 colours has sides that are multiples of this.
+inline constexpr int even = 2;
+
 /// H.264, 4:2:0, colours tagged as BT.709, playable while it downloads. Sides are padded to even numbers with
 /// background.
 Opened open_mp4(const std::filesystem::path& target, const FrameFormat& format);

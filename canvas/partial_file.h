@@ -3,12 +3,14 @@
 #include "canvas/failure.h"
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace sinew::canvas {
 
 /// A file that appears under its name only when it is whole. It is written as `.name.partial-PID.ext` beside its target
-/// (so that the last step is a rename on one file system) and removed unless committed.
+/// (so that the last step is a rename on one file system) and removed unless committed. A process that was killed
+/// leaves its partial files behind: whoever next creates one in that folder removes those whose process is gone.
 class PartialFile {
   public:
     PartialFile() = default;
@@ -29,7 +31,14 @@ class PartialFile {
     const std::filesystem::path& path() const { return partial; }
 
   private:
+    void let_go();
+
     std::filesystem::path target, partial;
+    int held = -1; ///< a descriptor that locks the partial file for as long as this process lives
 };
+
+/// Why a file could not be written, for those who know only what it is `called`: a full disk is told in the system's
+/// words alone, and names of partial files are replaced.
+std::string reason_told(const std::string& reason, const std::string& called);
 
 } // namespace sinew::canvas

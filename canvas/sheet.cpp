@@ -58,7 +58,9 @@ void trace_rounded(cairo_t* context, const Region& r, double radius) {
 class SheetWriter final : public Writer {
   public:
     SheetWriter(const std::filesystem::path& path, const SheetFormat& sheet_format)
-        : Writer(path, {int(sheet_width(sheet_format)), int(sheet_height(sheet_format)), 0}), sheet(sheet_format) {}
+        : Writer(path,
+                 {int(sheet_width(sheet_format)), int(sheet_height(sheet_format)), 0, false, sheet_format.called}),
+          sheet(sheet_format) {}
 
   private:
     Failure start() override { return drawing.create(partial.path(), format.width, format.height); }

@@ -12,6 +12,7 @@ struct SheetFormat {
     int frame_height = 240;     ///< pixels
     double first_second = 0;    ///< time of the first frame
     double seconds_between = 1; ///< from frame to frame
+    std::string called = {};    ///< what messages call the file; empty: its path
 };
 
 /// What is wrong with writing this sheet: not an image format, no or too many frames, too large in all.

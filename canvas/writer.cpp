@@ -14,8 +14,8 @@ Failure Writer::settle(const Failure& failure) {
     if (!failure && !interrupted()) return {};
     abandon();
     partial.discard();
-    return settled = interrupted() ? "interrupted; " + target.string() + " was not written"
-                                   : "cannot write " + target.string() + ": " + *failure;
+    return settled = interrupted() ? "interrupted; " + name() + " was not written"
+                                   : "cannot write " + name() + ": " + reason_told(*failure, name());
 }
 
 Failure Writer::begin() {
@@ -37,7 +37,7 @@ Failure Writer::finish() {
     if (auto failure = settle(complete())) return failure;
     if (auto failure = settle(partial.commit())) return failure;
     abandon(); // nothing more is to be written
-    settled = target.string() + " is already complete";
+    settled = name() + " is already complete";
     return {};
 }
 

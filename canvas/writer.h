@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace sinew::canvas {
 
@@ -18,6 +19,8 @@ struct FrameFormat {
     double fps = 60;  ///< frames a second; of no meaning to a still image
     /// A WebP that is half as large, in memory that grows with its length and more time: for short ones.
     bool compact = false;
+    /// What messages call the file, where its own name would tell nobody anything; empty: its path.
+    std::string called = {};
 };
 
 /// A file that pictures are written to. It appears under its name at finish(), whole, or not at all: a writer that
@@ -54,6 +57,7 @@ class Writer {
 
   private:
     Failure settle(const Failure& failure);
+    std::string name() const { return format.called.empty() ? target.string() : format.called; }
 
     Failure settled; ///< why no more is accepted
 };

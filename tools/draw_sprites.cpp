@@ -101,6 +101,37 @@ void link(Sprite& s) {
     }
 }
 
+void wire_ring(Sprite& s, double y, double diameter, double wire) {
+    for (const auto& [hex, thick] : {std::pair(ink, wire), std::pair(steel, wire - 2 * outline)}) {
+        s.ellipse(0, y, (diameter - wire) / 2, (diameter - wire) / 2);
+        s.line(hex, thick);
+    }
+    s.ellipse(-0.3, y - 0.6, (diameter - wire) / 2, (diameter - wire) / 2);
+    s.line(0xdfe5ec, 0.8, 0.8);
+}
+
+/// A loop of the Godot chain: 24 across.
+void loop(Sprite& s) {
+    wire_ring(s, 0, 24, 5.4);
+}
+
+/// Its anchor: the same, and on top of it what holds it to the ceiling. The ring is in the middle.
+void anchor(Sprite& s) {
+    s.rounded(-5, -24, 10, 15, 2);
+    s.fill(0x66717d);
+    s.line(ink, outline);
+    wire_ring(s, 0, 24, 5.4);
+}
+
+/// The side of a link, from the wire of one loop to that of the next.
+void chain_link(Sprite& s) {
+    s.rounded(-8, -3, 16, 6, 3);
+    s.fill(0x9aa5b1);
+    s.line(ink, outline);
+    s.segment(-5, -1, 5, -1);
+    s.line(0xeef2f6, 0.9, 0.9);
+}
+
 /// One turn of a laid rope, three strands; begins again where it ends.
 void rope(Sprite& s) {
     const double w = s.width, h = s.height;
@@ -393,6 +424,9 @@ int main(int count, char** words) {
         good = sprite.save(folder + name) && good;
     };
     drawn("link.png", 42, 18, link);
+    drawn("loop.png", 24, 24, loop);
+    drawn("anchor.png", 24, 50, anchor);
+    drawn("chain_link.png", 18, 8, chain_link);
     drawn("rope.png", 18, 10, rope);
     drawn("sleeve.png", 84, 18, [](Sprite& s) { limb(s, red, skin, 0.62); });
     drawn("trouser.png", 96, 20, [](Sprite& s) { limb(s, denim, 0xf4efe4, 0.86); });

@@ -6,6 +6,7 @@
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "apps/cli/prefab_names.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -84,9 +85,11 @@ class DescribeCommand final : public Command {
         return {
             .name = "describe",
             .usage = "PREFAB | scene | SECTION [--schema] [--markdown]",
-            .about = "tells what a scene file can say: parameters, units, defaults, ranges",
+            .about = "tells what a scene file can say: parameters, units, defaults, ranges, names",
             .details = "Without a name it lists everything that has one. Defaults and ranges are in metres, kilograms\n"
-                       "and seconds; in a scene in px they are 100 times that a metre, in one in frames 60 a second.\n",
+                       "and seconds; in a scene in px they are 100 times that a metre, in one in frames 60 a second.\n"
+                       "Of a prefab it also tells where its \"at\" is and how its particles, constraints and drawn\n"
+                       "parts are called.\n",
             .examples = "sinew describe\n"
                         "sinew describe rope\n"
                         "sinew describe solver.rules\n"
@@ -115,7 +118,9 @@ class DescribeCommand final : public Command {
         Layout titled = *topic.record;
         titled.name = topic.name();
         titled.about = topic.about;
-        return markdown ? describe_markdown(titled) : sinew::describe(titled);
+        if (markdown) return describe_markdown(titled);
+        const bool is_prefab = topic.path.starts_with("figures.");
+        return sinew::describe(titled) + (is_prefab ? prefab_names(topic.last()) : "");
     }
 
     Words words;

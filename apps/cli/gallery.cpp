@@ -6,6 +6,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/gallery_page.h"
 #include "apps/cli/scene_file.h"
+#include "apps/cli/scrap.h"
 #include "apps/cli/side_by_side.h"
 #include "apps/cli/stepping.h"
 #include "canvas/formats.h"
@@ -13,9 +14,10 @@
 #include "canvas/partial_file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fmt/format.h>
 #include <fstream>
-#include <iterator>
 
 namespace sinew::cli {
 namespace {
@@ -25,30 +27,12 @@ namespace fs = std::filesystem;
 constexpr double most_width = 320, most_height = 240; // pixels
 constexpr double film_fps = 10, film_seconds = 5;
 
-void settle(const canvas::Failure& failure) {
-    give_up_if_interrupted();
-    if (failure) refuse("sinew", *failure);
+std::unique_ptr<canvas::Writer> open(const Scrap& scrap, const Picture& picture) {
+    auto [writer, failure] =
+        canvas::open(scrap.path(), {picture.width, picture.height, film_fps, true, scrap.called()});
+    settle(failure);
+    return std::move(writer);
 }
-
-/// What is written into a file of its own beside the page, as bytes.
-class Scrap {
-  public:
-    Scrap(const fs::path& page, std::string_view ending) { settle(file_.create(page, ending)); }
-
-    std::unique_ptr<canvas::Writer> open(const Picture& picture) {
-        auto [writer, failure] = canvas::open(file_.path(), {picture.width, picture.height, film_fps, true});
-        settle(failure);
-        return std::move(writer);
-    }
-
-    std::string bytes() const {
-        std::ifstream in(file_.path(), std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-
-  private:
-    canvas::PartialFile file_;
-};
 
 /// A scene in one mode: a film of its beginning, and a picture after a fifth of its time.
 struct Reel {
@@ -72,9 +56,10 @@ Reel shoot(const std::string& name, std::string_view mode, const fs::path& page,
     const double seconds = run.session.scene().seconds;
     const auto frames = std::max<std::size_t>(std::size_t(std::min(seconds, film_seconds) * film_fps), 1);
     const auto still_frame = std::min(frames - 1, std::size_t(seconds / 5 * film_fps));
-    Scrap film(page, fmt::format(".{}.webp", number)), still(page, fmt::format(".{}.png", number));
+    Scrap film(page, fmt::format(".{}.webp", number), page.string());
+    Scrap still(page, fmt::format(".{}.png", number), page.string());
     Picture picture = paper_of(run.session.scene());
-    const auto film_writer = film.open(picture), still_writer = still.open(picture);
+    const auto film_writer = open(film, picture), still_writer = open(still, picture);
     for (std::size_t frame = 0; frame < frames; ++frame) {
         run.advance(steps_before(run.session.scene(), double(frame) / film_fps));
         run.session.draw(picture);
@@ -123,9 +108,10 @@ class GalleryCommand final : public Command {
             exhibit.stills.push_back(reels[i].still);
         }
         const auto html = gallery_html(exhibits);
+        errno = 0;
         std::ofstream out(file.path(), std::ios::binary);
         out << html << std::flush;
-        if (!out) refuse(path_, "it cannot be written");
+        if (!out) refuse(path_, std::strerror(errno != 0 ? errno : EIO));
         if (const auto failure = file.commit()) refuse(path_, *failure);
         print(fmt::format("{}: {}, {:.1f} MB\n", path_, count_of(exhibits.size(), "scene"), double(html.size()) / 1e6));
         return done;

@@ -4,6 +4,7 @@
 #include "apps/cli/catalogue.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "sinew/version.h"
 
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+#include "sinew/constraint/kind_table.h"
 #include "sinew/solver/islands.h"
 #include "sinew/solver/rig.h"
 
@@ -11,6 +12,7 @@
 #include "canvas/interrupt.h"
 
 #include <fmt/format.h>
+#include <span>
 
 namespace sinew::cli {
 namespace {
@@ -36,7 +38,7 @@ struct FigureSummary {
 
 template <int D> KindCounts no_constraints() {
     KindCounts counts;
-    Kinds<D>::for_each([&]<class Kind>(std::type_identity<Kind>) { counts.push_back({Kind::name}); });
+    for (const auto& kind : kinds_in<D>) counts.push_back({kind.name});
     return counts;
 }
 
@@ -50,16 +52,24 @@ template <int D, class Real> double mass_of(const World<D, Real>& world, const F
     return mass;
 }
 
-template <class Id> std::vector<std::string> names_in(const NameTable<Id>& named) {
+/// Names that were given, then those by number.
+template <class Id> std::vector<std::string> names_in(const NameTable<Id>& named, std::span<const Numbered> numbered) {
     std::vector<std::string> names;
     for (const auto& [name, id] : named) names.push_back(name);
+    for (const auto& run : numbered)
+        for (std::size_t i = 0; i < run.count; ++i) names.push_back(name_of(run.first + i, std::span(&run, 1)));
     return names;
 }
 
 template <int D, class Real> FigureSummary summary_of(const World<D, Real>& world, const Figure& figure) {
-    FigureSummary summary{
-        figure.name, figure.prefab,       figure.particles.size(),         mass_of(world, figure),
-        0,           no_constraints<D>(), names_in(figure.particle_names), names_in(figure.constraint_names)};
+    FigureSummary summary{figure.name,
+                          figure.prefab,
+                          figure.particles.size(),
+                          mass_of(world, figure),
+                          0,
+                          no_constraints<D>(),
+                          names_in(figure.particle_names, figure.particle_numbers),
+                          names_in(figure.constraint_names, figure.constraint_numbers)};
     for (const auto& constraint : figure.constraints) ++summary.constraints[std::size_t(constraint.kind)].count;
     return summary;
 }

@@ -1,5 +1,6 @@
 #include "sinew/scene/diagnostic.h"
 #include "sinew/scene/text.h"
+#include "sinew/version.h"
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/catalogue.h"

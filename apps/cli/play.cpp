@@ -46,8 +46,16 @@ play::Fetched fetch(const std::string& word, std::span<const Override> overrides
     }
 }
 
+play::Fetched read(const std::string& text, const std::string& name, const std::filesystem::path& beside) {
+    try {
+        return {open_text(text, name, beside.parent_path()), "", {}};
+    } catch (const GiveUp& problem) {
+        return {std::nullopt, plain(problem.message), {}};
+    }
+}
+
 play::Shelf shelf() {
-    play::Shelf shelf{{}, {}, fetch};
+    play::Shelf shelf{{}, {}, fetch, read};
     for (auto& entry : catalogue_index()) {
         shelf.names.push_back(std::move(entry.name));
         shelf.categories.push_back(std::move(entry.category));
@@ -155,7 +163,8 @@ class PlayCommand final : public Command {
         "  1.6 release\n"
         "  2.0 key p\n"
         "  2.1 shot thrown.png\n\n"
-        "Also: scroll N, where PARTICLE, set PATH=VALUE, open SCENE, go STEP, save FILE, end.\n";
+        "Also: scroll N, where PARTICLE, set PATH=VALUE, open SCENE, go STEP, save FILE, state FILE,\n"
+        "paste FILE, answer WORD, choose FILE, end.\n";
     Words words;
     std::string script_path;
     bool as_json = false;

@@ -7,6 +7,7 @@
 #include "apps/cli/report_text.h"
 #include "apps/cli/scene_file.h"
 #include "apps/cli/stepping.h"
+#include "apps/cli/trace.h"
 #include "canvas/interrupt.h"
 
 #include <algorithm>
@@ -42,15 +43,22 @@ class StepTimes {
     std::size_t count = 0;
 };
 
-StepTimes timed(Run& run, std::uint64_t steps, const std::string& label) {
+/// The state before the first step is always a frame of a trace, and so is every `every`th after it.
+struct Tracing {
+    Trace& trace;
+    std::uint64_t every = 1;
+};
+
+StepTimes timed(Run& run, std::uint64_t steps, const std::string& label, std::optional<Tracing> tracing) {
     using Clock = std::chrono::steady_clock;
     StepTimes times;
     canvas::Progress progress(label, std::size_t(steps));
-    for (auto begin = Clock::now(); run.steps() < steps;) {
+    if (tracing) tracing->trace.write(run.session);
+    while (run.steps() < steps) {
+        const auto begin = Clock::now();
         run.advance(run.steps() + 1, progress);
-        const auto end = Clock::now();
-        times.add(std::chrono::duration<double, std::milli>(end - begin).count());
-        begin = end;
+        times.add(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+        if (tracing && run.steps() % tracing->every == 0) tracing->trace.write(run.session);
     }
     return times;
 }
@@ -103,7 +111,7 @@ class RunCommand final : public Command {
     Manual manual() const override {
         return {
             .name = "run",
-            .usage = "SCENE [--seconds S] [--threads N] [--json] [key=value...]",
+            .usage = "SCENE [--seconds S] [--trace FILE] [--pointer FILE] [--threads N] [--json] [key=value...]",
             .about = "steps a scene without drawing it and tells how it ended",
             .details = "With --json the last line is one JSON object: scene, mode, precision, dimension, units,\n"
                        "seconds, steps, particles, constraints, hash, energy {kinetic, potential, stored, total},\n"
@@ -112,10 +120,21 @@ class RunCommand final : public Command {
                        "ms_per_step (median), ms_by_phase (mean), events_count and events (the first 100): torn, cut, "
                        "parted (a figure\n"
                        "fell into so many islands), quarantined and those of the scene. Numbers are in the scene's\n"
-                       "units; one that is not finite is null. The hash is the same on every machine.\n",
+                       "units; one that is not finite is null. The hash is the same on every machine.\n"
+                       "\n"
+                       "A trace holds a row for each particle of each frame, the start among them: time, name,\n"
+                       "position and velocity in the scene's own units, as CSV with a heading where the file ends in\n"
+                       ".csv, otherwise as a JSON object a line. With --trace - the rows go to standard output, and\n"
+                       "what run has to tell to standard error.\n"
+                       "\n"
+                       "A pointer file has a line TIME, X, Y, BUTTON for each turn of a pointer's path, in the\n"
+                       "scene's units (in 3D X and Y are pixels of its picture). The pointer goes straight from one\n"
+                       "place to the next; while BUTTON is not 0 it holds what it was pressed on.\n",
             .examples = "sinew run ragdoll\n"
                         "sinew run ragdoll --seconds 10 --json | jq .hash\n"
                         "sinew run ragdoll mode=classic precision=float world.gravity=[0,0.2]\n"
+                        "sinew run ragdoll --trace ragdoll.csv --every 6 --of bob/head,bob/left_foot\n"
+                        "sinew run chains mode=classic --pointer mouse.csv --trace - | jq .position\n"
                         "generate-a-scene | sinew run - --json\n",
         };
     }
@@ -125,21 +144,36 @@ class RunCommand final : public Command {
         declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S", "how long; else what the scene says");
         declare_number(parser, "--threads", threads, {1, 1024}, "N", "how many work on a step; else one for each core");
         declare_flag(parser, "--json", as_json, "ends with one line of JSON");
+        declare_text(parser, "--trace", trace_path, "FILE", "writes positions and velocities, frame by frame");
+        declare_number(parser, "--every", every, {1, 1e9}, "N", "of a trace: each Nth step only");
+        declare_text(parser, "--of", names, "A,B", "of a trace: these particles and figures; else all");
+        declare_text(parser, "--pointer", pointer_path, "FILE", "plays a pointer's path: time, x, y, button a line");
     }
 
     int run() override {
         Run run(open_file(words.scene, words.overrides));
         std::visit([&](auto& world) { world.threads = int(threads.value_or(0)); }, run.session.world());
+        if (!pointer_path.empty()) run.pointer = PointerPath::read(pointer_path);
+        auto trace = begin_trace(run.session);
         canvas::catch_interrupts();
         const auto& scene = run.session.scene();
         const auto& name = words.scene;
         PhaseTimes phases;
         const Profile profile(phases);
-        const auto times = timed(run, steps_until(scene, seconds.value_or(scene.seconds)), title_of(name));
+        const auto tracing = trace ? std::optional(Tracing{*trace, std::uint64_t(every.value_or(1))}) : std::nullopt;
+        const auto times = timed(run, steps_until(scene, seconds.value_or(scene.seconds)), title_of(name), tracing);
+        if (trace) trace->close();
         const auto milliseconds = times.median();
-        print(as_json ? to_line(to_json(name, run.session, milliseconds, phases))
-                      : summary(name, run.session, milliseconds));
+        const auto text = as_json ? to_line(to_json(name, run.session, milliseconds, phases))
+                                  : summary(name, run.session, milliseconds);
+        trace_path == "-" ? print_error(text) : print(text);
         return done;
+    }
+
+    std::optional<Trace> begin_trace(const Session& session) const {
+        if (!trace_path.empty()) return Trace(trace_path, names, session);
+        if (every || !names.empty()) misused("--every and --of are of a trace", "--trace FILE writes one");
+        return std::nullopt;
     }
 
     static std::string summary(const std::string& name, const Session& session, double milliseconds) {
@@ -150,7 +184,8 @@ class RunCommand final : public Command {
     }
 
     SceneWords words;
-    std::optional<double> seconds, threads;
+    std::optional<double> seconds, threads, every;
+    std::string trace_path, names, pointer_path;
     bool as_json = false;
 };
 

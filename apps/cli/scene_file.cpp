@@ -100,6 +100,12 @@ std::string read_path(const fs::path& path, std::size_t most) {
     return read_at_most(file.get(), path.string(), most);
 }
 
+/// It can be read once; who asks again is given the same.
+const std::string& standard_input(std::size_t most) {
+    static const std::string text = read_at_most(stdin, "<stdin>", most);
+    return text;
+}
+
 /// What the overrides alone say about it.
 std::size_t bytes_allowed(std::span<const Override> overrides) {
     return std::size_t(load("{}", {}, overrides).limits.bytes);
@@ -109,23 +115,40 @@ std::size_t bytes_allowed(std::span<const Override> overrides) {
 
 Document open_document(const std::string& word, std::span<const Override> overrides) {
     const auto most = bytes_allowed(overrides);
-    if (word == "-") return load(read_at_most(stdin, "<stdin>", most), "<stdin>", overrides);
+    if (word == "-") return load(standard_input(most), "<stdin>", overrides);
     const auto path = path_of(word);
     return load(read_path(path, most), path.string(), overrides);
 }
 
-Opened open_file(const std::string& word, std::span<const Override> overrides) {
-    auto document = open_document(word, overrides);
-    const auto folder = word == "-" ? fs::path(".") : path_of(word).parent_path();
+namespace {
+
+/// Files that are read are noted in `read`.
+Opened open_in(const fs::path& folder, Document document, WatchedFiles* read = nullptr) {
+    const auto note = [&](const fs::path& path) {
+        if (read) read->add(path);
+    };
     const auto read_image = [&](const std::string& name, const Limits& limits) {
+        note(folder / name);
         return canvas::read_png(folder / name, name, limits);
     };
     const auto read_obj_file = [&](const std::string& name, const Limits& limits) {
+        note(folder / name);
         return read_model_at(folder / name, name, limits);
     };
     if (auto opened = open_scene(document, read_image, read_obj_file)) return std::move(*opened);
     const PrintStyle style{.color = has_color(stderr), .most = std::size_t(document.limits.errors)};
     throw GiveUp{bad_input, to_text(document.diagnostics, style)};
+}
+
+} // namespace
+
+Opened open_file(const std::string& word, std::span<const Override> overrides, WatchedFiles* read) {
+    if (word != "-" && read) read->add(path_of(word));
+    return open_in(word == "-" ? fs::path(".") : path_of(word).parent_path(), open_document(word, overrides), read);
+}
+
+Opened open_text(const std::string& text, const std::string& name, const fs::path& folder) {
+    return open_in(folder, load(text, name));
 }
 
 fs::path scene_path(const std::string& word) {

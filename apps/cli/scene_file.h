@@ -2,6 +2,8 @@
 
 #include "sinew/scene/scene.h"
 
+#include "apps/cli/watched_files.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -10,8 +12,12 @@
 namespace sinew::cli {
 
 /// Finds, reads and builds a scene: `word` is the path of a file, the name of one of the catalogue, or - for standard
-/// input. Throws GiveUp with all that is wrong with it.
-Opened open_file(const std::string& word, std::span<const Override> overrides = {});
+/// input, which is read once and stays the same. Throws GiveUp with all that is wrong with it. Files that are read are
+/// noted in `read`: the scene, its images and its models, those that cannot be opened among them.
+Opened open_file(const std::string& word, std::span<const Override> overrides = {}, WatchedFiles* read = nullptr);
+
+/// Builds a scene from its text, which messages call `name`; pictures and models are looked for in the folder.
+Opened open_text(const std::string& text, const std::string& name, const std::filesystem::path& folder);
 
 /// The file as it is, unchecked; what is wrong with it is in its diagnostics.
 Document open_document(const std::string& word, std::span<const Override> overrides = {});

@@ -36,18 +36,20 @@ Run::Run(Opened opened) : session(std::move(opened)) {
         session.world());
 }
 
-void Run::advance(std::uint64_t steps) {
-    for (; taken < steps; ++taken) {
-        give_up_if_interrupted();
-        session.step();
-    }
+void Run::step() {
+    give_up_if_interrupted();
+    if (pointer) pointer->lead(session);
+    session.step();
 }
 
-void Run::advance(std::uint64_t steps, canvas::Progress& progress) {
+void Run::advance(std::uint64_t steps) {
+    for (; taken < steps; ++taken) step();
+}
+
+void Run::advance(std::uint64_t steps, canvas::Progress& progress, std::uint64_t others) {
     for (; taken < steps; ++taken) {
-        give_up_if_interrupted();
-        session.step();
-        progress.update(std::size_t(taken));
+        step();
+        progress.update(std::size_t(others + taken));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "sinew/session/session.h"
 
+#include "apps/cli/pointer_file.h"
 #include "canvas/progress.h"
 
 #include <cstdint>
@@ -22,15 +23,18 @@ class Run {
 
     /// Steps on until `steps` are taken in all. Gives up on Ctrl-C.
     void advance(std::uint64_t steps);
-    /// With a progress bar.
-    void advance(std::uint64_t steps, canvas::Progress& progress);
+    /// With a progress bar, which also counts `others`.
+    void advance(std::uint64_t steps, canvas::Progress& progress, std::uint64_t others = 0);
 
     std::uint64_t steps() const { return taken; }
 
     Session session;
+    std::optional<PointerPath> pointer; ///< leads the session's pointer
 
   private:
     std::uint64_t taken = 0;
+
+    void step();
 };
 
 /// Throws what ends a command after Ctrl-C, if that was pressed.

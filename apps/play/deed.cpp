@@ -9,10 +9,14 @@ struct Doer {
     Session& session;
 
     void operator()(const PointAt& deed) const { session.point_at(deed.place); }
-    void operator()(const Grab& deed) const { session.grab(deed.members, deed.place); }
+    void operator()(const Grab& deed) const {
+        std::vector<ParticleId> members;
+        for (const Row row : deed.members) members.push_back(id_at(session.world(), row));
+        session.grab(members, deed.place);
+    }
     void operator()(const Drag& deed) const { session.drag(deed.place); }
     void operator()(const LetGo&) const { session.let_go(); }
-    void operator()(const Slash& deed) const { session.cut(deed.line, {}, deed.view); }
+    void operator()(const Slash& deed) const { session.cut(deed.line, {}, deed.look.view(session.scene())); }
     void operator()(const Become& deed) const { session.become(*deed.scene); }
     void operator()(const Return& deed) const { session = *deed.to; }
     void operator()(const Restart&) const { session.restart(); }
@@ -22,15 +26,30 @@ struct Doer {
             [&]<class WorldT>(WorldT& world) {
                 using Real = typename WorldT::Real;
                 constexpr int D = WorldT::dimension;
-                if (deed.position) set_position(world, deed.particle, deed.position->template as<D, Real>());
-                if (deed.velocity) set_velocity(world, deed.particle, deed.velocity->template as<D, Real>());
-                if (deed.mass) set_mass(world, deed.particle, Real(*deed.mass));
+                const auto id = id_at(session.world(), deed.particle);
+                if (deed.position) set_position(world, id, deed.position->template as<D, Real>());
+                if (deed.velocity) set_velocity(world, id, deed.velocity->template as<D, Real>());
+                if (deed.mass) set_mass(world, id, Real(*deed.mass));
             },
             session.world());
     }
 };
 
 } // namespace
+
+ParticleId id_at(const AnyWorld& world, Row row) {
+    return std::visit(
+        [&](const auto& any) { return row < any.particles.size() ? any.particles.slots.id_of(row) : ParticleId{}; },
+        world);
+}
+
+std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> particles) {
+    constexpr Row none = ~Row(0);
+    std::vector<Row> rows;
+    for (const auto id : particles)
+        rows.push_back(std::visit([&](const auto& any) { return row_of(any, id).value_or(none); }, world));
+    return rows;
+}
 
 void carry_out(const Deed& deed, Session& session) {
     std::visit(Doer{session}, deed);

@@ -42,9 +42,8 @@ std::array<Vec2<double>, 2> extent_of(const AnyWorld& world) {
 
 } // namespace
 
-View Eye::view(const Session& session) const {
-    const auto& section = moved_ ? *moved_ : session.scene().view;
-    return View(session.scene(), section, session.focus(), width_, height_);
+Look Eye::look(const Session& session) const {
+    return {moved_ ? *moved_ : session.scene().view, session.focus(), width_, height_};
 }
 
 ViewSection& Eye::hold(const Session& session) {

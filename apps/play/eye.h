@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/session/session.h"
+#include "apps/play/deed.h"
 
 namespace sinew::play {
 
@@ -10,7 +10,8 @@ class Eye {
     /// The size of the picture, in pixels.
     void resize(int width, int height) { width_ = width, height_ = height; }
 
-    View view(const Session& session) const;
+    Look look(const Session& session) const;
+    View view(const Session& session) const { return look(session).view(session.scene()); }
 
     /// Moves what is seen along with the pointer. Pixels.
     void pan(const Session& session, Vec2<double> by);

@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 
 namespace sinew::play {
 
@@ -38,6 +40,21 @@ fs::path free_path(const fs::path& wanted) {
         path.replace_filename(wanted.stem().string() + "-" + std::to_string(number) + wanted.extension().string());
     }
     return path;
+}
+
+std::optional<std::string> read_file(const fs::path& path, std::size_t most) {
+    std::error_code unknown;
+    if (!fs::is_regular_file(path, unknown) || fs::file_size(path, unknown) > most) return std::nullopt;
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return file ? std::optional(text.str()) : std::nullopt;
+}
+
+std::string full_path(const fs::path& path) {
+    std::error_code unknown;
+    auto full = fs::absolute(path, unknown);
+    return (unknown ? path : full).lexically_normal().string();
 }
 
 } // namespace sinew::play

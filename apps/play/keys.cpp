@@ -1,42 +1,86 @@
 #include "apps/play/keys.h"
 
+#include "apps/play/play.h"
+#include "apps/play/tool.h"
+
+#include <algorithm>
 #include <array>
 
 namespace sinew::play {
 namespace {
 
 constexpr std::array actions = {
-    KeyAction{"p", "pause, and go on", [](Play& play) { play.pause(!play.clock().paused()); }},
-    KeyAction{"o", "one step", [](Play& play) { play.step(); }},
-    KeyAction{"b", "one step back", [](Play& play) { play.step_back(); }},
-    KeyAction{"r", "restart", [](Play& play) { play.restart(); }},
-    KeyAction{"-", "slower", [](Play& play) { play.clock().set_scale(play.clock().scale() / 2); }},
-    KeyAction{"=", "faster", [](Play& play) { play.clock().set_scale(play.clock().scale() * 2); }},
-    KeyAction{"[", "scene before", [](Play& play) { play.open_neighbour(-1); }},
-    KeyAction{"]", "next scene", [](Play& play) { play.open_neighbour(1); }},
-    KeyAction{"home", "see everything", [](Play& play) { play.eye().home(play.session()); }},
-    KeyAction{"u", "perspective or orthographic (3D)",
-              [](Play& play) { play.eye().switch_projection(play.session()); }},
-    KeyAction{"g", "gravity on or off", [](Play& play) { play.toggle_gravity(); }},
-    KeyAction{"w", "wind on or off", [](Play& play) { play.toggle_wind(); }},
-    KeyAction{"c", "classic or physical", [](Play& play) { play.switch_mode(); }},
-    KeyAction{"t", "light or dark", [](Play& play) { play.switch_theme(); }},
-    KeyAction{"s", "screenshot", [](Play& play) { play.screenshot(); }},
-    KeyAction{"v", "record a film", [](Play& play) { play.toggle_recording(); }},
-    KeyAction{"ctrl+z", "undo", [](Play& play) { play.undo(); }},
-    KeyAction{"ctrl+y", "do again", [](Play& play) { play.redo(); }},
-    KeyAction{"ctrl+s", "save", [](Play& play) { play.save_beside(); }},
-    KeyAction{"y", "with the display, or as fast as can be",
+    KeyAction{"pause", "p", "pause, and go on", [](Play& play) { play.pause(!play.clock().paused()); }},
+    KeyAction{"step", "o", "one step", [](Play& play) { play.step(); }},
+    KeyAction{"back", "b", "one step back", [](Play& play) { play.step_back(); }},
+    KeyAction{"restart", "r", "restart", [](Play& play) { play.restart(); }},
+    KeyAction{"slower", "-", "slower", [](Play& play) { play.clock().set_scale(play.clock().scale() / 2); }},
+    KeyAction{"faster", "=", "faster", [](Play& play) { play.clock().set_scale(play.clock().scale() * 2); }},
+    KeyAction{"previous_scene", "[", "scene before", [](Play& play) { play.open_neighbour(-1); }},
+    KeyAction{"next_scene", "]", "next scene", [](Play& play) { play.open_neighbour(1); }},
+    KeyAction{"see_all", "home", "see everything",
+              [](Play& play) { play.each_pane([&] { play.eye().home(play.session()); }); }},
+    KeyAction{"projection", "u", "perspective or orthographic (3D)",
+              [](Play& play) { play.each_pane([&] { play.eye().switch_projection(play.session()); }); }},
+    KeyAction{"gravity", "g", "gravity on or off", [](Play& play) { play.toggle_gravity(); }},
+    KeyAction{"wind", "w", "wind on or off", [](Play& play) { play.toggle_wind(); }},
+    KeyAction{"mode", "c", "classic or physical", [](Play& play) { play.switch_mode(); }},
+    KeyAction{"split", "e", "classic and physical side by side", [](Play& play) { play.toggle_split(); }},
+    KeyAction{"theme", "t", "light or dark", [](Play& play) { play.switch_theme(); }},
+    KeyAction{"screenshot", "s", "screenshot", [](Play& play) { play.screenshot(); }},
+    KeyAction{"film", "v", "record a film", [](Play& play) { play.toggle_recording(); }},
+    KeyAction{"undo", "ctrl+z", "undo", [](Play& play) { play.undo(); }},
+    KeyAction{"redo", "ctrl+y", "do again", [](Play& play) { play.redo(); }},
+    KeyAction{"new", "ctrl+n", "new scene", [](Play& play) { play.open_new(); }},
+    KeyAction{"open", "ctrl+o", "open a file", [](Play& play) { play.ask_for_path(Purpose::open); }},
+    KeyAction{"save", "ctrl+s", "save", [](Play& play) { play.save_or_ask(); }},
+    KeyAction{"save_as", "ctrl+shift+s", "save as", [](Play& play) { play.ask_for_path(Purpose::save); }},
+    KeyAction{"copy", "ctrl+c", "copy the scene as text", [](Play& play) { play.copy_scene(); }},
+    KeyAction{"paste", "ctrl+v", "open the scene in the clipboard", [](Play& play) { play.open_clipboard(); }},
+    KeyAction{"free_running", "y", "with the display, or as fast as can be",
               [](Play& play) { play.free_running = !play.free_running; }},
-    KeyAction{"tab", "panel", [](Play& play) { play.panel = !play.panel; }},
-    KeyAction{"f1", "this help", [](Play& play) { play.help = !play.help; }},
-    KeyAction{"escape", "close, or quit", [](Play& play) { play.close(); }},
+    KeyAction{"panel", "tab", "panel", [](Play& play) { play.panel = !play.panel; }},
+    KeyAction{"settings", "f2", "settings", [](Play& play) { play.settings = !play.settings; }},
+    KeyAction{"help", "f1", "this help", [](Play& play) { play.help = !play.help; }},
+    KeyAction{"close", "escape", "close, or quit", [](Play& play) { play.close(); }},
 };
+
+/// Calls visit(name, usual key) for everything that has a key.
+template <class Visit> void for_each_key(Visit&& visit) {
+    for (const auto& action : actions) visit(action.name, action.key);
+    static const auto tools = all_tools();
+    for (const auto& tool : tools) visit(tool->name(), tool->key());
+}
 
 } // namespace
 
 std::span<const KeyAction> key_actions() {
     return actions;
+}
+
+std::string Keys::of(std::string_view name) const {
+    for (const auto& [own, key] : chosen)
+        if (own == name) return key;
+    std::string found;
+    for_each_key([&](std::string_view known, std::string_view key) {
+        if (known == name) found = key;
+    });
+    return found;
+}
+
+std::string Keys::action_of(std::string_view key) const {
+    std::string found;
+    for_each_key([&](std::string_view name, std::string_view) {
+        if (of(name) == key) found = name;
+    });
+    return found;
+}
+
+std::string Keys::choose(std::string_view name, std::string_view key) {
+    if (auto taken = action_of(key); !taken.empty() && taken != name) return taken;
+    std::erase_if(chosen, [&](const auto& own) { return own.first == name; });
+    if (of(name) != key) chosen.emplace_back(name, key);
+    return "";
 }
 
 /// 1 to 9 are the overlays in their order.
@@ -45,8 +89,9 @@ void press_key(Play& play, std::string_view key) {
         const auto number = std::size_t(key[0] - '1');
         if (number < overlays.size()) play.overlay.flip(number);
     }
+    const auto name = play.keys.action_of(key);
     for (const auto& action : actions)
-        if (action.key == key) action.act(play);
+        if (action.name == name) action.act(play);
 }
 
 } // namespace sinew::play

@@ -1,30 +1,19 @@
 #pragma once
 
-#include "sinew/session/session.h"
-
-#include <optional>
-#include <string>
-#include <vector>
+#include "sinew/session/pick.h"
 
 namespace sinew::play {
 
-/// What a pointer can take hold of.
-struct Picked {
-    std::vector<ParticleId> members; ///< one particle, or several with the place between them
-    Point place;                     ///< of the world
-    double depth = 0;                ///< distance from the eye; 0 in 2D
-    Vec2<float> pixel{};             ///< where it is seen
-    FigureIndex figure = no_figure;
-};
+using sinew::name_of;
+using sinew::pick;
+using sinew::Picked;
+using sinew::place_of;
 
-/// The nearest particle within so many pixels, or else a place on a line between two or within a filled polygon. Only
-/// what can move; nothing where there is none.
-std::optional<Picked> pick(const AnyWorld& world, const View& view, Vec2<double> pixel, double radius);
+/// The particles of the same names in another world; nothing where one has no name or is not there.
+std::optional<std::vector<ParticleId>> namesakes(const AnyWorld& from, std::span<const ParticleId> members,
+                                                 const AnyWorld& to);
 
-/// "bob/right_hand"; "bob" where the particle has no name; empty where it is gone or loose.
-std::string name_of(const AnyWorld& world, ParticleId id);
-
-/// Where the middle of what was picked is now; nothing where part of it is gone.
-std::optional<Point> place_of(const AnyWorld& world, std::span<const ParticleId> members);
+/// What was picked in one world, as the other has it: held as far from its middle.
+std::optional<Picked> counterpart(const AnyWorld& from, const Picked& picked, const AnyWorld& to, const View& view);
 
 } // namespace sinew::play

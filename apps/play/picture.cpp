@@ -6,6 +6,7 @@
 #include "apps/play/tool.h"
 #include "canvas/formats.h"
 
+#include <algorithm>
 #include <utility>
 
 /// What a game looks like, on the screen and in files.
@@ -14,19 +15,16 @@ namespace {
 
 constexpr double film_rate = 30; // frames a second
 
-} // namespace
-
-void Play::draw(Picture& picture) {
-    picture.width = width_, picture.height = height_;
-    tape_->draw(picture, overlay, view(), clock_->paused() ? 1 : clock_->share(), theme);
-    take_pictures(picture);
-    highlight(picture);
-    if (busy_) busy_->draw(*this, picture);
+/// Scene files are called by their paths.
+std::string stem_of(const std::string& name) {
+    return std::filesystem::path(name).stem().string();
 }
+
+} // namespace
 
 /// A ring around what the pointer would take hold of.
 void Play::highlight(Picture& picture) const {
-    if (!hovered || busy_ || !over_) return;
+    if (!hovered || busy_ || !over_ || question || path_request) return;
     const auto place =
         hovered->members.size() == 1 ? place_of(session().world(), hovered->members) : std::optional(hovered->place);
     const auto seen = place ? view().see(place->as<3, double>()) : std::nullopt;
@@ -49,7 +47,7 @@ void Play::switch_theme() {
 }
 
 void Play::screenshot(std::filesystem::path path) {
-    screenshots_.push_back(path.empty() ? free_path("out/" + name_ + ".png") : std::move(path));
+    screenshots_.push_back(path.empty() ? free_path("out/" + stem_of(name_) + ".png") : std::move(path));
 }
 
 void Play::toggle_recording(std::filesystem::path path) {
@@ -57,10 +55,10 @@ void Play::toggle_recording(std::filesystem::path path) {
         const auto failure = film_->finish();
         film_.reset();
         if (failure) return report_problem(*failure);
-        message = "recorded " + film_path_.string();
+        message = "recorded " + full_path(film_path_);
         return tell("recorded", {{"path", film_path_.string()}});
     }
-    film_path_ = path.empty() ? free_path("out/" + name_ + ".mp4") : std::move(path);
+    film_path_ = path.empty() ? free_path("out/" + stem_of(name_) + ".mp4") : std::move(path);
     auto opened = canvas::open(film_path_, {.width = width_, .height = height_, .fps = film_rate});
     if (opened.failure) return report_problem(*opened.failure);
     film_ = std::move(opened.writer);
@@ -79,7 +77,7 @@ void Play::take_pictures(const Picture& picture) {
             report_problem(*failure);
             continue;
         }
-        message = "screenshot " + path.string();
+        message = "screenshot " + full_path(path);
         tell("screenshot", {{"path", path.string()}});
     }
     for (; film_ && film_due_ <= 0; film_due_ += 1 / film_rate)
@@ -89,9 +87,9 @@ void Play::take_pictures(const Picture& picture) {
         }
 }
 
-void Play::save_beside() {
-    const bool own = !path_.empty() && path_.has_extension() && name_.find_first_of("./") != std::string::npos;
-    save(own ? path_ : free_path(name_ + ".json"));
+double Play::hint_strength() const {
+    constexpr double shown = 10, fades = 1; // seconds
+    return hint ? std::clamp((shown - hint_age_) / fades, 0.0, 1.0) : 0;
 }
 
 } // namespace sinew::play

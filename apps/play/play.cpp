@@ -3,8 +3,6 @@
 #include "sinew/solver/measure.h"
 
 #include "apps/play/files.h"
-#include "apps/play/keys.h"
-#include "apps/play/scene_edit.h"
 #include "apps/play/tool.h"
 
 #include <algorithm>
@@ -15,15 +13,24 @@
 namespace sinew::play {
 namespace {
 
-constexpr double reach = 18;        // nominal pixels: how near the pointer must be to what it takes
 constexpr double a_notch = 1.15;    // how much larger a notch of the wheel shows things
 constexpr double most_notches = 20; // at once
 constexpr double look_every = 0.5;  // seconds between looks at the scene's file
 
-bool has_pointer_pins(const Scene& scene) {
-    return std::any_of(scene.pins.begin(), scene.pins.end(), [](const PinSection& pin) {
-        return pin.driver && std::holds_alternative<PointerDriver>(*pin.driver);
-    });
+bool follows_pointer(const PinSection& pin) {
+    return pin.driver && std::holds_alternative<PointerDriver>(*pin.driver);
+}
+
+bool has_hover(const std::vector<std::pair<std::string, sinew::Look>>& looks) {
+    return std::any_of(looks.begin(), looks.end(), [](const auto& look) { return !look.second.hover.empty(); });
+}
+
+/// Whether a pointer that only moves does something to the scene.
+bool feels_pointer(const Scene& scene) {
+    return scene.solver.rules.hover_freezes || has_hover(scene.looks) ||
+           std::any_of(scene.pins.begin(), scene.pins.end(), follows_pointer) ||
+           std::any_of(scene.figures.begin(), scene.figures.end(),
+                       [](const FigureSection& figure) { return has_hover(figure.looks); });
 }
 
 } // namespace
@@ -38,48 +45,35 @@ std::vector<std::unique_ptr<Tool>> all_tools() {
 
 Play::Play(Shelf shelf, std::string scene, std::vector<Override> overrides)
     : shelf_(std::move(shelf)), tools_(all_tools()) {
-    open(scene, std::move(overrides));
+    open_now(scene, std::move(overrides));
 }
 
 Play::~Play() = default;
 
 // --- scenes ----------------------------------------------------------------------------------------------------------
 
-void Play::open(const std::string& scene, std::vector<Override> overrides) {
-    auto fetched = shelf_.fetch(scene, overrides);
-    if (!fetched.opened) return report_problem(std::move(fetched.problem));
-    let_go_of_everything();
-    name_ = scene;
-    overrides_ = std::move(overrides);
-    begin(std::move(fetched));
-    tell("scene", {{"name", name_}});
+void Play::begin(Fetched fetched) {
+    path_ = beside_ = std::move(fetched.path);
+    written_ = time_written(path_);
+    std::vector<Pane> panes;
+    panes.push_back({Tape(Session(std::move(*fetched.opened))), {}});
+    begin(std::move(panes));
 }
 
-void Play::begin(Fetched fetched) {
+void Play::begin(std::vector<Pane> panes) {
     problem_.clear();
     message.clear();
     hovered.reset(), selected.reset();
-    saved_edits_ = 0;
-    told_ = 0;
-    path_ = std::move(fetched.path);
-    written_ = time_written(path_);
+    saved_edits_ = draft_edits_ = 0;
     const double scale = clock_ ? clock_->scale() : 1;
     const bool paused = clock_ && clock_->paused();
-    clock_.emplace(fetched.opened->scene.solver.rate);
+    panes_ = std::move(panes);
+    active_ = 0;
+    saved_as_ = saved_text();
+    clock_.emplace(session().scene().solver.rate);
     clock_->set_scale(scale);
     clock_->pause(paused);
-    tape_.emplace(Session(std::move(*fetched.opened)));
-    eye_ = {};
-    eye_.resize(width_, height_);
-}
-
-void Play::open_neighbour(int by) {
-    const auto& names = shelf_.names;
-    if (names.empty()) return;
-    const auto found = std::find(names.begin(), names.end(), name_);
-    const auto count = std::ptrdiff_t(names.size());
-    const auto here = found == names.end() ? (by > 0 ? -1 : 0) : found - names.begin();
-    open(names[std::size_t((here + by + count) % count)]);
+    resize_eyes();
 }
 
 void Play::report_problem(std::string text) {
@@ -98,7 +92,9 @@ void Play::look_at_file(double seconds) {
     auto fetched = shelf_.fetch(name_, overrides_);
     if (!fetched.opened) return report_problem(std::move(fetched.problem));
     let_go_of_everything();
+    const bool split = is_split();
     begin(std::move(fetched));
+    if (split) toggle_split();
     tell("reloaded", {{"name", name_}});
 }
 
@@ -106,9 +102,16 @@ void Play::look_at_file(double seconds) {
 
 void Play::advance(double seconds, const std::function<bool()>& enough) {
     film_due_ -= seconds;
+    if (hint) hint_age_ += seconds;
+    if (restoration_) {
+        restoration_->advance(enough);
+        if (restoration_->done()) end_restoration();
+        return;
+    }
     look_at_file(seconds);
+    tend_draft(seconds);
     for (int due = clock_->advance(seconds); due > 0; --due) {
-        tape_->step();
+        each_pane([&] { tape().step(); });
         tell_happenings();
         if (enough && due > 1 && enough()) {
             clock_->forget();
@@ -116,6 +119,7 @@ void Play::advance(double seconds, const std::function<bool()>& enough) {
         }
     }
     if (over_ && !held_) hovered = pick_here(); // things move under a pointer that rests
+    find_selected_again();
 }
 
 void Play::pause(bool on) {
@@ -126,138 +130,30 @@ void Play::pause(bool on) {
 
 void Play::step() {
     pause(true);
-    tape_->step();
+    each_pane([&] { tape().step(); });
     tell_happenings();
     tell("step", {{"hash", hash()}});
 }
 
 void Play::step_back() {
     pause(true);
-    if (tape_->now() > tape_->first()) tape_->go_to(tape_->now() - 1);
+    each_pane([&] {
+        if (tape().now() > tape().first()) tape().go_to(tape().now() - 1);
+    });
     tell("back", {{"hash", hash()}});
 }
 
 void Play::go_to(std::uint64_t step) {
     let_go_of_everything();
     pause(true);
-    tape_->go_to(step);
+    each_pane([&] { tape().go_to(step); });
     tell("scrub", {{"hash", hash()}});
-}
-
-void Play::close() {
-    if (help)
-        help = false;
-    else if (!problem_.empty())
-        problem_.clear();
-    else
-        quit = true;
 }
 
 void Play::restart() {
     let_go_of_everything();
-    tape_->act(Restart{});
+    each_pane([&] { tape().act(Restart{}); });
     tell("restart");
-}
-
-// --- edits -----------------------------------------------------------------------------------------------------------
-
-void Play::undo() {
-    let_go_of_everything();
-    const auto what = tape_->undo_name();
-    if (!tape_->undo()) return;
-    message = "undone: " + what;
-    tell("undo", {{"edit", what}, {"hash", hash()}});
-}
-
-void Play::redo() {
-    let_go_of_everything();
-    const auto what = tape_->redo_name();
-    if (!tape_->redo()) return;
-    message = "done again: " + what;
-    tell("redo", {{"edit", what}, {"hash", hash()}});
-}
-
-void Play::become(Scene scene, std::string name, bool goes_on) {
-    let_go_of_everything();
-    tape_->edit(Become{std::make_shared<const Scene>(std::move(scene))}, name, goes_on);
-    clock_->set_rate(session().scene().solver.rate);
-    tell("edit", {{"edit", std::move(name)}});
-}
-
-void Play::edit(Deed deed, std::string name) {
-    tape_->edit(std::move(deed), name, tape_->undo_name() == name);
-    tell("edit", {{"edit", std::move(name)}});
-}
-
-bool Play::add_figure(json::Object figure, const std::string& name) {
-    auto changed = edited(session().scene(), [&](json::Object& root) { append(root, "figures", std::move(figure)); });
-    if (!changed.scene) return report_problem(std::move(changed.problem)), false;
-    become(std::move(*changed.scene), "add " + name);
-    tell("add", {{"figure", name}});
-    return true;
-}
-
-bool Play::set(const std::string& path, const std::string& value, bool goes_on) {
-    const std::array<Override, 1> overrides = {{{path + "=" + value, "the panel"}}};
-    auto changed = edited(session().scene(), overrides);
-    if (!changed.scene) return report_problem(std::move(changed.problem)), false;
-    become(std::move(*changed.scene), path, goes_on);
-    return true;
-}
-
-/// The file may say more about the other mode than which it is.
-void Play::switch_mode() {
-    const std::string other = session().scene().solver.mode == "classic" ? "physical" : "classic";
-    if (is_edited()) {
-        set("solver.mode", other);
-        return;
-    }
-    auto overrides = overrides_;
-    std::erase_if(overrides, [](const Override& one) { return one.pair.starts_with("mode="); });
-    overrides.push_back({"mode=" + other, "the panel"});
-    open(name_, std::move(overrides));
-}
-
-void Play::toggle_gravity() {
-    auto scene = session().scene();
-    const bool on = !(scene.world.gravity == Point{});
-    if (on)
-        gravity_ = scene.world.gravity;
-    else if (gravity_ == Point{})
-        gravity_[1] =
-            (scene.units.up == "-y" ? 9.81 : -9.81) * scene.measures().per_metre / square(scene.measures().per_second);
-    scene.world.gravity = on ? Point{} : gravity_;
-    become(std::move(scene), on ? "no gravity" : "gravity");
-    message = on ? "no gravity" : "gravity";
-}
-
-void Play::toggle_wind() {
-    auto scene = session().scene();
-    auto& forces = scene.world.forces;
-    const auto is_wind = [](const ForceSection& section) { return std::holds_alternative<WindForce>(section.force); };
-    const bool on = std::any_of(forces.begin(), forces.end(), is_wind);
-    if (on) {
-        std::erase_if(forces, is_wind);
-    } else {
-        const auto units = scene.measures();
-        WindForce wind;
-        wind.velocity[0] = 6 * units.per_metre / units.per_second;
-        wind.gust[0] = 4 * units.per_metre / units.per_second;
-        wind.gust_period = 1.5 * units.per_second;
-        wind.strength = 0.15 / units.per_second;
-        forces.push_back({wind});
-    }
-    become(std::move(scene), on ? "no wind" : "wind");
-    message = on ? "no wind" : "wind";
-}
-
-bool Play::save(const std::filesystem::path& path) {
-    if (auto failure = write_file(path, text_of(session()))) return report_problem(std::move(*failure)), false;
-    if (path == path_) written_ = time_written(path_);
-    saved_edits_ = tape_->edits();
-    message = "saved " + path.string();
-    tell("saved", {{"path", path.string()}});
-    return true;
 }
 
 // --- input -----------------------------------------------------------------------------------------------------------
@@ -265,7 +161,11 @@ bool Play::save(const std::filesystem::path& path) {
 void Play::resize(int width, int height, double density) {
     width_ = std::max(width, 1), height_ = std::max(height, 1);
     density_ = density > 0 ? density : 1;
-    eye_.resize(width_, height_);
+    resize_eyes();
+}
+
+void Play::zoom(double factor) {
+    each_pane([&] { eye().zoom(session(), pointer_, factor); });
 }
 
 void Play::handle(const Input& input) {
@@ -279,12 +179,11 @@ void Play::handle(const Input& input) {
             const auto& scene = play.session().scene();
             if (scene.pointer.wheel_quickens > 0 && scene.solver.mode == "classic")
                 return play.tape().act(Quicken{notches * scene.pointer.wheel_quickens});
-            const double factor = std::pow(a_notch, notches);
-            play.eye_.zoom(play.session(), play.pointer_, factor);
+            play.zoom(std::pow(a_notch, notches));
         }
         void operator()(const Pinched& pinched) const {
-            play.eye_.pan(play.session(), pinched.by);
-            play.eye_.zoom(play.session(), play.pointer_, pinched.factor);
+            play.each_pane([&] { play.eye().pan(play.session(), pinched.by); });
+            play.zoom(pinched.factor);
         }
         void operator()(const Key& key) const { play.key(key.name); }
         void operator()(const KeyUp& key) const {
@@ -295,21 +194,49 @@ void Play::handle(const Input& input) {
     std::visit(Handler{*this}, input);
 }
 
-std::optional<Picked> Play::pick_here() const {
-    return pick(session().world(), view(), pointer_, reach * density_);
+void Play::select(std::optional<Picked> picked) {
+    selected = std::move(picked);
+    selected_names_.clear();
+    if (!selected) return;
+    for (const auto id : selected->members) selected_names_.push_back(name_of(session().world(), id));
 }
 
+/// An edit makes the scene's world anew: its particles have other ids then, but the same names.
+void Play::find_selected_again() {
+    if (!selected) return;
+    const auto& world = session().world();
+    for (std::size_t i = 0; i < selected_names_.size(); ++i) {
+        auto& id = selected->members[i];
+        if (place_of(world, {&id, 1})) continue;
+        const auto named = std::visit([&](const auto& any) { return find_particle(any, selected_names_[i]); }, world);
+        id = named.value_or(id);
+    }
+}
+
+std::optional<Picked> Play::pick_here() const {
+    return pick(session().world(), view(), pointer_, pick_radius * density_);
+}
+
+/// A drag that began in a pane stays there.
 void Play::moved(Vec2<double> to) {
-    const auto by = to - pointer_;
+    const auto last = active_;
+    if (!held_)
+        for (std::size_t i = 0; i < panes_.size(); ++i)
+            if (to[0] >= pane_left(i)) switch_pane(i);
+    to[0] -= pane_left(active_);
+    const auto by = last == active_ ? to - pointer_ : Vec2<double>{};
     pointer_ = to;
     over_ = true;
     if (busy_) return busy_->move(*this);
     const bool around = held_ == Button::left || held_ == Button::right;
-    if (held_ && (held_ == Button::middle || space_)) return eye_.pan(session(), by);
-    if (held_ && around) return eye_.orbit(session(), by);
+    if (held_ && (held_ == Button::middle || space_)) return each_pane([&] { eye().pan(session(), by); });
+    if (held_ && around) return each_pane([&] { eye().orbit(session(), by); });
     hovered = pick_here();
-    if (has_pointer_pins(session().scene()) && !clock_->paused())
-        tape_->act(PointAt{view().place_of(pointer_, hovered ? hovered->depth : 1)});
+    if (clock_->paused()) return;
+    each_pane([&] {
+        if (feels_pointer(session().scene()))
+            tape().act(PointAt{view().place_of(pointer_, hovered ? hovered->depth : 1)});
+    });
 }
 
 Tool& Play::current_tool() {
@@ -320,7 +247,7 @@ Tool& Play::current_tool() {
 
 /// With the grab tool, pressing where nothing is turns a 3D scene.
 void Play::pressed(Button button) {
-    if (held_) return;
+    if (held_ || question || restoration_) return;
     held_ = button;
     if (button == Button::middle || space_) return;
     auto& chosen = current_tool();
@@ -333,6 +260,7 @@ void Play::pressed(Button button) {
         for (auto& one : tools_)
             if (one->name() == "cut") busy_ = one.get();
     busy_->press(*this);
+    if (session().holds()) hint = false;
 }
 
 void Play::released(Button button) {
@@ -347,9 +275,12 @@ void Play::let_go_of_everything() {
 }
 
 void Play::key(const std::string& name) {
+    const auto action = keys.action_of(name);
+    const bool is_page = settings && action == "settings";
+    if ((question || path_request || settings) && action != "close" && !is_page) return;
     if (name == "space") space_ = true;
     for (auto& one : tools_)
-        if (one->key() == name) {
+        if (one->name() == action) {
             let_go_of_everything();
             tool = one->name();
             message = std::string(one->name()) + ": " + std::string(one->about());
@@ -361,7 +292,7 @@ void Play::key(const std::string& name) {
 // --- what is told ----------------------------------------------------------------------------------------------------
 
 void Play::tell(std::string what, json::Object more) {
-    if (listener) listener({std::move(what), std::move(more)});
+    if (listener && !muted_) listener({std::move(what), std::move(more)});
 }
 
 std::string Play::hash() const {
@@ -373,8 +304,9 @@ std::string Play::hash() const {
 
 void Play::tell_happenings() {
     const auto& all = session().happenings();
-    if (told_ > all.size()) told_ = all.size(); // it went back
-    for (; told_ < all.size(); ++told_) tell(all[told_].what, {{"where", all[told_].where}});
+    auto& told = pane().told;
+    told = std::min(told, all.size()); // it went back
+    for (; told < all.size(); ++told) tell(all[told].what, {{"where", all[told].where}});
 }
 
 } // namespace sinew::play

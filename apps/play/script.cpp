@@ -4,6 +4,7 @@
 #include "sinew/scene/text.h"
 #include "sinew/solver/edit.h"
 
+#include "apps/play/files.h"
 #include "apps/play/touch.h"
 
 #include <algorithm>
@@ -20,9 +21,11 @@ struct Action {
     std::size_t least, most; ///< words after it
 };
 constexpr std::array script_actions = {
-    Action{"move", 1, 4},  Action{"press", 0, 1}, Action{"release", 0, 1}, Action{"scroll", 1, 1}, Action{"key", 1, 1},
-    Action{"where", 1, 1}, Action{"set", 1, 1},   Action{"open", 1, 1},    Action{"drop", 1, 1},   Action{"go", 1, 1},
-    Action{"save", 1, 1},  Action{"shot", 1, 1},  Action{"end", 0, 0},     Action{"touch", 3, 5},  Action{"lift", 1, 1},
+    Action{"move", 1, 4},   Action{"press", 0, 1},  Action{"release", 0, 1}, Action{"scroll", 1, 1},
+    Action{"key", 1, 1},    Action{"where", 1, 1},  Action{"set", 1, 1},     Action{"open", 1, 1},
+    Action{"drop", 1, 1},   Action{"go", 1, 1},     Action{"save", 1, 1},    Action{"shot", 1, 1},
+    Action{"end", 0, 0},    Action{"touch", 3, 5},  Action{"lift", 1, 1},    Action{"state", 1, 1},
+    Action{"answer", 1, 1}, Action{"choose", 1, 1}, Action{"paste", 1, 1},
 };
 
 std::optional<double> number_of(const std::string& text) {
@@ -178,6 +181,15 @@ class Player {
             play_.open(words[0]);
         } else if (action == "save") {
             play_.save(words[0]);
+        } else if (action == "state") {
+            play_.save_state(words[0]);
+        } else if (action == "choose") {
+            if (!play_.path_request) return "no path was asked for";
+            play_.choose(words[0]);
+        } else if (action == "paste") {
+            return paste(words[0]);
+        } else if (action == "answer") {
+            return answer(words[0]);
         } else if (action == "shot") {
             play_.screenshot(words[0]);
         }
@@ -230,6 +242,24 @@ class Player {
         return "";
     }
 
+    std::string answer(const std::string& name) {
+        if (!play_.question) return "nothing was asked";
+        std::vector<std::string_view> names;
+        for (const auto& one : play_.question->answers) names.push_back(one.name);
+        if (std::ranges::find(names, name) == names.end())
+            return in_quotes(name) + " is no answer; " + suggest(name, names);
+        play_.answer(name);
+        return "";
+    }
+
+    std::string paste(const std::string& path) {
+        constexpr std::size_t most = 64u << 20; // bytes
+        const auto text = read_file(path, most);
+        if (!text) return path + " cannot be read";
+        play_.open_text(*text, path);
+        return "";
+    }
+
     std::string where(const std::string& name) {
         const auto id = particle(name);
         const auto place = id ? place_of(play_.session().world(), {&*id, 1}) : std::nullopt;
@@ -262,12 +292,12 @@ ReadScript read_script(const std::string& text) {
 
 std::string run_script(const Script& script, Play& play, const std::function<void(double)>& frame) {
     Player player(script, play);
-    Picture picture;
+    std::vector<Picture> pictures;
     play.resize(script.width, script.height);
     for (std::uint64_t i = 0; !player.over(); ++i) {
         const double now = double(i) / script.fps;
         if (auto problem = player.perform(now); !problem.empty()) return problem;
-        play.draw(picture);
+        play.draw_panes(pictures);
         if (frame) frame(now);
         play.advance(1 / script.fps);
     }

@@ -23,6 +23,10 @@
 ///     2.4 drop mine.json               a file
 ///     2.5 go 120                       the timeline, to a step
 ///     2.6 save mine.json
+///     2.6 state run.json               the running state; `open` restores it
+///     2.7 paste mine.json              its text, as from the clipboard
+///     2.7 answer discard               a question
+///     2.7 choose mine.json             a path that was asked for
 ///     2.7 shot mine.png
 ///     3.0 end
 ///

@@ -24,6 +24,9 @@ struct Shelf {
     std::vector<std::string> names;      ///< of the catalogue, in the order in which they are shown
     std::vector<std::string> categories; ///< of each; none where that is not known
     std::function<Fetched(const std::string& word, std::span<const Override> overrides)> fetch;
+    /// Opens a scene from its text, which messages call `name`; pictures and models are looked for beside the file
+    /// `beside`, or in the current folder where that is empty.
+    std::function<Fetched(const std::string& text, const std::string& name, const std::filesystem::path& beside)> read;
 };
 
 } // namespace sinew::play

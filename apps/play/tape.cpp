@@ -46,13 +46,20 @@ bool leaps(const Deed& deed) {
 
 } // namespace
 
-Tape::Tape(Session session) : session_(std::move(session)), spacing_(steps_in(between_marks, session_)) {
+Tape::Tape(Session session)
+    : session_(std::move(session)), log_(session_), spacing_(steps_in(between_marks, session_)) {
+    mark();
+}
+
+Tape::Tape(Session session, ActionLog log)
+    : session_(std::move(session)), log_(std::move(log)), spacing_(steps_in(between_marks, session_)) {
     mark();
 }
 
 void Tape::step() {
     between_.remember(session_.world());
     session_.step();
+    log_.step();
     ++now_;
     if (now_ > end_) {
         end_ = now_;
@@ -61,13 +68,20 @@ void Tape::step() {
     arrive();
 }
 
+void Tape::apply(const Deed& deed) {
+    carry_out(deed, session_);
+    log_.note(deed, session_);
+    if (leaps(deed)) between_.forget();
+}
+
+Return Tape::return_here() const {
+    return {std::make_shared<const Session>(session_), log_.now()};
+}
+
 void Tape::arrive() {
     const auto here = std::lower_bound(done_.begin(), done_.end(), now_,
                                        [](const Done& done, std::uint64_t step) { return done.step < step; });
-    for (auto done = here; done != done_.end() && done->step == now_; ++done) {
-        carry_out(done->deed, session_);
-        if (leaps(done->deed)) between_.forget();
-    }
+    for (auto done = here; done != done_.end() && done->step == now_; ++done) apply(done->deed);
 }
 
 void Tape::go_to(std::uint64_t step) {
@@ -81,6 +95,7 @@ void Tape::go_to(std::uint64_t step) {
     const auto& mark = *std::prev(after);
     between_.forget();
     session_ = mark.session;
+    log_.go_to(mark.at);
     now_ = mark.step;
     arrive();
     while (now_ < step) this->step();
@@ -95,8 +110,7 @@ void Tape::draw(Picture& picture, OverlaySet overlay, const View& view, double s
 
 void Tape::act(Deed deed) {
     forget_the_future();
-    if (leaps(deed)) between_.forget();
-    carry_out(deed, session_);
+    apply(deed);
     if (!replace_last<Drag>(done_, now_, deed) && !replace_last<PointAt>(done_, now_, deed))
         done_.push_back({now_, std::move(deed)});
 }
@@ -109,7 +123,7 @@ void Tape::forget_the_future() {
 
 /// Old marks go, and with them what was done before the first that stays.
 void Tape::mark() {
-    marks_.push_back({now_, session_});
+    marks_.push_back({now_, session_, log_.now()});
     const auto kept = steps_in(remembered, session_);
     while (marks_.size() > 1 && marks_[1].step + kept <= now_) marks_.pop_front();
     while (!done_.empty() && done_.front().step < marks_.front().step) done_.pop_front();
@@ -135,15 +149,15 @@ void Tape::edit(Deed deed, std::string name, bool goes_on) {
     if (std::holds_alternative<Become>(deed))
         edit.back = Become{std::make_shared<const Scene>(session_.scene())};
     else
-        edit.back = Return{std::make_shared<const Session>(session_)};
+        edit.back = return_here();
     act(std::move(deed));
-    if (!std::holds_alternative<Become>(edit.again)) edit.again = Return{std::make_shared<const Session>(session_)};
+    if (!std::holds_alternative<Become>(edit.again)) edit.again = return_here();
     edits_.push_back(std::move(edit));
     if (edits_.size() > most_edits) edits_.pop_front();
 }
 
 void Tape::finish_edit() {
-    if (!edits_.empty()) edits_.back().again = Return{std::make_shared<const Session>(session_)};
+    if (!edits_.empty()) edits_.back().again = return_here();
 }
 
 void Tape::forget_edit() {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "apps/play/action_log.h"
 #include "apps/play/between.h"
-#include "apps/play/deed.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +18,12 @@ namespace sinew::play {
 class Tape {
   public:
     explicit Tape(Session session);
+    /// Goes on from a session that has a past: `log` leads to it.
+    Tape(Session session, ActionLog log);
 
     const Session& session() const { return session_; }
+    /// All that led from the start of a scene to now.
+    Recipe recipe() const { return log_.recipe(); }
 
     std::uint64_t now() const { return now_; }
     std::uint64_t first() const { return marks_.front().step; } ///< that can be gone to
@@ -56,6 +60,7 @@ class Tape {
     struct Mark {
         std::uint64_t step = 0;
         Session session; ///< on arrival, before what was done there
+        Branch at;       ///< of the log, then
     };
     struct Done {
         std::uint64_t step = 0;
@@ -66,11 +71,14 @@ class Tape {
         Deed back, again;
     };
 
+    void apply(const Deed& deed);
+    Return return_here() const;
     void arrive();
     void mark();
     void forget_the_future();
 
     Session session_;
+    ActionLog log_;
     Between between_;
     std::uint64_t now_ = 0, end_ = 0;
     std::uint64_t spacing_ = 0; ///< steps between marks

@@ -1,59 +1,13 @@
 #include "apps/window/bars.h"
 
 #include "apps/play/tool.h"
-#include "apps/window/icons.h"
+#include "apps/window/label.h"
 
 #include <algorithm>
 #include <cstdio>
 
 namespace sinew::window {
 namespace {
-
-/// A square with an icon; `on` fills it.
-bool icon_button(std::string_view icon, float side, bool on, const Look& look, const std::string& tip) {
-    const auto at = ImGui::GetCursorScreenPos();
-    const std::string id = "##" + std::string(icon) + tip;
-    const bool pressed = ImGui::InvisibleButton(id.c_str(), {side, side});
-    const bool hovered = ImGui::IsItemHovered();
-    auto& list = *ImGui::GetWindowDrawList();
-    if (on || hovered)
-        list.AddRectFilled(at, {at.x + side, at.y + side}, packed(on ? look.accent : look.raised), side * 0.22F);
-    draw_icon(list, icon, {at.x + side / 2, at.y + side / 2}, side * 0.27F, packed(on ? look.on_accent : look.text));
-    if (hovered && !tip.empty()) {
-        ImGui::BeginTooltip();
-        ImGui::TextUnformatted(tip.c_str());
-        ImGui::EndTooltip();
-    }
-    return pressed;
-}
-
-/// Some words of which one is chosen, in one frame. The number of the one that is pressed, or -1.
-int choice(const char* id, std::initializer_list<const char*> words, int chosen, const Look& look, float width) {
-    const auto at = ImGui::GetCursorScreenPos();
-    const float height = ImGui::GetFrameHeight(), each = width / float(words.size());
-    auto& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + width, at.y + height}, packed(look.raised), height * 0.3F);
-    int pressed = -1, number = 0;
-    ImGui::PushID(id);
-    for (const char* word : words) {
-        const ImVec2 corner{at.x + each * float(number), at.y};
-        ImGui::SetCursorScreenPos(corner);
-        ImGui::PushID(number);
-        if (ImGui::InvisibleButton("word", {each, height})) pressed = number;
-        ImGui::PopID();
-        const float inset = 2;
-        if (number == chosen)
-            list.AddRectFilled({corner.x + inset, corner.y + inset},
-                               {corner.x + each - inset, corner.y + height - inset}, packed(look.surface),
-                               height * 0.26F);
-        const auto size = ImGui::CalcTextSize(word);
-        list.AddText({corner.x + (each - size.x) / 2, corner.y + (height - size.y) / 2},
-                     packed(number == chosen ? look.text : look.faint), word);
-        ++number;
-    }
-    ImGui::PopID();
-    return pressed;
-}
 
 std::string clock_text(double seconds) {
     char text[32];
@@ -84,85 +38,127 @@ void timeline(play::Play& play, const Look& look, float width, float scale) {
 
 } // namespace
 
-void tool_bar(play::Play& play, const Look& look, float scale) {
-    const float side = 40 * scale;
-    ImGui::SetCursorPos({8 * scale, 10 * scale});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 4 * scale));
-    ImGui::BeginGroup();
+void tool_bar(play::Play& play, const Layout& layout, const Look& look, float scale) {
+    const float side = layout.tool_side, gap = 4 * scale, left = 8 * scale, top = 10 * scale;
+    int number = 0;
+    const auto button = [&](std::string_view icon, bool on, const std::string& tip) {
+        const int column = number % layout.tool_columns, row = number / layout.tool_columns;
+        ++number;
+        ImGui::SetCursorPos({left + float(column) * (side + gap), top + float(row) * (side + gap)});
+        return icon_button(icon, side, on, look, tip);
+    };
     static const auto tools = play::all_tools();
     for (const auto& tool : tools) {
-        const auto tip =
-            std::string(tool->name()) + "  (" + std::string(tool->key()) + ")\n" + std::string(tool->about());
-        if (icon_button(tool->name(), side, play.tool == tool->name(), look, tip)) play.tool = tool->name();
+        const auto name = std::string(tool->name());
+        const auto tip = name + "  (" + play.keys.of(name) + ")\n" + std::string(tool->about());
+        if (button(tool->name(), play.tool == name, tip)) play.tool = name;
     }
-    ImGui::Dummy({0, 6 * scale});
-    if (icon_button("undo", side, false, look, "undo " + play.tape().undo_name())) play.undo();
-    if (icon_button("redo", side, false, look, "do again " + play.tape().redo_name())) play.redo();
-    ImGui::EndGroup();
-    ImGui::PopStyleVar();
+    const auto with_key = [&](const char* word, const std::string& what, const char* action) {
+        return std::string(word) + (what.empty() ? "" : " " + what) + "  (" + play.keys.of(action) + ")";
+    };
+    if (button("undo", false, with_key("undo", play.tape().undo_name(), "undo"))) play.undo();
+    if (button("redo", false, with_key("do again", play.tape().redo_name(), "redo"))) play.redo();
 }
 
-void time_bar(play::Play& play, const Look& look, const Fonts& fonts, float scale) {
-    const float side = 38 * scale, top = 13 * scale;
-    ImGui::SetCursorPos({14 * scale, top});
-    if (icon_button("restart", side, false, look, "restart (r)")) play.restart();
+namespace {
+
+constexpr std::array scales = {0.1, 0.25, 0.5, 1.0, 2.0};
+constexpr std::array scale_words = {"0.1", "\xc2\xbc", "\xc2\xbd", "1", "2"};
+
+/// The place of the clock's scale among those offered, or -1.
+int chosen_scale(play::Play& play) {
+    for (std::size_t i = 0; i < scales.size(); ++i)
+        if (play.clock().scale() == scales[i]) return int(i);
+    return -1;
+}
+
+/// All speeds, or where there is no room the current one, which gives way to the next when pressed.
+void speeds(play::Play& play, const Look& look, float width, bool all) {
+    const int chosen = chosen_scale(play);
+    if (all) {
+        const int pressed =
+            choice("speed", {scale_words[0], scale_words[1], scale_words[2], scale_words[3], scale_words[4]}, chosen,
+                   look, width);
+        if (pressed >= 0) play.clock().set_scale(scales[std::size_t(pressed)]);
+        return;
+    }
+    char text[16];
+    std::snprintf(text, sizeof text, "%.3g\xc3\x97", play.clock().scale());
+    const std::string word = chosen >= 0 ? scale_words[std::size_t(chosen)] + std::string("\xc3\x97") : text;
+    if (ImGui::Button((word + "##speed").c_str(), {width, 0}))
+        play.clock().set_scale(scales[std::size_t(chosen + 1) % scales.size()]);
+    tooltip("speed of time: press for the next");
+}
+
+} // namespace
+
+void time_bar(play::Play& play, const Layout& layout, const Look& look, const Fonts& fonts, float scale) {
+    const float side = layout.time_side, top = (float(layout.time.height) - side) / 2;
+    const bool roomy = float(layout.time.width) > 560 * scale;
+    const float gap = (roomy ? 14 : 8) * scale;
+    ImGui::SetCursorPos({gap, top});
+    const auto with_key = [&](const char* word, const char* action) {
+        return std::string(word) + "  (" + play.keys.of(action) + ")";
+    };
+    if (icon_button("restart", side, false, look, with_key("restart", "restart"))) play.restart();
     ImGui::SameLine(0, 2 * scale);
-    if (icon_button("back", side, false, look, "one step back (b)")) play.step_back();
+    if (icon_button("back", side, false, look, with_key("one step back", "back"))) play.step_back();
     ImGui::SameLine(0, 2 * scale);
     const bool paused = play.clock().paused();
-    if (icon_button(paused ? "play" : "pause", side, true, look, paused ? "go on (p)" : "pause (p)"))
+    if (icon_button(paused ? "play" : "pause", side, true, look, with_key(paused ? "go on" : "pause", "pause")))
         play.pause(!paused);
     ImGui::SameLine(0, 2 * scale);
-    if (icon_button("step", side, false, look, "one step (o)")) play.step();
-    ImGui::SameLine(0, 14 * scale);
+    if (icon_button("step", side, false, look, with_key("one step", "step"))) play.step();
+    ImGui::SameLine(0, gap);
     ImGui::SetCursorPosY(top + (side - ImGui::GetTextLineHeight()) / 2);
     ImGui::PushFont(fonts.fixed);
     ImGui::TextUnformatted(clock_text(play.session().seconds()).c_str());
     ImGui::PopFont();
-    ImGui::SameLine(0, 14 * scale);
-    const float speeds = 190 * scale;
-    const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - speeds - 34 * scale;
+    tooltip("seconds since the scene's start, minutes before the colon");
+    ImGui::SameLine(0, gap);
+    const float speed_width = (roomy ? 190 : 52) * scale;
+    const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - speed_width - 2 * gap;
+    if (room > 40 * scale) {
+        ImGui::SetCursorPosY(top + (side - ImGui::GetFrameHeight()) / 2);
+        timeline(play, look, room, scale);
+        ImGui::SameLine(0, gap);
+    }
     ImGui::SetCursorPosY(top + (side - ImGui::GetFrameHeight()) / 2);
-    timeline(play, look, room, scale);
-    ImGui::SameLine(0, 18 * scale);
-    ImGui::SetCursorPosY(top + (side - ImGui::GetFrameHeight()) / 2);
-    constexpr std::array scales = {0.1, 0.25, 0.5, 1.0, 2.0};
-    int chosen = -1;
-    for (std::size_t i = 0; i < scales.size(); ++i)
-        if (play.clock().scale() == scales[i]) chosen = int(i);
-    const int pressed = choice("speed", {"0.1", "\xc2\xbc", "\xc2\xbd", "1", "2"}, chosen, look, speeds);
-    if (pressed >= 0) play.clock().set_scale(scales[std::size_t(pressed)]);
+    speeds(play, look, speed_width, roomy);
 }
 
 void mode_switch(play::Play& play, const Look& look, float scale) {
     const float width = ImGui::GetContentRegionAvail().x, gap = 8 * scale;
     const auto at = ImGui::GetCursorScreenPos();
     const bool classic = play.session().scene().solver.mode == "classic";
-    const int mode = choice("mode", {"physical", "classic"}, classic ? 1 : 0, look, (width - gap) * 0.58F);
-    if (mode >= 0 && (mode == 1) != classic) play.switch_mode();
-    ImGui::SetCursorScreenPos({at.x + (width - gap) * 0.58F + gap, at.y});
+    constexpr float share = 0.64F;
+    const int now = play.is_split() ? 2 : classic ? 1 : 0;
+    const int mode = choice("mode", {"physical", "classic", "both"}, now, look, (width - gap) * share);
+    if (mode == 2 && now != 2) play.toggle_split();
+    if (mode >= 0 && mode < 2 && mode != now) play.show_mode(mode == 1 ? "classic" : "physical");
+    ImGui::SetCursorScreenPos({at.x + (width - gap) * share + gap, at.y});
     const bool dark = play.shown_theme() == "dark";
-    const int theme = choice("theme", {"light", "dark"}, dark ? 1 : 0, look, (width - gap) * 0.42F);
+    const int theme = choice("theme", {"light", "dark"}, dark ? 1 : 0, look, (width - gap) * (1 - share));
     if (theme >= 0 && (theme == 1) != dark) play.switch_theme();
     ImGui::SetCursorScreenPos({at.x, at.y + ImGui::GetFrameHeight()});
     ImGui::Dummy({0, 0});
 }
 
+/// As many in a line as fit.
 void overlay_chips(play::Play& play, const Look& look) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (std::size_t i = 0; i < overlays.size(); ++i) {
         const bool on = play.overlay.test(i);
+        const std::string name(overlays[i].name);
+        const auto& style = ImGui::GetStyle();
+        const float width = ImGui::CalcTextSize(name.c_str()).x + 2 * style.FramePadding.x;
+        if (i > 0 && ImGui::GetItemRectMax().x + style.ItemSpacing.x + width < right) ImGui::SameLine();
         ImGui::PushStyleColor(ImGuiCol_Button, on ? look.accent : look.raised);
         ImGui::PushStyleColor(ImGuiCol_Text, on ? look.on_accent : look.text);
-        if (ImGui::Button(std::string(overlays[i].name).c_str())) play.overlay.flip(i);
+        if (ImGui::Button(name.c_str())) play.overlay.flip(i);
         ImGui::PopStyleColor(2);
-        if (ImGui::IsItemHovered()) {
-            ImGui::BeginTooltip();
-            ImGui::TextUnformatted(overlays[i].about.data(), overlays[i].about.data() + overlays[i].about.size());
-            ImGui::EndTooltip();
-        }
-        ImGui::SameLine();
+        tooltip(std::string(overlays[i].about) + "  (" + std::to_string(i + 1) + ")");
     }
-    ImGui::NewLine();
 }
 
 } // namespace sinew::window

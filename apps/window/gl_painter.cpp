@@ -151,6 +151,8 @@ void GlPainter::paint(const Picture& picture, int left, int bottom) {
         const auto& program = batch.texture == 0 ? shapes_ : images_;
         glUseProgram(program.name);
         glUniform2f(program.size, float(picture.width), float(picture.height));
+        const auto [x, y, wide, high] = batch.pane;
+        if (wide > 0) glScissor(left + x, bottom + picture.height - y - high, wide, high);
         glBindTexture(GL_TEXTURE_2D, batch.texture);
         glDrawElements(GL_TRIANGLES, GLsizei(batch.count), GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(std::size_t(batch.first) * sizeof(std::uint32_t)));
@@ -163,6 +165,7 @@ void GlPainter::paint(const Picture& picture, int left, int bottom) {
 void GlPainter::gather(const Picture& picture) {
     vertices_.clear(), indices_.clear(), batches_.clear();
     batches_.push_back({});
+    paper_ = picture.background;
     for (const auto& item : picture.items) {
         const auto outline = picture.points_of(item);
         if (!is_paintable(outline)) continue;
@@ -183,6 +186,9 @@ void GlPainter::gather(const Picture& picture) {
         case Shape::text:
             add_text(picture, item);
             break;
+        case Shape::pane:
+            begin_pane(outline, item.color);
+            break;
         default:
             add_stroke(outline, item.shape == Shape::loop, width, color);
         }
@@ -201,7 +207,24 @@ void GlPainter::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 
 /// What follows is painted with that texture; what has none can be painted with any.
 void GlPainter::use(std::uint32_t texture) {
-    if (batches_.back().texture != texture) batches_.push_back({texture, std::uint32_t(indices_.size()), 0});
+    if (batches_.back().texture != texture)
+        batches_.push_back({texture, std::uint32_t(indices_.size()), 0, batches_.back().pane});
+}
+
+void GlPainter::begin_pane(std::span<const Vec2<float>> corners, const Color& paper) {
+    if (corners.size() != 2) return;
+    constexpr float far = 1e6F; // pixels
+    const auto low = [&](int i) { return clamp(std::floor(minimum(corners[0][i], corners[1][i])), -far, far); };
+    const auto high = [&](int i) { return clamp(std::ceil(maximum(corners[0][i], corners[1][i])), -far, far); };
+    const auto side = [&](int i) { return high(i) - low(i); };
+    batches_.push_back({batches_.back().texture,
+                        std::uint32_t(indices_.size()),
+                        0,
+                        {int(low(0)), int(low(1)), int(side(0)), int(side(1))}});
+    const std::array<Vec2<float>, 4> rectangle = {
+        {{{low(0), low(1)}}, {{high(0), low(1)}}, {{high(0), high(1)}}, {{low(0), high(1)}}}};
+    add_polygon(rectangle, rgba_of(paper));
+    paper_ = paper;
 }
 
 void GlPainter::add_line(Vec2<float> a, Vec2<float> b, float width, std::uint32_t color) {
@@ -315,7 +338,7 @@ void GlPainter::add_text(const Picture& picture, const Picture::Item& item) {
     if (item.number >= picture.texts.size() || picture.texts[item.number].empty()) return;
     const auto color = rgba_of(item.color);
     const auto key = picture.texts[item.number] + '\n' + std::to_string(color) + '\n' + std::to_string(item.width) +
-                     '\n' + std::to_string(rgba_of(picture.background));
+                     '\n' + std::to_string(rgba_of(paper_));
     const auto& texture = texture_of(key, picture, item);
     use(texture.name);
     const auto middle = picture.points_of(item)[0];
@@ -361,8 +384,7 @@ const GlPainter::Texture& GlPainter::texture_of(const std::string& key, const Pi
               height = std::clamp(int(std::ceil(size[1])), 1, 512);
     const canvas::CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
     const canvas::CairoContext context(cairo_create(surface.get()));
-    canvas::write(context.get(), text, {{float(width) / 2, float(height) / 2}}, double(item.width), item.color,
-                  picture.background);
+    canvas::write(context.get(), text, {{float(width) / 2, float(height) / 2}}, double(item.width), item.color, paper_);
     cairo_surface_flush(surface.get());
     auto& texture = fresh_texture(width, height, cairo_image_surface_get_data(surface.get()), true);
     texture.text = key;

@@ -2,6 +2,7 @@
 
 #include "sinew/session/picture.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -38,6 +39,7 @@ class GlPainter {
     };
     struct Batch {
         std::uint32_t texture = 0, first = 0, count = 0;
+        std::array<int, 4> pane{}; ///< left, top, width, height in pixels; no width: all of the picture
     };
     struct Texture {
         std::uint32_t name = 0;
@@ -54,6 +56,7 @@ class GlPainter {
     void add_polygon(std::span<const Vec2<float>> outline, std::uint32_t color);
     void add_image(const Picture& picture, const Picture::Item& item);
     void add_text(const Picture& picture, const Picture::Item& item);
+    void begin_pane(std::span<const Vec2<float>> corners, const Color& paper);
     void use(std::uint32_t texture);
     std::uint32_t put(const Vertex& vertex);
     void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
@@ -71,6 +74,7 @@ class GlPainter {
     std::vector<Texture> textures_;
     std::vector<std::uint32_t> rest_; // scratch of a polygon's corners
     std::vector<Vec2<float>> way_;    // scratch of a stroke
+    Color paper_;                     ///< behind what is painted now
     std::uint64_t frame_ = 0;
 };
 

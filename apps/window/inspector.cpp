@@ -2,6 +2,8 @@
 
 #include "sinew/solver/edit.h"
 
+#include "apps/window/label.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,40 +25,25 @@ template <class WorldT> class Shown {
             place[std::size_t(i)] = double(p.position[row_][i]);
             velocity[std::size_t(i)] = double(p.velocity[row_][i]);
         }
-        play::Tweak tweak{.particle = id_, .position = {}, .velocity = {}, .mass = {}};
+        play::Tweak tweak{.particle = row_, .position = {}, .velocity = {}, .mass = {}};
         if (numbers("position", place, units.text(unit::length))) tweak.position = Point{place};
         if (numbers("velocity", velocity, units.text(unit::speed))) tweak.velocity = Point{velocity};
         double mass = double(inverse_or_zero(p.inverse_mass[row_]));
-        label("mass", units.text(unit::mass));
+        window::label("mass", "how heavy it is", look_.faint);
+        const auto format = number_format("%.4g", units.text(unit::mass));
         constexpr double least = 1e-6, most = 1e9;
         if (mass <= 0)
             ImGui::TextColored(look_.faint, "nothing moves it");
-        else if (ImGui::DragScalar("##mass", ImGuiDataType_Double, &mass, float(mass * 0.01), &least, &most, "%.4g"))
+        else if (ImGui::DragScalar("##mass", ImGuiDataType_Double, &mass, float(mass * 0.01), &least, &most,
+                                   format.c_str()))
             tweak.mass = mass;
         return tweak.position || tweak.velocity || tweak.mass ? std::optional(tweak) : std::nullopt;
     }
 
     /// What it is part of.
     void constraints() {
-        constexpr int most = 6;
         int kind = 0, shown = 0;
-        for_each_table(world_, [&](const auto& table) {
-            for (Row i = 0; i < table.size() && shown < most; ++i) {
-                const auto members = table.members[i];
-                if (std::find(members.begin(), members.end(), row_) == members.end()) continue;
-                const auto state = constraint_state(world_, {kind, table.slots.id_of(i)});
-                if (!state) continue;
-                ++shown;
-                ImGui::TextColored(look_.faint, "%s", std::string(kind_names[std::size_t(kind)]).c_str());
-                ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.42F);
-                ImGui::Text("%.4g", state->measure);
-                if (std::fabs(state->strain) > 1e-6) {
-                    ImGui::SameLine();
-                    ImGui::TextColored(look_.accent, "%+.3g %%", state->strain * 100);
-                }
-            }
-            ++kind;
-        });
+        for_each_table(world_, [&](const auto& table) { of_kind(table, kind++, shown); });
     }
 
   private:
@@ -67,21 +54,32 @@ template <class WorldT> class Shown {
     Row row_;
     const Look& look_;
 
-    void label(const char* name, const std::string& unit) const {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextColored(look_.faint, "%s", name);
-        if (ImGui::IsItemHovered() && !unit.empty()) ImGui::SetTooltip("%s", unit.c_str());
-        ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.3F);
-        ImGui::SetNextItemWidth(-1);
+    template <class Table> void of_kind(const Table& table, int kind, int& shown) {
+        using Kind = typename Table::Kind;
+        constexpr int most = 6;
+        const auto units = play_.session().scene().measures();
+        constexpr Unit measured{.length = Kind::length_power, .angle = Kind::period > 0};
+        for (Row i = 0; i < table.size() && shown < most; ++i) {
+            const auto members = table.members[i];
+            if (std::find(members.begin(), members.end(), row_) == members.end()) continue;
+            const auto state = constraint_state(world_, {kind, table.slots.id_of(i)});
+            if (!state) continue;
+            ++shown;
+            window::label(Kind::name, "what a constraint of this particle measures, and its strain", look_.faint);
+            const auto format = number_format("%.4g", units.text(measured));
+            ImGui::Text(format.c_str(), state->measure * in_file(measured));
+            if (std::fabs(state->strain) <= 1e-6) continue;
+            ImGui::SameLine();
+            ImGui::TextColored(look_.accent, "%+.3g %%", state->strain * 100);
+        }
     }
 
-    bool numbers(const char* name, std::array<double, 3>& values, const std::string& unit) const {
-        label(name, unit);
+    bool numbers(const std::string& name, std::array<double, 3>& values, const std::string& unit) const {
+        window::label(name + ", " + unit, name + " in " + unit + ": drag the numbers", look_.faint);
         double largest = 0.1;
         for (const double value : values) largest = std::max(largest, std::fabs(value));
-        const std::string id = std::string("##") + name;
-        return ImGui::DragScalarN(id.c_str(), ImGuiDataType_Double, values.data(), D, float(largest * 0.005), nullptr,
-                                  nullptr, "%.4g");
+        return ImGui::DragScalarN(("##" + name).c_str(), ImGuiDataType_Double, values.data(), D, float(largest * 0.005),
+                                  nullptr, nullptr, "%.4g");
     }
 };
 

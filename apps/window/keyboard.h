@@ -7,11 +7,12 @@
 
 namespace sinew::window {
 
-/// What the game calls a key: "p", "[", "ctrl+z", "delete".
+/// What the game calls a key: "p", "[", "ctrl+z", "ctrl+shift+s", "delete".
 inline std::string name_of_key(const SDL_Keysym& key) {
     std::string name = SDL_GetKeyName(key.sym);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return (key.mod & KMOD_CTRL) != 0 ? "ctrl+" + name : name;
+    if ((key.mod & KMOD_CTRL) == 0) return name;
+    return ((key.mod & KMOD_SHIFT) != 0 ? "ctrl+shift+" : "ctrl+") + name;
 }
 
 } // namespace sinew::window

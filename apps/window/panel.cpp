@@ -1,73 +1,86 @@
 #include "apps/window/panel.h"
 
-#include "apps/play/keys.h"
-#include "apps/play/tool.h"
 #include "apps/window/bars.h"
 #include "apps/window/inspector.h"
+#include "apps/window/menu.h"
 #include "apps/window/sliders.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace sinew::window {
 namespace {
 
-/// Nominal pixels.
-constexpr float side_width = 340, tools_width = 56, time_height = 64;
+/// A window that takes the focus as it appears may not come while a question is open.
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                          ImGuiWindowFlags_NoFocusOnAppearing;
 
 /// A part of the panel, with a hairline around it.
-void begin_fixed(const char* name, float left, float top, float width, float height) {
-    ImGui::SetNextWindowPos({left, top});
-    ImGui::SetNextWindowSize({width, height});
-    ImGui::Begin(name, nullptr, fixed_window);
+void begin_fixed(const char* name, const Area& area, ImGuiWindowFlags more = 0) {
+    const ImVec2 corner{float(area.left), float(area.top)}, size{float(area.width), float(area.height)};
+    ImGui::SetNextWindowPos(corner);
+    ImGui::SetNextWindowSize(size);
+    ImGui::Begin(name, nullptr, fixed_window | more);
     const auto line = ImGui::GetColorU32(ImGuiCol_Border);
-    ImGui::GetWindowDrawList()->AddRect({left, top}, {left + width, top + height}, line);
+    auto& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    list.AddRect(corner, {corner.x + size.x, corner.y + size.y}, line);
+    list.PopClipRect();
 }
 
 } // namespace
 
-void Panel::dress(double density) {
-    window::dress(look_called(play_.shown_theme()), density, density_, fonts_);
+void Panel::arrange(int width, int height, double density) {
+    width_ = width, height_ = height;
+    const double scale = density * text_size();
+    scale_ = float(scale);
+    window::dress(look(), scale, dressed_scale_, fonts_);
     ImGui::GetIO().FontDefault = fonts_.normal;
+    layout_ = Layout::of(width, height, scale_, play_.panel, drawer_);
 }
 
-/// A window too small for the panel is all scene.
-Area Panel::area(int width, int height) {
-    width_ = width, height_ = height;
-    const auto scale = float(density_);
-    const bool room = float(width) > (side_width + tools_width) * scale * 1.5F && float(height) > 260 * scale;
-    if (!play_.panel || !room) return {0, 0, width, height};
-    const int left = int(tools_width * scale), right = int(side_width * scale), bottom = int(time_height * scale);
-    return {left, 0, width - left - right, height - bottom};
+bool Panel::leaves_to_scene(double x, double y) const {
+    return layout_.scene.contains(x, y) && !layout_.side.contains(x, y) && !popup_open_ && !play_.help;
 }
 
 void Panel::show() {
-    const auto scale = float(density_);
-    const auto area = this->area(width_, height_);
     statistics_.sample(play_);
-    if (area.width < width_) {
-        begin_fixed("tools", 0, 0, float(area.left), float(area.height));
-        tool_bar(play_, look_called(play_.shown_theme()), scale);
+    if (layout_.bars) {
+        menu();
+        begin_fixed("tools", layout_.tools);
+        tool_bar(play_, layout_, look(), scale_);
         ImGui::End();
-        begin_fixed("time", 0, float(area.height), float(width_ - int(side_width * scale)),
-                    float(height_ - area.height));
-        time_bar(play_, look_called(play_.shown_theme()), fonts_, scale);
+        begin_fixed("time", layout_.time);
+        time_bar(play_, layout_, look(), fonts_, scale_);
         ImGui::End();
-        begin_fixed("side", float(area.left + area.width), 0, side_width * scale, float(height_));
-        side();
-        ImGui::End();
+        if (layout_.docked || drawer_) {
+            begin_fixed("side", layout_.side);
+            side();
+            ImGui::End();
+        }
     }
     message();
-    if (play_.help) help();
-    problem();
+    hint();
+    dialogs_.show(look(), fonts_, scale_, width_, height_);
+    popup_open_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+void Panel::menu() {
+    const float padding = (float(layout_.menu.height) - ImGui::GetFontSize()) / 2;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(9 * scale_, std::max(padding, 0.0F)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    begin_fixed("menu", layout_.menu, ImGuiWindowFlags_MenuBar);
+    ImGui::PopStyleVar(3);
+    menu_bar(play_, layout_.docked, drawer_);
+    ImGui::End();
 }
 
 bool Panel::section(const char* name, bool open) {
-    ImGui::Dummy({0, 2 * float(density_)});
-    const auto& look = look_called(play_.shown_theme());
+    ImGui::Dummy({0, 2 * scale_});
     ImGui::PushStyleColor(ImGuiCol_Header, ImVec4{0, 0, 0, 0});
-    ImGui::PushStyleColor(ImGuiCol_Text, look.text);
+    ImGui::PushStyleColor(ImGuiCol_Text, look().text);
     ImGui::PushFont(fonts_.small);
     const bool shown = ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     ImGui::PopFont();
@@ -76,16 +89,14 @@ bool Panel::section(const char* name, bool open) {
 }
 
 void Panel::title() {
-    const auto& look = look_called(play_.shown_theme());
     ImGui::PushFont(fonts_.large);
-    auto name = play_.scene_name();
-    if (const auto slash = name.find_last_of('/'); slash != std::string::npos) name = name.substr(slash + 1);
+    auto name = std::filesystem::path(play_.scene_name()).stem().string();
     std::replace(name.begin(), name.end(), '_', ' ');
     if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = char(name[0] - 'a' + 'A');
     ImGui::TextUnformatted(name.c_str());
     ImGui::PopFont();
     ImGui::PushFont(fonts_.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, look.faint);
+    ImGui::PushStyleColor(ImGuiCol_Text, look().faint);
     auto about = play_.session().scene().about;
     if (const auto stop = about.find(". "); stop != std::string::npos) about.resize(stop + 1);
     ImGui::PushTextWrapPos();
@@ -93,91 +104,47 @@ void Panel::title() {
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    ImGui::Dummy({0, 2 * float(density_)});
-    mode_switch(play_, look, float(density_));
+    ImGui::Dummy({0, 2 * scale_});
+    mode_switch(play_, look(), scale_);
 }
 
 void Panel::side() {
-    const auto& look = look_called(play_.shown_theme());
     title();
-    if (play_.tool == "spawn" && section("PREFAB", true)) prefab_form(play_, look);
-    if (section("SCENES", true)) browser_.show(look, fonts_, float(density_));
-    if (section("PARAMETERS", false)) sliders(play_, look, fonts_);
-    if (section("OVERLAYS", false)) overlay_chips(play_, look);
-    if (section("INSPECTOR", true)) inspector(play_, look, fonts_);
-    if (section("STATISTICS", true)) statistics_.show(play_, look, fonts_, float(density_));
-    ImGui::Dummy({0, 12});
+    if (play_.tool == "spawn" && section("PREFAB", true)) prefab_form(play_, look());
+    if (section("SCENES", true)) browser_.show(look(), fonts_, scale_);
+    if (section("PARAMETERS", false)) sliders(play_, look(), fonts_);
+    if (section("OVERLAYS", false)) overlay_chips(play_, look());
+    if (section("INSPECTOR", true)) inspector(play_, look(), fonts_);
+    if (section("STATISTICS", true)) statistics_.show(play_, look(), fonts_, scale_);
+    ImGui::Dummy({0, 12 * scale_});
 }
 
-/// A line over the scene that goes away by itself.
+/// A line over the scene, so far down; cut off where it is wider.
+void Panel::write_over_scene(const std::string& text, float share, float alpha) {
+    const auto& area = layout_.scene;
+    const float inset = 14 * scale_, wrap = std::max(float(area.width) - 4 * inset, 60.0F);
+    const auto size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const float x = float(area.left) + (float(area.width) - size.x) / 2;
+    const float y = float(area.top) + (float(area.height) - size.y - 3 * inset) * share + inset;
+    auto& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled({x - inset, y - inset / 2}, {x + size.x + inset, y + size.y + inset / 2},
+                       packed(look().text, 0.88F * alpha), 16 * scale_);
+    list.AddText(nullptr, 0, {x, y}, packed(look().surface, alpha), text.c_str(), nullptr, wrap);
+}
+
+/// Goes away by itself.
 void Panel::message() {
-    constexpr double shown = 3; // seconds
+    constexpr double shown = 4; // seconds
     if (play_.message != last_message_) last_message_ = play_.message, message_since_ = ImGui::GetTime();
     const double age = ImGui::GetTime() - message_since_;
     if (last_message_.empty() || age > shown) return;
-    const auto& look = look_called(play_.shown_theme());
-    const auto area = this->area(width_, height_);
-    const auto size = ImGui::CalcTextSize(last_message_.c_str());
-    const auto scale = float(density_);
-    const float x = float(area.left) + (float(area.width) - size.x) / 2, y = float(area.height) - size.y - 26 * scale;
-    const float alpha = float(std::min(1.0, (shown - age) * 2));
-    auto& list = *ImGui::GetForegroundDrawList();
-    list.AddRectFilled({x - 14 * scale, y - 8 * scale}, {x + size.x + 14 * scale, y + size.y + 8 * scale},
-                       packed(look.text, 0.88F * alpha), 999);
-    list.AddText({x, y}, packed(look.surface, alpha), last_message_.c_str());
+    write_over_scene(last_message_, 1, float(std::min(1.0, (shown - age) * 2)));
 }
 
-void Panel::problem() {
-    constexpr const char* name = "This scene cannot be played";
-    if (!play_.problem().empty() && !ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
-    ImGui::SetNextWindowSize({std::min(float(width_) * 0.8F, 780 * float(density_)), 0});
-    ImGui::SetNextWindowPos({float(width_) / 2, float(height_) / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-    if (!ImGui::BeginPopupModal(name, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
-    ImGui::BeginChild("text", {0, 240 * float(density_)}, false, ImGuiWindowFlags_HorizontalScrollbar);
-    ImGui::PushFont(fonts_.fixed);
-    ImGui::TextUnformatted(play_.problem().c_str());
-    ImGui::PopFont();
-    ImGui::EndChild();
-    if (ImGui::Button("Go on with the scene that runs") || play_.problem().empty()) {
-        play_.dismiss_problem();
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
-}
-
-void Panel::help() {
-    const auto& look = look_called(play_.shown_theme());
-    const auto scale = float(density_);
-    const auto area = this->area(width_, height_);
-    const ImVec2 middle{float(area.left) + float(area.width) / 2, float(area.top) + float(area.height) / 2};
-    ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 12 * scale);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(26 * scale, 22 * scale));
-    ImGui::Begin("help", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize);
-    ImGui::PushFont(fonts_.large);
-    ImGui::TextUnformatted("Keys");
-    ImGui::PopFont();
-    const auto line = [&](std::string_view key, std::string_view about) {
-        ImGui::TableNextColumn();
-        ImGui::TextColored(look.accent, "%.*s", int(key.size()), key.data());
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(about.data(), about.data() + about.size());
-    };
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(10 * scale, 3 * scale));
-    if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
-        for (const auto& action : play::key_actions()) line(action.key, action.about);
-        for (const auto& tool : play::all_tools()) line(tool->key(), std::string(tool->name()) + " tool");
-        line("1 to 4", "overlays");
-        line("drag", "take hold and throw");
-        line("right drag", "cut");
-        line("middle drag", "look elsewhere");
-        line("wheel", "zoom");
-        ImGui::EndTable();
-    }
-    ImGui::PopStyleVar();
-    ImGui::End();
-    ImGui::PopStyleVar(2);
+void Panel::hint() {
+    if (const double strength = play_.hint_strength(); strength > 0 && !play_.help)
+        write_over_scene("Drag anything. The right button cuts, the wheel zooms, F1 shows the keys.", 0.12F,
+                         float(strength));
 }
 
 } // namespace sinew::window

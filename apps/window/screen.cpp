@@ -46,8 +46,21 @@ std::optional<std::string> Screen::open(const std::string& title, int width, int
     window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
                                SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
     if (!window_) return because("no window can be opened");
-    SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
-    return renew();
+    for (const auto event : {SDL_DROPFILE, SDL_DROPTEXT}) SDL_EventState(event, SDL_ENABLE);
+    if (auto problem = renew()) return problem;
+    fit(width, height);
+    return std::nullopt;
+}
+
+/// How dense a display is can be asked only once a window is on it.
+void Screen::fit(int width, int height) {
+    const double scale = size_scale();
+    if (scale == 1) return;
+    SDL_Rect room{0, 0, 16384, 16384};
+    const int display = SDL_GetWindowDisplayIndex(window_);
+    if (display >= 0) SDL_GetDisplayUsableBounds(display, &room);
+    SDL_SetWindowSize(window_, std::min(int(width * scale), room.w), std::min(int(height * scale), room.h));
+    SDL_SetWindowPosition(window_, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED);
 }
 
 /// Where the driver cannot tell that a context is lost, one that does not tell is better than none.

@@ -14,8 +14,11 @@ class Screen {
     Screen& operator=(const Screen&) = delete;
     ~Screen();
 
-    /// What went wrong, or nothing.
+    /// A window of that size in nominal pixels, as much larger as letters are, as far as the display has room. What
+    /// went wrong, or nothing.
     std::optional<std::string> open(const std::string& title, int width, int height);
+    /// Units of SDL's window size that a nominal pixel has.
+    double size_scale() const { return density() / pointer_scale(); }
     /// Whether the context was lost, as when a graphics driver starts anew: nothing more will be seen of it.
     bool lost() const;
     /// A new context in the same window. What was in the old one is gone.
@@ -36,6 +39,8 @@ class Screen {
     void wait_for_display(bool on);
 
   private:
+    void fit(int width, int height);
+
     bool started_ = false, can_tell_ = false, waits_ = true;
     SDL_Window* window_ = nullptr;
     SDL_GLContext context_ = nullptr;

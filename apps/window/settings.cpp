@@ -1,5 +1,6 @@
 #include "apps/window/settings.h"
 
+#include "sinew/scene/document.h"
 #include "sinew/scene/reader.h"
 #include "sinew/scene/writer.h"
 
@@ -45,9 +46,9 @@ void save_settings(const Settings& settings) {
     (void)play::write_file(path, json::to_text(write(settings, Writing{})) + "\n"); // next time they are the usual ones
 }
 
-void keep_for_later(play::Play& play) {
+fs::path draft_path() {
     const auto state = folder("XDG_STATE_HOME", ".local/state");
-    if (!state.empty()) play.save(state / "autosave.json");
+    return state.empty() ? fs::path() : state / "autosave.json";
 }
 
 } // namespace sinew::window

@@ -1,9 +1,11 @@
 #pragma once
 
-#include "apps/play/play.h"
+#include "sinew/math/record.h"
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace sinew::window {
 
@@ -13,13 +15,21 @@ struct Settings {
     int width = 1280, height = 720;
     bool panel = true;
     bool free_running = false;
+    double text_size = 1;
+    bool hint = true;
+    std::vector<std::string> recent;
+    std::vector<std::pair<std::string, std::string>> keys;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.theme, Field{.name = "theme", .help = "light, dark, or as scenes say"});
-        visit(self.width, Field{.name = "width", .help = "Of the window", .low = 1, .high = 16384});
-        visit(self.height, Field{.name = "height", .help = "Of the window", .low = 1, .high = 16384});
+        visit(self.width, Field{.name = "width", .help = "Of the window, nominal pixels", .low = 1, .high = 16384});
+        visit(self.height, Field{.name = "height", .help = "Of the window, nominal pixels", .low = 1, .high = 16384});
         visit(self.panel, Field{.name = "panel", .help = "Whether the panel is shown"});
         visit(self.free_running, Field{.name = "free_running", .help = "Whether pictures do not wait for the display"});
+        visit(self.text_size, Field{.name = "text_size", .help = "Of letters and bars", .low = 0.5, .high = 4});
+        visit(self.hint, Field{.name = "hint", .help = "Whether nothing was ever dragged: the hint is shown"});
+        visit(self.recent, Field{.name = "recent", .help = "Files, the latest first"});
+        visit(self.keys, Field{.name = "keys", .help = "Keys of actions and tools that are not as usual"});
     }
 };
 
@@ -27,7 +37,7 @@ struct Settings {
 Settings load_settings();
 void save_settings(const Settings& settings);
 
-/// Saves an edited scene on exit, to $XDG_STATE_HOME/sinew/autosave.json, and tells where.
-void keep_for_later(play::Play& play);
+/// Where unsaved edits are kept: $XDG_STATE_HOME/sinew/autosave.json; empty where there is no home.
+std::filesystem::path draft_path();
 
 } // namespace sinew::window

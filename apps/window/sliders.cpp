@@ -5,6 +5,7 @@
 #include "sinew/scene/text.h"
 
 #include "apps/play/scene_edit.h"
+#include "apps/window/label.h"
 
 #include <algorithm>
 #include <cassert>
@@ -15,6 +16,32 @@
 namespace sinew::window {
 namespace {
 
+/// Parts of the solver that act in one mode only.
+struct OfMode {
+    std::string_view path, mode;
+};
+constexpr std::array parts_of_modes = {OfMode{"solver.rules", "classic"}, OfMode{"solver.passes", "classic"},
+                                       OfMode{"solver.substeps", "physical"}, OfMode{"solver.iterations", "physical"},
+                                       OfMode{"solver.direct", "physical"}};
+
+/// Numbers that a scene's units do not measure.
+struct Measured {
+    std::string_view path, mode, unit;
+};
+constexpr std::array measured_otherwise = {Measured{"solver.rate", "", "a second"},
+                                           Measured{"world.damping", "classic", "kept a frame"},
+                                           Measured{"solver.rules.time_scale", "", "times as fast"},
+                                           Measured{"solver.rules.longest_step", "", "frames"},
+                                           Measured{"solver.rules.floor_keep", "", "kept a frame"},
+                                           Measured{"solver.passes", "", "a frame"},
+                                           Measured{"solver.substeps", "", "a step"},
+                                           Measured{"solver.iterations", "", "a substep"}};
+
+bool acts_in(std::string_view mode, std::string_view path) {
+    return std::none_of(parts_of_modes.begin(), parts_of_modes.end(),
+                        [&](const OfMode& part) { return part.path == path && part.mode != mode; });
+}
+
 /// Walks a layout beside what the scene says, and shows what can be changed.
 class Form {
   public:
@@ -22,7 +49,8 @@ class Form {
     using Setter = std::function<void(const std::string&, const json::Value&, bool)>;
 
     Form(const Scene& scene, const Look& look, Setter setter)
-        : look_(look), units_(scene.measures()), dimension_(scene.dimension), setter_(std::move(setter)) {}
+        : look_(look), units_(scene.measures()), dimension_(scene.dimension), mode_(scene.solver.mode),
+          setter_(std::move(setter)) {}
 
     void record(const Layout& layout, const json::Value* value, const std::string& path) {
         for (const auto& part : layout.parts) field(part, value, path);
@@ -32,6 +60,7 @@ class Form {
     const Look& look_;
     Units units_;
     int dimension_;
+    std::string mode_;
     Setter setter_;
 
     static const json::Value* member(const json::Value* value, std::string_view key) {
@@ -45,6 +74,7 @@ class Form {
         const auto name = std::string(part.field.name);
         const auto* own = member(value, name);
         const auto here = path + "." + name;
+        if (!acts_in(mode_, here)) return;
         switch (part.type) {
         case Type::truth:
             return truth(part, own, here);
@@ -73,18 +103,20 @@ class Form {
             if (name && one.name == *name) record(one, value, path);
     }
 
-    void label(const Layout& part) const {
+    std::string unit_of(const Layout& part, const std::string& path) const {
+        for (const auto& one : measured_otherwise)
+            if (one.path == path && (one.mode.empty() || one.mode == mode_)) return std::string(one.unit);
+        if (path == "world.damping") return units_.text(unit::per_time);
+        return units_.text(part.field.unit);
+    }
+
+    /// Numbers that share a field tell their unit beside their name.
+    void label(const Layout& part, const std::string& unit = "") const {
         auto name = std::string(part.field.name);
         std::replace(name.begin(), name.end(), '_', ' ');
-        const auto unit = units_.text(part.field.unit);
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextColored(look_.text, "%s", name.c_str());
-        if (ImGui::IsItemHovered()) {
-            const auto help = std::string(part.field.help) + (unit.empty() ? "" : " (" + unit + ")");
-            ImGui::SetTooltip("%s", help.c_str());
-        }
-        ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.42F);
-        ImGui::SetNextItemWidth(-1);
+        const auto with_unit = unit.empty() ? name : name + ", " + unit;
+        const auto help = std::string(part.field.help);
+        window::label(with_unit, help.empty() ? with_unit : help, look_.text);
     }
 
     static std::string id(const std::string& path) { return "##" + path; }
@@ -105,7 +137,7 @@ class Form {
         if (part.field.choices.empty()) return;
         const auto* said = own ? own->as<std::string>() : part.usual.as<std::string>();
         label(part);
-        if (!ImGui::BeginCombo(id(path).c_str(), said ? said->c_str() : "")) return;
+        if (!ImGui::BeginCombo(id(path).c_str(), said ? said->c_str() : "as usual")) return;
         for (const auto choice : part.field.choices) {
             const std::string text(choice);
             if (ImGui::Selectable(text.c_str(), said && *said == text)) setter_(path, text, false);
@@ -123,15 +155,15 @@ class Form {
         label(part);
         bool changed = false;
         const bool whole = part.type == Layout::Type::integer;
-        const char* const format = whole ? "%.0f" : "%.4g";
+        const auto format = number_format(whole ? "%.0f" : "%.4g", unit_of(part, path));
         if (range.low > -1e4 && range.high <= 1000 && range.high - range.low <= 1000) {
-            changed =
-                ImGui::SliderScalar(id(path).c_str(), ImGuiDataType_Double, &value, &range.low, &range.high, format);
+            changed = ImGui::SliderScalar(id(path).c_str(), ImGuiDataType_Double, &value, &range.low, &range.high,
+                                          format.c_str());
         } else {
             const auto speed =
                 float(std::max(std::fabs(value) * 0.01, whole ? 0.2 : 1e-4 * units_.scale(part.field.unit)));
             changed = ImGui::DragScalar(id(path).c_str(), ImGuiDataType_Double, &value, speed, &range.low, &range.high,
-                                        format);
+                                        format.c_str());
         }
         if (!changed) return;
         value = std::clamp(whole ? std::round(value) : value, range.low, range.high);
@@ -149,7 +181,7 @@ class Form {
             value[std::size_t(i)] = item ? item->value : 0;
             largest = std::max(largest, std::fabs(value[std::size_t(i)]));
         }
-        label(part);
+        label(part, unit_of(part, path));
         const auto speed = float(std::max(largest * 0.01, 0.002 * units_.scale(part.field.unit)));
         if (!ImGui::DragScalarN(id(path).c_str(), ImGuiDataType_Double, value.data(), dimension_, speed, nullptr,
                                 nullptr, "%.4g"))

@@ -2,8 +2,12 @@
 
 #include "sinew/solver/edit.h"
 
+#include "apps/window/label.h"
+
 #include <algorithm>
 #include <cstdio>
+#include <type_traits>
+#include <vector>
 
 namespace sinew::window {
 namespace {
@@ -40,21 +44,16 @@ double largest_tension(const AnyWorld& world) {
     return std::visit(
         [](const auto& any) {
             double largest = 0;
-            const auto& table = std::get<0>(any.constraints);
+            constexpr int kind = kind_number<Distance, std::decay_t<decltype(any)>::dimension>;
+            const auto& table = std::get<kind>(any.constraints);
             constexpr std::size_t few = 5000; // more takes too long for what it tells
             if (any.settings.mode == Mode::classic || table.size() > few) return largest;
             for (Row row = 0; row < table.size(); ++row)
-                if (const auto state = constraint_state(any, {0, table.slots.id_of(row)}))
+                if (const auto state = constraint_state(any, {kind, table.slots.id_of(row)}))
                     largest = std::max(largest, state->tension);
             return largest;
         },
         world);
-}
-
-void row(const char* name, const std::string& value, const Look& look) {
-    ImGui::TextColored(look.faint, "%s", name);
-    ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.42F);
-    ImGui::TextUnformatted(value.c_str());
 }
 
 std::string text(const char* format, double value) {
@@ -63,7 +62,37 @@ std::string text(const char* format, double value) {
     return out;
 }
 
+struct Legend {
+    std::string name;
+    ImVec4 color;
+};
+
+/// The name of a graph with its range, and what its colours are; in a line of their own where they do not fit.
+void graph_title(const char* name, const std::string& range, const std::vector<Legend>& legend, const Look& look) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    ImGui::TextColored(look.faint, "%s, %s", name, range.c_str());
+    for (const auto& [word, color] : legend) {
+        const float gap = ImGui::GetFontSize() * 0.5F, end = ImGui::GetItemRectMax().x;
+        if (end + gap + ImGui::CalcTextSize(word.c_str()).x < right) ImGui::SameLine(0, gap);
+        ImGui::TextColored(color, "%s", word.c_str());
+    }
+}
+
 } // namespace
+
+std::string kinds_of(const AnyWorld& world) {
+    std::string kinds;
+    std::visit(
+        [&](const auto& any) {
+            for_each_table(any, [&](const auto& table) {
+                if (table.size() == 0) return;
+                const std::string name = std::decay_t<decltype(table)>::Kind::name;
+                kinds += (kinds.empty() ? "" : ", ") + std::to_string(table.size()) + " " + name;
+            });
+        },
+        world);
+    return kinds;
+}
 
 void Statistics::steps(double seconds, std::uint64_t count, const PhaseTimes& phases) {
     if (count == 0 || phases.steps == 0) return;
@@ -86,80 +115,87 @@ void Statistics::sample(play::Play& play) {
     sampled_ = play.tape().now();
     report_ = play.session().report();
     largest_tension_ = largest_tension(play.session().world());
-    keep(energies_, Energies{float(report_.kinetic), float(report_.potential), float(report_.stored)}, most);
+    const auto units = play.session().scene().measures();
+    const double joules = units.per_second * units.per_second / (units.per_metre * units.per_metre);
+    keep(energies_,
+         Energies{float(report_.kinetic * joules), float(report_.potential * joules), float(report_.stored * joules)},
+         most);
 }
 
 void Statistics::show(play::Play& play, const Look& look, const Fonts& fonts, float scale) {
-    const auto& scene = play.session().scene();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8 * scale, 3 * scale));
-    row("particles", std::to_string(report_.particles), look);
-    std::string kinds;
-    std::visit(
-        [&](const auto& world) {
-            std::size_t kind = 0;
-            for_each_table(world, [&](const auto& table) {
-                if (table.size() > 0)
-                    kinds += (kinds.empty() ? "" : ", ") + std::to_string(table.size()) + " " +
-                             std::string(kind_names[kind]);
-                ++kind;
-            });
-        },
-        play.session().world());
-    row("constraints", kinds.empty() ? "none" : kinds, look);
-    row("stretch", text("%.3g %%", report_.stretch_max * 100), look);
-    if (largest_tension_ > 0) {
-        const auto units = scene.measures();
-        row("tension", text("%.4g N", largest_tension_ * units.per_second * units.per_second / units.per_metre), look);
-    }
-    if (report_.energy_lost > 0) {
-        const auto units = scene.measures();
-        const double per_joule = units.per_metre * units.per_metre / (units.per_second * units.per_second);
-        row("lost to blows", text("%.4g J", report_.energy_lost / per_joule), look);
-    }
-    row("step", text("%.3f ms", step_), look);
-    row("frame", text("%.1f ms", frame_) + text(", %.0f a second", 1000 / std::max(frame_, 0.01)), look);
-    ImGui::TextColored(look.faint, "hash");
-    ImGui::SameLine(ImGui::GetContentRegionAvail().x * 0.42F);
-    ImGui::PushFont(fonts.fixed);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6 * scale, 0));
+    numbers(play, look);
+    hash(play, look, fonts);
+    ImGui::PopStyleVar();
+    ImGui::Dummy({0, 2 * scale});
+    ImGui::PushFont(fonts.small);
+    times(look, scale);
+    energies(look, scale);
+    ImGui::PopFont();
+    ImGui::PopStyleVar();
+}
+
+void Statistics::numbers(play::Play& play, const Look& look) const {
+    const auto units = play.session().scene().measures();
+    const double newtons = units.per_second * units.per_second / units.per_metre;
+    row("particles", "how many the world has", std::to_string(report_.particles), look);
+    const auto kinds = kinds_of(play.session().world());
+    row("constraints", "how many of each kind", kinds.empty() ? "none" : kinds, look);
+    row("stretch", "largest of any distance, of its rest length", text("%.3g %%", report_.stretch_max * 100), look);
+    if (largest_tension_ > 0)
+        row("tension", "largest pull of any distance", text("%.4g N", largest_tension_ * newtons), look);
+    if (report_.energy_lost > 0)
+        row("lost to blows", "energy given up where things struck, since the start",
+            text("%.4g J", report_.energy_lost * newtons / units.per_metre), look);
+    row("step", "time that a step takes to work out", text("%.3f ms", step_), look);
+    row("frame", "time from one picture to the next",
+        text("%.1f ms", frame_) + text(", %.0f a second", 1000 / std::max(frame_, 0.01)), look);
+}
+
+/// The same number, the same state to the last bit.
+void Statistics::hash(play::Play& play, const Look& look, const Fonts& fonts) const {
+    label("hash", "one number over the whole state: equal on every machine", look.faint);
     char hash[17];
     std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(report_.hash));
-    ImGui::TextUnformatted(hash);
+    ImGui::PushFont(fonts.fixed);
+    const bool pressed = ImGui::Selectable((elided(hash, ImGui::GetContentRegionAvail().x) + "##hash").c_str());
     ImGui::PopFont();
-    ImGui::Dummy({0, 2 * scale});
+    tooltip(std::string(hash) + ": press to copy it");
+    if (pressed) play.copy_hash();
+}
 
-    ImGui::PushFont(fonts.small);
-    // One on the other: the uppermost line is all of a step.
+/// One on the other: the uppermost line is all of a step.
+void Statistics::times(const Look& look, float scale) const {
     const std::array<ImVec4, 5> colors = {look.faint, look.accent, look.cool, look.good, look.text};
-    ImGui::TextColored(look.faint, "time of a step: ");
-    for (std::size_t i = 0; i < phase_names.size(); ++i)
-        ImGui::SameLine(0, 0), ImGui::TextColored(colors[i], "%s ", std::string(phase_names[i]).c_str());
-    ImGui::SameLine(0, 0), ImGui::TextColored(colors.back(), "all");
-    const auto times = graph_frame(look, 52 * scale);
     float slowest = 0.05F;
     for (const auto& time : step_times_) slowest = std::max(slowest, time.back());
+    std::vector<Legend> legend;
+    for (std::size_t i = 0; i < phase_names.size(); ++i) legend.push_back({std::string(phase_names[i]), colors[i]});
+    legend.push_back({"all", colors.back()});
+    graph_title("time of a step", text("to %.2g ms", double(slowest)), legend, look);
+    const auto frame = graph_frame(look, 52 * scale);
     for (std::size_t i = 0; i < colors.size(); ++i)
-        plot(times, step_times_, 0, slowest, most, packed(colors[i]), 1.3F * scale,
+        plot(frame, step_times_, 0, slowest, most, packed(colors[i]), 1.3F * scale,
              [i](const StepTimes& time) { return time[i]; });
+}
 
-    ImGui::TextColored(look.faint, "energy: ");
-    ImGui::SameLine(0, 0), ImGui::TextColored(look.accent, "kinetic ");
-    ImGui::SameLine(0, 0), ImGui::TextColored(look.cool, "potential ");
-    ImGui::SameLine(0, 0), ImGui::TextColored(look.good, "total");
-    const auto frame = graph_frame(look, 80 * scale);
+void Statistics::energies(const Look& look, float scale) const {
     float low = 0, high = 0;
     const auto total = [](const Energies& e) { return e.kinetic + e.potential + e.stored; };
     const float origin = energies_.empty() ? 0 : energies_.front().potential; // only changes of it mean anything
     for (const auto& e : energies_)
         for (const float value : {e.kinetic, e.potential - origin, total(e) - origin})
             low = std::min(low, value), high = std::max(high, value);
+    graph_title("energy", text("%.3g to ", double(low)) + text("%.3g J", double(high)),
+                {{"kinetic", look.accent}, {"potential", look.cool}, {"total", look.good}}, look);
+    const auto frame = graph_frame(look, 80 * scale);
     plot(frame, energies_, low, high, most, packed(look.cool), 1.5F * scale,
          [&](const Energies& e) { return e.potential - origin; });
     plot(frame, energies_, low, high, most, packed(look.accent), 1.5F * scale,
          [](const Energies& e) { return e.kinetic; });
     plot(frame, energies_, low, high, most, packed(look.good), 2 * scale,
          [&](const Energies& e) { return total(e) - origin; });
-    ImGui::PopFont();
-    ImGui::PopStyleVar();
 }
 
 } // namespace sinew::window

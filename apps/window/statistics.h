@@ -9,6 +9,9 @@
 
 namespace sinew::window {
 
+/// "20 distance, 4 angle": how many constraints of each kind, by the name that the kind has for itself.
+std::string kinds_of(const AnyWorld& world);
+
 /// What the world has and what it costs, over time.
 class Statistics {
   public:
@@ -20,10 +23,15 @@ class Statistics {
     void show(play::Play& play, const Look& look, const Fonts& fonts, float scale);
 
   private:
+    void numbers(play::Play& play, const Look& look) const;
+    void hash(play::Play& play, const Look& look, const Fonts& fonts) const;
+    void times(const Look& look, float scale) const;
+    void energies(const Look& look, float scale) const;
+
     static constexpr std::size_t most = 240;
 
     struct Energies {
-        float kinetic, potential, stored;
+        float kinetic, potential, stored; ///< joules
     };
 
     double frame_ = 16, step_ = 0; ///< milliseconds, smoothed

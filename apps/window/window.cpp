@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <backends/imgui_impl_opengl3.h>
 #include <backends/imgui_impl_sdl.h>
+#include <cfloat>
 #include <chrono>
 #include <epoxy/gl.h>
 #include <imgui.h>
@@ -29,10 +30,7 @@ class Window {
     explicit Window(play::Play& play) : play_(play), touch_(play), panel_(play) {}
 
     std::optional<std::string> run() {
-        settings_ = load_settings();
-        play_.theme = settings_.theme;
-        play_.panel = settings_.panel;
-        play_.free_running = settings_.free_running;
+        begin();
         if (auto problem = screen_.open("Sinew", settings_.width, settings_.height)) return problem;
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
@@ -45,7 +43,7 @@ class Window {
             last = now;
             if (is_lost_ || screen_.lost())
                 if (auto problem = start_anew()) {
-                    if (play_.is_edited()) keep_for_later(play_);
+                    play_.write_draft();
                     return problem;
                 }
             is_lost_ = false;
@@ -62,11 +60,47 @@ class Window {
     Screen screen_;
     Panel panel_;
     std::unique_ptr<GlPainter> painter_;
-    Picture picture_;
-    Area area_; ///< of the scene
+    std::vector<Picture> pictures_; ///< one a pane
+    Area area_;                     ///< of the scene
     std::string title_;
     std::int64_t frames_ = 0;
     double shown_ = 0, stepping_ = 0, gathering_ = 0, painting_ = 0; ///< seconds, of all frames
+
+    /// The game as its settings say.
+    void begin() {
+        settings_ = load_settings();
+        play_.theme = settings_.theme;
+        play_.panel = settings_.panel;
+        play_.free_running = settings_.free_running;
+        play_.hint = settings_.hint;
+        play_.recent = settings_.recent;
+        play_.keys.chosen = settings_.keys;
+        panel_.set_text_size(settings_.text_size);
+        play_.clipboard = [] {
+            char* const text = SDL_GetClipboardText();
+            const std::string copy = text ? text : "";
+            SDL_free(text);
+            return copy;
+        };
+        play_.set_clipboard = [](const std::string& text) { SDL_SetClipboardText(text.c_str()); };
+        play_.keep_draft_in(draft_path());
+        play_.offer_draft();
+    }
+
+    void save_settings() {
+        int width = 0, height = 0;
+        SDL_GetWindowSize(screen_.window(), &width, &height);
+        const double scale = screen_.size_scale();
+        settings_.theme = play_.theme;
+        settings_.width = std::max(int(width / scale), 1), settings_.height = std::max(int(height / scale), 1);
+        settings_.panel = play_.panel;
+        settings_.free_running = play_.free_running;
+        settings_.text_size = panel_.text_size();
+        settings_.hint = settings_.hint && play_.hint;
+        settings_.recent = play_.recent;
+        settings_.keys = play_.keys.chosen;
+        window::save_settings(settings_);
+    }
 
     /// What lives in the OpenGL context.
     std::optional<std::string> prepare() {
@@ -93,10 +127,8 @@ class Window {
                            {"ms_step", stepping_ * each},
                            {"ms_gather", gathering_ * each},
                            {"ms_paint", painting_ * each}});
-        int width = 0, height = 0;
-        SDL_GetWindowSize(screen_.window(), &width, &height);
-        save_settings({play_.theme, width, height, play_.panel, play_.free_running});
-        if (play_.is_edited()) keep_for_later(play_);
+        save_settings();
+        if (!play_.quit) play_.write_draft(); // interrupted: nobody was asked
         ImGui_ImplOpenGL3_Shutdown();
         ImGui_ImplSDL2_Shutdown();
         ImGui::DestroyContext();
@@ -106,8 +138,8 @@ class Window {
     void frame(double passed) {
         const int width = screen_.width(), height = screen_.height();
         const double density = screen_.density();
-        panel_.dress(density);
-        area_ = panel_.area(width, height);
+        panel_.arrange(width, height, density);
+        area_ = panel_.scene();
         play_.resize(area_.width, area_.height, density);
         for (SDL_Event event; SDL_PollEvent(&event);) take(event);
         if (screen_.minimized() || width < 1 || height < 1) { // nothing to see: time stands still
@@ -118,14 +150,16 @@ class Window {
         const auto begin = Clock::now();
         step(passed);
         const auto stepped = Clock::now();
-        play_.draw(picture_);
+        play_.draw_panes(pictures_);
         const auto drawn = Clock::now();
         name_window();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        painter_->paint(picture_, area_.left, height - area_.top - area_.height);
+        for (std::size_t i = 0; i < pictures_.size() && i < play_.pane_count(); ++i)
+            painter_->paint(pictures_[i], area_.left + play_.pane_left(i), height - area_.top - area_.height);
         glViewport(0, 0, width, height);
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplSDL2_NewFrame();
+        tell_gui_of_pixels();
         ImGui::NewFrame();
         panel_.show();
         ImGui::Render();
@@ -137,6 +171,19 @@ class Window {
         stepping_ += seconds_between(begin, stepped);
         gathering_ += seconds_between(stepped, drawn);
         painting_ += seconds_between(drawn, Clock::now());
+    }
+
+    /// ImGui's back-end asks the display server where the pointer is, which on X11 answers with an old place once a
+    /// button was pressed; and it counts in units of the window, where the panel counts in pixels.
+    void tell_gui_of_pixels() const {
+        auto& io = ImGui::GetIO();
+        io.DisplaySize = {float(screen_.width()), float(screen_.height())};
+        io.DisplayFramebufferScale = {1, 1};
+        const auto scale = float(screen_.pointer_scale());
+        int x = 0, y = 0;
+        const bool is_pressed = SDL_GetMouseState(&x, &y) != 0;
+        const bool is_here = SDL_GetMouseFocus() == screen_.window() || is_pressed;
+        io.MousePos = is_here ? ImVec2{float(x) * scale, float(y) * scale} : ImVec2{-FLT_MAX, -FLT_MAX};
     }
 
     /// Where the display does not make the program wait, more pictures than any display shows are of no use.
@@ -171,10 +218,10 @@ class Window {
 
     void take(const SDL_Event& event) {
         ImGui_ImplSDL2_ProcessEvent(&event);
-        const auto& io = ImGui::GetIO();
+        const bool typing = ImGui::GetIO().WantTextInput;
         switch (event.type) {
         case SDL_QUIT:
-            play_.quit = true;
+            play_.ask_to_quit();
             break;
         case SDL_RENDER_DEVICE_RESET:
         case SDL_RENDER_TARGETS_RESET:
@@ -184,12 +231,19 @@ class Window {
             play_.open(event.drop.file);
             SDL_free(event.drop.file);
             break;
+        case SDL_DROPTEXT:
+            play_.open_text(event.drop.file, "dropped");
+            SDL_free(event.drop.file);
+            break;
         case SDL_MOUSEMOTION:
             if (is_a_finger(event.motion.which)) break;
-            if (!io.WantCaptureMouse || dragging_) play_.handle(play::Moved{in_scene(event.motion.x, event.motion.y)});
+            if (is_free(event.motion.x, event.motion.y) || dragging_)
+                play_.handle(play::Moved{in_scene(event.motion.x, event.motion.y)});
+            else
+                play_.handle(play::Left{});
             break;
         case SDL_MOUSEBUTTONDOWN:
-            if (io.WantCaptureMouse || is_a_finger(event.button.which)) break;
+            if (!is_free(event.button.x, event.button.y) || is_a_finger(event.button.which)) break;
             play_.handle(play::Moved{in_scene(event.button.x, event.button.y)});
             if (const auto button = button_of(event.button.button)) press(*button);
             break;
@@ -198,7 +252,7 @@ class Window {
             if (const auto button = button_of(event.button.button); button && dragging_) release(*button);
             break;
         case SDL_MOUSEWHEEL:
-            if (!io.WantCaptureMouse) play_.handle(play::Scrolled{double(event.wheel.preciseY)});
+            if (is_free_now()) play_.handle(play::Scrolled{double(event.wheel.preciseY)});
             break;
         case SDL_FINGERDOWN:
             if (const auto at = under(event.tfinger); is_scene(at)) touch_.down(event.tfinger.fingerId, at);
@@ -210,7 +264,7 @@ class Window {
             touch_.up(event.tfinger.fingerId);
             break;
         case SDL_KEYDOWN:
-            if (!io.WantTextInput) play_.handle(play::Key{name_of_key(event.key.keysym)});
+            press_key(event.key.keysym, typing);
             break;
         case SDL_KEYUP:
             play_.handle(play::KeyUp{name_of_key(event.key.keysym)});
@@ -224,6 +278,25 @@ class Window {
     }
 
     bool dragging_ = false, is_lost_ = false;
+
+    /// Whether a pointer there is over the scene. Told from where things are, not from what ImGui saw in the picture
+    /// before: a pointer that leaves a button and is pressed at once is over the scene already.
+    bool is_free(int x, int y) const {
+        const double scale = screen_.pointer_scale();
+        return panel_.leaves_to_scene(x * scale, y * scale);
+    }
+    bool is_free_now() const {
+        int x = 0, y = 0;
+        SDL_GetMouseState(&x, &y);
+        return is_free(x, y);
+    }
+
+    /// Escape leaves a field of text, and what it belongs to.
+    void press_key(const SDL_Keysym& key, bool typing) {
+        const auto name = name_of_key(key);
+        if (panel_.take_key(name) || (typing && name != "escape")) return;
+        play_.handle(play::Key{name});
+    }
 
     static std::optional<play::Button> button_of(int number) {
         if (number == SDL_BUTTON_LEFT) return play::Button::left;
@@ -248,10 +321,7 @@ class Window {
     static bool is_a_finger(Uint32 mouse) { return mouse == SDL_TOUCH_MOUSEID; }
 
     /// A finger does not hover, so that the panel has not seen it come.
-    bool is_scene(Vec2<double> at) const {
-        return !play_.help && play_.problem().empty() && at[0] >= 0 && at[1] >= 0 && at[0] < area_.width &&
-               at[1] < area_.height;
-    }
+    bool is_scene(Vec2<double> at) const { return panel_.leaves_to_scene(at[0] + area_.left, at[1] + area_.top); }
 
     Vec2<double> under(const SDL_TouchFingerEvent& finger) const {
         return {{double(finger.x) * screen_.width() - area_.left, double(finger.y) * screen_.height() - area_.top}};

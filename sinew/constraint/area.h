@@ -18,6 +18,7 @@ template <int D> struct Area {
     static constexpr Dimensions dimensions{2, 2};
     static constexpr int length_power = 2;
     static constexpr double period = 0;
+    static constexpr auto drawn_as = DrawnAs::fill;
 
     template <class T> static T evaluate(std::span<const Vec<2, T>> x, std::span<Vec<2, T>> gradient) {
         const auto n = x.size();

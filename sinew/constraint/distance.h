@@ -11,6 +11,7 @@ template <int D> struct Distance {
     static constexpr Dimensions dimensions{2, 3};
     static constexpr int length_power = 1;
     static constexpr double period = 0;
+    static constexpr auto drawn_as = DrawnAs::line;
 
     template <class T> static Evaluated<2, D, T> evaluate(const Points<2, D, T>& x) {
         const auto ab = x[1] - x[0];

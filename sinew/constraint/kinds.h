@@ -26,6 +26,9 @@ template <class... Types> struct TypeList {
     template <class Visit> static constexpr void for_each(Visit&& visit) { (visit(std::type_identity<Types>{}), ...); }
 };
 
+/// The list of constraint kinds. A new kind is one new file, and here its header and one word.
+template <int D> using EveryKind = TypeList<Distance<D>, Angle<D>, Area<D>, Volume<D>, Dihedral<D>, Pulley<D>, Rail<D>>;
+
 namespace detail {
 
 template <int D, class Chosen, class... Rest> struct InDimension { using type = Chosen; };
@@ -36,13 +39,13 @@ template <int D, class... Chosen, class Kind, class... Rest> struct InDimension<
                                     InDimension<D, TypeList<Chosen...>, Rest...>>::type;
 };
 
+template <int D, class... Kind>
+auto in_dimension(TypeList<Kind...>) -> typename InDimension<D, TypeList<>, Kind...>::type;
+
 } // namespace detail
 
-/// The list of constraint kinds. A new kind is one new file and one word here.
-template <int D>
-using Kinds =
-    typename detail::InDimension<D, TypeList<>, //
-                                 Distance<D>, Angle<D>, Area<D>, Volume<D>, Dihedral<D>, Pulley<D>, Rail<D>>::type;
+/// The kinds that exist in D dimensions, in the order of the list: a world has a table for each.
+template <int D> using Kinds = decltype(detail::in_dimension<D>(EveryKind<D>{}));
 
 /// Where a kind stands in the list of its dimension: kind_number<Distance, 2>.
 template <template <int> class Kind, int D> inline constexpr int kind_number = Kinds<D>::template index_of<Kind<D>>;

@@ -17,6 +17,7 @@ template <int D> struct Pulley {
     static constexpr Dimensions dimensions{2, 3};
     static constexpr int length_power = 1;
     static constexpr double period = 0;
+    static constexpr auto drawn_as = DrawnAs::line;
 
     template <class T> static T evaluate(std::span<const Vec<D, T>> x, std::span<Vec<D, T>> gradient) {
         T length = T(0);

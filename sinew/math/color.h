@@ -11,7 +11,7 @@ struct Color {
     friend constexpr bool operator==(const Color&, const Color&) = default;
 };
 
-/// #rgb, #rrggbb, #rrggbbaa, "none" (fully transparent) or one of color_names; nothing for other text.
+/// #rgb, #rrggbb, #rrggbbaa, "none" (fully transparent) or a name of CSS (color_names.h); nothing for other text.
 std::optional<Color> parse_color(std::string_view text);
 
 /// a + (b - a) t, channel by channel.

@@ -12,13 +12,15 @@ template <int D, class Real> void Box::build(Builder<D, Real>& figure) const {
     const auto join = [&](std::string_view called, ParticleId a, ParticleId b) {
         figure.template constrain<Distance>(called, {a, b}, {.compliance = compliance});
     };
+    const bool classic = figure.mode() == Mode::classic;
+    if (classic) join("left", bottom_left, top_left); // first, as in the Roblox article
     join("top", top_left, top_right);
     join("right", top_right, bottom_right);
     join("bottom", bottom_right, bottom_left);
-    join("left", bottom_left, top_left);
+    if (!classic) join("left", bottom_left, top_left);
 
     const std::vector corners{top_left, top_right, bottom_right, bottom_left};
-    if (figure.mode() == Mode::physical) figure.draw(Mark::fill, "inside", corners); // the original is all lines
+    if (!classic) figure.draw(Mark::fill, "inside", corners); // the original is all lines
     const auto brace = [&](std::string_view called, ParticleId a, ParticleId b) {
         join(called, a, b);
         figure.draw(Mark::stroke, "brace", {a, b}, thickness, true);

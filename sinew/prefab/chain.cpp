@@ -3,6 +3,31 @@
 #include <fmt/format.h>
 
 namespace sinew {
+namespace {
+
+/// The original's: round loops, all seen from their broad side, and links over them from one to the next; the first
+/// loop is the anchor.
+template <int D, class Real>
+void draw_loops(Builder<D, Real>& figure, const std::vector<ParticleId>& row, double loop) {
+    constexpr double link = 0.25; // of a loop's diameter
+    for (std::size_t i = 0; i < row.size(); ++i)
+        figure.draw(Mark::ring, i == 0 ? "anchor" : "loop", {row[i], row[i]}, loop);
+    for (std::size_t i = 0; i + 1 < row.size(); ++i)
+        figure.draw(Mark::stroke, "link", {row[i], row[i + 1]}, link * loop);
+}
+
+/// Seen from the broad side and from the narrow one, in turns; the last from the broad one.
+template <int D, class Real>
+void draw_links(Builder<D, Real>& figure, const std::vector<ParticleId>& row, double thickness) {
+    constexpr double narrow = 0.3; // as thick as the wire of a ring
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+        const bool broad = (row.size() - i) % 2 == 0;
+        figure.draw(broad ? Mark::ring : Mark::stroke, "link", {row[i], row[i + 1]},
+                    broad ? thickness : narrow * thickness);
+    }
+}
+
+} // namespace
 
 Sizes Chain::sizes() const {
     const auto n = std::size_t(links);
@@ -40,14 +65,7 @@ template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {
     if (!classic && bend_limit < pi<double> && links > 1)
         stiffen(figure, row, {.limits = between(-bend_limit, bend_limit)});
     hold_ends(figure, row, pinned);
-
-    // Seen from the broad side and from the narrow one, in turns; the last from the broad one.
-    constexpr double narrow = 0.3; // as thick as the wire of a ring
-    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-        const bool broad = (row.size() - i) % 2 == 0;
-        figure.draw(broad ? Mark::ring : Mark::stroke, "link", {row[i], row[i + 1]},
-                    broad ? thickness : narrow * thickness);
-    }
+    classic ? draw_loops(figure, row, loop) : draw_links(figure, row, thickness);
 }
 
 #define SINEW_CHAIN(D, Real) template void Chain::build(Builder<D, Real>&) const;

@@ -126,9 +126,10 @@ template <int D, class Real> void draw_threads(Builder<D, Real>& figure, const G
     }
 }
 
+/// Column by column: the folds of what hangs run down, and are overlaid from one side to the other.
 template <int D, class Real> void draw_cells(Builder<D, Real>& figure, const Grid& grid) {
-    for (std::size_t r = 0; r + 1 < grid.rows; ++r)
-        for (std::size_t c = 0; c + 1 < grid.columns; ++c)
+    for (std::size_t c = 0; c + 1 < grid.columns; ++c)
+        for (std::size_t r = 0; r + 1 < grid.rows; ++r)
             figure.draw(Mark::surface, "cloth",
                         {grid.at(c, r), grid.at(c + 1, r), grid.at(c + 1, r + 1), grid.at(c, r + 1)});
 }

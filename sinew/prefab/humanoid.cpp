@@ -6,7 +6,8 @@ namespace sinew {
 namespace humanoid_rig {
 namespace {
 
-// The GameMaker tutorial's rig at its scale of 2, pixels: a right arm of 40 and 40, all other limbs of 64 and 64.
+// The GameMaker tutorial's rig at its scale of 2, pixels: a right arm of 40 and 40, all other limbs of 64 and 64. It
+// begins with its arms stretched out; here that is classic mode's.
 // clang-format off
 constexpr Joint joints[] = {
     // name               x       y   share  radius
@@ -16,24 +17,32 @@ constexpr Joint joints[] = {
     {"left_shoulder",   -24,      3,      8,     10},
     {"right_hip",        21,     46,      8,     12},
     {"left_hip",        -21,     46,      8,     12},
-    {"right_elbow",      56,     27,      8,     10},
-    {"right_hand",       88,     51,      4,     10},
-    {"left_elbow",    -62.4,   54.2,      8,     10},
-    {"left_hand",    -80.32, 115.64,      4,     10},
-    {"right_knee",    38.92, 107.44,      8,     12},
-    {"right_foot",    38.92, 171.44,      4,     12},
-    {"left_knee",    -38.92, 107.44,      8,     12},
-    {"left_foot",    -38.92, 171.44,      4,     12},
+    {"right_elbow",      56,     27,      8,     10, Rig::physical},
+    {"right_hand",       88,     51,      4,     10, Rig::physical},
+    {"left_elbow",    -62.4,   54.2,      8,     10, Rig::physical},
+    {"left_hand",    -80.32, 115.64,      4,     10, Rig::physical},
+    {"right_knee",    38.92, 107.44,      8,     12, Rig::physical},
+    {"right_foot",    38.92, 171.44,      4,     12, Rig::physical},
+    {"left_knee",    -38.92, 107.44,      8,     12, Rig::physical},
+    {"left_foot",    -38.92, 171.44,      4,     12, Rig::physical},
+    {"right_elbow",      64,      3,      0,      0, Rig::classic},
+    {"right_hand",      104,      3,      0,      0, Rig::classic},
+    {"left_elbow",      -88,      3,      0,      0, Rig::classic},
+    {"left_hand",      -152,      3,      0,      0, Rig::classic},
+    {"right_knee",       21,    110,      0,      0, Rig::classic},
+    {"right_foot",       21,    174,      0,      0, Rig::classic},
+    {"left_knee",       -21,    110,      0,      0, Rig::classic},
+    {"left_foot",       -21,    174,      0,      0, Rig::classic},
 };
 // clang-format on
-static_assert(shares_are_whole(joints, Rig::both));
+static_assert(shares_are_whole(joints, Rig::physical));
 
 // clang-format off
 constexpr Bone bones[] = {
     // name                from              to                part  widths
-    {"neck",             "root",           "head",           "bone", 0, 0},
-    {"right_collar",     "right_shoulder", "head",           "bone", 0, 0},
-    {"left_collar",      "left_shoulder",  "head",           "bone", 0, 0},
+    {"neck",             "root",           "head",           "bone", 0, 0, Rig::physical},
+    {"right_collar",     "right_shoulder", "head",           "bone", 0, 0, Rig::physical},
+    {"left_collar",      "left_shoulder",  "head",           "bone", 0, 0, Rig::physical},
     {"right_upper_arm",  "right_shoulder", "right_elbow",    "bone", 0, 0},
     {"right_forearm",    "right_elbow",    "right_hand",     "bone", 0, 0},
     {"left_upper_arm",   "left_shoulder",  "left_elbow",     "bone", 0, 0},
@@ -42,6 +51,9 @@ constexpr Bone bones[] = {
     {"right_shin",       "right_knee",     "right_foot",     "bone", 0, 0},
     {"left_thigh",       "left_hip",       "left_knee",      "bone", 0, 0},
     {"left_shin",        "left_knee",      "left_foot",      "bone", 0, 0},
+    {"neck",             "root",           "head",           "bone", 0, 0, Rig::classic},
+    {"left_collar",      "left_shoulder",  "head",           "bone", 0, 0, Rig::classic},
+    {"right_collar",     "right_shoulder", "head",           "bone", 0, 0, Rig::classic},
     {"right_chest",      "root",           "right_shoulder", "bone", 0, 0, Rig::physical},
     {"left_chest",       "root",           "left_shoulder",  "bone", 0, 0, Rig::physical},
     {"right_belly",      "root",           "right_hip",      "bone", 0, 0, Rig::physical},

@@ -30,13 +30,22 @@ double girth_of(std::string_view build) {
     return build == "slim" ? slim : build == "heavy" ? heavy : 1;
 }
 
-/// Flesh on the bones, back to front: legs, trunk, arms, head.
+template <int D, class Real>
+std::vector<ParticleId> all_named(Builder<D, Real>& figure, std::initializer_list<std::string_view> names) {
+    std::vector<ParticleId> particles;
+    for (const auto name : names) particles.push_back(figure.named(name));
+    return particles;
+}
+
+template <int D, class Real> void draw_head(Builder<D, Real>& figure, double scale) {
+    figure.draw(Mark::dot, "head", all_named(figure, {"head"}), scale * head_size);
+    figure.draw(Mark::face, "face", all_named(figure, {"left_shoulder", "right_shoulder", "neck", "head"}),
+                scale * head_size);
+}
+
+/// Flesh on the bones, back to front: legs, trunk, arms.
 template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double scale, double girth) {
-    const auto named = [&](std::initializer_list<std::string_view> names) {
-        std::vector<ParticleId> particles;
-        for (const auto name : names) particles.push_back(figure.named(name));
-        return particles;
-    };
+    const auto named = [&](std::initializer_list<std::string_view> names) { return all_named(figure, names); };
     const auto limb = [&](std::string_view part, std::initializer_list<std::string_view> names, double from,
                           double to) {
         figure.draw_tapered(Mark::stroke, part, named(names), scale * girth * from, scale * girth * to);
@@ -55,7 +64,6 @@ template <int D, class Real> void draw_flesh(Builder<D, Real>& figure, double sc
         figure.draw(Mark::dot, "hand", named({hand}), scale * hand_size);
     limb("sleeve", {"left_shoulder", "left_elbow"}, sleeve, elbow);
     limb("sleeve", {"right_shoulder", "right_elbow"}, sleeve, elbow);
-    figure.draw(Mark::dot, "head", named({"head"}), scale * head_size);
 }
 
 } // namespace
@@ -72,7 +80,8 @@ template <int D, class Real> void Ragdoll::build(Builder<D, Real>& figure) const
     const double scale = height / tallness, girth = girth_of(stature);
     const bool classic = figure.mode() == Mode::classic;
     build_body(figure, D == 2 ? ragdoll_in_plane::body : ragdoll_in_space::body, scale, mass, turns_of(pose));
-    if (D == 3 || !classic) draw_flesh(figure, scale, girth);
+    if (!classic) draw_flesh(figure, scale, girth);
+    if (D == 3 || !classic) draw_head(figure, scale);
 }
 
 #define SINEW_RAGDOLL(D, Real) template void Ragdoll::build(Builder<D, Real>&) const;

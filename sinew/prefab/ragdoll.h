@@ -14,7 +14,8 @@ namespace sinew {
 ///
 /// Classic: the original's 15 points (besides these head_left, head_right and center, which is tied to nothing) and 21
 /// segments, all alike. Physical: particles neck and head, masses by body part, knees and elbows that bend one way,
-/// head and hips in a range, and none of the original's hidden beams. In space its front is towards z, in either mode.
+/// head and hips in a range, and none of the original's hidden beams. In space its front is towards z, in either mode;
+/// classic mode draws its bones as sticks and what keeps joints in their ranges as threads.
 struct Ragdoll {
     static constexpr std::string_view name = "ragdoll";
     static constexpr std::string_view about = "A limp human figure to drop, throw and drag about.";

@@ -66,8 +66,9 @@ inline constexpr Bone bones[] = {
 };
 // clang-format on
 
-// Knees point outwards and elbows up: the right side mirrors the left. Turns of the trunk are limited so that a blow
-// cannot leave it inside out: at rest they are 104 and 90 degrees, and the nod 14.
+// Knees point outwards and elbows up: the right side mirrors the left. A thigh opens 70 degrees from the trunk, so that
+// the legs cannot come down in a split. Turns of the trunk are limited so that a blow cannot leave it inside out: at
+// rest they are 104 and 90 degrees, and the nod 14.
 // clang-format off
 inline constexpr Bend bends[] = {
     // name              from              at                to             least  most
@@ -75,8 +76,8 @@ inline constexpr Bend bends[] = {
     {"right_elbow",    "right_shoulder", "right_elbow",    "right_hand",  -150,    0, Rig::physical},
     {"left_knee",      "left_hip",       "left_knee",      "left_foot",      0,  140, Rig::physical},
     {"right_knee",     "right_hip",      "right_knee",     "right_foot",  -140,    0, Rig::physical},
-    {"left_hip",       "left_shoulder",  "left_hip",       "left_knee",   -120,   45, Rig::physical},
-    {"right_hip",      "right_shoulder", "right_hip",      "right_knee",   -45,  120, Rig::physical},
+    {"left_hip",       "left_shoulder",  "left_hip",       "left_knee",    -70,   45, Rig::physical},
+    {"right_hip",      "right_shoulder", "right_hip",      "right_knee",   -45,   70, Rig::physical},
     {"nod",            "left_hip",       "neck",           "head",         -21, 49, Rig::physical},
     {"trunk",          "left_hip",       "right_hip",      "neck",          60,  150, Rig::physical},
     {"left_shoulder",  "neck",           "left_shoulder",  "left_hip",      45,  135, Rig::physical},
@@ -91,7 +92,8 @@ inline constexpr Body body{joints, bones, bends};
 namespace sinew::ragdoll_in_space {
 
 // The same body with depth: its front is towards positive z. Shoulders and neck are one rigid triangle, hips and neck
-// another; all other joints are kept in their ranges by distances that have room (Jakobsen 2001), and by folds.
+// another; all other joints are kept in their ranges by distances that have room (Jakobsen 2001), and by folds. The
+// knees come 0.78 m apart at the most, as thighs do that open 46 degrees each.
 // clang-format off
 inline constexpr Joint joints[] = {
     // name              x    y    share  radius
@@ -113,40 +115,41 @@ inline constexpr Joint joints[] = {
 static_assert(shares_are_whole(joints, Rig::both));
 
 inline constexpr double no_limit = 100;
+inline constexpr double stick = 5, thread = 1; // lines of classic mode: bones, and what keeps joints in their ranges
 
 inline constexpr Bone bones[] = {
     // name                from              to               part        widths        least  most
-    {"shoulders",        "left_shoulder",  "right_shoulder", "torso",     0, 0},
-    {"left_collar",      "neck",           "left_shoulder",  "torso",     0, 0},
-    {"right_collar",     "neck",           "right_shoulder", "torso",     0, 0},
-    {"pelvis",           "left_hip",       "right_hip",      "torso",     0, 0},
-    {"left_spine",       "neck",           "left_hip",       "torso",     0, 0},
-    {"right_spine",      "neck",           "right_hip",      "torso",     0, 0},
-    {"neck",             "neck",           "head",           "head",      0, 0},
-    {"left_upper_arm",   "left_shoulder",  "left_elbow",     "arm",       0, 0},
-    {"left_forearm",     "left_elbow",     "left_hand",      "arm",       0, 0},
-    {"right_upper_arm",  "right_shoulder", "right_elbow",    "arm",       0, 0},
-    {"right_forearm",    "right_elbow",    "right_hand",     "arm",       0, 0},
-    {"left_thigh",       "left_hip",       "left_knee",      "leg",       0, 0},
-    {"left_shin",        "left_knee",      "left_foot",      "leg",       0, 0},
-    {"right_thigh",      "right_hip",      "right_knee",     "leg",       0, 0},
-    {"right_shin",       "right_knee",     "right_foot",     "leg",       0, 0},
-    {"left_side",        "left_shoulder",  "left_hip",       "limit",     0, 0, Rig::both, 0.85, 1.1},
-    {"right_side",       "right_shoulder", "right_hip",      "limit",     0, 0, Rig::both, 0.85, 1.1},
-    {"falling_twist",    "left_shoulder",  "right_hip",      "limit",     0, 0, Rig::both, 0.85, 1.1},
-    {"rising_twist",     "right_shoulder", "left_hip",       "limit",     0, 0, Rig::both, 0.85, 1.1},
-    {"left_nod",         "left_shoulder",  "head",           "limit",     0, 0, Rig::both, 0.7, 1.25},
-    {"right_nod",        "right_shoulder", "head",           "limit",     0, 0, Rig::both, 0.7, 1.25},
-    {"left_bow",         "left_hip",       "head",           "limit",     0, 0, Rig::both, 0.93, 1.1},
-    {"right_bow",        "right_hip",      "head",           "limit",     0, 0, Rig::both, 0.93, 1.1},
-    {"left_reach",       "left_shoulder",  "left_hand",      "limit",     0, 0, Rig::both, 0.35, no_limit},
-    {"right_reach",      "right_shoulder", "right_hand",     "limit",     0, 0, Rig::both, 0.35, no_limit},
-    {"left_squat",       "left_hip",       "left_foot",      "limit",     0, 0, Rig::both, 0.35, no_limit},
-    {"right_squat",      "right_hip",      "right_foot",     "limit",     0, 0, Rig::both, 0.35, no_limit},
-    {"left_crouch",      "left_shoulder",  "left_knee",      "limit",     0, 0, Rig::both, 0.5, no_limit},
-    {"right_crouch",     "right_shoulder", "right_knee",     "limit",     0, 0, Rig::both, 0.5, no_limit},
-    {"knees",            "left_knee",      "right_knee",     "limit",     0, 0, Rig::both, 0.45, no_limit},
-    {"ankles",           "left_foot",      "right_foot",     "limit",     0, 0, Rig::both, 0.3, no_limit},
+    {"shoulders",        "left_shoulder",  "right_shoulder", "torso",     stick, 0},
+    {"left_collar",      "neck",           "left_shoulder",  "torso",     stick, 0},
+    {"right_collar",     "neck",           "right_shoulder", "torso",     stick, 0},
+    {"pelvis",           "left_hip",       "right_hip",      "torso",     stick, 0},
+    {"left_spine",       "neck",           "left_hip",       "torso",     stick, 0},
+    {"right_spine",      "neck",           "right_hip",      "torso",     stick, 0},
+    {"neck",             "neck",           "head",           "head",      stick, 0},
+    {"left_upper_arm",   "left_shoulder",  "left_elbow",     "arm",       stick, 0},
+    {"left_forearm",     "left_elbow",     "left_hand",      "arm",       stick, 0},
+    {"right_upper_arm",  "right_shoulder", "right_elbow",    "arm",       stick, 0},
+    {"right_forearm",    "right_elbow",    "right_hand",     "arm",       stick, 0},
+    {"left_thigh",       "left_hip",       "left_knee",      "leg",       stick, 0},
+    {"left_shin",        "left_knee",      "left_foot",      "leg",       stick, 0},
+    {"right_thigh",      "right_hip",      "right_knee",     "leg",       stick, 0},
+    {"right_shin",       "right_knee",     "right_foot",     "leg",       stick, 0},
+    {"left_side",        "left_shoulder",  "left_hip",       "limit", thread, 0, Rig::both, 0.85, 1.1},
+    {"right_side",       "right_shoulder", "right_hip",      "limit", thread, 0, Rig::both, 0.85, 1.1},
+    {"falling_twist",    "left_shoulder",  "right_hip",      "limit", thread, 0, Rig::both, 0.85, 1.1},
+    {"rising_twist",     "right_shoulder", "left_hip",       "limit", thread, 0, Rig::both, 0.85, 1.1},
+    {"left_nod",         "left_shoulder",  "head",           "limit", thread, 0, Rig::both, 0.7, 1.25},
+    {"right_nod",        "right_shoulder", "head",           "limit", thread, 0, Rig::both, 0.7, 1.25},
+    {"left_bow",         "left_hip",       "head",           "limit", thread, 0, Rig::both, 0.93, 1.1},
+    {"right_bow",        "right_hip",      "head",           "limit", thread, 0, Rig::both, 0.93, 1.1},
+    {"left_reach",       "left_shoulder",  "left_hand",      "limit", thread, 0, Rig::both, 0.35, no_limit},
+    {"right_reach",      "right_shoulder", "right_hand",     "limit", thread, 0, Rig::both, 0.35, no_limit},
+    {"left_squat",       "left_hip",       "left_foot",      "limit", thread, 0, Rig::both, 0.35, no_limit},
+    {"right_squat",      "right_hip",      "right_foot",     "limit", thread, 0, Rig::both, 0.35, no_limit},
+    {"left_crouch",      "left_shoulder",  "left_knee",      "limit", thread, 0, Rig::both, 0.5, no_limit},
+    {"right_crouch",     "right_shoulder", "right_knee",     "limit", thread, 0, Rig::both, 0.5, no_limit},
+    {"knees",            "left_knee",      "right_knee",     "limit", thread, 0, Rig::both, 0.45, 2.6},
+    {"ankles",           "left_foot",      "right_foot",     "limit", thread, 0, Rig::both, 0.3, no_limit},
 };
 
 inline constexpr Fold folds[] = {

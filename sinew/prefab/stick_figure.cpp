@@ -48,7 +48,18 @@ constexpr Bone bones[] = {
 };
 // clang-format on
 
-constexpr Body body{joints, bones, {}};
+// Supports hold thighs and upper arms; what is beyond elbows and knees stays on its own side of the trunk.
+// clang-format off
+constexpr Bend bends[] = {
+    // name          from    at             to            least most
+    {"left_elbow",  "neck", "left_elbow",  "left_hand",     0,   95, Rig::physical},
+    {"right_elbow", "neck", "right_elbow", "right_hand",  -95,    0, Rig::physical},
+    {"left_knee",   "hips", "left_knee",   "left_foot",  -110,   25, Rig::physical},
+    {"right_knee",  "hips", "right_knee",  "right_foot",  -25,  110, Rig::physical},
+};
+// clang-format on
+
+constexpr Body body{joints, bones, bends};
 
 } // namespace
 } // namespace stick_figure_rig

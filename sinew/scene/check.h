@@ -12,6 +12,9 @@ void check_values(const Scene& scene, Document& document);
 /// Once it is built: every particle, constraint, figure and part that is spoken of exists.
 void check_references(const Scene& scene, const AnyWorld& world, Document& document);
 
+/// A place in a document: "/figures/2/looks".
+std::string under(std::string_view list, std::size_t index, std::string_view key = {});
+
 /// What the scene calls a figure: its name, else its prefab's.
 std::string_view name_of(const FigureSection& figure);
 

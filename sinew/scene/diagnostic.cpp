@@ -238,9 +238,46 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
     return best;
 }
 
+namespace {
+
+/// Length of the longest stretch of letters that both have.
+std::size_t common_stretch(std::string_view a, std::string_view b) {
+    std::size_t longest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            std::size_t n = 0;
+            while (i + n < a.size() && j + n < b.size() && lower(a[i + n]) == lower(b[j + n])) ++n;
+            longest = std::max(longest, n);
+        }
+    return longest;
+}
+
+} // namespace
+
+std::vector<std::string_view> similar(std::string_view word, std::span<const std::string_view> candidates,
+                                      std::size_t most) {
+    constexpr std::size_t least_stretch = 3;
+    struct Scored {
+        std::size_t stretch, edits;
+        std::string_view name;
+    };
+    std::vector<Scored> scored;
+    if (word.size() > longest_word) return {};
+    for (const auto candidate : candidates)
+        if (candidate.size() <= longest_word)
+            if (const auto stretch = common_stretch(word, candidate); stretch >= least_stretch)
+                scored.push_back({stretch, edits(word, candidate), candidate});
+    std::ranges::stable_sort(scored, [](const Scored& a, const Scored& b) {
+        return std::tuple(b.stretch, a.edits) < std::tuple(a.stretch, b.edits);
+    });
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < std::min(most, scored.size()); ++i) names.push_back(scored[i].name);
+    return names;
+}
+
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates) {
     if (candidates.empty()) return "nothing is allowed here";
-    constexpr std::size_t most_listed = 32;
+    constexpr std::size_t most_listed = 32, few_more = 8; // "and 1 more" would take the place of the one
     constexpr std::size_t most_sorted = 1000;
     const auto unsorted = candidates.size() - std::min(candidates.size(), most_sorted);
     std::string help;
@@ -251,9 +288,10 @@ std::string suggest(std::string_view word, std::vector<std::string_view> candida
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     help += near.empty() ? "allowed here: " : "(allowed here: ";
-    for (std::size_t i = 0; i < std::min(candidates.size(), most_listed); ++i)
-        help += concat(i > 0 ? ", " : "", printable(candidates[i]));
-    if (candidates.size() > most_listed) help += concat(" and ", candidates.size() + unsorted - most_listed, " more");
+    const auto all = candidates.size() + unsorted;
+    const auto listed = all <= most_listed + few_more ? all : most_listed;
+    for (std::size_t i = 0; i < listed; ++i) help += concat(i > 0 ? ", " : "", printable(candidates[i]));
+    if (all > listed) help += concat(" and ", all - listed, " more");
     if (!near.empty()) help += ")";
     return help;
 }

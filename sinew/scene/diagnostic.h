@@ -84,6 +84,11 @@ std::string to_text(const Diagnostics& diagnostics, const PrintStyle& style = {}
 /// and swaps of neighbours count (optimal string alignment), case does not.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
+/// The candidates most like `word`, best first: those that share a stretch of at least three letters with it, the
+/// longest first, then those of the fewest edits.
+std::vector<std::string_view> similar(std::string_view word, std::span<const std::string_view> candidates,
+                                      std::size_t most);
+
 /// `did you mean "mass"? (allowed here: id, mass, pinned, pos)`
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates);
 

@@ -93,21 +93,11 @@ struct PointerDriver {
     std::vector<Keyframe> keys;
     bool smooth = true;
     bool repeat = false;
-    double seek = 1;
-    double seek_damping = 1;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.keys, Field{.name = "keys", .help = "Where a pointer would be when, in the order of time"});
         visit(self.smooth, Field{.name = "smooth", .help = "On a curve through the places, not straight"});
         visit(self.repeat, Field{.name = "repeat", .help = "Again from time 0 after the last"});
-        visit(self.seek, Field{.name = "seek",
-                               .help = "Share of its way to the pointer that it sets out on each frame; 1 is at once",
-                               .low = 0,
-                               .high = 1});
-        visit(self.seek_damping, Field{.name = "seek_damping",
-                                       .help = "Share of its speed that it loses each frame; below 1 it overshoots",
-                                       .low = 0,
-                                       .high = 1});
     }
 };
 

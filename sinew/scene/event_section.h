@@ -134,7 +134,8 @@ struct GustEvent {
 
 struct CutEvent {
     static constexpr std::string_view name = "cut";
-    static constexpr std::string_view about = "Cuts every distance that crosses a line, as seen in the picture.";
+    static constexpr std::string_view about =
+        "Cuts every distance that crosses a line, as seen in the picture; cloth is sliced along it.";
     std::array<Point, 2> line{};
     std::optional<double> within;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/constraint/kind_table.h"
 #include "sinew/math/point.h"
 #include "sinew/prefab/prefabs.h"
 #include "sinew/scene/driver_section.h"
@@ -13,9 +14,6 @@
 
 /// What there is in a scene: its figures, and what joins and holds them.
 namespace sinew {
-
-inline constexpr std::array<std::string_view, 7> kind_names = {"distance", "angle",  "area", "volume",
-                                                               "dihedral", "pulley", "rail"};
 
 /// What moves the limits of a constraint: "drive". Of a distance it is a winch, of an angle a motor.
 struct DriveKey {
@@ -132,8 +130,8 @@ struct ParticleSection {
     }
 };
 
-inline constexpr std::array<std::string_view, 9> mark_names = {"stroke", "curve", "limb", "tip",    "loop",
-                                                               "ring",   "dot",   "fill", "surface"};
+inline constexpr std::array<std::string_view, 10> mark_names = {"stroke", "curve", "limb", "tip",     "loop",
+                                                                "ring",   "dot",   "fill", "surface", "face"};
 
 /// What is drawn of a figure made by hand, beside its dots and its lines.
 struct PieceSection {
@@ -187,6 +185,7 @@ struct FigureSection {
     std::vector<std::pair<std::string, Point>> kicks;
     std::optional<double> relaxation, split;
     std::string direct;
+    std::string integrator;
     std::vector<std::pair<std::string, Look>> looks;
     detail::WithByHand<Prefabs>::type made; ///< a prefab with its parameters, or by hand
 
@@ -206,6 +205,9 @@ struct FigureSection {
         visit(self.direct, Field{.name = "direct",
                                  .help = "As solver.direct, for what this figure is part of; left out: as there",
                                  .choices = direct_names});
+        visit(self.integrator, Field{.name = "integrator",
+                                     .help = "As solver.rules.integrator, for this figure; left out: as there",
+                                     .choices = integrator_names});
         visit(self.looks, Field{.name = "looks", .help = "How its parts look, by part; \"all\" for the whole"});
         visit(self.made, Field{.name = "prefab", .help = "What it is; left out: by_hand"});
     }
@@ -217,6 +219,8 @@ struct PinSection {
     double compliance = 0;
     double damping = 1;
     double max_force = 0;
+    std::optional<Point> steer;
+    double steer_damping = 0;
     std::optional<Driver> driver;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -237,6 +241,19 @@ struct PinSection {
                                     .unit = unit::force,
                                     .low = 0,
                                     .high = 1e15});
+        visit(self.steer,
+              Field{.name = "steer",
+                    .help = "Accelerates the particle towards the target instead of holding it there, by so much for "
+                            "each unit of distance, along each axis. In classic mode nothing else accelerates it; in "
+                            "physical mode a spring as stiff as their mean does it",
+                    .unit = {.time = -2},
+                    .low = 0,
+                    .high = 1e6});
+        visit(self.steer_damping, Field{.name = "steer_damping",
+                                        .help = "Of a pin that steers: acceleration against each unit of velocity",
+                                        .unit = {.time = -1},
+                                        .low = 0,
+                                        .high = 1e6});
         visit(self.driver, Field{.name = "driver", .help = "What moves it by itself; left out: nothing"});
     }
 };

@@ -45,7 +45,9 @@ template <int D, class Real> class Maker {
         const auto order = std::find(RulesSection::orders.begin(), RulesSection::orders.end(), rules.order);
         settings.classic = {
             .passes = solver.passes,
-            .order = PassOrder(order - RulesSection::orders.begin()),
+            .order = std::min(PassOrder(order - RulesSection::orders.begin()), PassOrder::walls_last),
+            .moves_each_pass = rules.moves_each_pass,
+            .integrator = integrator(rules.integrator),
             .keep = Real(scene_.world.damping.value_or(1)),
             .damp_after_force = rules.damp_after_force,
             .root_free = rules.root_free,
@@ -58,7 +60,6 @@ template <int D, class Real> class Maker {
             .unscaled_inertia = rules.unscaled_inertia,
             .halved_acceleration = rules.halved_acceleration,
             .dropped_leftover = rules.dropped_leftover,
-            .displaced_hold = rules.displaced_hold,
         };
     }
 
@@ -79,7 +80,13 @@ template <int D, class Real> class Maker {
                 .seed = seed(force.seed)};
     }
     Attractor<D, Real> field(const AttractorForce& force) const {
-        return {vector(force.center), Real(force.strength), Real(force.softness)};
+        return {vector(force.center), Real(force.strength), Real(force.softness), figure_called(force.figure)};
+    }
+    /// Figures are made in their order; no_figure where the name is empty.
+    FigureIndex figure_called(std::string_view name) const {
+        for (std::size_t i = 0; i < scene_.figures.size(); ++i)
+            if (!name.empty() && name_of(scene_.figures[i]) == name) return FigureIndex(i);
+        return no_figure;
     }
     RandomPush<D, Real> field(const RandomPushForce& force) const {
         return {vector(force.low), vector(force.high), seed(force.seed)};
@@ -112,6 +119,7 @@ template <int D, class Real> class Maker {
         FigureIndex figure = no_figure;
         detail::visit_held(section.made, [&](const auto& made) { figure = build_figure(made, name, section); });
         world_.figures[figure].direct = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
+        if (!section.integrator.empty()) world_.figures[figure].integrator = integrator(section.integrator);
         for (const auto id : world_.figures[figure].particles) speed_up(id, section.velocity);
         for (const auto& [particle, kick] : section.kicks)
             if (const auto id = find_particle(world_, std::string(name) + "/" + particle)) speed_up(*id, kick);
@@ -119,6 +127,10 @@ template <int D, class Real> class Maker {
             figure, section.relaxation, [](auto& table) -> auto& { return table.relaxation; });
         override_column(
             figure, section.split, [](auto& table) -> auto& { return table.split; });
+    }
+
+    static Integrator integrator(std::string_view name) {
+        return Integrator(std::find(integrator_names.begin(), integrator_names.end(), name) - integrator_names.begin());
     }
 
     static Direct direct(std::string_view name) {
@@ -190,16 +202,40 @@ template <int D, class Real> class Maker {
     void hold(const PinSection& section) {
         std::optional<Vector> target;
         if (section.to) target = vector(*section.to);
-        for (const auto id : find_particles(world_, section.particle))
-            pin(world_, id,
-                {.target = target,
-                 .compliance = Real(section.compliance),
-                 .damping = Real(section.damping),
-                 .max_force = Real(section.max_force)});
+        for (const auto id : find_particles(world_, section.particle)) {
+            PinSpec<D, Real> spec{.target = target,
+                                  .compliance = Real(section.compliance),
+                                  .damping = Real(section.damping),
+                                  .max_force = Real(section.max_force),
+                                  .hold = section.driver ? hold_rule(scene_) : Hold::fixed};
+            if (section.steer) steer(spec, section, id);
+            pin(world_, id, spec);
+        }
+    }
+
+    /// Physical mode: a spring of the mean stiffness k m, with as much of the critical damping 2 sqrt(k) m.
+    void steer(PinSpec<D, Real>& spec, const PinSection& section, ParticleId id) const {
+        const auto gain = vector(*section.steer);
+        if (world_.settings.mode == Mode::classic) {
+            spec.steer = gain;
+            spec.steer_damping = Real(section.steer_damping);
+            return;
+        }
+        Real mean = 0;
+        for (int i = 0; i < D; ++i) mean += gain[i] / Real(D);
+        spec.compliance = world_.particles.inverse_mass[*row_of(world_, id)] * inverse_or_zero(mean);
+        spec.damping = Real(section.steer_damping) * inverse_or_zero(Real(2) * square_root(mean));
     }
 };
 
 } // namespace
+
+Hold hold_rule(const Scene& scene) {
+    const auto& rules = scene.solver.rules;
+    if (rules.displaced_hold) return Hold::displaced;
+    return Hold(std::find(RulesSection::holds.begin(), RulesSection::holds.end(), rules.hold) -
+                RulesSection::holds.begin());
+}
 
 AnyWorld instantiate(const Scene& scene) {
     const bool single = scene.solver.precision == "float";

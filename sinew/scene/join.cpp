@@ -1,5 +1,6 @@
 #include "sinew/scene/join.h"
 
+#include "sinew/constraint/kind_table.h"
 #include "sinew/scene/check.h"
 #include "sinew/solver/edit.h"
 
@@ -9,7 +10,7 @@ namespace sinew {
 namespace {
 
 template <class Real> std::optional<Interval<Real>> limits_of(const ConstraintSection& section) {
-    const Real in_program = section.kind == "angle" || section.kind == "dihedral" ? pi<Real> / 180 : 1;
+    const Real in_program = kind_called(section.kind)->angle ? pi<Real> / 180 : 1;
     if (section.rest) return exactly(Real(*section.rest) * in_program);
     if (!section.low && !section.high) return std::nullopt;
     auto limits = between(-std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity());
@@ -18,13 +19,17 @@ template <class Real> std::optional<Interval<Real>> limits_of(const ConstraintSe
     return limits;
 }
 
-template <int D> int kind_of(std::string_view name) {
-    int number = 0, found = -1;
-    Kinds<D>::for_each([&]<class Kind>(std::type_identity<Kind>) {
-        if (name == Kind::name) found = number;
-        ++number;
-    });
-    return found;
+/// The mark of a constraint made by hand: a line is called "line", an area by its kind.
+void draw(Figure& figure, const ConstraintSection& section, const std::vector<ParticleId>& members) {
+    const auto drawn_as = kind_called(section.kind)->drawn_as;
+    if (drawn_as == DrawnAs::nothing) return;
+    const bool line = drawn_as == DrawnAs::line;
+    figure.pieces.push_back({.mark = line ? Mark::stroke : Mark::fill,
+                             .part = !section.name.empty() ? section.name
+                                     : line                ? "line"
+                                                           : section.kind,
+                             .particles = members,
+                             .hidden = section.hidden});
 }
 
 template <int D, class Real>
@@ -39,17 +44,12 @@ void join_members(World<D, Real>& world, const ConstraintSection& section, Figur
                                     .breaking_strain = Real(tears_beyond(section.breaking_strain)),
                                     .toughness = Real(section.toughness),
                                     .figure = figure};
-    const auto id = add_constraint(world, kind_of<D>(section.kind), members, spec);
+    const auto id = add_constraint(world, kind_index<D>(section.kind), members, spec);
     if (!id || figure == no_figure) return;
     auto& built = world.figures[figure];
     built.constraints.push_back(*id);
     if (!section.name.empty()) built.constraint_names.emplace_back(section.name, *id);
-    const bool line = section.kind == "distance" || section.kind == "pulley";
-    if (line || section.kind == "area")
-        built.pieces.push_back({.mark = line ? Mark::stroke : Mark::fill,
-                                .part = section.name.empty() ? (line ? "line" : "area") : section.name,
-                                .particles = members,
-                                .hidden = section.hidden});
+    draw(built, section, members);
 }
 
 } // namespace

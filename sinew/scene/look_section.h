@@ -44,6 +44,9 @@ struct ImageLook {
 /// Colours of the theme that a look can name: what stands out from the background, and the background itself.
 inline constexpr std::array<std::string_view, 2> theme_colors = {"ink", "paper"};
 
+/// Faces that a look can put on a round part.
+inline constexpr std::array<std::string_view, 4> expressions = {"none", "awake", "asleep", "dizzy"};
+
 /// Of one part of one figure ("bob/head"), of a whole figure ("bob") or of that part in all figures ("head").
 struct Look {
     std::string color;
@@ -52,6 +55,7 @@ struct Look {
     std::optional<double> width;
     std::vector<double> profile;
     std::optional<bool> hidden;
+    std::string face;
     std::optional<ImageLook> image;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -70,6 +74,11 @@ struct Look {
                                   .low = 0,
                                   .high = 100});
         visit(self.hidden, Field{.name = "hidden", .help = "Not drawn; false shows what is hidden by default"});
+        visit(self.face,
+              Field{.name = "face",
+                    .help = "On dots and tips, or instead of the face that a part is: eyes and a mouth; left "
+                            "out: as it is",
+                    .choices = expressions});
         visit(self.image, Field{.name = "image", .help = "Painted in its place"});
     }
 };

@@ -133,6 +133,21 @@ void report_missing(const json::Value& object, const Field& field, const Path& p
                              help_of(field));
 }
 
+/// Help with an unknown key. The author of an override sees no file in front of him: he is told full paths.
+std::string help_with(const json::Member& member, const std::vector<std::string_view>& allowed, const Reading& in) {
+    constexpr std::uint32_t file = 0;
+    constexpr std::size_t most_told = 4;
+    if (member.key_span.source == file || !in.elsewhere || !nearest(member.key, allowed).empty())
+        return suggest(member.key, allowed);
+    const auto paths = in.elsewhere(member.key);
+    if (paths.empty()) return suggest(member.key, allowed);
+    std::string help = "did you mean ";
+    for (std::size_t i = 0; i < std::min(paths.size(), most_told); ++i)
+        help += concat(i == 0 ? "" : " or ", in_quotes(paths[i]));
+    if (paths.size() > most_told) help += concat(", or at ", paths.size() - most_told, " more places");
+    return help + "?";
+}
+
 bool report_unknown(const json::Object& object, const std::vector<std::string_view>& allowed, const Path& path,
                     const Reading& in) {
     bool any = false;
@@ -141,7 +156,7 @@ bool report_unknown(const json::Object& object, const std::vector<std::string_vi
         any = true;
         if (room(in))
             in.diagnostics.error(member.key_span, path.text(), concat("unknown property ", in_quotes(member.key)),
-                                 suggest(member.key, allowed));
+                                 help_with(member, allowed, in));
     }
     return any;
 }

@@ -7,6 +7,7 @@
 #include "sinew/scene/units.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -23,6 +24,8 @@ struct Reading {
     int dimension = 2;
     Units units = {};
     mutable std::int64_t memory = Limits{}.memory; ///< bytes left for lists
+    /// Full paths at which a key is allowed, for an override that gives it at another.
+    std::function<std::vector<std::string>(std::string_view key)> elsewhere = {};
 };
 
 /// Where in the document the reader is; a chain on the stack, made text only for a message.

@@ -1,6 +1,7 @@
 #include "sinew/scene/scene.h"
 
 #include "sinew/scene/check.h"
+#include "sinew/scene/key_paths.h"
 #include "sinew/scene/layout.h"
 #include "sinew/scene/read_images.h"
 #include "sinew/scene/read_models.h"
@@ -44,6 +45,18 @@ Units measures(const UnitsSection& section) {
     return units;
 }
 
+/// A file of a later version says things that this program cannot know: nothing else of it is read.
+bool is_of_later_version(Document& document) {
+    const auto* version = json::find(document.root, "/sinew");
+    const auto* number = version ? version->as<json::Number>() : nullptr;
+    if (!number || !number->integer || *number->integer <= Scene{}.version) return false;
+    document.error(
+        "/sinew",
+        concat("this file is of version ", *number->integer, " of the scene format, which a later Sinew reads"),
+        concat("this one reads version ", Scene{}.version));
+    return true;
+}
+
 } // namespace
 
 Units Scene::measures() const {
@@ -56,15 +69,20 @@ double step_length(const Scene& scene) {
 
 std::optional<Opened> open_scene(Document& document, const ImageReader& images, const ModelReader& models) {
     const bool unreadable = document.root.as<json::Object>()->empty() && !document.diagnostics.ok();
-    if (unreadable) return std::nullopt;
+    if (unreadable || is_of_later_version(document)) return std::nullopt;
     Diagnostics heard_again = document.diagnostics; // what the header says wrong, the whole reading says too
     const Header header(document, heard_again);
     Opened opened;
+    std::optional<Layout> layout; // made for the first mistake
     read(document.root, opened.scene,
          Reading{.diagnostics = document.diagnostics,
                  .dimension = header.dimension,
                  .units = measures(header.units),
-                 .memory = document.limits.memory});
+                 .memory = document.limits.memory,
+                 .elsewhere = [&](std::string_view key) {
+                     if (!layout) layout = scene_layout();
+                     return key_paths(*layout, document.root, key);
+                 }});
     if (!document.diagnostics.ok()) return std::nullopt;
     if (models) read_models(opened.scene, models, document);
     check_values(opened.scene, document);

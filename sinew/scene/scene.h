@@ -5,6 +5,7 @@
 #include "sinew/scene/figure_section.h"
 #include "sinew/scene/image.h"
 #include "sinew/scene/model.h"
+#include "sinew/scene/trace_section.h"
 #include "sinew/scene/units.h"
 #include "sinew/scene/world_section.h"
 #include "sinew/solver/world.h"
@@ -88,6 +89,7 @@ struct PointerSection {
     double pulls_within = 0;
     double pulls_times = 1;
     double wheel_quickens = 0;
+    double hover_size = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.cuts_within, Field{.name = "cuts_within",
@@ -111,6 +113,12 @@ struct PointerSection {
                                                  "0: the wheel zooms (classic mode)",
                                          .low = 0,
                                          .high = 5});
+        visit(self.hover_size, Field{.name = "hover_size",
+                                     .help = "Side of the square around a particle in which the pointer is over it, "
+                                             "for solver.rules.hover_freezes (2D, classic mode)",
+                                     .unit = unit::length,
+                                     .low = 0,
+                                     .high = 1e6});
     }
 };
 
@@ -140,6 +148,7 @@ struct Scene {
     std::vector<PinSection> pins;
     std::vector<std::pair<std::string, Look>> looks;
     std::vector<EventSection> events;
+    std::vector<TraceSection> traces;
     double seconds = 10;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -159,6 +168,7 @@ struct Scene {
         visit(self.pins, Field{.name = "pins", .help = "What is held"});
         visit(self.looks, Field{.name = "looks", .help = "How parts look: by figure/part, by figure, by part"});
         visit(self.events, Field{.name = "events", .help = "What happens when"});
+        visit(self.traces, Field{.name = "traces", .help = "What is drawn of the past: ways and curves"});
         visit(self.seconds, Field{.name = "seconds",
                                   .help = "How long it is worth watching; what render takes",
                                   .low = 0.01,
@@ -170,6 +180,9 @@ struct Scene {
 };
 
 using AnyWorld = std::variant<World<2, float>, World<2, double>, World<3, float>, World<3, double>>;
+
+/// How classic mode holds what is grabbed or driven.
+Hold hold_rule(const Scene& scene);
 
 /// The world of a good scene, at its start.
 AnyWorld instantiate(const Scene& scene);

@@ -116,6 +116,7 @@ struct AttractorForce {
     Point center{};
     double strength = 1;
     double softness = 0.1;
+    std::string figure;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.center, Field{.name = "center", .help = "Where it is", .unit = unit::length, .required = true});
@@ -129,6 +130,7 @@ struct AttractorForce {
                                    .unit = unit::length,
                                    .low = 1e-6,
                                    .high = 1e6});
+        visit(self.figure, Field{.name = "figure", .help = "The only one that it pulls; left out: it pulls all"});
     }
 };
 
@@ -175,6 +177,8 @@ struct WorldSection {
 
 struct RulesSection {
     std::string order = "sweeps_last";
+    bool moves_each_pass = false;
+    std::string hold = "fixed";
     bool damp_after_force = false;
     bool root_free = false;
     double floor_keep = 1;
@@ -186,14 +190,31 @@ struct RulesSection {
     bool halved_acceleration = false;
     bool dropped_leftover = false;
     bool displaced_hold = false;
+    bool hover_freezes = false;
+    std::string integrator = "verlet";
 
-    static constexpr std::array<std::string_view, 3> orders = {"sweeps_last", "walls_each_pass", "interleaved"};
+    /// In the order of PassOrder; the last is an older name of the one before it.
+    static constexpr std::array<std::string_view, 4> orders = {"sweeps_last", "walls_each_pass", "walls_last",
+                                                               "interleaved"};
+    static constexpr std::array<std::string_view, 3> holds = {"fixed", "corrected", "integrated"};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.order, Field{.name = "order",
-                                .help = "When constraints are swept: after moving and walls; with the walls after "
-                                        "each sweep; or each point moved just before its first constraint",
-                                .choices = orders});
+        visit(self.order,
+              Field{.name = "order",
+                    .help = "sweeps_last: move, walls, sweeps (OpenGL); walls_each_pass: move, then a sweep "
+                            "and the walls each pass; walls_last: move, sweeps, walls (Roblox); "
+                            "interleaved: an older name of walls_last",
+                    .choices = orders});
+        visit(self.moves_each_pass,
+              Field{.name = "moves_each_pass",
+                    .help = "Each pass moves the points by a whole frame, then sweeps (Roblox, as a reader repaired "
+                            "it)"});
+        visit(self.hold,
+              Field{.name = "hold",
+                    .help = "What becomes of a point that is grabbed or driven. fixed: set on its target, and nothing "
+                            "else; corrected: set, then corrected like any other (Flash, Godot); integrated: set, "
+                            "then moved and corrected like any other (GameMaker)",
+                    .choices = holds});
         visit(self.damp_after_force,
               Field{.name = "damp_after_force", .help = "(v + a) damping instead of v damping + a (Roblox)"});
         visit(self.root_free,
@@ -221,7 +242,16 @@ struct RulesSection {
                     .help = "Known bug (tearable cloth): whole steps of 16 ms, what is left of a frame is dropped"});
         visit(self.displaced_hold,
               Field{.name = "displaced_hold",
-                    .help = "Known bug (Godot chain): what is carried along also moves by itself, ever faster"});
+                    .help = "Known bug (Godot chain, first version): what is grabbed or driven is set on its target, "
+                            "then moved on by as much again, and corrected"});
+        visit(self.hover_freezes,
+              Field{.name = "hover_freezes",
+                    .help = "Known bug (Godot chain, second version): what the pointer is over is corrected, but not "
+                            "moved; see pointer.hover_size"});
+        visit(self.integrator,
+              Field{.name = "integrator",
+                    .help = "How free particles move in a step: Verlet as the originals, or another to compare with",
+                    .choices = integrator_names});
     }
 };
 

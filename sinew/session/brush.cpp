@@ -71,8 +71,11 @@ void Brush::paint(const Traced& piece, const Style& style, float thicker, const 
     case Mark::dot:
         for (const auto& point : points) picture_.add(Shape::disc, std::span(&point, 1), width, color);
         return;
+    case Mark::face:
+        return;
     case Mark::fill:
     case Mark::surface:
+    case Mark::fragment:
         shape_ = points;
         widen(shape_, thicker / 2);
         return picture_.add(Shape::polygon, shape_, 0, color);
@@ -131,6 +134,8 @@ void Brush::paint_image(const Traced& piece, const ImageLook& look, std::span<co
         return;
     case Mark::loop:
     case Mark::surface:
+    case Mark::fragment:
+    case Mark::face:
         return;
     }
 }
@@ -203,7 +208,7 @@ bool Brush::covers(const Traced& piece, Vec2<float> pixel) {
     const float reach = maximum(piece.width / 2, least_reach * unit_);
     const auto& points = piece.points;
     if (points.empty()) return false;
-    if (piece.mark == Mark::fill || piece.mark == Mark::surface) return is_inside(pixel, points);
+    if (piece.mark == Mark::fill || is_cloth(piece.mark)) return is_inside(pixel, points);
     if (piece.mark == Mark::tip) return distance(pixel, points.back()) <= reach;
     std::span<const Vec2<float>> line = points;
     if (piece.mark == Mark::limb) {

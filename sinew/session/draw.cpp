@@ -1,8 +1,10 @@
 #include "sinew/session/backdrop.h"
 #include "sinew/session/brush.h"
+#include "sinew/session/cloth_painter.h"
+#include "sinew/session/face.h"
 #include "sinew/session/order.h"
 #include "sinew/session/session.h"
-#include "sinew/session/surface.h"
+#include "sinew/session/traces.h"
 #include "sinew/session/view.h"
 #include "sinew/session/wardrobe.h"
 #include "sinew/solver/edit.h"
@@ -25,6 +27,7 @@ struct Onlooker {
     const Images& images;
     std::optional<Point> pointer;
     std::vector<ParticleId> held; ///< by a pointer
+    const History& history;
 };
 
 template <class WorldT> class Drawer {
@@ -32,7 +35,8 @@ template <class WorldT> class Drawer {
     Drawer(const Scene& scene, const WorldT& world, const View& view, const Onlooker& onlooker, Picture& picture)
         : scene_(scene), world_(world), view_(view), onlooker_(onlooker), picture_(picture),
           theme_(theme_called(scene.view.theme)), light_(view, theme_.ink),
-          unit_(float(picture.height / Picture::nominal_height)), brush_(picture, unit_), order_(world) {}
+          unit_(float(picture.height / Picture::nominal_height)), brush_(picture, unit_), order_(world),
+          cloth_(world, view, light_, unit_, picture) {}
 
     void draw() {
         picture_.clear();
@@ -42,6 +46,7 @@ template <class WorldT> class Drawer {
         if (D == 3) draw_floors(scene_, view_, theme_, picture_);
         shadows();
         if (D == 2) draw_walls(scene_, view_, theme_, wall_thickness * unit_, picture_);
+        draw_traces(scene_, onlooker_.history, view_, picture_);
         for (std::size_t i = 0; i < world_.figures.size(); ++i) figure(world_.figures[i], i);
     }
 
@@ -58,8 +63,7 @@ template <class WorldT> class Drawer {
     Brush brush_;
     DrawOrder<WorldT> order_;
     Traced traced_;
-    Pixels shape_;
-    std::vector<Vec3<double>> normals_; // by row
+    ClothPainter<WorldT> cloth_;
 
     static Vec3<double> in_space(const Vec<D, typename WorldT::Real>& place) {
         Vec3<double> wide{};
@@ -93,8 +97,11 @@ template <class WorldT> class Drawer {
         return !traced_.points.empty();
     }
 
+    /// A face is as far away as its head.
     float depth_of(const Piece& piece) const {
         float sum = 0;
+        if (piece.mark == Mark::face && !piece.particles.empty())
+            return depth_of({.mark = Mark::dot, .particles = {piece.particles[piece.particles.size() - 1]}});
         for (const auto id : piece.particles)
             if (const auto place = place_of(id))
                 if (const auto seen = view_.see(*place)) sum += seen->depth;
@@ -104,12 +111,14 @@ template <class WorldT> class Drawer {
     /// In units of length.
     float width_of(const Piece& piece, const Style& style) const {
         constexpr double usual_line = 0.04, usual_dot = 0.07; // metres
-        const bool round = piece.mark == Mark::dot || piece.mark == Mark::tip;
-        const double usual = (round ? usual_dot : usual_line) * scene_.measures().per_metre;
+        const double usual = (is_round(piece) ? usual_dot : usual_line) * scene_.measures().per_metre;
         return float(style.width.value_or(piece.width > 0 ? piece.width : usual));
     }
 
-    static bool is_area(const Piece& piece) { return piece.mark == Mark::fill || piece.mark == Mark::surface; }
+    static bool is_area(const Piece& piece) { return piece.mark == Mark::fill || is_cloth(piece.mark); }
+    static bool is_round(const Piece& piece) {
+        return piece.mark == Mark::dot || piece.mark == Mark::tip || piece.mark == Mark::face;
+    }
 
     /// The number of the image that is painted in place of a piece.
     std::optional<std::uint32_t> image_of(const Piece& piece, const Style& style) const {
@@ -126,12 +135,13 @@ template <class WorldT> class Drawer {
         const auto& order = order_.of(
             figure, [&](const Piece& piece) { return wardrobe.of(piece.part).hidden.value_or(piece.hidden); },
             [&](const Piece& piece) { return depth_of(piece); });
-        find_normals(order);
+        cloth_.find_normals(figure, order);
         for (std::size_t i = 0; i < order.size();) {
             std::size_t end = i + 1;
             while (end < order.size() && order[end].group == order[i].group) ++end;
             for (std::size_t k = i; k < end; ++k) draw_outline(*order[k].piece, wardrobe.of(order[k].piece->part));
-            for (std::size_t k = i; k < end; ++k) draw_piece(*order[k].piece, wardrobe.of(order[k].piece->part));
+            for (std::size_t k = i; k < end; ++k)
+                draw_piece(figure, *order[k].piece, wardrobe.of(order[k].piece->part));
             i = end;
         }
     }
@@ -142,16 +152,56 @@ template <class WorldT> class Drawer {
             brush_.paint(traced_, style, rim * unit_, mix(style.color, theme_.ink, theme_.outline_shade));
     }
 
-    void draw_piece(const Piece& piece, const Style& style) {
-        if (piece.mark == Mark::surface) return draw_surface(piece, style);
+    void draw_piece(const Figure& figure, const Piece& piece, const Style& style) {
+        if (is_cloth(piece.mark)) return cloth_.paint(figure, piece, style);
         if (!trace(piece, style)) return;
+        if (piece.mark == Mark::face) return draw_face(piece, style.face.empty() ? "awake" : style.face, style.color);
         const Color tint = is_hovered(piece, style) ? *style.hover : Color{0, 0, 0, 0};
         if (const auto number = image_of(piece, style))
             return brush_.paint_image(traced_, *style.image, style.profile, *number, 0, tint);
         const Color& own = piece.mark == Mark::fill ? style.fill : style.color;
         const Color shown = mix(own, {tint.red, tint.green, tint.blue, own.alpha}, tint.alpha);
         brush_.paint(traced_, style, 0, shown);
-        if (piece.mark == Mark::dot || piece.mark == Mark::tip) add_gloss(shown);
+        if (D == 3 && is_tube(piece) && shown.alpha == 1) shade_tube(style, shown);
+        if (!is_round(piece)) return;
+        add_gloss(shown);
+        if (!style.face.empty()) draw_face(piece, style.face, theme_.ink);
+    }
+
+    /// A face on the disc traced last; on each of several dots.
+    void draw_face(const Piece& piece, std::string_view expression, const Color& color) {
+        std::vector<Vec3<double>> places;
+        for (const auto id : piece.particles) {
+            places.push_back(*place_of(id));
+            const bool several = piece.mark == Mark::dot;
+            if (!several && places.size() < piece.particles.size()) continue;
+            const double radius = double(traced_.width / traced_.scale) / 2;
+            paint_face(head_at(places, D == 2, view_, radius), expression, view_, color, picture_);
+            if (several) places.clear();
+        }
+    }
+
+    static bool is_tube(const Piece& piece) { return piece.mark == Mark::stroke || piece.mark == Mark::limb; }
+
+    /// Lines in space that are thick enough are round: dark below, with a sheen towards the light.
+    void shade_tube(const Style& style, const Color& color) {
+        constexpr float least = 8;
+        struct Band {
+            float width, shift; ///< as shares of the tube's
+            Color color;
+        };
+        const Traced tube = traced_;
+        if (minimum(tube.width, tube.end_width) < least * unit_) return;
+        const Color pale{1, 1, 1, 1};
+        for (const auto& band : {Band{1, 0, mix(color, theme_.ink, 0.3F)}, Band{0.78F, 0.09F, color},
+                                 Band{0.34F, 0.19F, mix(color, pale, 0.16F)}}) {
+            traced_.width = tube.width * band.width;
+            traced_.end_width = tube.end_width * band.width;
+            for (std::size_t i = 0; i < tube.points.size(); ++i)
+                traced_.points[i] = tube.points[i] - Vec2<float>{{0.6F, 0.8F}} * (band.shift * tube.end_width);
+            brush_.paint(traced_, style, 0, band.color);
+        }
+        traced_ = tube;
     }
 
     /// Where the light catches balls that are large enough to have a shape.
@@ -180,62 +230,6 @@ template <class WorldT> class Drawer {
         return seen && brush_.covers(traced_, seen->pixel);
     }
 
-    // --- surfaces ------------------------------------------------------------------------------------------------
-
-    std::optional<Patch> patch_of(const Piece& piece) const {
-        Patch patch;
-        if (piece.particles.size() != patch.corner.size()) return std::nullopt;
-        for (std::size_t i = 0; i < patch.corner.size(); ++i) {
-            const auto row = row_of(world_, piece.particles[i]);
-            if (!row) return std::nullopt;
-            patch.corner[i] = in_space(world_.particles.position[*row]);
-            if (*row < normals_.size()) patch.normal[i] = direction(normals_[*row]);
-        }
-        return patch;
-    }
-
-    void find_normals(const std::vector<Drawn>& order) {
-        normals_.clear();
-        for (const auto& [piece, depth, group] : order) {
-            if (piece->mark != Mark::surface) continue;
-            if (normals_.empty()) normals_.resize(world_.particles.size());
-            const auto patch = patch_of(*piece);
-            if (!patch) continue;
-            const auto normal = own_normal<D>(*patch);
-            for (const auto id : piece->particles) normals_[*row_of(world_, id)] += normal;
-        }
-    }
-
-    void draw_surface(const Piece& piece, const Style& style) {
-        const auto patch = patch_of(piece);
-        if (!patch || !trace(piece, style)) return;
-        constexpr float finest = 4.5F; // pixels
-        constexpr int most = 8;
-        float side = 0;
-        for (std::size_t i = 0; i < 4; ++i)
-            side = maximum(side, distance(traced_.points[i], traced_.points[(i + 1) % 4]));
-        const int parts = 1 + int(minimum(side / (finest * maximum(unit_, 1.0F)), float(most - 1)));
-        const double step = 1.0 / parts;
-        for (int i = 0; i < parts; ++i)
-            for (int k = 0; k < parts; ++k) draw_part(*patch, i * step, k * step, step, style);
-    }
-
-    void draw_part(const Patch& patch, double u, double v, double size, const Style& style) {
-        constexpr float seam = 0.5F; // pixels
-        constexpr std::array<Vec2<double>, 4> corners = {{{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};
-        shape_.clear();
-        for (const auto& corner : corners) {
-            const double at_u = u + size * corner[0], at_v = v + size * corner[1];
-            const auto place = D == 3 ? bulge(patch, at_u, at_v) : flat(patch, at_u, at_v);
-            const auto seen = view_.see(place);
-            if (!seen) return;
-            shape_.push_back(seen->pixel);
-        }
-        widen(shape_, seam);
-        const auto normal = normal_at(patch, u + size / 2, v + size / 2);
-        picture_.add(Shape::polygon, shape_, 0, light_.shade(style.color, style.fill, normal));
-    }
-
     // --- shadows and walls ---------------------------------------------------------------------------------------
 
     /// All shadows of all figures, palest first, so that they melt into one.
@@ -248,37 +242,70 @@ template <class WorldT> class Drawer {
                 const float depth = float(layer + 1) / float(penumbra.size());
                 for (const auto& piece : world_.figures[i].pieces) {
                     const auto& style = wardrobe.of(piece.part);
-                    if (!style.hidden.value_or(piece.hidden)) cast_shadow(piece, style, penumbra[layer] * unit_, depth);
+                    if (!style.hidden.value_or(piece.hidden))
+                        cast_shadow(world_.figures[i], piece, style, penumbra[layer] * unit_, depth);
                 }
             }
     }
 
-    void cast_shadow(const Piece& piece, const Style& style, float wider, float depth) {
+    void cast_shadow(const Figure& figure, const Piece& piece, const Style& style, float wider, float depth) {
         const auto image = image_of(piece, style);
         const Color& own = is_area(piece) ? style.fill : style.color;
-        if ((own.alpha < 1 && !image) || !(D == 3 ? trace_on_floor(piece, style) : trace(piece, style))) return;
-        if (!is_area(piece) && traced_.width < thinnest) return;
-        if (D == 2)
-            for (auto& pixel : traced_.points) pixel += shadow_offset * unit_;
+        if ((own.alpha < 1 && !image) || piece.mark == Mark::face) return;
         const Color shade =
             D == 3 ? mix(theme_.ground, theme_.floor_shadow, depth) : mix(theme_.background, theme_.shadow, depth);
+        if (piece.mark == Mark::fragment) return cast_shadow(figure, piece, style, wider, shade);
+        if (!trace_shadow(piece, style)) return;
+        if (!is_area(piece) && traced_.width < thinnest) return;
         if (image && is_rigid(traced_)) // only then is its outline not that of the piece
             brush_.paint_image(traced_, *style.image, style.profile, *image, wider, shade);
         else
             brush_.paint(traced_, style, wider, shade);
     }
 
-    /// A piece's shadow on the first of the planes, into traced_.
-    bool trace_on_floor(const Piece& piece, const Style& style) {
-        const auto& plane = scene_.world.bounds->planes.front();
-        const auto normal = direction(plane.normal.template as<3, double>());
-        const auto through = plane.through.template as<3, double>();
-        const auto sun = direction(normal + light_.towards_light * 0.5); // high above the plane
-        const double slope = dot(normal, sun);
-        if (slope <= 0) return false;
-        return trace(piece, style, [&](const Vec3<double>& place) {
-            return view_.see(place - sun * (dot(place - through, normal) / slope));
+    /// The shadow of a fragment, tile by tile.
+    void cast_shadow(const Figure& figure, const Piece& piece, const Style& style, float wider, const Color& shade) {
+        const Sun sun(*this);
+        cloth_.each_tile(figure, piece, [&](std::span<const Vec3<double>> places) {
+            traced_.mark = piece.mark;
+            traced_.width = traced_.end_width = 0;
+            traced_.points.clear();
+            for (const auto& place : places)
+                if (const auto seen = sun.see(place)) traced_.points.push_back(seen->pixel);
+            if (traced_.points.size() == places.size()) brush_.paint(traced_, style, wider, shade);
         });
+    }
+
+    /// Where the shadow of a place is seen: aside in 2D, in 3D on the first of the planes.
+    struct Sun {
+        explicit Sun(const Drawer& drawer) : view(drawer.view_), aside(shadow_offset * drawer.unit_) {
+            if (D == 2) return;
+            const auto& plane = drawer.scene_.world.bounds->planes.front();
+            normal = direction(plane.normal.template as<3, double>());
+            through = plane.through.template as<3, double>();
+            way = direction(normal + drawer.light_.towards_light * 0.5); // high above the plane
+        }
+
+        std::optional<View::Seen> see(const Vec3<double>& place) const {
+            if (D == 3) {
+                const double slope = dot(normal, way);
+                if (slope <= 0) return std::nullopt;
+                return view.see(place - way * (dot(place - through, normal) / slope));
+            }
+            auto seen = view.see(place);
+            if (seen) seen->pixel += aside;
+            return seen;
+        }
+
+        const View& view;
+        Vec2<float> aside{};
+        Vec3<double> normal{}, through{}, way{};
+    };
+
+    /// A piece's shadow, into traced_.
+    bool trace_shadow(const Piece& piece, const Style& style) {
+        const Sun sun(*this);
+        return trace(piece, style, [&](const Vec3<double>& place) { return sun.see(place); });
     }
 };
 
@@ -321,7 +348,7 @@ void Session::draw(Picture& picture, OverlaySet overlay) const {
 }
 
 void Session::draw(Picture& picture, OverlaySet overlay, const View& view) const {
-    Onlooker onlooker{images_, pointer(), {}};
+    Onlooker onlooker{images_, pointer(), {}, history_};
     std::visit(
         [&](const auto& world) {
             if (hand_) onlooker.held = hand_->members;

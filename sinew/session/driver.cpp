@@ -65,18 +65,4 @@ Point driven_to(const Driver& driver, const Point& rest, double time, int up) {
     return std::visit(PlaceOf{rest, time, up}, driver);
 }
 
-Point Seeker::follow(const Point& goal, double frame, const PointerDriver& driver) {
-    for (; frames < frame - 1e-6; ++frames) {
-        before = at;
-        for (int i = 0; i < 3; ++i) {
-            speed[i] = speed[i] * (1 - driver.seek_damping) + driver.seek * (goal[i] - at[i]);
-            at[i] += speed[i];
-        }
-    }
-    const double left = frames > frame + 1e-6 ? frames - frame : 0;
-    Point place = at;
-    for (int i = 0; i < 3; ++i) place[i] -= (at[i] - before[i]) * left;
-    return place;
-}
-
 } // namespace sinew

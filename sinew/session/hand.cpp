@@ -53,7 +53,7 @@ std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> me
 } // namespace
 
 std::optional<Hand> Hand::take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
-                               double acceleration, double reach) {
+                               double acceleration, double reach, Hold hold) {
     return std::visit(
         [&]<class WorldT>(WorldT& any) -> std::optional<Hand> {
             using Real = typename WorldT::Real;
@@ -67,8 +67,8 @@ std::optional<Hand> Hand::take(AnyWorld& world, std::span<const ParticleId> memb
             Hand hand{.members = {members.begin(), members.end()}, .target = place};
             const double mass = lifted_mass(any, *row_of(any, members.front()));
             const auto others = near(any, members, place, reach);
-            const PinSpec<WorldT::dimension, Real> grip{.max_force =
-                                                            Real(mass * acceleration / double(1 + others.size()))};
+            const PinSpec<WorldT::dimension, Real> grip{
+                .max_force = Real(mass * acceleration / double(1 + others.size())), .hold = hold};
             auto held = members.front();
             if (members.size() > 1) hand.handle = held = add_handle(any, members, place);
             const auto pinned = sinew::pin(any, held, grip);

@@ -27,9 +27,10 @@ struct Hand {
     };
     std::vector<Along> along{};
 
-    /// Nothing where a member is gone or none can move. `acceleration` and `reach` are in the world's units.
+    /// Nothing where a member is gone or none can move. `acceleration` and `reach` are in the world's units; `hold` is
+    /// classic mode's rule.
     static std::optional<Hand> take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
-                                    double acceleration, double reach = 0);
+                                    double acceleration, double reach = 0, Hold hold = Hold::fixed);
 
     /// Tells the pin where to be. A place beyond a wall is as good as the one before it.
     void carry(AnyWorld& world) const;

@@ -1,6 +1,6 @@
 #include "sinew/session/overlay.h"
 
-#include "sinew/solver/edit.h"
+#include "sinew/session/forces.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,6 +10,7 @@ namespace {
 
 /// Sizes in a picture of the nominal height; they grow with it.
 constexpr float line = 3, casing = 1.8F /* times a line */, letters = 11, pin_size = 11;
+constexpr float longest_arrow = 70, contact_size = 8, legend_row = 34;
 
 constexpr Color stretched{0.85F, 0.15F, 0.12F, 1}, squeezed{0.12F, 0.35F, 0.85F, 1};
 
@@ -72,8 +73,42 @@ template <class WorldT> class Overlayer {
                 if (const auto at = pixel_of(id)) write(name, *at + Vec2<float>{{0, letters * unit_}}, letters);
     }
 
+    /// Of particles that can move, all force fields; of those that a pin holds, the pin's reaction.
+    void forces() {
+        if (!knows_forces("forces")) return;
+        const Forces<WorldT> forces(world_);
+        const auto& p = world_.particles;
+        std::vector<char> pinned(p.size());
+        for (const auto& pin : world_.pins)
+            if (const auto row = row_of(world_, pin.particle)) pinned[*row] = 1;
+        std::vector<Arrow> arrows;
+        for (Row row = 0; row < p.size(); ++row)
+            if (pinned[row])
+                arrows.push_back({cast<double>(p.position[row]), forces.of_pin(row), stretched});
+            else if (p.mobility[row] > 0)
+                arrows.push_back({cast<double>(p.position[row]), forces.of_fields(row), squeezed});
+        draw_arrows(arrows, "forces");
+    }
+
+    /// In classic mode walls exert no force: places only.
+    void contacts() {
+        const bool known = knows_forces("contacts");
+        const Forces<WorldT> forces(world_);
+        const auto& p = world_.particles;
+        std::vector<Arrow> arrows;
+        for (const auto& plane : world_.bounds)
+            for (Row row = 0; row < p.size(); ++row) {
+                if (p.mobility[row] == 0 || !touches(row, plane)) continue;
+                const double push = known ? forces.of_plane(row, plane) : 0;
+                arrows.push_back({touching_point(row, plane), cast<double>(plane.normal) * push, stretched});
+            }
+        if (known) draw_arrows(arrows, "contacts");
+        for (const auto& arrow : arrows) mark_contact(arrow.from);
+    }
+
   private:
     static constexpr int D = WorldT::dimension;
+    using Plane = HalfSpace<D, typename WorldT::Real>;
     const Scene& scene_;
     const WorldT& world_;
     const View& view_;
@@ -88,7 +123,7 @@ template <class WorldT> class Overlayer {
     };
     std::vector<Box> taken_;
 
-    static Vec3<double> in_space(const Vec<D, typename WorldT::Real>& place) {
+    template <class T> static Vec3<double> in_space(const Vec<D, T>& place) {
         Vec3<double> wide{};
         for (int i = 0; i < D; ++i) wide[i] = double(place[i]);
         return wide;
@@ -98,6 +133,77 @@ template <class WorldT> class Overlayer {
         const auto row = row_of(world_, id);
         const auto seen = row ? view_.see(in_space(world_.particles.position[*row])) : std::nullopt;
         return seen ? std::optional(seen->pixel) : std::nullopt;
+    }
+
+    struct Arrow {
+        Vec<D, double> from, force;
+        Color color;
+    };
+
+    bool knows_forces(const std::string& overlay) {
+        if (world_.settings.mode == Mode::physical) return true;
+        legend(overlay + ": classic mode knows no forces", 0, "");
+        return false;
+    }
+
+    /// A particle at rest on a plane is above it by no more than rounding and a step's fall leave.
+    bool touches(Row row, const Plane& plane) const {
+        constexpr double near = 1e-3; // metres
+        const auto& p = world_.particles;
+        const double gap = double(dot(plane.normal, p.position[row]) - plane.offset - p.radius[row]);
+        return gap <= near * scene_.measures().per_metre;
+    }
+
+    Vec<D, double> touching_point(Row row, const Plane& plane) const {
+        const auto& p = world_.particles;
+        return cast<double>(p.position[row]) - cast<double>(plane.normal) * double(p.radius[row]);
+    }
+
+    void mark_contact(const Vec<D, double>& place) {
+        const auto seen = view_.see(in_space(place));
+        if (!seen) return;
+        picture_.add(Shape::disc, std::span(&seen->pixel, 1), contact_size * unit_, theme_.background);
+        picture_.add(Shape::disc, std::span(&seen->pixel, 1), 0.7F * contact_size * unit_, stretched);
+    }
+
+    /// The scale of all arrows is a round number of newtons, which the legend tells.
+    void draw_arrows(const std::vector<Arrow>& arrows, std::string_view what) {
+        const auto units = scene_.measures();
+        const double newtons = square(units.per_second) / units.per_metre;
+        double largest = 0;
+        for (const auto& arrow : arrows) largest = maximum(largest, norm(arrow.force) * newtons);
+        const double scale = round_up(largest, 0.01);
+        for (const auto& arrow : arrows)
+            if (const auto from = view_.see(in_space(arrow.from))) {
+                const double length = longest_arrow * double(unit_) / double(from->scale);
+                const auto to = view_.see(in_space(arrow.from + arrow.force * (length * newtons / scale)));
+                if (to) draw_arrow(from->pixel, to->pixel, arrow.color);
+            }
+        arrow_legend(what, largest > 0 ? scale : 0);
+    }
+
+    void draw_arrow(Vec2<float> from, Vec2<float> to, const Color& color) {
+        const auto along = to - from;
+        const float length = norm(along), head = minimum(8 * unit_, 0.4F * length);
+        if (length < unit_) return;
+        const auto ahead = along * (1 / length);
+        const Vec2<float> across{{-ahead[1], ahead[0]}};
+        const auto neck = to - ahead * head;
+        const std::array shaft = {from, neck};
+        const std::array<Vec2<float>, 3> tip = {{to, neck + across * (0.5F * head), neck - across * (0.5F * head)}};
+        picture_.add(Shape::polyline, shaft, (line + 1.5F) * unit_, theme_.background);
+        picture_.add(Shape::polyline, shaft, line * unit_, color);
+        picture_.add(Shape::polygon, tip, 0, color);
+    }
+
+    /// An arrow as long as the scale, and its name beside it.
+    void arrow_legend(std::string_view what, double scale) {
+        const float margin = 14 * unit_, long_as = longest_arrow * unit_, letter = 0.6F * letters * unit_;
+        const float y = float(picture_.height) - margin - float(legends_++) * legend_row * unit_;
+        const auto text = scale > 0 ? fmt::format("{}: {:g} N", what, scale) : fmt::format("{}: none", what);
+        const float left = scale > 0 ? margin + long_as + letter : margin;
+        picture_.add_text(text, {{left + letter * float(text.size()) / 2, y}}, letters * unit_, text_);
+        if (scale > 0) draw_arrow({{margin, y}}, {{margin + long_as, y}}, text_);
     }
 
     /// Every distance as a line, in the colour of its value; the palest has none. What only keeps apart is one while it
@@ -137,8 +243,8 @@ template <class WorldT> class Overlayer {
 
     /// A bar of the colours with what they stand for, in the lower left corner; further ones above it.
     void legend(std::string_view what, double scale, std::string_view unit) {
-        const float margin = 14 * unit_, wide = 150 * unit_, high = 7 * unit_, row = 34 * unit_;
-        const float y = float(picture_.height) - margin - float(legends_++) * row;
+        const float margin = 14 * unit_, wide = 150 * unit_, high = 7 * unit_;
+        const float y = float(picture_.height) - margin - float(legends_++) * legend_row * unit_;
         const auto label = [&](std::string text, float x) {
             picture_.add_text(std::move(text), {{x, y - high - 7 * unit_}}, letters * unit_, text_);
         };
@@ -173,7 +279,8 @@ template <class WorldT> class Overlayer {
 /// In the order of `overlays`.
 template <class WorldT>
 constexpr std::array<void (Overlayer<WorldT>::*)(), overlays.size()> functions = {
-    &Overlayer<WorldT>::strain, &Overlayer<WorldT>::tension, &Overlayer<WorldT>::pins, &Overlayer<WorldT>::names};
+    &Overlayer<WorldT>::strain, &Overlayer<WorldT>::tension, &Overlayer<WorldT>::pins,
+    &Overlayer<WorldT>::names,  &Overlayer<WorldT>::forces,  &Overlayer<WorldT>::contacts};
 
 } // namespace
 

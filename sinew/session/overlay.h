@@ -15,11 +15,13 @@ struct Overlay {
 };
 
 /// All of them, in the order in which they are drawn. A new one is a line here and a function in overlay.cpp.
-inline constexpr std::array<Overlay, 4> overlays = {{
+inline constexpr std::array<Overlay, 6> overlays = {{
     {"strain", "distances by how far they are stretched (red) or squeezed (blue)"},
     {"tension", "distances by what they pull (red) or push (blue) with, in newtons"},
     {"pins", "what is held, and where to"},
     {"names", "figures, and particles that have a name of their own"},
+    {"forces", "force fields on particles (blue) and the pull of pins (red), in newtons"},
+    {"contacts", "particles on a wall, and the force with which it carries them, in newtons"},
 }};
 
 /// By number in `overlays`.

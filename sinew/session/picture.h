@@ -4,6 +4,7 @@
 #include "sinew/math/vec.h"
 #include "sinew/scene/image.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -19,7 +20,8 @@ enum class Shape : std::uint8_t {
     disc,     ///< one point, filled, `width` pixels in diameter
     polygon,  ///< `count` points, filled (even-odd)
     image,    ///< an image stretched evenly over a grid of points, rows of `across`; `color` lies over it where it is
-    text      ///< a line of text, its middle at one point, letters `width` pixels high
+    text,     ///< a line of text, its middle at one point, letters `width` pixels high
+    pane      ///< the rectangle between two corners covered with the colour; later items are seen within it only
 };
 
 /// A display list: what a session looks like now, in pixels of the target (x right, y down, origin at the top left
@@ -68,6 +70,12 @@ struct Picture {
         add(Shape::text, std::span(&middle, 1), height_px, color);
         items.back().number = std::uint32_t(texts.size());
         texts.push_back(std::move(text));
+    }
+
+    /// A picture within the picture: up to the next pane, items are seen within it only, letters on its paper.
+    void add_pane(Vec2<float> corner, Vec2<float> opposite, Color paper) {
+        const std::array corners = {corner, opposite};
+        add(Shape::pane, corners, 0, paper);
     }
 
     std::span<const Vec2<float>> points_of(const Item& item) const {

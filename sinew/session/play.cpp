@@ -25,7 +25,7 @@ bool Session::grab(std::span<const ParticleId> members, const Point& place) {
     }
     const auto units = scene_.measures();
     hand_ = Hand::take(world_, members, place, Hand::strength * units.per_metre / square(units.per_second),
-                       scene_.pointer.pulls_within);
+                       scene_.pointer.pulls_within, hold_rule(scene_));
     return hand_.has_value();
 }
 
@@ -59,6 +59,7 @@ void Session::become(Scene scene) {
     skip_past_events();
     find_driven();
     keep_going(old);
+    if (!history_.is_of(scene_)) history_.restart(scene_, world_);
 }
 
 /// Those whose step is over. What comes again and again goes on.
@@ -93,7 +94,8 @@ void Session::keep_going(const AnyWorld& old) {
                                        {.target = spec.target,
                                         .compliance = spec.compliance,
                                         .damping = spec.damping,
-                                        .max_force = spec.max_force});
+                                        .max_force = spec.max_force,
+                                        .hold = spec.hold});
                 if (again) held.pin = *again;
                 return !again;
             });

@@ -31,6 +31,7 @@ Session::Session(Opened opened)
     plan_events();
     find_driven();
     note_parted();
+    history_.restart(scene_, world_);
 }
 
 void Session::restart() {
@@ -46,6 +47,7 @@ void Session::restart() {
     blowing_.clear();
     happenings_.clear();
     happening_count_ = 0;
+    history_.restart(scene_, world_);
 }
 
 double Session::seconds() const {
@@ -65,10 +67,17 @@ void Session::step() {
     drive();
     winder_.run(scene_, world_);
     carry_held();
+    const auto frozen = freeze_hovered();
     if (hand_) hand_->carry(world_);
     if (stroke_) stroke_->go(world_, stroke_to_);
-    std::visit([&]<class WorldT>(WorldT& world) { sinew::step(world, typename WorldT::Real(dt)); }, world_);
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            sinew::step(world, typename WorldT::Real(dt));
+            if (frozen) unpin(world, *frozen);
+        },
+        world_);
     note_events();
+    history_.record(scene_, world_);
 }
 
 void Session::plan_events() {
@@ -128,7 +137,8 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
                     }
                     const auto held = pin(world, *id,
                                           PinSpec<D, Real>{.compliance = Real(happening.compliance),
-                                                           .max_force = Real(happening.max_force)});
+                                                           .max_force = Real(happening.max_force),
+                                                           .hold = hold_rule(scene_)});
                     held_.push_back({where, *held, from, happening.to.value_or(from), now, happening.over, {}});
                     if (happening.within > 0) hold_around(world, *id, happening, held_.back());
                 } else if constexpr (std::is_same_v<Event, ReleaseEvent>) {
@@ -143,7 +153,6 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
                     if (cut(happening.line, happening.within) > 0) return; // has told of it
                 } else {
                     where = Doer<WorldT>{world, scene_, before}(happening);
-                    if constexpr (std::is_same_v<Event, KickEvent>) kick_driven(world, happening, before);
                     if (std::is_same_v<Event, JoinEvent> && where.empty()) return;
                 }
                 note(std::string(Event::name), where);
@@ -167,16 +176,13 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
             } else {
                 const auto from = view.see(line[0].as<3, double>()), to = view.see(line[1].as<3, double>());
                 if (!from || !to) return done.links;
-                std::vector<Vec2<double>> pixels;
-                pixels.reserve(world.particles.size());
-                for (const auto& place : world.particles.position) {
+                const Projection<3> see = [&view](const Vec3<double>& place) {
                     constexpr double nowhere = std::numeric_limits<double>::infinity();
-                    const auto seen = view.see(cast<double>(place));
-                    pixels.push_back(seen ? cast<double>(seen->pixel) : Vec2<double>{{nowhere, nowhere}});
-                }
+                    const auto seen = view.see(place);
+                    return seen ? cast<double>(seen->pixel) : Vec2<double>{{nowhere, nowhere}};
+                };
                 const double scale = (double(from->scale) + double(to->scale)) / 2;
-                done = sinew::cut(world, Blade{cast<double>(from->pixel), cast<double>(to->pixel), reach * scale},
-                                  std::span<const Vec2<double>>(pixels));
+                done = sinew::cut(world, Blade{cast<double>(from->pixel), cast<double>(to->pixel), reach * scale}, see);
             }
             for (const auto figure : done.figures)
                 note(std::string(CutEvent::name), figure < world.figures.size() ? world.figures[figure].name : "");
@@ -198,7 +204,7 @@ void Session::find_driven() {
                     if (!scene_.pins[i].driver) continue;
                     Point rest;
                     for (int k = 0; k < WorldT::dimension; ++k) rest[k] = double(world.pins[row].target[k]);
-                    driven_.push_back({world.pin_slots.id_of(Row(row)), i, rest, Seeker{.at = rest, .before = rest}});
+                    driven_.push_back({world.pin_slots.id_of(Row(row)), i, rest});
                 }
         },
         world_);
@@ -222,8 +228,10 @@ void Session::hold_around(WorldT& world, ParticleId middle, const GrabEvent& gra
             near.from[i] += double(offset[i]);
             near.to[i] += double(offset[i]);
         }
-        near.pin =
-            *pin(world, id, PinSpec<D, Real>{.compliance = Real(grab.compliance), .max_force = Real(grab.max_force)});
+        near.pin = *pin(world, id,
+                        PinSpec<D, Real>{.compliance = Real(grab.compliance),
+                                         .max_force = Real(grab.max_force),
+                                         .hold = hold_rule(scene_)});
         held_.push_back(near);
     }
 }
@@ -236,25 +244,11 @@ void Session::drive() {
             for (auto& driven : driven_) {
                 const auto& driver = *scene_.pins[driven.section].driver;
                 const auto* follower = std::get_if<PointerDriver>(&driver);
-                auto place = pointer_ && follower ? *pointer_ : driven_to(driver, driven.rest, then, up);
-                if (follower && (follower->seek < 1 || follower->seek_damping < 1))
-                    place = driven.seeker.follow(place, then / double(world.settings.frame), *follower);
+                const auto place = pointer_ && follower ? *pointer_ : driven_to(driver, driven.rest, then, up);
                 move_pin(world, driven.pin, place.template as<WorldT::dimension, typename WorldT::Real>());
             }
         },
         world_);
-}
-
-/// A pin carries its particle whatever it does, so that a kick is felt by what goes after the pointer.
-template <class WorldT> void Session::kick_driven(const WorldT& world, const KickEvent& kick, std::uint64_t before) {
-    using Real = typename WorldT::Real;
-    std::size_t number = 0;
-    for (const auto id : find_particles(world, kick.target)) {
-        const auto change = kick_of<WorldT::dimension, Real>(kick, scene_, number++, before) * world.settings.frame;
-        for (auto& driven : driven_)
-            if (const auto row = world.pin_slots.find(driven.pin); row && world.pins[*row].particle == id)
-                for (int i = 0; i < WorldT::dimension; ++i) driven.seeker.speed[i] += double(change[i]);
-    }
 }
 
 std::optional<Point> Session::pointer() const {
@@ -282,6 +276,25 @@ void Session::carry_held() {
                 else
                     move_pin(world, held.pin, place.template as<WorldT::dimension, Real>());
             }
+        },
+        world_);
+}
+
+/// For one step, in classic mode: of the particles in whose square the pointer is, the last that was added.
+std::optional<PinId> Session::freeze_hovered() {
+    if (!scene_.solver.rules.hover_freezes || scene_.solver.mode != "classic" || !pointer_) return std::nullopt;
+    return std::visit(
+        [&]<class WorldT>(WorldT& world) -> std::optional<PinId> {
+            using Real = typename WorldT::Real;
+            const auto& p = world.particles;
+            const auto place = pointer_->as<WorldT::dimension, Real>();
+            const Real half = Real(scene_.pointer.hover_size / 2);
+            for (Row row = Row(p.size()); row-- > 0;) {
+                const auto away = p.position[row] - place;
+                if (p.mobility[row] > Real(0) && clamp_components(away, half) == away)
+                    return pin(world, p.slots.id_of(row), {.hold = Hold::frozen});
+            }
+            return std::nullopt;
         },
         world_);
 }
@@ -332,10 +345,7 @@ void Session::note_events() {
                 if (event.type == EventType::torn && is_link<std::decay_t<decltype(world)>>(event))
                     gone.push_back(event.ends);
             }
-            if (!gone.empty()) {
-                sever(world, std::span<const Ends>(gone));
-                split(world, std::span<const Ends>(gone));
-            }
+            if (!gone.empty()) come_apart(world, std::span<const Ends>(gone));
             if (any_torn) note_parted();
         },
         world_);

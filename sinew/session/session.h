@@ -3,6 +3,7 @@
 #include "sinew/scene/scene.h"
 #include "sinew/session/driver.h"
 #include "sinew/session/hand.h"
+#include "sinew/session/history.h"
 #include "sinew/session/overlay.h"
 #include "sinew/session/picture.h"
 #include "sinew/session/stroke.h"
@@ -126,12 +127,10 @@ class Session {
         PinId pin;
         std::size_t section = 0; ///< of the scene's pins
         Point rest;
-        Seeker seeker;
     };
 
     void find_driven();
     void drive();
-    template <class WorldT> void kick_driven(const WorldT& world, const KickEvent& kick, std::uint64_t before);
     /// An event that is still to come.
     struct Due {
         double at = 0;
@@ -147,6 +146,7 @@ class Session {
     void happen(const EventSection& event, std::uint64_t before);
     template <class WorldT> void hold_around(WorldT& world, ParticleId middle, const GrabEvent& grab, const Held& held);
     void carry_held();
+    std::optional<PinId> freeze_hovered();
     void still_gusts();
     void keep_going(const AnyWorld& old);
     void note(std::string what, std::string where, std::size_t islands = 0);
@@ -167,6 +167,7 @@ class Session {
     bool taken_over_ = false; ///< by a pointer: the scene's own hand keeps away until a restart
     std::vector<Held> held_;
     std::vector<Blowing> blowing_;
+    History history_;
     std::vector<std::size_t> islands_; ///< of each figure, when last told of
     std::vector<Happening> happenings_;
     std::size_t happening_count_ = 0;

@@ -15,13 +15,15 @@ struct Patch {
     std::array<Vec3<double>, 4> corner{}, normal{};
 };
 
-/// The normal of a patch by itself. In 2D, where cloth has no depth, its folds are read from how threads lean.
+/// The normal of a patch by itself, as long as the patch is large: along a fold, where patches collapse, their threads
+/// lean anywhere. In 2D, where cloth has no depth, its folds are read from how threads lean.
 template <int D> Vec3<double> own_normal(const Patch& patch) {
     const auto& [a, b, c, d] = patch.corner;
     if constexpr (D == 3) return cross(c - a, d - b);
     constexpr double depth = 1.6; // how deep folds look
     const auto down = direction(d - a), along = direction(b - a);
-    return direction(Vec3<double>{{-depth * down[0], -depth * along[1], 1}});
+    const double area = norm(cross(c - a, d - b));
+    return direction(Vec3<double>{{-depth * down[0], -depth * along[1], 1}}) * area;
 }
 
 inline Vec3<double> flat(const Patch& patch, double u, double v) {

@@ -26,7 +26,7 @@ struct Theme {
     Color pen;               ///< of lines and letters that stand out from the background
     float outline_shade = 0; ///< how far outlines are drawn from a line's colour towards ink
     std::array<Color, 6> palette;
-    std::array<Material, 8> materials;
+    std::array<Material, 9> materials;
 
     const Color& color_of(std::size_t figure) const { return palette[figure % palette.size()]; }
     /// Null for parts that are as colourful as their figure.

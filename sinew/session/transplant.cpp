@@ -56,6 +56,7 @@ template <class WorldT> class Transplant {
         for (std::size_t i = 0; i < is_.particles.size(); ++i)
             if (const auto row = row_of(old_, was_.particles[i])) becomes[*row] = is_.particles[i];
         is_.pieces = was_.pieces;
+        is_.fragments = was_.fragments;
         for (auto& piece : is_.pieces) {
             IdList<ParticleId> follow;
             for (const auto id : piece.particles) {

@@ -1,5 +1,7 @@
 #include "sinew/session/wardrobe.h"
 
+#include "sinew/scene/check.h"
+
 namespace sinew {
 namespace {
 
@@ -14,6 +16,7 @@ void dress(Style& style, const Look& look, const Theme& theme) {
     if (const auto fill = color_in(theme, look.fill)) style.fill = *fill;
     if (const auto hover = color_in(theme, look.hover)) style.hover = hover;
     if (!look.profile.empty()) style.profile = look.profile;
+    if (!look.face.empty()) style.face = look.face;
     if (look.image) style.image = &*look.image;
     if (look.width) style.width = look.width;
     if (look.hidden) style.hidden = look.hidden;
@@ -27,7 +30,9 @@ bool is_part_of(const std::string& key, const std::string& figure, const std::st
 } // namespace
 
 Wardrobe::Wardrobe(const Scene& scene, const Theme& theme, std::size_t figure, const std::string& name)
-    : scene_(scene), theme_(theme), figure_(figure), name_(name) {}
+    : scene_(scene), theme_(theme), figure_(figure), name_(name) {
+    if (figure < scene.figures.size() && name_of(scene.figures[figure]) == name) section_ = &scene.figures[figure];
+}
 
 Style Wardrobe::plain(const std::string& part) const {
     Style style;
@@ -45,8 +50,8 @@ const Style& Wardrobe::of(const std::string& part) {
         if (key == part) dress(last_, look, theme_);
     for (const auto& [key, look] : scene_.looks)
         if (key == name_) dress(last_, look, theme_);
-    if (figure_ < scene_.figures.size()) {
-        const auto& own = scene_.figures[figure_].looks;
+    if (section_) {
+        const auto& own = section_->looks;
         for (const auto& [key, look] : own)
             if (key == "all") dress(last_, look, theme_);
         for (const auto& [key, look] : own)

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace sinew {
 
@@ -16,6 +17,7 @@ struct Style {
     std::optional<double> width;
     std::optional<bool> hidden;
     std::span<const double> profile;
+    std::string_view face;            ///< one of `expressions`, or empty
     const ImageLook* image = nullptr; ///< of the scene
 };
 
@@ -36,6 +38,7 @@ class Wardrobe {
     const Theme& theme_;
     std::size_t figure_;
     const std::string& name_;
+    const FigureSection* section_ = nullptr; ///< of the scene; none of a figure that came in another way
     Style last_;
     std::string last_part_;
     bool dressed_ = false;

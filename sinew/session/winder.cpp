@@ -1,5 +1,6 @@
 #include "sinew/session/winder.h"
 
+#include "sinew/constraint/kind_table.h"
 #include "sinew/scene/check.h"
 #include "sinew/scene/types.h"
 #include "sinew/solver/edit.h"
@@ -105,7 +106,7 @@ void Winder::run(const Scene& scene, AnyWorld& any) const {
             const double dt = step_length(scene);
             for (const auto& driven : driven_) {
                 const auto& section = section_of(scene, driven);
-                const double in_program = section.kind == "angle" || section.kind == "dihedral" ? pi<double> / 180 : 1;
+                const double in_program = kind_called(section.kind)->angle ? pi<double> / 180 : 1;
                 visit_table(world, driven.constraint.kind, [&](const auto& table) {
                     const auto row = table.slots.find(driven.constraint.id);
                     if (!row) return;

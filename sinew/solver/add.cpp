@@ -7,9 +7,15 @@
 namespace sinew {
 namespace {
 
+/// No figure where there is none of that index: a later one would own what it never made.
+template <class WorldT> FigureIndex known(const WorldT& world, FigureIndex figure) {
+    return has_figure(world, figure) ? figure : no_figure;
+}
+
 /// So many alike.
 template <class Table, class Real>
-void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& spec, Interval<Real> limits) {
+void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& spec, Interval<Real> limits,
+                 FigureIndex figure) {
     constexpr auto most = limit::measure<Real>;
     const Real low = clamp(limits.low, -most, most);
     table.limits.append(count, low, clamp(limits.high, low, most));
@@ -24,7 +30,7 @@ void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& sp
     table.breaking_strain.append(count, clamp(spec.breaking_strain, Real(0), most));
     table.toughness.append(count, clamp(spec.toughness, Real(0), most));
     table.fatigue.append(count, Real(0));
-    table.figure.append(count, spec.figure);
+    table.figure.append(count, figure);
     table.in_block.append(count, 0);
     table.torn.append(count, 0);
 }
@@ -48,7 +54,7 @@ void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& s
     constexpr int kind = Kinds<D>::template index_of<typename Table::Kind>;
     const auto first = Row(table.size()), last = Row(table.members.size());
     if (first == last) return;
-    append_rows(table, last - first, spec, spec.limits.value_or(Interval<Real>{0, 0}));
+    append_rows(table, last - first, spec, spec.limits.value_or(Interval<Real>{0, 0}), known(world, spec.figure));
     if (table.breaking_strain.back() < limit::measure<Real>) // and what hangs on it goes with it, in a step
         for_each_table(world, [](auto& any) { any.expect_tears(); });
     for (Row row = first; row < last; ++row) {
@@ -65,6 +71,15 @@ void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& s
     world.sweep.back().count += last - first;
 }
 
+/// As said, or as follows from where it was a frame ago.
+template <int D, class Real> Vec<D, Real> velocity_of(const World<D, Real>& world, const ParticleSpec<D, Real>& spec) {
+    if (!spec.previous) return spec.velocity;
+    const auto within = [](const Vec<D, Real>& place) { return clamp_finite(place, limit::coordinate<Real>); };
+    const Real frame = world.settings.frame;
+    const Real per_frame = frame > limit::shortest_step<Real> ? inverse_or_zero(frame) : Real(0);
+    return (within(spec.position) - within(*spec.previous)) * per_frame;
+}
+
 } // namespace
 
 template <int D, class Real> void reserve(World<D, Real>& world, Sizes sizes) {
@@ -78,17 +93,19 @@ template <int D, class Real> void reserve(World<D, Real>& world, Sizes sizes) {
 
 template <int D, class Real> ParticleId add_particle(World<D, Real>& world, const ParticleSpec<D, Real>& spec) {
     auto& p = world.particles;
-    p.position.push_back(spec.position);
-    p.previous.push_back(spec.previous.value_or(spec.position - spec.velocity * verlet_interval(world)));
-    p.velocity.push_back(spec.previous ? (spec.position - *spec.previous) * inverse_or_zero(world.settings.frame)
-                                       : spec.velocity);
+    constexpr auto furthest = limit::coordinate<Real>;
+    const auto position = clamp_finite(spec.position, furthest);
+    const auto velocity = clamp_finite(velocity_of(world, spec), limit::speed<Real>);
+    p.position.push_back(position);
+    p.previous.push_back(clamp_finite(spec.previous.value_or(position - velocity * verlet_interval(world)), furthest));
+    p.velocity.push_back(velocity);
     p.residual.push_back({});
     p.force.push_back({});
     p.rebound.push_back({});
     p.inverse_mass.push_back(inverse_of_mass(spec.mass));
     p.mobility.push_back(p.inverse_mass.back());
-    p.radius.push_back(spec.radius);
-    p.figure.push_back(spec.figure);
+    p.radius.push_back(is_finite(spec.radius) ? clamp(spec.radius, Real(0), furthest) : spec.radius);
+    p.figure.push_back(known(world, spec.figure));
     p.quarantined.push_back(0);
     p.in_block.push_back(0);
     world.events.reserve(events_per_step);

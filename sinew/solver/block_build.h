@@ -220,13 +220,13 @@ template <int D, class Real> class BlockBuilder {
                any(blocks_.ways, block.first_way, block.ways);
     }
 
-    /// The square of the length at which the link between two particles is taut; 0 where it is never slack.
+    /// The square of the length at which the link between two particles is taut; 0 where it is never slack, or driven.
     double slack_arm(Row a, Row b) const {
         double arm = 0;
         graph_.each(distances_, a, [&](Row link) {
             const Real high = distances_.high(link);
             const bool slack = distances_.low(link) < high && high < limit::coordinate<Real>;
-            if (slack && graph_.other_end(link, a) == b) arm = square(double(high));
+            if (slack && !is_driven(distances_, link) && graph_.other_end(link, a) == b) arm = square(double(high));
         });
         return arm;
     }

@@ -29,8 +29,9 @@ template <int D, class Real> class BlockGraph {
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
     Row other_end(Row link, Row particle) const { return end(link, 0) == particle ? end(link, 1) : end(link, 0); }
 
-    /// Without one it has no direction.
-    bool has_length(Row link) const { return distances_.high(link) >= Real(1e-6); }
+    /// Without one it has no direction. A driven limit counts as one that has: its value changes from step to step, and
+    /// the solver of a constraint must not depend on when the blocks were found.
+    bool has_length(Row link) const { return is_driven(distances_, link) || distances_.high(link) >= Real(1e-6); }
 
     /// Shares and relaxations other than the natural ones are wishes about the sweep.
     template <class Table> static bool natural(const Table& table, Row row) {
@@ -39,8 +40,11 @@ template <int D, class Real> class BlockGraph {
     template <class Table> static bool is_driven(const Table& table, Row row) {
         return table.driven[row] || table.gives(row);
     }
-    /// Unsigned, an angle that has to be more than none has no direction to open in.
-    static bool opens(const Constraints<Angle<D>, Real>& table, Row row) { return D == 3 && table.low(row) > Real(0); }
+    /// Unsigned, an angle that has to be more than none has no direction to open in. A driven lower limit may get there.
+    static bool opens(const Constraints<Angle<D>, Real>& table, Row row) {
+        const Real least = table.driven[row] ? -limit::measure<Real> : Real(0);
+        return D == 3 && table.low(row) > least;
+    }
 
     /// Neither a spring nor a motor.
     bool is_stick(Row link) const {

@@ -171,7 +171,15 @@ template <int D, class Real> class BlockState {
             else
                 find_drive(way, distances_, way.constraint);
             way.before = -double(multiplier_of(way)) * per;
+            way.slips = has_slipped(way);
         }
+    }
+
+    /// Whether it pulled as hard as it can in the last substep. The flag of that substep would not do: a copy of the
+    /// world has none.
+    static bool has_slipped(const BlockWay& way) {
+        constexpr double nearly = 0.999;
+        return way.gives() && absolute(way.before) >= nearly * way.most;
     }
 
     /// Its limits are where it was pulled to.

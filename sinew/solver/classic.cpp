@@ -1,7 +1,9 @@
+#include "sinew/solver/free_motion.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
 
 #include <algorithm>
+#include <limits>
 
 /// The originals' own step: points that remember where they were, moved once a frame, and constraints that move points.
 /// Rules and their sources are in docs/classic.md.
@@ -48,26 +50,16 @@ template <int D, class Real> class ClassicStep {
 
     void run() {
         if (h_ < limit::shortest_step<Real> && !rules_.unscaled_inertia) return; // time stands still
+        std::fill(p_.rebound.begin(), p_.rebound.end(), Vec<D, Real>{});         // marks particles that are not moved
         carry_pins();
         move_limits(world_, h_);
-        switch (rules_.order) {
-        case PassOrder::sweeps_last:
-            for (int i = 0; i < (rules_.points_only_passes ? rules_.passes : 1); ++i) move_all();
-            walls();
-            for (int i = 0; i < (rules_.points_only_passes ? 1 : rules_.passes); ++i) sweep();
-            break;
-        case PassOrder::walls_each_pass:
-            move_all();
-            for (int i = 0; i < rules_.passes; ++i) {
-                sweep();
-                walls();
-            }
-            break;
-        case PassOrder::interleaved:
-            for (int i = 0; i < rules_.passes; ++i) sweep(i == 0);
-            walls();
-            break;
-        }
+        const int moves = rules_.points_only_passes ? rules_.passes : 1;
+        const int sweeps = rules_.points_only_passes ? 1 : rules_.passes;
+        if (rules_.moves_each_pass)
+            for (int i = 0; i < sweeps; ++i) move_and_sweep(moves, 1);
+        else
+            move_and_sweep(moves, sweeps);
+        if (rules_.order == PassOrder::walls_last) walls();
         let_go();
         read_velocities();
         if (h_ > Real(0)) world_.last_step = world_.last_substep = h_;
@@ -80,22 +72,47 @@ template <int D, class Real> class ClassicStep {
     Real h_;
     ClassicMover<D, Real> mover_;
 
-    /// Held points, however softly: x_prev = x, x = target, and nothing else moves them.
-    void carry_pins() {
-        for (const auto& pin : world_.pins) {
-            const auto row = p_.slots.find(pin.particle);
-            if (!row || p_.quarantined[*row]) continue;
-            if (rules_.displaced_hold && pin.moves) { // Godot's loop: pushed along, and free all the same
-                p_.position[*row] =
-                    clamp_components(p_.position[*row] + pin.target - pin.from, limit::coordinate<Real>);
-                p_.mobility[*row] = p_.inverse_mass[*row];
-                continue;
-            }
-            p_.previous[*row] = p_.position[*row];
-            p_.position[*row] = pin.target;
-            p_.mobility[*row] = Real(0);
+    void move_and_sweep(int moves, int sweeps) {
+        for (int i = 0; i < moves; ++i) move_all();
+        if (rules_.order == PassOrder::sweeps_last) walls();
+        for (int i = 0; i < sweeps; ++i) {
+            sweep();
+            if (rules_.order == PassOrder::walls_each_pass) walls();
         }
     }
+
+    template <class Visit> void each_pin(Visit&& visit) {
+        for (const auto& pin : world_.pins)
+            if (const auto row = p_.slots.find(pin.particle); row && !p_.quarantined[*row]) visit(pin, *row);
+    }
+
+    /// All of x_prev before any x: the speed of a particle with two pins is the way to the target of the last.
+    void carry_pins() {
+        each_pin([&](const auto& pin, Row row) {
+            const bool is_set = pin.hold != Hold::integrated && pin.hold != Hold::frozen && !pin.steers();
+            if (is_set) p_.previous[row] = p_.position[row];
+        });
+        each_pin([&](const auto& pin, Row row) { pin.steers() ? steer(pin, row) : hold(pin, row); });
+    }
+
+    /// Pins hold however soft they are: the originals know no compliance.
+    void hold(const Pin<D, Real>& pin, Row row) {
+        if (pin.hold != Hold::frozen) p_.position[row] = pin.target;
+        p_.mobility[row] = pin.hold == Hold::fixed ? Real(0) : p_.inverse_mass[row];
+        if (pin.hold == Hold::corrected || pin.hold == Hold::frozen) stay(row);
+    }
+
+    /// a = k (target - x) - c v, in place of all other accelerations (GameMaker's hand and head).
+    void steer(const Pin<D, Real>& pin, Row row) {
+        if (!is_free(row)) return;
+        const auto way = pin.target - p_.position[row];
+        move_by(row, {.acceleration = Vec<D, Real>::map([&](int i) { return pin.steer[i] * way[i]; }),
+                      .drag_rate = pin.steer_damping});
+        stay(row);
+    }
+
+    void stay(Row row) { p_.rebound[row][0] = Real(1); }
+    bool is_free(Row row) const { return p_.mobility[row] > Real(0) && p_.rebound[row][0] == Real(0); }
 
     /// In physical mode a soft pin lets its particle move.
     void let_go() {
@@ -106,54 +123,87 @@ template <int D, class Real> class ClassicStep {
             if (const auto row = p_.slots.find(pin.particle); row && pin.hard()) p_.mobility[*row] = Real(0);
     }
 
-    /// v = x - x_prev; x_prev = x; x += keep v + a h^2
+    void move_all() {
+        for (Row row = 0; row < p_.size(); ++row)
+            if (is_free(row)) {
+                move(row);
+                p_.force[row] = {}; // a force acts in one move of a frame
+            }
+    }
+
     void move(Row row) {
-        if (p_.mobility[row] == Real(0)) return;
-        const Real inertia = rules_.unscaled_inertia ? Real(1) : h_ / verlet_interval(world_);
-        const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
-        const auto velocity = (p_.position[row] - p_.previous[row]) * inertia;
-        const auto push = push_on(world_, row);
-        const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
-        const auto pushed = fallen - velocity * minimum(Real(1), push.drag_rate * h_);
+        const auto integrator = integrator_of(world_, row);
+        goes_as_verlet(integrator) ? move_by(row, push_on(world_, row)) : integrate(integrator, row);
+    }
+
+    /// v = x - x_prev; x_prev = x; x += keep v + a h^2
+    void move_by(Row row, const Push<D, Real>& push) {
+        const auto velocity = velocity_of(row);
+        const auto pushed = gained(push, velocity);
         const auto moved =
             rules_.damp_after_force ? (velocity + pushed) * rules_.keep : velocity * rules_.keep + pushed;
         p_.previous[row] = p_.position[row];
         p_.position[row] = clamp_components(p_.position[row] + moved, limit::coordinate<Real>);
     }
 
-    void move_all() {
-        for (Row row = 0; row < p_.size(); ++row) move(row);
+    /// As a displacement in a step.
+    Vec<D, Real> velocity_of(Row row) const {
+        const Real inertia = rules_.unscaled_inertia ? Real(1) : h_ / verlet_interval(world_);
+        return (p_.position[row] - p_.previous[row]) * inertia;
     }
 
-    /// The constraints in the order they were added; `moving`: each particle moves just before the first that names it.
-    void sweep(bool moving = false) {
-        if (moving) std::fill(p_.rebound.begin(), p_.rebound.end(), Vec<D, Real>{}); // marks who has moved
+    /// What a push adds to a velocity, both as displacements in a step.
+    Vec<D, Real> gained(const Push<D, Real>& push, const Vec<D, Real>& velocity) const {
+        const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
+        const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
+        return fallen - velocity * minimum(Real(1), push.drag_rate * h_);
+    }
+
+    /// Another integrator: damping takes its share before the step, or after it; x_prev = x - v h.
+    void integrate(Integrator integrator, Row row) {
+        const auto gain = [&](const Vec<D, Real>& place, const Vec<D, Real>& change) {
+            return gained(push_on(world_, row, clamp_components(place, limit::coordinate<Real>)), change);
+        };
+        const Real before = rules_.damp_after_force ? Real(1) : rules_.keep;
+        const Real after = rules_.damp_after_force ? rules_.keep : Real(1);
+        const auto moved =
+            advance(integrator, FreeMotion<Vec<D, Real>>{p_.position[row], velocity_of(row) * before}, gain);
+        p_.position[row] = clamp_components(moved.place, limit::coordinate<Real>);
+        p_.previous[row] = clamp_components(p_.position[row] - moved.change * after, limit::coordinate<Real>);
+    }
+
+    /// The constraints in the order they were added.
+    void sweep() {
         std::array<Row, std::size_t(Kinds<D>::size)> next{};
         for (const auto& run : world_.sweep)
             visit_table(world_, run.kind, [&](auto& table) {
                 auto& row = next[std::size_t(run.kind)];
-                for (const Row end = row + run.count; row < end; ++row) {
-                    if (moving)
-                        for (const Row member : std::as_const(table.members)[row]) move_once(member);
-                    project(table, row);
-                }
+                for (const Row end = row + run.count; row < end; ++row) project(table, row);
             });
-        if (moving)
-            for (Row row = 0; row < p_.size(); ++row) move_once(row);
         mover_.first_iteration = false;
     }
 
-    void move_once(Row row) {
-        if (p_.rebound[row][0] != Real(0)) return;
-        p_.rebound[row][0] = Real(1);
-        move(row);
-    }
-
     template <class Table> void project(Table& table, Row row) {
-        if constexpr (std::is_same_v<typename Table::Kind, Distance<D>>)
+        if constexpr (std::is_same_v<typename Table::Kind, Distance<D>>) {
             if (rules_.root_free) return project_without_root(table, row);
+            if (part_ends(table, row)) return;
+        }
         table.multiplier[row] = Real(0); // each pass starts from where the points are
         detail::project_row(world_, table, row, mover_);
+    }
+
+    /// Ends on one spot are parted along y, the first towards larger y: atan2(0, 0) = 0 (Flash).
+    template <class Table> bool part_ends(Table& table, Row row) {
+        const auto ends = std::as_const(table.members)[row];
+        if (p_.position[ends[0]] != p_.position[ends[1]]) return false;
+        const Real split = table.split[row];
+        const Real first = p_.inverse_mass[ends[0]] * detail::handicap(split, 0);
+        const Real second = p_.inverse_mass[ends[1]] * detail::handicap(split, 1);
+        const Real gap = clamp(clamp(Real(0), table.low(row), table.high(row)), Real(0), limit::coordinate<Real>);
+        const auto apart = Vec<D, Real>::axis(1) * (gap * table.relaxation[row] * inverse_or_zero(first + second));
+        mover_.push(ends[0], apart * first);
+        mover_.push(ends[1], -apart * second);
+        return true;
     }
 
     /// s = r^2/(d^2 + r^2) - 1/2 approximates half the relative error without a square root (Jakobsen 2001).
@@ -176,19 +226,26 @@ template <int D, class Real> class ClassicStep {
                 if (p_.mobility[row] > Real(0)) hit(plane, row);
     }
 
-    /// Put back on the wall; with a bounce, x_prev is mirrored so that the speed turns round.
+    /// Put back on the wall; with a bounce, x_prev is mirrored: the speed turns round, whichever way it went.
     void hit(const HalfSpace<D, Real>& plane, Row row) {
-        const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, p_.position[row]);
-        if (depth < Real(0)) return;
-        const auto velocity = p_.position[row] - p_.previous[row];
-        p_.position[row] = clamp_components(p_.position[row] + plane.normal * depth, limit::coordinate<Real>);
+        const auto& position = p_.position[row];
+        const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, position);
+        if (depth <= grain(plane, row)) return;
+        const auto velocity = position - p_.previous[row];
+        p_.position[row] = clamp_components(position + plane.normal * depth, limit::coordinate<Real>);
         if (rules_.bounce == Real(0) && rules_.floor_keep == Real(1)) return;
         const Real approach = -dot(plane.normal, velocity);
-        if (approach < Real(0)) return;
         const auto along = velocity + plane.normal * approach;
         const Real away = approach * rules_.bounce;
         const auto leaving = plane.normal * (faces_wrong_way(plane) ? -away : away);
         p_.previous[row] = p_.position[row] - leaving - along * (is_floor(plane, away) ? rules_.floor_keep : Real(1));
+    }
+
+    /// Rounding of a depth: a particle that was put on a wall is not struck again.
+    Real grain(const HalfSpace<D, Real>& plane, Row row) const {
+        Real size = absolute(plane.offset) + p_.radius[row];
+        for (int i = 0; i < D; ++i) size += absolute(plane.normal[i] * p_.position[row][i]);
+        return Real(4) * std::numeric_limits<Real>::epsilon() * size;
     }
 
     /// Roblox's walls at the top and the right have the wrong sign.

@@ -1,6 +1,7 @@
 #include "sinew/solver/cut.h"
 
 #include "sinew/solver/changes.h"
+#include "sinew/solver/slice.h"
 #include "sinew/solver/split.h"
 #include "sinew/solver/step.h"
 
@@ -40,16 +41,11 @@ void add_what_hangs(const World<D, Real>& world, const std::array<Row, 2>& ends,
     });
 }
 
-} // namespace
-
-template <int D, class Real> std::vector<Vec2<double>> flat_places(const World<D, Real>& world) {
+template <int D, class Real>
+std::vector<ConstraintId> crossed_by(const World<D, Real>& world, const Blade& blade, const Projection<D>& see) {
     std::vector<Vec2<double>> places;
     places.reserve(world.particles.size());
-    for (const auto& place : world.particles.position) places.push_back({{double(place[0]), double(place[1])}});
-    return places;
-}
-
-template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade, std::span<const Vec2<double>> places) {
+    for (const auto& place : world.particles.position) places.push_back(see(cast<double>(place)));
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     std::vector<ConstraintId> crossed;
     for (Row row = 0; row < distances.size(); ++row) {
@@ -58,10 +54,11 @@ template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade, 
         if (ties(distances, row) && is_finite(a) && is_finite(b) && crosses(blade, a, b))
             crossed.push_back({kind_number<Distance, D>, distances.slots.id_of(row)});
     }
-    return cut(world, std::span<const ConstraintId>(crossed));
+    return crossed;
 }
 
-template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids) {
+template <int D, class Real>
+Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids, const Slicer<D, Real>* slicer) {
     constexpr int link_kind = kind_number<Distance, D>;
     const auto& distances = std::get<link_kind>(world.constraints);
     Cut done;
@@ -82,15 +79,34 @@ template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const Cons
     std::sort(done.figures.begin(), done.figures.end());
     done.figures.erase(std::unique(done.figures.begin(), done.figures.end()), done.figures.end());
     remove_constraints(world, std::span<const ConstraintId>(all));
-    sever(world, std::span<const Ends>(gone));
-    done.doubled = split(world, std::span<const Ends>(gone));
+    done.doubled = come_apart(world, std::span<const Ends>(gone), slicer);
     return done;
 }
 
+} // namespace
+
+template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade, const Projection<D>& see) {
+    const Slicer<D, Real> slicer(world, blade, see);
+    return cut(world, std::span<const ConstraintId>(crossed_by(world, blade, see)), &slicer);
+}
+
+template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids) {
+    return cut<D, Real>(world, ids, nullptr);
+}
+
+template <int D, class Real>
+std::size_t come_apart(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer) {
+    if (slicer) detail::list_bonds(world);
+    sever(world, gone, slicer);
+    const auto added = split(world, gone);
+    bind(world);
+    return added;
+}
+
 #define SINEW_CUT(D, Real)                                                                                             \
-    template std::vector<Vec2<double>> flat_places(const World<D, Real>&);                                             \
-    template Cut cut(World<D, Real>&, const Blade&, std::span<const Vec2<double>>);                                    \
-    template Cut cut(World<D, Real>&, std::span<const ConstraintId>);
+    template Cut cut(World<D, Real>&, const Blade&, const Projection<D>&);                                             \
+    template Cut cut(World<D, Real>&, std::span<const ConstraintId>);                                                  \
+    template std::size_t come_apart(World<D, Real>&, std::span<const Ends>, const Slicer<D, Real>*);
 SINEW_INSTANTIATE(SINEW_CUT)
 
 } // namespace sinew

@@ -1,16 +1,12 @@
 #pragma once
 
+#include "sinew/solver/blade.h"
 #include "sinew/solver/edit.h"
+#include "sinew/solver/sever.h"
 
 /// Cutting: what a blade crosses is removed, and what hangs on it. What is cut is found in time in proportion to the
 /// world; the rest takes what the parts that are cut are worth, but that rows close up.
 namespace sinew {
-
-/// A straight cut across a picture plane.
-struct Blade {
-    Vec2<double> from{}, to{};
-    double reach = 0; ///< what comes as near to it is cut too
-};
 
 struct Cut {
     std::size_t links = 0;            ///< distances that are gone
@@ -18,18 +14,16 @@ struct Cut {
     std::vector<FigureIndex> figures; ///< whose they were, each once, in order; no_figure last
 };
 
-/// Where every particle is in the plane of the screen, by row: (x, y).
-template <int D, class Real> std::vector<Vec2<double>> flat_places(const World<D, Real>& world);
-
-/// Cuts every distance that crosses the blade where `places` show its ends, one place a particle, by row. What is not
-/// finite is out of sight and stays whole; so does a distance that only keeps its ends apart.
-template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade, std::span<const Vec2<double>> places);
-template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade) {
-    return cut(world, blade, std::span<const Vec2<double>>(flat_places(world)));
-}
+/// Cuts every distance that crosses the blade where its ends are seen. What is out of sight stays whole; so does a
+/// distance that only keeps its ends apart. Cells of cloth are sliced along the blade.
+template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade, const Projection<D>& see = along_z<D>);
 
 /// Cuts these constraints. With a distance goes what hangs on it: every constraint of another kind that both of its
 /// ends belong to.
 template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids);
+
+/// What is drawn and what hangs together comes apart where links are gone. Returns how many particles were added.
+template <int D, class Real>
+std::size_t come_apart(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer = nullptr);
 
 } // namespace sinew

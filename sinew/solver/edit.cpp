@@ -1,30 +1,18 @@
 #include "sinew/solver/edit.h"
 
+#include "sinew/solver/mobility.h"
 #include "sinew/solver/remove.h"
 
 #include <algorithm>
 
 namespace sinew {
-namespace {
-
-/// Pinned hard and quarantined particles are immovable to the solver; the others weigh what they weigh.
-template <int D, class Real> void refresh_mobility(World<D, Real>& world, Row row) {
-    auto& particles = world.particles;
-    const auto id = particles.slots.id_of(row);
-    const bool pinned = std::any_of(world.pins.begin(), world.pins.end(),
-                                    [&](const auto& pin) { return pin.particle == id && pin.hard(); });
-    const Real mobility = pinned || particles.quarantined[row] ? Real(0) : particles.inverse_mass[row];
-    if ((mobility > Real(0)) != (particles.mobility[row] > Real(0))) detail::note_mobility(world, row);
-    particles.mobility[row] = mobility;
-}
-
-} // namespace
-
-template <int D, class Real> void remove_particles(World<D, Real>& world, std::span<const ParticleId> ids) {
+template <int D, class Real> std::size_t remove_particles(World<D, Real>& world, std::span<const ParticleId> ids) {
     auto& particles = world.particles;
     std::vector<char> gone(particles.size(), 0);
     for (const auto id : ids)
         if (const auto row = particles.slots.find(id)) gone[*row] = 1;
+    const auto count = std::size_t(std::count(gone.begin(), gone.end(), char(1)));
+    if (count == 0) return 0;
 
     std::vector<Row> moved(particles.size());
     Row kept = 0;
@@ -50,22 +38,36 @@ template <int D, class Real> void remove_particles(World<D, Real>& world, std::s
     for (std::size_t i = 0; i < loose.size(); ++i) loose[i] = !particles.slots.find(world.pins[i].particle);
     detail::erase_pins(world, loose);
     detail::forget_the_dead(world);
+    return count;
 }
 
-template <int D, class Real> void remove_constraints(World<D, Real>& world, std::span<const ConstraintId> ids) {
+template <int D, class Real> std::size_t remove_constraints(World<D, Real>& world, std::span<const ConstraintId> ids) {
     int kind = 0;
+    std::size_t count = 0;
     for_each_table(world, [&](auto& table) {
+        const auto before = table.size();
         bool any = false;
         for (const auto& id : ids)
             if (id.kind == kind)
                 if (const auto row = table.slots.find(id.id)) table.torn.set(*row, 1), any = true;
         if (any) detail::erase_constraints(world, table, kind, table.torn.each());
+        count += before - table.size();
         ++kind;
     });
-    detail::forget_constraints(world);
+    if (count > 0) detail::forget_constraints(world);
+    return count;
 }
 
+namespace {
+
+template <class Real> constexpr bool is_no_number(Real value) {
+    return value != value;
+}
+
+} // namespace
+
 template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintId& id, Real rate) {
+    if (is_no_number(rate)) return false;
     bool found = false;
     visit_table(world, id.kind, [&](auto& table) {
         const auto row = table.slots.find(id.id);
@@ -79,13 +81,15 @@ template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintI
 }
 
 template <int D, class Real> bool set_max_force(World<D, Real>& world, const ConstraintId& id, Real max_force) {
+    if (is_no_number(max_force)) return false;
     bool found = false;
     visit_table(world, id.kind, [&](auto& table) {
         const auto row = table.slots.find(id.id);
         if (!row) return;
         found = true;
-        if (!table.gives(*row)) detail::note_feature(world, table, *row);
+        const bool gave = table.gives(*row);
         table.max_force.set(*row, clamp(max_force, Real(0), limit::measure<Real>));
+        if (table.gives(*row) != gave) detail::note_feature(world, table, *row);
     });
     return found;
 }
@@ -104,8 +108,11 @@ template <int D, class Real> bool set_position(World<D, Real>& world, ParticleId
     const auto row = world.particles.slots.find(id);
     if (!row) return false;
     auto& p = world.particles;
-    p.previous[*row] = position + (p.previous[*row] - p.position[*row]); // classic mode's velocity stays what it was
-    p.position[*row] = position;
+    constexpr auto furthest = limit::coordinate<Real>;
+    const auto place = clamp_finite(position, furthest);
+    const auto previous = place + (p.previous[*row] - p.position[*row]); // classic mode's velocity stays what it was
+    p.previous[*row] = clamp_finite(previous, furthest);
+    p.position[*row] = place;
     p.residual[*row] = {};
     return true;
 }
@@ -114,8 +121,9 @@ template <int D, class Real> bool set_velocity(World<D, Real>& world, ParticleId
     const auto row = world.particles.slots.find(id);
     if (!row) return false;
     auto& p = world.particles;
-    p.velocity[*row] = velocity;
-    p.previous[*row] = p.position[*row] - velocity * verlet_interval(world);
+    p.velocity[*row] = clamp_finite(velocity, limit::speed<Real>);
+    p.previous[*row] =
+        clamp_finite(p.position[*row] - p.velocity[*row] * verlet_interval(world), limit::coordinate<Real>);
     return true;
 }
 
@@ -123,7 +131,7 @@ template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id,
     const auto row = world.particles.slots.find(id);
     if (!row) return false;
     world.particles.inverse_mass[*row] = inverse_of_mass(mass);
-    refresh_mobility(world, *row);
+    detail::refresh_mobility(world, *row);
     detail::note_weight(world, *row);
     return true;
 }
@@ -131,7 +139,9 @@ template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id,
 template <int D, class Real> bool apply_force(World<D, Real>& world, ParticleId id, const Vec<D, Real>& force) {
     const auto row = world.particles.slots.find(id);
     if (!row) return false;
-    world.particles.force[*row] += force;
+    constexpr auto most = limit::force<Real>;
+    auto& sum = world.particles.force[*row];
+    sum = clamp_finite(sum + clamp_finite(force, most), most);
     return world.particles.any_force = true;
 }
 
@@ -139,8 +149,9 @@ template <int D, class Real> bool apply_impulse(World<D, Real>& world, ParticleI
     const auto row = world.particles.slots.find(id);
     if (!row) return false;
     const auto& p = world.particles;
-    return set_velocity(world, id,
-                        p.velocity[*row] + impulse * (p.mobility[*row] > Real(0) ? p.inverse_mass[*row] : Real(0)));
+    const Real per_mass = p.mobility[*row] > Real(0) ? p.inverse_mass[*row] : Real(0);
+    const Real most = Real(2) * limit::speed<Real> * inverse_or_zero(per_mass); // from one end to the other
+    return set_velocity(world, id, p.velocity[*row] + clamp_finite(impulse, most) * per_mass);
 }
 
 template <int D, class Real>
@@ -151,10 +162,13 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
     constexpr auto most = limit::measure<Real>;
     world.pins.push_back({.particle = particle,
                           .from = position,
-                          .target = spec.target.value_or(position),
+                          .target = clamp_finite(spec.target.value_or(position), limit::coordinate<Real>),
                           .compliance = clamp(spec.compliance, Real(0), most),
                           .damping = clamp(spec.damping, Real(0), most),
-                          .max_force = clamp(spec.max_force, Real(0), most)});
+                          .max_force = clamp(spec.max_force, Real(0), most),
+                          .hold = spec.hold,
+                          .steer = clamp_components(spec.steer, most),
+                          .steer_damping = clamp(spec.steer_damping, Real(0), most)});
     if (world.pins.back().hard() && world.particles.mobility[*row] > Real(0)) {
         world.particles.mobility[*row] = Real(0);
         detail::note_mobility(world, *row);
@@ -165,8 +179,9 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
 
 template <int D, class Real> bool move_pin(World<D, Real>& world, PinId pin, const Vec<D, Real>& target) {
     const auto row = world.pin_slots.find(pin);
-    if (row) world.pins[*row].target = target, world.pins[*row].moves = true;
-    return row.has_value();
+    if (!row) return false;
+    world.pins[*row].target = clamp_finite(target, limit::coordinate<Real>);
+    return true;
 }
 
 template <int D, class Real> bool unpin(World<D, Real>& world, PinId pin) {
@@ -176,61 +191,22 @@ template <int D, class Real> bool unpin(World<D, Real>& world, PinId pin) {
     std::vector<char> gone(world.pins.size(), 0);
     gone[*row] = 1;
     detail::erase_pins(world, gone);
-    if (const auto held = world.particles.slots.find(particle)) refresh_mobility(world, *held);
+    if (const auto held = world.particles.slots.find(particle)) detail::refresh_mobility(world, *held);
     return true;
 }
 
-template <int D, class Real> void unpin_all(World<D, Real>& world, ParticleId particle) {
-    std::vector<char> gone(world.pins.size(), 0);
+template <int D, class Real> std::size_t unpin_all(World<D, Real>& world, ParticleId particle) {
+    const auto before = world.pins.size();
+    std::vector<char> gone(before, 0);
     for (std::size_t i = 0; i < gone.size(); ++i) gone[i] = world.pins[i].particle == particle;
     detail::erase_pins(world, gone);
-    if (const auto row = world.particles.slots.find(particle)) refresh_mobility(world, *row);
-}
-
-template <int D, class Real>
-FigureIndex add_figure(World<D, Real>& world, std::string_view name, std::string_view prefab) {
-    const auto figure = FigureIndex(world.figures.size());
-    world.figures.push_back({.name = std::string(name), .prefab = std::string(prefab)});
-    world.figure_names.emplace_back(name, figure);
-    return figure;
-}
-
-template <int D, class Real>
-void teleport(World<D, Real>& world, FigureIndex figure, const Vec<D, Real>& offset, Momentum momentum) {
-    if (figure >= world.figures.size()) return;
-    auto& p = world.particles;
-    for (const auto id : world.figures[figure].particles) {
-        const auto row = p.slots.find(id);
-        if (!row) continue;
-        p.position[*row] += offset;
-        p.previous[*row] += offset;
-        if (momentum == Momentum::reset) {
-            p.previous[*row] = p.position[*row];
-            p.velocity[*row] = {};
-        }
-    }
-    for (auto& pin : world.pins) {
-        const auto row = p.slots.find(pin.particle);
-        if (!row || p.figure[*row] != figure) continue;
-        pin.from += offset;
-        pin.target += offset;
-    }
-}
-
-template <int D, class Real> void release_quarantine(World<D, Real>& world, FigureIndex figure) {
-    if (figure >= world.figures.size()) return;
-    world.figures[figure].quarantined = false;
-    for (const auto id : world.figures[figure].particles) {
-        const auto row = world.particles.slots.find(id);
-        if (!row) continue;
-        world.particles.quarantined[*row] = 0;
-        refresh_mobility(world, *row);
-    }
+    if (const auto row = world.particles.slots.find(particle)) detail::refresh_mobility(world, *row);
+    return before - world.pins.size();
 }
 
 #define SINEW_EDIT(D, Real)                                                                                            \
-    template void remove_particles(World<D, Real>&, std::span<const ParticleId>);                                      \
-    template void remove_constraints(World<D, Real>&, std::span<const ConstraintId>);                                  \
+    template std::size_t remove_particles(World<D, Real>&, std::span<const ParticleId>);                               \
+    template std::size_t remove_constraints(World<D, Real>&, std::span<const ConstraintId>);                           \
     template bool drive(World<D, Real>&, const ConstraintId&, Real);                                                   \
     template bool set_max_force(World<D, Real>&, const ConstraintId&, Real);                                           \
     template std::optional<Vec<D, Real>> position_of(const World<D, Real>&, ParticleId);                               \
@@ -242,11 +218,8 @@ template <int D, class Real> void release_quarantine(World<D, Real>& world, Figu
     template bool apply_impulse(World<D, Real>&, ParticleId, const Vec<D, Real>&);                                     \
     template std::optional<PinId> pin(World<D, Real>&, ParticleId, const PinSpec<D, Real>&);                           \
     template bool move_pin(World<D, Real>&, PinId, const Vec<D, Real>&);                                               \
-    template void unpin_all(World<D, Real>&, ParticleId);                                                              \
-    template bool unpin(World<D, Real>&, PinId);                                                                       \
-    template FigureIndex add_figure(World<D, Real>&, std::string_view, std::string_view);                              \
-    template void teleport(World<D, Real>&, FigureIndex, const Vec<D, Real>&, Momentum);                               \
-    template void release_quarantine(World<D, Real>&, FigureIndex);
+    template std::size_t unpin_all(World<D, Real>&, ParticleId);                                                       \
+    template bool unpin(World<D, Real>&, PinId);
 
 SINEW_INSTANTIATE(SINEW_EDIT)
 

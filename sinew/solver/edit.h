@@ -10,8 +10,15 @@
 #include <string_view>
 #include <vector>
 
-/// Everything that changes a world between steps. Ids stay good until what they name is removed; a function given an id
-/// of something gone does nothing and says so by returning false or nothing.
+/// Everything that changes a world between steps.
+///
+/// Ids stay good until the row they name is removed, in the world that handed them out and in its copies. A function
+/// given any other id (stale, of another world, from a future that going back to a snapshot undid, or made up) does
+/// nothing and says so by returning false, nothing or 0. An id says nothing to another process: to do the same again
+/// there, keep rows or names.
+///
+/// Finite numbers beyond the stated limits (world.h) are held at them. A vector that is not finite is taken as it is:
+/// the next step puts its figure in quarantine.
 namespace sinew {
 
 template <int D, class Real> struct ParticleSpec {
@@ -55,6 +62,9 @@ template <int D, class Real> struct PinSpec {
     Real compliance = 0;
     Real damping = 1;
     Real max_force = 0;
+    Hold hold = Hold::fixed;
+    Vec<D, Real> steer{};
+    Real steer_damping = 0;
 };
 
 struct Sizes {
@@ -67,7 +77,8 @@ template <int D, class Real> void reserve(World<D, Real>& world, Sizes sizes);
 template <int D, class Real> ParticleId add_particle(World<D, Real>& world, const ParticleSpec<D, Real>& spec);
 
 /// Removes particles, the constraints they were part of and their pins. One pass over the world however many are given.
-template <int D, class Real> void remove_particles(World<D, Real>& world, std::span<const ParticleId> ids);
+/// Returns how many there were.
+template <int D, class Real> std::size_t remove_particles(World<D, Real>& world, std::span<const ParticleId> ids);
 
 /// Adds a constraint of the kind numbered `kind` over `members`; nothing is added if a member is gone, named twice or
 /// the number of members is not the kind's.
@@ -83,15 +94,16 @@ std::optional<ConstraintId> add(World<D, Real>& world, std::initializer_list<Par
 }
 
 /// As many distances, all of one spec, as calls of add_constraint would add, in a fraction of their time. Their ids
-/// come behind those in `added`.
+/// come behind those in `added`; ends that are gone or the same make none.
 template <int D, class Real>
 void add_distances(World<D, Real>& world, std::span<const std::array<ParticleId, 2>> ends,
                    const ConstraintSpec<Real>& spec, IdList<ConstraintId>& added);
 
-template <int D, class Real> void remove_constraints(World<D, Real>& world, std::span<const ConstraintId> ids);
+/// Returns how many there were.
+template <int D, class Real> std::size_t remove_constraints(World<D, Real>& world, std::span<const ConstraintId> ids);
 
 /// From now on its limits move at this rate (m/s, rad/s): a winch, a motor. Where the load is more than its max_force
-/// it slips: limits of lengths never run ahead of what they measure.
+/// it slips: limits of lengths never run ahead of what they measure. False for a rate that is no number.
 template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintId& id, Real rate);
 /// Another max_force: a motor that tires. 0 lets go.
 template <int D, class Real> bool set_max_force(World<D, Real>& world, const ConstraintId& id, Real max_force);
@@ -128,20 +140,37 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
 template <int D, class Real> bool move_pin(World<D, Real>& world, PinId pin, const Vec<D, Real>& target);
 /// Lets go: the particle keeps the velocity it was carried with.
 template <int D, class Real> bool unpin(World<D, Real>& world, PinId pin);
-/// Takes every pin off a particle.
-template <int D, class Real> void unpin_all(World<D, Real>& world, ParticleId particle);
+/// Takes every pin off a particle; returns how many there were.
+template <int D, class Real> std::size_t unpin_all(World<D, Real>& world, ParticleId particle);
 
+/// The figure gets the lowest index that is free.
 template <int D, class Real>
 FigureIndex add_figure(World<D, Real>& world, std::string_view name, std::string_view prefab = "");
 
-enum class Momentum : bool { keep, reset };
-/// Moves a whole figure at once, its pins with it; nothing is swept, struck or pulled on the way.
+/// A figure's handle, to keep for longer than the figure may live; Id{} if there is none of that index.
+template <int D, class Real> FigureId figure_id(const World<D, Real>& world, FigureIndex figure);
+/// Its index now; nothing once it was removed.
 template <int D, class Real>
-void teleport(World<D, Real>& world, FigureIndex figure, const Vec<D, Real>& offset,
+std::optional<FigureIndex> figure_index(const World<D, Real>& world, const FigureId& figure);
+
+/// Removes a figure and all that belongs to it: particles, their constraints and pins, constraints of its own between
+/// others, names, and drawn pieces. Other figures keep their indices; the free one is given to the next figure that is
+/// added. False if there is none.
+template <int D, class Real> bool remove_figure(World<D, Real>& world, FigureIndex figure);
+template <int D, class Real> bool remove_figure(World<D, Real>& world, const FigureId& figure) {
+    const auto index = figure_index(world, figure);
+    return index && remove_figure(world, *index);
+}
+
+enum class Momentum : bool { keep, reset };
+/// Moves a whole figure at once, its pins with it; nothing is swept, struck or pulled on the way. False if there is
+/// none.
+template <int D, class Real>
+bool teleport(World<D, Real>& world, FigureIndex figure, const Vec<D, Real>& offset,
               Momentum momentum = Momentum::keep);
 
-/// Lets a quarantined figure move again; its particles keep their place and lose their speed.
-template <int D, class Real> void release_quarantine(World<D, Real>& world, FigureIndex figure);
+/// Lets a quarantined figure move again; its particles keep their place and lose their speed. False if there is none.
+template <int D, class Real> bool release_quarantine(World<D, Real>& world, FigureIndex figure);
 
 /// The particle called "figure/name", or nothing.
 template <int D, class Real>

@@ -47,6 +47,7 @@ template <int D, class Real> struct Adder {
         push.drag_rate += rate(wind.strength);
     }
     void operator()(const Attractor<D, Real>& attractor) const {
+        if (!pulls(attractor, world.particles.figure[row])) return;
         const auto offset = place - attractor.center;
         const Real softened = square_root(dot(offset, offset) + square(attractor.softness));
         const Real per_length = inverse_or_zero(softened);

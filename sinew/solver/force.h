@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/math/vec.h"
+#include "sinew/solver/id.h"
 
 #include <cstdint>
 #include <variant>
@@ -31,9 +32,14 @@ template <int D, class Real> struct Wind {
 /// as 1/r^2 far away, as a spring near by, never singular (Plummer 1911).
 template <int D, class Real> struct Attractor {
     Vec<D, Real> center{};
-    Real strength = 0; ///< acceleration times length squared
-    Real softness = 1; ///< length
+    Real strength = 0;              ///< acceleration times length squared
+    Real softness = 1;              ///< length
+    FigureIndex figure = no_figure; ///< the only one whose particles are pulled; no_figure: all are
 };
+
+template <int D, class Real> constexpr bool pulls(const Attractor<D, Real>& attractor, FigureIndex figure) {
+    return attractor.figure == no_figure || attractor.figure == figure;
+}
 
 /// Each step, one particle chosen at random gets a force whose components are whole numbers from low to high (Roblox
 /// wind).

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/columns.h"
+#include "sinew/solver/stamp.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,33 +11,37 @@
 
 namespace sinew {
 
-/// A name for a row that outlives the row's moves: by value, never reused (a slot's generation grows when its row
-/// goes).
+/// A handle of a row that outlives the row's moves. Copies of a world know the ids it handed out before the copy; an id
+/// of a removed row, of another world, or handed out in a future that was undone resolves to nothing.
 template <class Tag> struct Id {
     std::uint32_t slot = ~std::uint32_t(0);
-    std::uint32_t generation = 0;
+    std::uint32_t generation = Stamp::none; ///< the table's stamp when the row was added
     friend constexpr bool operator==(const Id&, const Id&) = default;
 };
 
 using Row = std::uint32_t;
 
-/// Which row an id stands for. Rows are dense and keep their order when others are removed. Until one is, slots are
-/// rows and nothing has to be remembered.
+/// Which row an id stands for. Rows are dense and keep their order when others are removed. Until one is, or a copy is
+/// added to, slots are rows of one generation and nothing has to be remembered.
 template <class Tag> class Slots {
   public:
     /// The id of a new row at the end.
     Id<Tag> append() {
-        if (plain_) return {rows_++, 0};
+        const auto stamp = stamp_.get();
+        if (rows_ == 0) plain_generation_ = stamp;
+        if (stamp != plain_generation_) remember();
+        if (plain_) return {rows_++, stamp};
         if (first_free_ == entries_.size()) entries_.push_back({.row = first_free_ + 1});
         const std::uint32_t slot = first_free_;
         first_free_ = entries_[slot].row;
-        entries_[slot].row = rows_++;
+        entries_[slot] = {.row = rows_++, .generation = stamp};
         slot_of_row_.push_back(slot);
-        return {slot, entries_[slot].generation};
+        return {slot, stamp};
     }
 
+    /// Any bits may be asked for: what was not handed out by this table, or is gone, is not found.
     std::optional<Row> find(Id<Tag> id) const {
-        if (id.slot >= slots() || generation(id.slot) != id.generation) return std::nullopt;
+        if (id.slot >= slots() || generation(id.slot) != id.generation || !in_use(id.slot)) return std::nullopt;
         return row_at(id.slot);
     }
 
@@ -55,10 +60,11 @@ template <class Tag> class Slots {
         Row kept = Row(next_flag(gone, 0, 1));
         if (kept == gone.size()) return;
         remember();
+        stamp_.forget();
         for (Row row = kept; row < rows_; ++row) {
             const std::uint32_t slot = slot_of_row_[row];
             if (gone[row]) {
-                entries_[slot] = {.row = first_free_, .generation = entries_[slot].generation + 1};
+                entries_[slot] = {.row = first_free_};
                 first_free_ = slot;
             } else {
                 entries_[slot].row = kept;
@@ -75,7 +81,10 @@ template <class Tag> class Slots {
         plain_ = false;
         slot_of_row_.resize(rows_);
         entries_.resize(rows_);
-        for (Row row = 0; row < rows_; ++row) slot_of_row_[row] = entries_[row].row = row;
+        for (Row row = 0; row < rows_; ++row) {
+            slot_of_row_[row] = row;
+            entries_[row] = {.row = row, .generation = plain_generation_};
+        }
         first_free_ = rows_;
     }
 
@@ -88,15 +97,19 @@ template <class Tag> class Slots {
   private:
     struct Entry {
         Row row = 0; ///< of a slot that is free: the next free slot
-        std::uint32_t generation = 0;
+        std::uint32_t generation = Stamp::none;
     };
     Row rows_ = 0;
-    bool plain_ = true; ///< slots are rows, and the rest is empty
+    bool plain_ = true;                            ///< slots are rows, and the rest is empty
+    Stamp stamp_;                                  ///< of the rows that are added next
+    std::uint32_t plain_generation_ = Stamp::none; ///< of all rows while slots are rows
     std::vector<std::uint32_t> slot_of_row_;
     std::vector<Entry> entries_;
     std::uint32_t first_free_ = 0; ///< entries_.size(): none is
 
-    std::uint32_t generation(std::uint32_t slot) const { return plain_ ? 0 : entries_[slot].generation; }
+    std::uint32_t generation(std::uint32_t slot) const {
+        return plain_ ? plain_generation_ : entries_[slot].generation;
+    }
 };
 
 struct ParticleTag;
@@ -112,7 +125,12 @@ struct ConstraintId {
     friend constexpr bool operator==(const ConstraintId&, const ConstraintId&) = default;
 };
 
+/// A figure's place in World::figures. It stays while the figure lives; once that is removed, another may come there.
 using FigureIndex = std::uint32_t;
 inline constexpr FigureIndex no_figure = ~FigureIndex(0); ///< loose particles belong to no figure
+
+/// A figure's handle, which is never another's.
+struct FigureTag;
+using FigureId = Id<FigureTag>;
 
 } // namespace sinew

@@ -8,14 +8,19 @@ namespace sinew {
 
 extern const KernelSet kernels_one, kernels_sse2;
 #if defined(SINEW_WIDE_KERNELS)
-extern const KernelSet kernels_avx2, kernels_avx512;
+extern const KernelSet kernels_avx2;
+#if !defined(SINEW_NO_AVX512)
+extern const KernelSet kernels_avx512;
+#endif
 #endif
 
 namespace {
 
 const KernelSet* set_of(Simd simd) {
 #if defined(SINEW_WIDE_KERNELS)
+#if !defined(SINEW_NO_AVX512)
     if (simd == Simd::avx512) return &kernels_avx512;
+#endif
     if (simd == Simd::avx2) return &kernels_avx2;
 #endif
     return simd == Simd::one ? &kernels_one : &kernels_sse2;
@@ -32,8 +37,12 @@ bool has_simd([[maybe_unused]] Simd simd) {
     if (simd == Simd::one || simd == Simd::sse2) return true;
 #if defined(SINEW_WIDE_KERNELS)
     if (simd == Simd::avx2) return __builtin_cpu_supports("avx2") != 0;
+#if defined(SINEW_NO_AVX512)
+    return false;
+#else
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+#endif
 #else
     return false;
 #endif

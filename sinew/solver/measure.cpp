@@ -8,11 +8,15 @@
 namespace sinew {
 namespace {
 
-/// Where a particle is when it has its velocity: in the middle of the last substep; in a block, at its end.
+/// Where a particle is when it has its velocity: in the middle of the last substep; in a block, and where classic mode
+/// has another integrator than Verlet's, at its end.
 template <int D, class Real> Vec<D, double> place_of_velocity(const World<D, Real>& world, Row row) {
     const auto& p = world.particles;
     const auto place = cast<double>(p.position[row]);
-    if (world.settings.mode == Mode::classic) return (place + cast<double>(p.previous[row])) * 0.5;
+    if (world.settings.mode == Mode::classic) {
+        if (!has_mean_velocity(integrator_of(world, row))) return place;
+        return (place + cast<double>(p.previous[row])) * 0.5;
+    }
     if (p.in_block[row]) return place;
     return place - cast<double>(p.velocity[row]) * (0.5 * double(world.last_substep));
 }
@@ -24,10 +28,12 @@ template <int D, class Real> double mass_of(const Particles<D, Real>& p, Row row
 template <int D, class Real> struct PotentialOf {
     double mass;
     Vec<D, double> place;
+    FigureIndex figure;
     double operator()(const Gravity<D, Real>& gravity) const {
         return -mass * dot(cast<double>(gravity.acceleration), place);
     }
     double operator()(const Attractor<D, Real>& attractor) const {
+        if (!pulls(attractor, figure)) return 0;
         const auto offset = place - cast<double>(attractor.center);
         return -mass * double(attractor.strength) *
                inverse_or_zero(square_root(dot(offset, offset) + square(double(attractor.softness))));
@@ -115,22 +121,29 @@ std::optional<ConstraintState> constraint_state(const World<D, Real>& world, con
     return state;
 }
 
-template <int D, class Real> Energy energy(const World<D, Real>& world) {
+namespace {
+
+template <int D, class Real> void add_particle_energy(const World<D, Real>& world, Row row, Energy& sum) {
     const auto& p = world.particles;
-    Energy sum{.lost = world.energy_lost};
-    for (Row row = 0; row < p.size(); ++row) {
-        if (p.mobility[row] == Real(0)) continue;
-        const double mass = mass_of(p, row);
-        const auto velocity = cast<double>(p.velocity[row]);
-        sum.kinetic += 0.5 * mass * dot(velocity, velocity);
-        for (const auto& force : world.forces)
-            sum.potential += std::visit(PotentialOf<D, Real>{mass, place_of_velocity(world, row)}, force);
-    }
+    if (p.mobility[row] == Real(0)) return;
+    const double mass = mass_of(p, row);
+    const auto velocity = cast<double>(p.velocity[row]);
+    sum.kinetic += 0.5 * mass * dot(velocity, velocity);
+    for (const auto& force : world.forces)
+        sum.potential += std::visit(PotentialOf<D, Real>{mass, place_of_velocity(world, row), p.figure[row]}, force);
+}
+
+/// Over the figures of which `counts` is true.
+template <int D, class Real, class Counts> Energy energy_where(const World<D, Real>& world, Counts&& counts) {
+    const auto& p = world.particles;
+    Energy sum;
+    for (Row row = 0; row < p.size(); ++row)
+        if (counts(p.figure[row])) add_particle_energy(world, row, sum);
     std::optional<SlackLinks> slack;
     for_each_table(world, [&](const auto& table) {
         using Kind = typename std::decay_t<decltype(table)>::Kind;
         for (Row row = 0; row < table.size(); ++row) {
-            if (table.compliance[row] == Real(0)) continue;
+            if (table.compliance[row] == Real(0) || !counts(table.figure[row])) continue;
             const auto middle = [&](Row particle) { return place_of_velocity(world, particle); };
             const auto state = state_of(table, row, measure_row(table, row, middle), world.last_substep);
             double stored = 0.5 * square(state.error) / double(table.compliance[row]);
@@ -144,10 +157,28 @@ template <int D, class Real> Energy energy(const World<D, Real>& world) {
     });
     for (const auto& pin : world.pins) {
         const auto row = p.slots.find(pin.particle);
-        if (!row || !(pin.compliance > Real(0))) continue;
+        if (!row || !(pin.compliance > Real(0)) || !counts(p.figure[*row])) continue;
         const auto offset = place_of_velocity(world, *row) - cast<double>(pin.target);
         sum.stored += 0.5 * dot(offset, offset) / double(pin.compliance);
     }
+    return sum;
+}
+
+} // namespace
+
+template <int D, class Real> Energy energy(const World<D, Real>& world) {
+    auto sum = energy_where(world, [](FigureIndex) { return true; });
+    sum.lost = world.energy_lost;
+    return sum;
+}
+
+template <int D, class Real> Energy energy_of(const World<D, Real>& world, FigureIndex figure) {
+    return energy_where(world, [&](FigureIndex other) { return other == figure; });
+}
+
+template <int D, class Real> Energy energy_of(const World<D, Real>& world, ParticleId id) {
+    Energy sum;
+    if (const auto row = row_of(world, id)) add_particle_energy(world, *row, sum);
     return sum;
 }
 
@@ -208,6 +239,8 @@ template <int D, class Real> Stretch stretch(const World<D, Real>& world) {
 #define SINEW_MEASURE(D, Real)                                                                                         \
     template std::optional<ConstraintState> constraint_state(const World<D, Real>&, const ConstraintId&);              \
     template Energy energy(const World<D, Real>&);                                                                     \
+    template Energy energy_of(const World<D, Real>&, FigureIndex);                                                     \
+    template Energy energy_of(const World<D, Real>&, ParticleId);                                                      \
     template Vec<D, double> momentum(const World<D, Real>&);                                                           \
     template Vec3<double> angular_momentum(const World<D, Real>&);                                                     \
     template Vec<D, double> center_of_mass(const World<D, Real>&);                                                     \

@@ -23,6 +23,10 @@ struct Energy {
 /// Verlet's velocity belongs to the middle of a substep, so potentials are taken there too: half way from previous to
 /// position.
 template <int D, class Real> Energy energy(const World<D, Real>& world);
+/// Of one figure: its particles, and what is stored in its own constraints and pins. `lost` is not told.
+template <int D, class Real> Energy energy_of(const World<D, Real>& world, FigureIndex figure);
+/// Of one particle, without what constraints store.
+template <int D, class Real> Energy energy_of(const World<D, Real>& world, ParticleId id);
 
 template <int D, class Real> Vec<D, double> momentum(const World<D, Real>& world);
 /// About the origin, at the middle of the last substep; in 2D the third component is the only one.

@@ -39,10 +39,12 @@ template <class Id> class NameTable {
         return entry == found_.end() ? std::nullopt : std::optional(entry->second);
     }
 
-    /// Forgets every name whose id passes the test. Allocates nothing.
+    /// Forgets every name whose id passes the test. Allocates nothing, as long as no name was given twice.
     template <class Test> void erase_if(Test&& test) {
         std::erase_if(entries_, [&](const Entry& entry) { return test(entry.second); });
-        std::erase_if(found_, [&](const auto& entry) { return test(entry.second); });
+        const auto erased = std::erase_if(found_, [&](const auto& entry) { return test(entry.second); });
+        if (erased > 0 && found_.size() < entries_.size())
+            for (const auto& [name, id] : entries_) found_.try_emplace(name, id);
     }
 
     auto begin() const { return entries_.begin(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/scalar.h"
 #include "sinew/solver/kernel.h"
 #include "sinew/solver/limit_columns.h"
 

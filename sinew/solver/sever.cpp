@@ -1,28 +1,12 @@
 #include "sinew/solver/sever.h"
 
-#include <algorithm>
+#include "sinew/solver/slice.h"
 
 namespace sinew {
 namespace {
 
-/// Pairs of particles whose link is gone, each found in logarithmic time.
-class Gaps {
-  public:
-    explicit Gaps(std::span<const Ends> gone) {
-        for (const auto& ends : gone) keys_.push_back(key(ends[0], ends[1]));
-        std::sort(keys_.begin(), keys_.end());
-    }
-    bool between(ParticleId a, ParticleId b) const { return std::binary_search(keys_.begin(), keys_.end(), key(a, b)); }
-
-  private:
-    static std::uint64_t key(ParticleId a, ParticleId b) {
-        return std::uint64_t(std::min(a.slot, b.slot)) << 32 | std::max(a.slot, b.slot);
-    }
-    std::vector<std::uint64_t> keys_;
-};
-
 bool is_closed(Mark mark) {
-    return mark == Mark::loop || mark == Mark::fill || mark == Mark::surface;
+    return mark == Mark::loop || mark == Mark::fill || is_cloth(mark);
 }
 
 /// After which of its particles a piece has a gap.
@@ -54,7 +38,6 @@ Piece part_of(const Piece& whole, std::size_t first, std::size_t count) {
 
 /// What is left of a closed piece with gaps.
 void open_up(const Piece& piece, std::span<const std::size_t> gaps, std::vector<Piece>& left) {
-    if (piece.mark == Mark::surface) return;
     if (piece.mark == Mark::fill && gaps.size() == 1) return left.push_back(piece);
     const std::size_t least = piece.mark == Mark::fill ? 3 : 2, size = piece.particles.size();
     for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -68,9 +51,9 @@ void open_up(const Piece& piece, std::span<const std::size_t> gaps, std::vector<
 /// What is left of an open piece with gaps.
 void shorten(const Piece& piece, std::span<const std::size_t> gaps, std::vector<Piece>& left) {
     const std::size_t size = piece.particles.size();
-    if (piece.mark == Mark::tip) {
+    if (piece.mark == Mark::tip || piece.mark == Mark::face) {
         left.push_back(part_of(piece, gaps.back() + 1, size - gaps.back() - 1));
-        if (left.back().particles.size() == 1) left.back().mark = Mark::dot;
+        if (piece.mark == Mark::tip && left.back().particles.size() == 1) left.back().mark = Mark::dot;
         return;
     }
     for (std::size_t i = 0, first = 0; i <= gaps.size(); ++i) {
@@ -80,24 +63,63 @@ void shorten(const Piece& piece, std::span<const std::size_t> gaps, std::vector<
     }
 }
 
-void sever(Figure& figure, const Gaps& gaps) {
-    std::vector<Piece> left;
-    left.reserve(figure.pieces.size());
-    for (auto& piece : figure.pieces) {
-        const auto found = gaps_of(piece, gaps);
-        if (found.empty())
-            left.push_back(std::move(piece));
-        else if (is_closed(piece.mark))
-            open_up(piece, found, left);
-        else
-            shorten(piece, found, left);
+template <int D, class Real> class Severer {
+  public:
+    Severer(const World<D, Real>& world, const Gaps& gaps, const Slicer<D, Real>* slicer)
+        : world_(world), gaps_(gaps), slicer_(slicer) {}
+
+    void sever(Figure& figure) const {
+        PiecesLeft left;
+        left.pieces.reserve(figure.pieces.size());
+        for (auto& piece : figure.pieces) {
+            if (is_cloth(piece.mark)) {
+                cell(figure, piece, left);
+                continue;
+            }
+            const auto found = gaps_of(piece, gaps_);
+            if (found.empty())
+                left.pieces.push_back(std::move(piece));
+            else if (is_closed(piece.mark))
+                open_up(piece, found, left.pieces);
+            else
+                shorten(piece, found, left.pieces);
+        }
+        figure.pieces = std::move(left.pieces);
+        figure.fragments = std::move(left.fragments);
     }
-    figure.pieces = std::move(left);
-}
+
+  private:
+    const World<D, Real>& world_;
+    const Gaps& gaps_;
+    const Slicer<D, Real>* slicer_;
+
+    /// Whether a side of a cell is gone that joined two of its particles.
+    bool has_gap(const Figure& figure, const Piece& piece) const {
+        if (piece.mark == Mark::surface) return !gaps_of(piece, gaps_).empty();
+        const auto& corners = figure.fragments[piece.fragment].corners;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const auto &a = corners[i], &b = corners[(i + 1) % corners.size()];
+            if (a.is_particle() && b.is_particle() && gaps_.between(piece.particles[a.of[0]], piece.particles[b.of[0]]))
+                return true;
+        }
+        return false;
+    }
+
+    void cell(const Figure& figure, Piece& piece, PiecesLeft& left) const {
+        const bool is_whole = piece.mark == Mark::surface, has_gaps = has_gap(figure, piece);
+        if (slicer_ && (has_gaps || (!is_whole && slicer_->runs_through(figure, piece))))
+            slicer_->slice(figure, piece, left);
+        else if (!is_whole && !has_gaps)
+            add_unbound(world_, figure, piece, left);
+        else if (!has_gaps)
+            left.pieces.push_back(std::move(piece));
+    }
+};
 
 } // namespace
 
-template <int D, class Real> void sever(World<D, Real>& world, std::span<const Ends> gone) {
+template <int D, class Real>
+void sever(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer) {
     if (gone.empty()) return;
     std::vector<char> touched(world.figures.size(), 0);
     for (const auto& ends : gone)
@@ -105,11 +127,12 @@ template <int D, class Real> void sever(World<D, Real>& world, std::span<const E
             if (const auto row = world.particles.slots.find(id))
                 if (const auto figure = world.particles.figure[*row]; figure < touched.size()) touched[figure] = 1;
     const Gaps gaps(gone);
+    const Severer<D, Real> severer(world, gaps, slicer);
     for (std::size_t i = 0; i < touched.size(); ++i)
-        if (touched[i]) sever(world.figures[i], gaps);
+        if (touched[i]) severer.sever(world.figures[i]);
 }
 
-#define SINEW_SEVER(D, Real) template void sever(World<D, Real>&, std::span<const Ends>);
+#define SINEW_SEVER(D, Real) template void sever(World<D, Real>&, std::span<const Ends>, const Slicer<D, Real>*);
 SINEW_INSTANTIATE(SINEW_SEVER)
 
 } // namespace sinew

@@ -233,7 +233,9 @@ template <int D, class Real> class Splitter {
                 const auto row = row_of(world_, id);
                 return row && parting_of(*row);
             });
-            if (parted && piece.mark != Mark::dot)
+            if (parted && piece.mark == Mark::fragment)
+                pieces.push_back(followed(std::move(piece)));
+            else if (parted && piece.mark != Mark::dot)
                 follow(piece, pieces);
             else
                 pieces.push_back(std::move(piece));
@@ -241,8 +243,23 @@ template <int D, class Real> class Splitter {
         figure.pieces = std::move(pieces);
     }
 
+    /// A fragment's particles go where their neighbours among them are.
+    Piece followed(Piece piece) const {
+        IdList<ParticleId> ids;
+        for (const auto id : piece.particles) {
+            const auto row = row_of(world_, id);
+            const auto* parting = row ? parting_of(*row) : nullptr;
+            std::optional<Row> side;
+            for (const auto other : piece.particles)
+                if (const auto near = row_of(world_, other); parting && near && !side) side = parting->side_of(*near);
+            ids.push_back(side ? world_.particles.slots.id_of(*side) : id);
+        }
+        piece.particles = std::move(ids);
+        return piece;
+    }
+
     void follow(const Piece& piece, std::vector<Piece>& pieces) const {
-        const bool closed = piece.mark == Mark::loop || piece.mark == Mark::fill || piece.mark == Mark::surface;
+        const bool closed = piece.mark == Mark::loop || piece.mark == Mark::fill || is_cloth(piece.mark);
         const auto& ids = piece.particles;
         const std::size_t size = ids.size();
         const auto id_on = [&](const Parting& parting, ParticleId other) -> std::optional<ParticleId> {

@@ -29,12 +29,13 @@ class Digest {
         add(mode, substeps, iterations, damping, frame, classic);
     }
     template <class Real> void add_one(const ClassicRules<Real>& rules) {
-        const auto& [passes, order, keep, damp_after_force, root_free, bounce, floor_keep, time_scale, longest_step,
-                     outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration, dropped_leftover,
-                     displaced_hold] = rules;
+        const auto& [passes, order, moves_each_pass, integrator, keep, damp_after_force, root_free, bounce, floor_keep,
+                     time_scale, longest_step, outward_bounce, points_only_passes, unscaled_inertia,
+                     halved_acceleration, dropped_leftover] = rules;
         add(passes, order, keep, damp_after_force, root_free, bounce, floor_keep, time_scale, longest_step,
             outward_bounce, points_only_passes, unscaled_inertia, halved_acceleration);
-        if (dropped_leftover || displaced_hold) add(dropped_leftover, displaced_hold);
+        if (dropped_leftover || moves_each_pass) add(dropped_leftover, moves_each_pass);
+        if (integrator != Integrator::verlet) add(integrator);
     }
 
     template <int D, class Real> void add_one(const Force<D, Real>& force) {
@@ -48,8 +49,9 @@ class Digest {
         add(velocity, strength, gust, gust_period, gust_size, seed);
     }
     template <int D, class Real> void add_field(const Attractor<D, Real>& attractor) {
-        const auto& [center, strength, softness] = attractor;
+        const auto& [center, strength, softness, figure] = attractor;
         add(center, strength, softness);
+        if (figure != no_figure) add(figure);
     }
     template <int D, class Real> void add_field(const RandomPush<D, Real>& push) {
         const auto& [low, high, seed] = push;
@@ -70,12 +72,12 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     digest.add(world.settings, world.time, world.steps, world.last_step, world.last_substep);
     if (world.restless) digest.add(world.restless);
     digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.radius, p.figure,
-               p.quarantined);
+               p.quarantined, p.mobility);
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
             for (const Row member : table.members[row]) digest.add(member);
         digest.add(table.limits.lows(), table.limits.highs(), table.compliance, table.relaxation, table.split,
-                   table.breaking_strain, table.multiplier);
+                   table.breaking_strain, table.multiplier, table.figure);
         for (Row row = 0; row < table.size(); ++row)
             if (table.toughness[row] > 0) digest.add(row, table.toughness[row], table.fatigue[row]);
         for (Row row = 0; row < table.size(); ++row)
@@ -86,8 +88,11 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     for (const auto& pin : world.pins)
         digest.add(p.slots.find(pin.particle).value_or(Row(p.size())), pin.from, pin.target, pin.compliance,
                    pin.damping, pin.max_force);
-    if (world.settings.classic.displaced_hold)
-        for (const auto& pin : world.pins) digest.add(pin.moves);
+    for (const auto& pin : world.pins)
+        if (pin.hold != Hold::fixed || pin.steers()) digest.add(pin.hold, pin.steer, pin.steer_damping);
+    for (const auto& figure : world.figures) digest.add(figure.in_use(), figure.direct, figure.tethers);
+    for (std::size_t i = 0; i < world.figures.size(); ++i)
+        if (world.figures[i].integrator) digest.add(i, *world.figures[i].integrator);
     for (const auto& force : world.forces) digest.add(force);
     for (const auto& plane : world.bounds) digest.add(plane);
     return digest.value();

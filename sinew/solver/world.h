@@ -6,6 +6,7 @@
 #include "sinew/solver/figure.h"
 #include "sinew/solver/force.h"
 #include "sinew/solver/id.h"
+#include "sinew/solver/integrator.h"
 #include "sinew/solver/limit_columns.h"
 #include "sinew/solver/passive.h"
 #include "sinew/solver/swept.h"
@@ -34,6 +35,11 @@ template <class Real> inline constexpr Real multiplier = Real(1e25);    ///< a c
 template <class Real> inline constexpr Real step = Real(1e6);           ///< time units a step may last
 template <class Real> inline constexpr Real shortest_step = Real(1e-9); ///< a shorter one is none
 } // namespace limit
+
+/// A vector held at a limit. One that is not finite stays as it is: the next step puts its figure in quarantine.
+template <int D, class Real> constexpr Vec<D, Real> clamp_finite(const Vec<D, Real>& vector, Real limit) {
+    return is_finite(vector) ? clamp_components(vector, limit) : vector;
+}
 
 /// Nothing is pushed further in a substep of length h: what crosses the world.
 template <class Real> constexpr Real furthest_move(Real h) {
@@ -202,18 +208,32 @@ struct Run {
     Row count = 0;
 };
 
+/// Classic mode: the effect of a pin on its particle, before the particles are moved and the constraints swept. A
+/// particle that is not fixed takes corrections like any other.
+enum class Hold : std::uint8_t {
+    fixed,      ///< x_prev = x, x = target; neither moved nor corrected
+    corrected,  ///< x_prev = x, x = target; not moved (Flash, Godot)
+    integrated, ///< x = target; moved like any other (GameMaker)
+    displaced,  ///< x_prev = x, x = target; moved like any other (Godot chain, first version)
+    frozen      ///< not moved (Godot chain, second version, under the pointer)
+};
+
 /// Holds a particle in place or on a moving target. A pointer's grab is a pin.
 template <int D, class Real> struct Pin {
     ParticleId particle{};
     Vec<D, Real> from{};       ///< where the target was when the step began
     Vec<D, Real> target{};     ///< where it is when the step ends; interpolated over the substeps
     Real compliance = 0;       ///< 0: the particle is on the target, whatever pulls at it
-    bool moves = false;        ///< its target was moved at least once
     Real damping = 1;          ///< of a compliant pin, as a fraction of critical
     Real max_force = 0;        ///< most it pulls with; 0 means no limit
     Vec<D, Real> multiplier{}; ///< of the last substep; force = -multiplier / h^2
     Vec<D, Real> carried{};    ///< scratch: its particle's velocity before the constraints
-    bool hard() const { return compliance == Real(0) && max_force == Real(0); }
+    Hold hold = Hold::fixed;   ///< in classic mode
+    Vec<D, Real> steer{};      ///< acceleration over the distance to the target, along each axis, 1/s^2; classic mode
+    Real steer_damping = 0;    ///< acceleration against the velocity, 1/s; classic mode
+    /// Accelerates its particle instead of holding it.
+    bool steers() const { return steer != Vec<D, Real>{} || steer_damping != Real(0); }
+    bool hard() const { return compliance == Real(0) && max_force == Real(0) && !steers(); }
 };
 
 /// A plane that particles stay on one side of: dot(normal, x) >= offset + radius.
@@ -230,13 +250,16 @@ enum class Mode : std::uint8_t { physical, classic };
 enum class PassOrder : std::uint8_t {
     sweeps_last,     ///< move, walls, then the sweep `passes` times
     walls_each_pass, ///< move, then (sweep, walls) `passes` times
-    interleaved      ///< each particle moves just before the first constraint that names it, once a pass
+    walls_last       ///< move, the sweep `passes` times, then walls
 };
 
-/// Classic mode's rules, each as some original had it (docs/classic.md). The last six are the originals' known bugs.
+/// Classic mode's rules, each as some original had it (docs/classic.md). The last five are the originals' known bugs.
 template <class Real> struct ClassicRules {
     int passes = 1;
     PassOrder order = PassOrder::sweeps_last;
+    bool moves_each_pass = false; ///< a pass moves the particles, then sweeps (a reader of the Roblox article)
+    /// Of all that belongs to no figure with an integrator of its own.
+    Integrator integrator = Integrator::verlet;
     Real keep = 1;                 ///< velocity kept each frame (the originals' "damping" or "friction")
     bool damp_after_force = false; ///< (v + a) keep, as on Roblox; else v keep + a, as in Godot
     bool root_free = false;        ///< distances by s = r^2/(d^2 + r^2) - 1/2 instead of a square root (Jakobsen)
@@ -249,7 +272,6 @@ template <class Real> struct ClassicRules {
     bool unscaled_inertia = false;    ///< GameMaker: inertia does not shrink with the step
     bool halved_acceleration = false; ///< tearable cloth: x += v + a/2 dt^2
     bool dropped_leftover = false;    ///< tearable cloth: steps of 16 ms, what is left of a frame is dropped
-    bool displaced_hold = false;      ///< Godot chain: what is carried along also moves by itself
 };
 
 /// Of a sweep, where the settings leave it open.
@@ -302,8 +324,10 @@ template <int D, class RealT> struct World {
     Slots<PinTag> pin_slots;
     std::vector<Force<D, Real>> forces;
     std::vector<HalfSpace<D, Real>> bounds;
-    std::vector<Figure> figures;
+    std::vector<Figure> figures; ///< by FigureIndex; where one was removed, one that is not in use
     NameTable<FigureIndex> figure_names;
+    Stamp figure_stamp;             ///< of figures that are added next
+    std::size_t unused_figures = 0; ///< of `figures`
 
     double time = 0;
     std::uint64_t steps = 0;
@@ -318,6 +342,11 @@ template <int D, class RealT> struct World {
     std::vector<Vector> scratch; ///< room for the points and gradients of the widest constraint
 };
 
+/// Whether there is a figure of that index.
+template <class WorldT> bool has_figure(const WorldT& world, FigureIndex figure) {
+    return figure < world.figures.size() && world.figures[figure].in_use();
+}
+
 /// As particles have it.
 template <class Real> constexpr Real inverse_of_mass(Real mass) {
     if (mass == std::numeric_limits<Real>::infinity() || mass <= Real(0)) return Real(0);
@@ -327,7 +356,14 @@ template <class Real> constexpr Real inverse_of_mass(Real mass) {
 
 /// The time between `previous` and `position`: the last step, a frame before there was one.
 template <int D, class Real> Real verlet_interval(const World<D, Real>& world) {
-    return world.last_step > Real(0) ? world.last_step : world.settings.frame;
+    return minimum(world.last_step > Real(0) ? world.last_step : world.settings.frame, limit::step<Real>);
+}
+
+/// What moves a particle in classic mode: its figure's integrator, or else that of the rules.
+template <int D, class Real> Integrator integrator_of(const World<D, Real>& world, Row row) {
+    const auto figure = world.particles.figure[row];
+    const auto usual = world.settings.classic.integrator;
+    return figure < world.figures.size() ? world.figures[figure].integrator.value_or(usual) : usual;
 }
 
 /// Calls visit(table) for every kind's table, in the order of the list of kinds.

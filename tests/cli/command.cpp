@@ -49,7 +49,7 @@ int pipe_without_reader() {
 
 int output_of(const Setting& setting) {
     if (setting.reader_leaves) return pipe_without_reader();
-    return setting.output.empty() ? file_of("") : checked(::open(setting.output.c_str(), O_WRONLY | O_CLOEXEC));
+    return setting.output.empty() ? file_of("") : checked(::open(setting.output.c_str(), O_RDWR | O_CLOEXEC));
 }
 
 int new_terminal() {
@@ -74,6 +74,10 @@ void set_environment(const Setting& setting) {
     if (setting.most_memory > 0 && !sanitized) {
         const rlimit limit{setting.most_memory, setting.most_memory};
         setrlimit(RLIMIT_AS, &limit);
+    }
+    if (setting.largest_file > 0) {
+        const rlimit limit{setting.largest_file, setting.largest_file};
+        setrlimit(RLIMIT_FSIZE, &limit);
     }
     std::vector<char*> words{const_cast<char*>("sinew")};
     for (const auto& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
@@ -101,7 +105,11 @@ Running::Running(const Arguments& arguments, const Setting& setting)
 }
 
 void Running::interrupt() const {
-    kill(child, SIGINT);
+    ::kill(child, SIGINT);
+}
+
+void Running::kill() const {
+    ::kill(child, SIGKILL);
 }
 
 /// A terminal gives an error instead of an end once nobody writes to it.

@@ -23,10 +23,11 @@ struct Setting {
     std::map<std::string, std::string> environment = {}; ///< besides a catalogue of its own; empty values are unset
     std::filesystem::path folder = {};                   ///< to be in; where the tests are, if empty
     std::filesystem::path command = test::command_path();
-    std::size_t most_memory = 0; ///< bytes of address space; 0: as much as it likes
-    bool reader_leaves = false;  ///< standard output is a pipe that nobody reads
-    std::string output = {};     ///< a file for standard output: "/dev/full"
-    bool terminal = false;       ///< standard error is a terminal
+    std::size_t most_memory = 0;  ///< bytes of address space; 0: as much as it likes
+    std::size_t largest_file = 0; ///< bytes it can write into one; 0: as many as it likes
+    bool reader_leaves = false;   ///< standard output is a pipe that nobody reads
+    std::string output = {};      ///< a file for standard output: "/dev/full"
+    bool terminal = false;        ///< standard error is a terminal
 };
 
 struct Outcome {
@@ -46,6 +47,8 @@ class Running {
     Running& operator=(const Running&) = delete;
 
     void interrupt() const;
+    /// At once, without a chance to clean up.
+    void kill() const;
     Outcome wait();
 
   private:

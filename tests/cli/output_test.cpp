@@ -151,6 +151,19 @@ TEST(Info, IsJsonToo) {
     EXPECT_EQ(info["rig"], json::array());
 }
 
+TEST(Info, NamesWhatHasANumber) {
+    const std::string scene = R"({"sinew": 1, "figures": [{"prefab": "polygon", "sides": 3},
+        {"prefab": "cloth", "columns": 2, "rows": 3}]})";
+    const auto text = sinew({"info", "-", "--names", "--seconds", "0"}, {.input = scene}).out;
+    for (const auto* name : {"polygon/corner_0", "polygon/corner_2", "polygon/edge_2", "cloth/particle_1_2"})
+        EXPECT_TRUE(has(text, name));
+    EXPECT_FALSE(has(text, "polygon/corner_3"));
+    const auto outcome = sinew({"info", "-", "--names", "--json", "--seconds", "0"}, {.input = scene});
+    const auto cloth = json::parse(outcome.last_line())["figures"][1];
+    for (const auto* name : {"top_left", "particle_0_0", "particle_1_2"})
+        EXPECT_EQ(std::ranges::count(cloth["particle_names"], name), 1) << name;
+}
+
 TEST(Info, TellsWhatIsWrongWithARig) {
     const std::string scene = R"({"sinew": 1, "figures": [{"name": "arm", "particles": {
         "shoulder": {"at": [0, 0], "pinned": true}, "elbow": {"at": [1, 0]}, "hand": {"at": [1, 1], "pinned": true}},
@@ -192,6 +205,29 @@ TEST(Describe, HasATableForEverythingItNames) {
         EXPECT_TRUE(json::accept(sinew({"describe", topic, "--schema"}).out));
     }
     EXPECT_EQ(sinew({"describe", "solver.rules"}).out, sinew({"describe", "rules"}).out);
+}
+
+TEST(Describe, TellsHowAPrefabIsSpokenOf) {
+    const auto rope = sinew({"describe", "rope"}).out;
+    EXPECT_TRUE(has(rope, "the particle start"));
+    EXPECT_TRUE(has(rope, "link_0 .. link_{segments-1}"));
+    EXPECT_TRUE(has(rope, "a smooth line: color, width, image"));
+    EXPECT_TRUE(has(rope, "(weight=1)")) << "parts that only another value brings";
+    const auto cloth = sinew({"describe", "cloth"}).out;
+    EXPECT_TRUE(has(cloth, "particle_0_0 .. particle_{columns-1}_{rows-1}"));
+    EXPECT_FALSE(has(sinew({"describe", "wind"}).out, "names in scene files"));
+}
+
+TEST(Describe, TellsTheNamesOfEveryPrefab) {
+    const auto prefabs = json_of({"list", "--json"})["prefabs"];
+    ASSERT_GT(prefabs.size(), 10u);
+    for (const auto& prefab : prefabs) {
+        const std::string name = prefab["name"];
+        const auto text = sinew({"describe", name}).out;
+        EXPECT_TRUE(has(text, "names in scene files")) << name;
+        EXPECT_TRUE(has(text, "\n  particles ")) << name;
+        EXPECT_TRUE(has(text, "parts for \"looks\"")) << name;
+    }
 }
 
 TEST(Describe, CorrectsNames) {

@@ -4,9 +4,8 @@
 #include "apps/play/scene_edit.h"
 #include "apps/play/script.h"
 #include "apps/play/touch.h"
-#include "tests/paths.h"
+#include "tests/play/game.h"
 #include "tests/sanitized.h"
-#include "tests/text_of.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,17 +17,11 @@
 namespace sinew::play {
 namespace {
 
-/// Scenes of the catalogue, or files.
-Fetched fetch(const std::string& word, std::span<const Override> overrides) {
-    const bool file = word.find('/') != std::string::npos;
-    const std::filesystem::path path = file ? word : test::scenes_dir() + "/" + word + ".json";
-    auto document = load(sinew::text_of(path), path.string(), overrides);
-    Fetched fetched{open_scene(document), "", path};
-    if (!fetched.opened) fetched.problem = to_text(document.diagnostics, {});
-    return fetched;
-}
-
-const Shelf shelf{{"chains", "ragdoll", "rope"}, {}, fetch};
+using games::fetch;
+using games::Listening;
+using games::pixel_of;
+using games::run;
+using games::shelf;
 
 Session session_of(const std::string& name) {
     return Session(std::move(*fetch(name, {}).opened));
@@ -36,38 +29,6 @@ Session session_of(const std::string& name) {
 
 std::uint64_t hash_of(const Session& session) {
     return std::visit([](const auto& world) { return state_hash(world); }, session.world());
-}
-
-struct Listening {
-    explicit Listening(Play& play) {
-        play.listener = [this](const Told& one) { told.push_back(one); };
-    }
-    std::size_t count(std::string_view what) const {
-        return std::size_t(std::count_if(told.begin(), told.end(), [&](const Told& one) { return one.what == what; }));
-    }
-    std::string value(std::string_view what, std::string_view key, std::size_t number = 0) const {
-        for (const auto& one : told)
-            if (one.what == what && number-- == 0) {
-                const auto* member = json::find(one.more, key);
-                const auto* text = member ? member->value.as<std::string>() : nullptr;
-                return text ? *text : "";
-            }
-        return "";
-    }
-    std::vector<Told> told;
-};
-
-void run(const std::string& text, Play& play) {
-    const auto read = read_script(text);
-    ASSERT_EQ(read.problem, "");
-    ASSERT_EQ(run_script(read.script, play), "");
-}
-
-Vec2<double> pixel_of(const Play& play, std::string_view particle) {
-    const auto id =
-        std::visit([&](const auto& world) { return find_particle(world, particle); }, play.session().world());
-    const auto place = id ? place_of(play.session().world(), {&*id, 1}) : std::nullopt;
-    return place ? cast<double>(play.view().see(place->as<3, double>())->pixel) : Vec2<double>{};
 }
 
 // --- the clock -------------------------------------------------------------------------------------------------------
@@ -114,7 +75,7 @@ TEST(PlayTape, GoesBackToTheSameBits) {
         std::visit([](const auto& world) { return *find_particle(world, "bob/right_hand"); }, tape.session().world());
     for (int i = 1; i <= 200; ++i) {
         tape.step();
-        if (i == 50) tape.act(Grab{{hand}, {{240, 100, 0}}});
+        if (i == 50) tape.act(Grab{rows_of(tape.session().world(), {&hand, 1}), {{240, 100, 0}}});
         if (i > 50 && i < 90) tape.act(Drag{{{240.0 + i, 100, 0}}});
         if (i == 90) tape.act(LetGo{});
         hashes.push_back(hash_of(tape.session()));
@@ -363,7 +324,7 @@ TEST(Play, TheDisplaysRateChangesNothingButThePictures) {
 }
 
 TEST(Play, ASceneInSpaceIsTurnedAndItsClothIsTaken) {
-    Play play({{}, {}, fetch}, "cloth3d");
+    Play play(shelf, "cloth3d");
     play.resize(1000, 700);
     for (int i = 0; i < (test::sanitized ? 5 : 30); ++i) play.advance(1.0 / 60);
     const auto eye = play.view().towards_eye();

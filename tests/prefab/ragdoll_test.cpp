@@ -284,5 +284,38 @@ TEST(Ragdoll, InSpaceStaysWholeAndItsKneesBendBackwardsOnly) {
     }
 }
 
+/// The angle between the thighs, degrees.
+template <int D> double between_thighs(const Made<D, double>& made) {
+    const auto left = direction(made.place("left_knee") - made.place("left_hip"));
+    const auto right = direction(made.place("right_knee") - made.place("right_hip"));
+    const double along = dot(left, right);
+    return arctangent(square_root(std::max(0.0, 1 - along * along)), along) * 180 / pi<double>;
+}
+
+/// Its feet are pulled apart with twice its weight each.
+template <int D> double widest_split() {
+    auto made = make<D, double>(Ragdoll{});
+    double widest = 0;
+    for (int frame = 0; frame < 300; ++frame) {
+        for (const double side : {-1.0, 1.0}) {
+            Vec<D, double> force{};
+            force[0] = side * 1400;
+            apply_force(made.world, *find_particle(made.world, side < 0 ? "it/left_foot" : "it/right_foot"), force);
+        }
+        step(made.world, 1.0 / 60);
+        widest = std::max(widest, between_thighs(made));
+    }
+    return widest;
+}
+
+// Seventy degrees from the trunk to either side, whose own sides lean by a few; in space 46 to either side, and a
+// little more where one is in front.
+TEST(Ragdoll, DoesNotDoTheSplits) {
+    EXPECT_LT(widest_split<2>(), 150);
+    EXPECT_GT(widest_split<2>(), 90);
+    EXPECT_LT(widest_split<3>(), 135);
+    EXPECT_GT(widest_split<3>(), 60);
+}
+
 } // namespace
 } // namespace sinew

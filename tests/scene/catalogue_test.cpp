@@ -65,10 +65,10 @@ TEST(Catalogue, ClassicModeHasTheOriginalsNumbers) {
         {"box", 0.1, 0.99, 6, 4, 5},
         {"ragdoll", 0.1, 0.99, 6, 15, 21},
         {"cloth_wind", 0.1, 0.99, 6, 10 * 7, 9 * 7 + 10 * 6},
-        {"chains", 0.6, 0.98 * 0.90, 1, 30 + 20 + 15 + 10 + 5 + 5, 30 + 20 + 15 + 10 + 5},
-        {"stick", 0, 1, 1, 2, 1},
-        {"fixed_stick", 0, 1, 1, 2, 1},
-        {"triangle", 0, 1, 1, 3, 3},
+        {"chains", 0.6, 0.98 * 0.90, 1, 30 + 20 + 15 + 10 + 5 + 5 + 2, 30 + 20 + 15 + 10 + 5}, // 2: the ceiling's
+        {"stick", 0, 0, 1, 2, 1},
+        {"fixed_stick", 0, 0, 1, 2, 1},
+        {"triangle", 0, 0, 1, 3, 3},
     }};
     for (const auto& [name, gravity, keep, passes, particles, distances] : originals) {
         SCOPED_TRACE(name);
@@ -95,8 +95,8 @@ Vec2<double> place(const World<2, double>& world, std::string_view name) {
 
 TEST(Catalogue, BoxStandsWhereTheOriginalStood) {
     const auto world = classic_world("box");
-    EXPECT_EQ(place(world, "box/top_left"), (Vec2<double>{{275, 275}}));
-    EXPECT_EQ(place(world, "box/bottom_right"), (Vec2<double>{{325, 325}}));
+    EXPECT_EQ(place(world, "box/top_left"), (Vec2<double>{{300, 300}}));
+    EXPECT_EQ(place(world, "box/bottom_right"), (Vec2<double>{{350, 350}}));
     EXPECT_EQ(world.settings.classic.bounce, 0.8);
     EXPECT_TRUE(world.settings.classic.damp_after_force);
 }
@@ -127,8 +127,9 @@ TEST(Catalogue, SticksStartOnOneSpotAndPartToAHundredPixels) {
         ASSERT_TRUE(session);
         const auto& world = std::get<World<2, double>>(session->world());
         for (const auto& start : world.particles.position) EXPECT_EQ(start, (Vec2<double>{{240, 165}}));
-        session->run_until(1); // a triangle is pushed out along a line first and takes half a second to find out
-        EXPECT_LT(rigid_strain(session->world()), 0.01);
+        // A stick is as long as it should be in every frame; three together only once the pointer rests.
+        session->run_until(name == "triangle" ? 8 : 1);
+        EXPECT_LT(rigid_strain(session->world()), 1e-9);
         for (const double split : std::get<0>(world.constraints).split.rows())
             EXPECT_EQ(split, name == "fixed_stick" ? 1 : 0.5);
     }

@@ -1,4 +1,5 @@
 #include "sinew/session/session.h"
+#include "sinew/session/view.h"
 #include "sinew/solver/edit.h"
 
 #include <gtest/gtest.h>
@@ -118,6 +119,52 @@ TEST(Cuts, TornClothHangsInFlaps) {
     EXPECT_EQ(session.report().particles, 10U);
     EXPECT_EQ(session.happenings().back().islands, 2U);
     EXPECT_NEAR(session.report().max_speed, 0, 0.1);
+}
+
+/// How far polygons of that colour reach across a line of the picture, pixels.
+float reach_across(const Session& session, Vec2<float> from, Vec2<float> to) {
+    Picture picture;
+    picture.width = 640;
+    picture.height = 480;
+    session.draw(picture);
+    const auto along = direction(to - from);
+    float worst = 0;
+    for (const auto& item : picture.items) {
+        const bool is_cloth = item.color.red > 1.5F * item.color.blue && item.color.red > 1.5F * item.color.green;
+        if (item.shape != Shape::polygon || !is_cloth) continue;
+        float left = 0, right = 0;
+        for (const auto& point : picture.points_of(item)) {
+            const auto way = point - from;
+            if (dot(way, along) < 0 || dot(way, along) > distance(from, to)) continue;
+            left = std::max(left, cross(along, way));
+            right = std::max(right, -cross(along, way));
+        }
+        worst = std::max(worst, std::min(left, right));
+    }
+    return worst;
+}
+
+// Tiles are drawn half a pixel larger than they are, so that no seam shows between them.
+TEST(Cuts, WhatIsDrawnOfClothFollowsTheBladeInThePlaneAndInSpace) {
+    constexpr float seam = 0.5F, bulge = 0.5F;
+    const std::string cloth =
+        R"("prefab": "cloth", "columns": 9, "rows": 9, "spacing": 30, "pins": "top", "drawn": "fill",
+                               "looks": {"all": {"color": "#c01010", "fill": "#c01010"}}})";
+    auto flat = cutting_session(R"("units": {"length": "px", "up": "-y"}, "view": {"size": [640, 480]}, )",
+                                R"({"at": [320, 100], )" + cloth);
+    EXPECT_GT(reach_across(flat, {{150, 130}}, {{480, 290}}), 1);
+    EXPECT_GT(flat.cut({Point{{150, 130}}, Point{{480, 290}}}), 5U);
+    EXPECT_LT(reach_across(flat, {{150, 130}}, {{480, 290}}), 1.5F * seam);
+
+    auto deep = cutting_session(
+        R"("dimension": 3, "units": {"length": "px"}, "view": {"camera": {"eye": [200, 50, 500], "target": [0, 0, 0]}}, )",
+        R"({"at": [0, 120, 0], "turn": 10, )" + cloth);
+    const View view(deep.scene(), deep.focus(), 640, 480);
+    const Point left{{-150, 40, 0}}, right{{150, -60, 0}};
+    const auto from = view.see(left.as<3, double>())->pixel, to = view.see(right.as<3, double>())->pixel;
+    EXPECT_GT(reach_across(deep, from, to), 1);
+    EXPECT_GT(deep.cut({left, right}), 5U);
+    EXPECT_LT(reach_across(deep, from, to), 1.5F * seam + bulge);
 }
 
 } // namespace

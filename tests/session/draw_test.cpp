@@ -217,5 +217,51 @@ TEST(View, OrthographicShowsTheFarAsLargeAsTheNear) {
     EXPECT_LT(distance(back, far), 1e-5);
 }
 
+// --- faces --------------------------------------------------------------------------------------------------------
+
+const auto inked = [](const Picture& picture) { return of_color(picture, "#00ff01"); };
+
+std::string head_of_two(const std::string& looks) {
+    return scene(R"({"name": "it", "particles": {"neck": {"at": [100, 100]}, "head": {"at": [140, 100], "size": 60}},
+        "pieces": [{"mark": "face", "through": ["neck", "head"], "width": 60}], "looks": {"face": {"color": "#00ff01")" +
+                 looks + R"(}}})");
+}
+
+// To the right is up, for the way from the neck to the head is: the eyes are beyond its middle, one above the other.
+TEST(Draw, AFaceTurnsWithItsHead) {
+    const auto picture = drawn(head_of_two(""));
+    const auto marks = inked(picture);
+    ASSERT_EQ(marks.size(), 3U); // two eyes and a mouth
+    const auto a = picture.points[marks[0].first], b = picture.points[marks[1].first];
+    EXPECT_EQ(marks[0].shape, Shape::disc);
+    EXPECT_FLOAT_EQ(a[0], b[0]);
+    EXPECT_GT(a[0], 140);
+    EXPECT_FLOAT_EQ(a[1] + b[1], 200);
+    EXPECT_GT(std::abs(a[1] - b[1]), 15);
+    for (const auto& point : picture.points_of(marks[2])) EXPECT_LT(point[0], 140);
+}
+
+TEST(Draw, ALookSaysWhatAFaceIsLikeAndGivesOneToDots) {
+    EXPECT_EQ(inked(drawn(head_of_two(R"(, "face": "none")"))).size(), 0U);
+    EXPECT_EQ(inked(drawn(head_of_two(R"(, "face": "asleep")"))).size(), 3U);
+    EXPECT_EQ(inked(drawn(head_of_two(R"(, "face": "dizzy")"))).size(), 5U); // two crosses
+    const auto plain = drawn(scene(ball)).items.size();
+    auto faced = ball;
+    faced.replace(faced.find("#ff0000\""), 8, R"(#ff0000", "face": "awake")");
+    EXPECT_EQ(drawn(scene(faced)).items.size(), plain + 3);
+}
+
+// Its front is towards z: from behind one sees the head and no face, from the side half of one.
+TEST(Draw, InSpaceAFaceIsSeenFromItsFront) {
+    const auto from = [](const std::string& eye) {
+        return inked(drawn(R"({"sinew": 1, "dimension": 3, "view": {"size": [640, 480], "camera": {"eye": )" + eye +
+                           R"(}}, "figures": [{"prefab": "ragdoll", "looks": {"face": {"color": "#00ff01"}}}]})"))
+            .size();
+    };
+    EXPECT_EQ(from("[0, 0, 5]"), 3U);
+    EXPECT_EQ(from("[0, 0, -5]"), 0U);
+    EXPECT_EQ(from("[5, 0, 0]"), 1U);
+}
+
 } // namespace
 } // namespace sinew

@@ -13,9 +13,10 @@ struct Seen {
     std::vector<std::string> texts() const { return laid_over.texts; }
 };
 
-Seen seen(const std::string& name, const std::string& figures, const std::string& more = "", double seconds = 0) {
-    auto document = load(R"({"sinew": 1, "units": {"length": "px"}, "world": {"gravity": [0, -1000], "damping": 5}, )" +
-                             more + R"("figures": [)" + figures + "]}",
+Seen seen(const std::string& name, const std::string& figures, const std::string& more = "", double seconds = 0,
+          const std::string& walls = "") {
+    auto document = load(R"({"sinew": 1, "units": {"length": "px"}, "world": {"gravity": [0, -1000], "damping": 5)" +
+                             walls + "}, " + more + R"("figures": [)" + figures + "]}",
                          "test.json");
     auto opened = open_scene(document);
     EXPECT_TRUE(opened) << to_text(document.diagnostics);
@@ -99,6 +100,50 @@ TEST(Overlay, WhatOnlyKeepsApartIsALineWhileItDoes) {
     };
     EXPECT_EQ(lines("[80, 0]"), 0U);
     EXPECT_EQ(lines("[20, 0]"), 2U);
+}
+
+const std::string floor_at_zero = R"(, "bounds": {"planes": [{"normal": [0, 1]}]})";
+
+/// The length of the longest arrow's shaft and tip, pixels.
+double longest_arrow(const Seen& picture) {
+    double longest = 0;
+    const auto added = picture.added();
+    for (std::size_t i = 0; i + 1 < added.size(); ++i) {
+        if (added[i].shape != Shape::polyline || added[i + 1].shape != Shape::polygon) continue;
+        const auto shaft = picture.laid_over.points_of(added[i]), tip = picture.laid_over.points_of(added[i + 1]);
+        if (absolute(shaft[0][0] - 14) > 1)
+            longest = std::max(longest, double(distance(shaft[0], tip[0]))); // no legend
+    }
+    return longest;
+}
+
+// 1.8 kg at 10 m/s^2 weigh 18 N, and the pin bears them: both arrows are nine tenths of the legend's 70 pixels.
+TEST(Overlay, APinPullsWithTheWeightThatHangsOnIt) {
+    const auto picture = seen("forces", R"({"name": "x", "particles": {"top": {"at": [0, 100], "mass": 1e-6},
+        "low": {"at": [0, 0], "mass": 1.8}}, "constraints": [{"between": ["top", "low"]}]})",
+                              R"("pins": [{"particle": "x/top"}], )", 1);
+    EXPECT_TRUE(has_text(picture, "forces: 20 N"));
+    EXPECT_EQ(count(picture, Shape::polygon), 3U) << "weight, pin, legend";
+    EXPECT_NEAR(longest_arrow(picture), 63, 0.5);
+}
+
+// A square of 3.6 kg that rests on the floor is carried with 36 N by its two lower corners: 18 N each.
+TEST(Overlay, AFloorCarriesTheWeightOfWhatRestsOnIt) {
+    const auto picture = seen("contacts", R"({"prefab": "box", "name": "box", "at": [0, 20], "width": 40, "height": 40,
+        "mass": 3.6})",
+                              "", 3, floor_at_zero);
+    EXPECT_EQ(count(picture, Shape::polygon), 3U) << "two corners, legend";
+    EXPECT_EQ(count(picture, Shape::disc), 4U);
+    EXPECT_TRUE(has_text(picture, "contacts: 20 N"));
+    EXPECT_NEAR(longest_arrow(picture), 63, 0.5);
+}
+
+TEST(Overlay, ClassicWallsAreTouchedWithoutForce) {
+    const auto picture = seen("contacts", R"({"name": "x", "particles": {"a": {"at": [0, 1]}}})",
+                              R"("solver": {"mode": "classic"}, )", 2, floor_at_zero);
+    EXPECT_EQ(count(picture, Shape::disc), 2U);
+    EXPECT_EQ(count(picture, Shape::polygon), 0U);
+    EXPECT_TRUE(has_text(picture, "contacts: classic mode knows no forces"));
 }
 
 } // namespace

@@ -74,7 +74,7 @@ TYPED_TEST(Allocation, TheCounterCounts) {
 TYPED_TEST(Allocation, AStepAllocatesNothing) {
     using Real = typename TypeParam::Real;
     for (const Mode mode : {Mode::physical, Mode::classic})
-        for (const PassOrder order : {PassOrder::sweeps_last, PassOrder::walls_each_pass, PassOrder::interleaved}) {
+        for (const PassOrder order : {PassOrder::sweeps_last, PassOrder::walls_each_pass, PassOrder::walls_last}) {
             auto world = menagerie<TypeParam::dimension, Real>(mode);
             world.events.reserve(events_per_step); // a copy starts without room for them
             world.settings.classic.order = order;

@@ -101,9 +101,11 @@ template <class World> struct Jumble {
         switch (below(11, 0)) {
         case 0:
         case 1:
-            return remove_constraints(world, std::vector{one(constraints, 3)});
+            remove_constraints(world, std::vector{one(constraints, 3)});
+            return;
         case 2:
-            return remove_particles(world, std::vector{p});
+            remove_particles(world, std::vector{p});
+            return;
         case 3:
             return hold(p);
         case 4:

@@ -36,24 +36,37 @@ until_said() {
 key() { xdotool key --clearmodifiers "$1"; sleep 0.1; }
 hashes() { grep "\"what\": \"$1\"" "$events" | sed 's/.*"hash": "\([^"]*\)".*/\1/'; }
 
-cd "$folder"
-(trap - INT; exec "$SINEW" play rope.json --json) >"$events" 2>"$folder/errors" &
-game=$!
-for _ in $(seq 200); do
-    window=$(xdotool search --onlyvisible --name Sinew 2>/dev/null | head -1) && [ -n "$window" ] && break
-    if ! kill -0 $game 2>/dev/null; then
-        grep -q 'OpenGL' "$folder/errors" && skip "no OpenGL 3.3 here"
-        fail "no window"
-    fi
-    sleep 0.05
-done
-[ -n "$window" ] || fail "no window"
-xdotool windowfocus "$window" 2>/dev/null || true
-eval "$(xdotool getwindowgeometry --shell "$window")"
-sleep 0.5
+# Opens a window with a scene and waits until it is there.
+open_window() {
+    (trap - INT; exec "$SINEW" play "$1" --json) >"$events" 2>"$folder/errors" &
+    game=$!
+    for _ in $(seq 200); do
+        window=$(xdotool search --onlyvisible --name Sinew 2>/dev/null | head -1) && [ -n "$window" ] && break
+        if ! kill -0 $game 2>/dev/null; then
+            grep -q 'OpenGL' "$folder/errors" && skip "no OpenGL 3.3 here"
+            fail "no window"
+        fi
+        sleep 0.05
+    done
+    [ -n "$window" ] || fail "no window"
+    xdotool windowfocus "$window" 2>/dev/null || true
+    eval "$(xdotool getwindowgeometry --shell "$window")"
+    sleep 0.5
+}
 
-# The scene lies between the tools (56) and the panel (340), above the bar (64); its middle is the middle of the view.
-middle_x=$((X + 56 + (WIDTH - 396) / 2)) middle_y=$((Y + (HEIGHT - 64) / 2))
+cd "$folder"
+open_window rope.json
+
+# The scene lies between the tools (56) and the panel (340), between the menu (28) and the bar (64); its middle is the
+# middle of the view.
+middle_x=$((X + 56 + (WIDTH - 396) / 2)) middle_y=$((Y + 28 + (HEIGHT - 92) / 2))
+
+# The first press in the scene after a tool was chosen with the pointer is the tool's.
+xdotool mousemove $((X + 28)) $((Y + 28 + 10 + 8 * 44 + 20)); sleep 0.4
+xdotool mousedown 1; sleep 0.1; xdotool mouseup 1; sleep 0.3
+xdotool mousemove $((middle_x - 100)) $middle_y mousedown 1; sleep 0.1
+xdotool mousemove $middle_x $middle_y; sleep 0.1; xdotool mouseup 1; until_said '"what": "measure"'
+key a; until_said '"what": "tool"'
 
 # A rope that is taken by its middle goes where the pointer goes.
 xdotool mousemove $middle_x $middle_y; sleep 0.2
@@ -83,6 +96,11 @@ key ctrl+z; until_said '"what": "undo"'
 key ctrl+s; until_said '"what": "saved"'
 "$SINEW" check rope.json >/dev/null || fail "what was saved is no scene"
 
+# The menu asks for a path; Escape leaves it.
+xdotool mousemove $((X + 22)) $((Y + 14)) click 1; sleep 0.4
+xdotool mousemove $((X + 60)) $((Y + 142)); sleep 0.2; xdotool click 1; until_said '"purpose": "save"'
+sleep 0.2; key Escape; sleep 0.2
+
 # A file that is written again is read again; a wrong one leaves what runs.
 sleep 1; sed -i 's/"length": 3/"length": 2.5/' rope.json; until_said '"what": "reloaded"'
 sleep 1; echo '{' >rope.json; until_said '"what": "problem"'
@@ -104,3 +122,28 @@ code=0; wait $game || code=$?
 game=
 [ "$code" = 0 ] || fail "exit code $code"
 [ -s "$folder/config/sinew/window.json" ] || fail "settings are not kept"
+
+# Where an edit would be lost, Escape asks; what was not saved when the program was killed is offered the next time.
+cat >rope.json <<'JSON'
+{"sinew": 1, "world": {"gravity": [0, -9.8]}, "figures": [{"prefab": "rope", "name": "rope", "at": [0, 2], "length": 3}]}
+JSON
+open_window rope.json
+key g; until_said '"what": "edit"'
+key Escape; until_said '"what": "asks"'
+key Escape; until_said '"answer": "cancel"'
+until_said '"what": "draft"'
+kill -9 $game; wait $game 2>/dev/null || true
+open_window rope.json
+until_said '"what": "asks"'
+key Escape; until_said '"answer": "later"'
+
+# At twice the scale the window is twice as large, as far as the display has room.
+kill $game; wait $game 2>/dev/null || true
+printf '{"width": 700, "height": 450}' >"$folder/config/sinew/window.json"
+export SINEW_SCALE=2
+open_window rope.json
+[ "$WIDTH" = 1400 ] && [ "$HEIGHT" = 900 ] || fail "the window is $WIDTH x $HEIGHT at twice the scale"
+key Escape; until_said '"what": "asks"'; key Escape; until_said '"answer": "later"'; key Escape
+for _ in $(seq 100); do kill -0 $game 2>/dev/null || break; sleep 0.05; done
+game=
+grep -q '"width": 700' "$folder/config/sinew/window.json" || fail "the size of the window grows from start to start"

@@ -2,6 +2,7 @@
 
 #include "apps/window/gl_painter.h"
 #include "apps/window/screen.h"
+#include "canvas/beside.h"
 #include "canvas/png.h"
 #include "canvas/raster.h"
 #include "tests/canvas/ssim.h"
@@ -97,16 +98,33 @@ TEST_F(GlPainterTest, ShowsScenesAsCairoDoes) {
     }
 }
 
+TEST_F(GlPainterTest, ShowsPicturesBesideEachOtherAsCairoDoes) {
+    auto session = session_of("chains");
+    for (int i = 0; i < 60; ++i) session.step();
+    Picture left, right, whole;
+    for (auto* part : {&left, &right}) part->width = 318, part->height = 455;
+    session.draw(left, OverlaySet(~0UL));
+    session.set_theme("dark");
+    session.draw(right);
+    const std::array parts = {canvas::Labelled{&left, "left"}, canvas::Labelled{&right, "right"}};
+    canvas::put_beside(parts, whole);
+    ASSERT_EQ(whole.width, width);
+    ASSERT_EQ(whole.height, height);
+    EXPECT_GE(ssim(by_gl(whole), by_cairo(whole)), 0.97);
+}
+
 TEST_F(GlPainterTest, LeavesOutWhatCannotBePainted) {
     Picture picture;
     picture.width = width, picture.height = height;
     const float nan = std::numeric_limits<float>::quiet_NaN(), far = 1e30F;
     const std::array<Vec2<float>, 4> odd = {{{{nan, 1}}, {{far, -far}}, {{3, 3}}, {{3, 3}}}};
-    for (const auto shape : {Shape::polyline, Shape::loop, Shape::disc, Shape::polygon, Shape::image, Shape::text}) {
+    for (const auto shape :
+         {Shape::polyline, Shape::loop, Shape::disc, Shape::polygon, Shape::image, Shape::text, Shape::pane}) {
         picture.add(shape, std::span(odd), 3, {1, 0, 0, 1});
         picture.add(shape, std::span(odd).subspan(1), -1, {1, 0, 0, 1});
         picture.add(shape, std::span(odd).first(0), nan, {1, 0, 0, 1});
         picture.items.back().number = 77;
+        picture.add(shape, std::span(odd).subspan(1, 2), 3, {1, 0, 0, 1});
     }
     by_gl(picture);
 }

@@ -6,6 +6,7 @@
 #include "tests/canvas/golden_picture.h"
 #include "tests/canvas/scratch_folder.h"
 #include "tests/paths.h"
+#include "tests/play/game.h"
 
 #include <SDL.h>
 #include <cstdlib>
@@ -23,12 +24,7 @@ namespace sinew::window {
 namespace {
 
 play::Fetched fetch(const std::string& word, std::span<const Override> overrides) {
-    const auto path = test::scenes_dir() + "/" + word + ".json";
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    auto document = load(text.str(), path, overrides);
-    return {open_scene(document), to_text(document.diagnostics, {}), path};
+    return play::games::fetch(word, overrides);
 }
 
 /// Keeps what is loaded for good. An OpenGL driver holds memory until the process ends; unloaded with SDL, that would
@@ -52,6 +48,7 @@ class WindowTest : public testing::Test {
         if (SDL_Init(SDL_INIT_VIDEO) != 0) GTEST_SKIP() << "no OpenGL without a display here: " << SDL_GetError();
         game.listener = [this](const play::Told& one) {
             told += one.what + " ";
+            if (one.what == "restart") resize_window();
             if (one.what != "end") return; // the context is still there
             shot = front();
             keep_libraries();
@@ -84,46 +81,56 @@ class WindowTest : public testing::Test {
         return cast<double>(game.view().see({{place[0], place[1], 0}})->pixel);
     }
 
-    /// What the window shows, two pixels each way made one.
-    static Image front() {
+    /// What the window shows, `shrink` pixels each way made one.
+    Image front() const {
         std::vector<std::uint32_t> pixels(std::size_t(width * height));
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glReadPixels(0, 0, width, height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels.data());
-        Image half{width / 2, height / 2, std::vector<std::uint32_t>(std::size_t(width * height / 4))};
-        for (int y = 0; y < half.height; ++y)
-            for (int x = 0; x < half.width; ++x) {
+        Image small{width / shrink, height / shrink, {}};
+        for (int y = 0; y < small.height; ++y)
+            for (int x = 0; x < small.width; ++x) {
                 std::uint32_t mean = 0;
                 for (const unsigned shift : {0U, 8U, 16U}) {
                     std::uint32_t sum = 0;
-                    for (const int row : {2 * y, 2 * y + 1})
-                        for (const int column : {2 * x, 2 * x + 1})
+                    for (int row = shrink * y; row < shrink * (y + 1); ++row)
+                        for (int column = shrink * x; column < shrink * (x + 1); ++column)
                             sum += pixels[std::size_t((height - 1 - row) * width + column)] >> shift & 255U;
-                    mean |= sum / 4 << shift;
+                    mean |= sum / std::uint32_t(shrink * shrink) << shift;
                 }
-                half.pixels[std::size_t(y * half.width + x)] = mean;
+                small.pixels.push_back(mean);
             }
-        take_few_shades(half);
-        return half;
+        take_few_shades(small);
+        return small;
+    }
+
+    /// Makes the one window there is so large, whatever the display.
+    void resize_window() const {
+        for (Uint32 id = 1; id < 100; ++id)
+            if (auto* window = SDL_GetWindowFromID(id)) SDL_SetWindowSize(window, width, height);
     }
 
     /// Shows it for a few frames, paused at the start.
     void look(const std::string& theme) {
+        game.quit = false;
         game.theme = theme;
         std::filesystem::create_directories(folder / "sinew");
-        std::ofstream(folder / "sinew/window.json") << R"({"width": 1280, "height": 720, "theme": ")" << theme
-                                                    << "\", \"panel\": " << (panel ? "true}" : "false}");
-        key(SDLK_p);
+        std::ofstream(folder / "sinew/window.json")
+            << "{\"width\": " << width << ", \"height\": " << height << R"(, "hint": false, "theme": ")" << theme
+            << "\", \"panel\": " << (panel ? "true}" : "false}");
+        game.pause(true);
+        const auto restart = [](Uint32, void*) -> Uint32 { return key(SDLK_r), 0; };
+        SDL_AddTimer(40, restart, nullptr);
         const auto quit = [](Uint32, void*) -> Uint32 { return key(SDLK_ESCAPE), 0; };
-        SDL_AddTimer(150, quit, nullptr);
+        SDL_AddTimer(Uint32(std::max(200, width * height / 6000)), quit, nullptr);
         const auto problem = show(game);
         if (problem) GTEST_SKIP() << *problem;
     }
 
-    static constexpr int width = 1280, height = 720;
+    int width = 1280, height = 720, shrink = 2;
     ScratchFolder folder;
     Image shot;
     bool panel = true;
-    play::Shelf shelf{{}, {}, fetch}; // no scenes, no thumbnails, which come when they come
+    play::Shelf shelf{{}, {}, fetch, play::games::read}; // no scenes, no thumbnails, which come when they come
     play::Play game{shelf, "ragdoll"};
     std::string told;
 };
@@ -137,15 +144,37 @@ TEST_F(WindowTest, LooksAsItDid) {
     look("light");
     if (IsSkipped()) return;
     expect_looks_like(kept / "light.png", shot, least_ssim);
-    game.quit = false;
     look("dark");
     expect_looks_like(kept / "dark.png", shot, least_ssim);
-    game.quit = false;
     panel = false;
     look("light");
     const auto light = canvas::read_png(kept / "light.png", "light", {});
     ASSERT_TRUE(light.image);
     EXPECT_LT(ssim(*light.image, shot), 0.8) << "a window without its panel looks otherwise";
+}
+
+// Bars shrink in small windows, and on a dense display everything is twice as large.
+TEST_F(WindowTest, LooksWellInSmallWindowsAndOnDenseDisplays) {
+    if (!std::filesystem::exists("/usr/share/fonts/truetype/inter-vf/Inter-roman.var.ttf"))
+        GTEST_SKIP() << "the panel's font is not installed (packages.apt, window)";
+    constexpr double least_ssim = 0.97;
+    const std::filesystem::path kept = test::source_dir() + "/tests/golden/window";
+    struct Size {
+        const char* name;
+        int width, height, shrink;
+        const char *scale, *theme;
+    };
+    for (const auto& size :
+         {Size{"640x400.png", 640, 400, 2, "1", "dark"}, Size{"760x480.png", 760, 480, 2, "1", "light"},
+          Size{"760x480_at_2.png", 760, 480, 2, "2", "light"},
+          Size{"3840x2160_at_2.png", 3840, 2160, 4, "2", "light"}}) {
+        width = size.width, height = size.height, shrink = size.shrink;
+        setenv("SINEW_SCALE", size.scale, 1);
+        look(size.theme);
+        unsetenv("SINEW_SCALE");
+        if (IsSkipped()) return;
+        expect_looks_like(kept / size.name, shot, least_ssim);
+    }
 }
 
 // Each with a picture or two after it, the help over the scene among them; twice, so that what is on goes off. What
@@ -157,7 +186,8 @@ TEST_F(WindowTest, ShowsWhatEveryKeyDoes) {
     } typing;
     for (int times = 0; times < 2; ++times) {
         for (const auto& action : play::key_actions())
-            if (action.key != "s" && action.key != "v" && action.key != "escape" && !action.key.starts_with("ctrl"))
+            if (action.key != "s" && action.key != "v" && action.key != "escape" && action.key != "f2" &&
+                !action.key.starts_with("ctrl"))
                 typing.keys.push_back(SDL_GetKeyFromName(std::string(action.key).c_str()));
         for (const auto& tool : play::all_tools())
             typing.keys.push_back(SDL_GetKeyFromName(std::string(tool->key()).c_str()));
@@ -173,14 +203,72 @@ TEST_F(WindowTest, ShowsWhatEveryKeyDoes) {
     if (const auto problem = show(game)) GTEST_SKIP() << *problem;
     EXPECT_EQ(typing.next, typing.keys.size());
     EXPECT_FALSE(game.help);
-    EXPECT_TRUE(told.ends_with("end saved ")) << told << " and what was edited is kept";
+    EXPECT_TRUE(told.ends_with("end ")) << told << ": whatever was switched on is off again";
 }
 
-// The scene lies between the tools (56 pixels wide) and the panel (340), above the bar (64), of 1280x720.
+// Settings, questions and requests for a path come and go, over the help and without the bars too.
+TEST_F(WindowTest, PagesLieOverEachOtherWithoutHarm) {
+    struct Typing {
+        std::vector<SDL_Keycode> keys = {SDLK_p,  SDLK_F1, SDLK_F2,  SDLK_F1,     SDLK_F2, SDLK_F1,    SDLK_TAB,
+                                         SDLK_F2, SDLK_F2, SDLK_TAB, SDLK_F2,     SDLK_F2, SDLK_g,     SDLK_ESCAPE,
+                                         SDLK_F1, SDLK_F2, SDLK_TAB, SDLK_ESCAPE, SDLK_g,  SDLK_ESCAPE};
+        std::size_t next = 0;
+    } typing;
+    const auto type = [](Uint32 interval, void* data) -> Uint32 {
+        auto& left = *static_cast<Typing*>(data);
+        key(left.keys[left.next++]);
+        return left.next < left.keys.size() ? interval : 0;
+    };
+    game.listener = [&](const play::Told& one) {
+        told += one.what + " ";
+        if (one.what == "end") keep_libraries();
+    };
+    SDL_AddTimer(60, type, &typing);
+    if (const auto problem = show(game)) GTEST_SKIP() << *problem;
+    EXPECT_EQ(told, "pause edit asks answer edit end ");
+}
+
+// Of a window that is closed while an edit would be lost.
+TEST_F(WindowTest, AsksBeforeAnEditIsLost) {
+    int asked = 0;
+    game.listener = [&](const play::Told& one) {
+        told += one.what + " ";
+        if (one.what == "asks") game.answer(++asked == 1 ? "cancel" : "discard");
+        if (one.what == "answer" && asked == 1) {
+            SDL_Event event{};
+            event.type = SDL_QUIT;
+            SDL_PushEvent(&event);
+        }
+        if (one.what == "end") keep_libraries();
+    };
+    key(SDLK_g);
+    key(SDLK_ESCAPE);
+    if (const auto problem = show(game)) GTEST_SKIP() << *problem;
+    EXPECT_EQ(told, "edit asks answer asks answer end ") << told;
+    EXPECT_FALSE(std::filesystem::exists(folder / "sinew/autosave.json")) << "it was thrown away on purpose";
+}
+
+TEST_F(WindowTest, OpensTheFileThatIsDroppedOnIt) {
+    std::ofstream(folder / "dropped.json") << R"({"sinew": 1, "figures": [{"prefab": "rope", "name": "line"}]})";
+    SDL_Event event{};
+    event.type = SDL_DROPFILE;
+    event.drop.file = SDL_strdup((folder / "dropped.json").c_str());
+    SDL_PushEvent(&event);
+    key(SDLK_ESCAPE);
+    if (const auto problem = show(game)) GTEST_SKIP() << *problem;
+    EXPECT_EQ(game.session().scene().figures.at(0).name, "line") << game.problem();
+    ASSERT_FALSE(game.recent.empty());
+    EXPECT_EQ(game.recent.front(), (folder / "dropped.json").string());
+    std::ifstream settings(folder / "sinew/window.json");
+    const std::string kept{std::istreambuf_iterator<char>(settings), {}};
+    EXPECT_NE(kept.find("dropped.json"), std::string::npos) << "recent files are remembered: " << kept;
+}
+
+// The scene lies between the tools (56 pixels wide) and the panel (340), between menu (28) and bar (64), of 1280x720.
 TEST_F(WindowTest, OneFingerIsThePointerAndTwoMoveTheView) {
-    game.resize(884, 656);
+    game.resize(884, 628);
     const auto head = pixel_of("bob/head");
-    const auto x = float((head[0] + 56) / 1280), y = float(head[1] / 720);
+    const auto x = float((head[0] + 56) / 1280), y = float((head[1] + 28) / 720);
     key(SDLK_p);
     finger(SDL_FINGERDOWN, 1, x, y);
     finger(SDL_FINGERMOTION, 1, x + 0.1F, y);
@@ -198,7 +286,7 @@ TEST_F(WindowTest, OneFingerIsThePointerAndTwoMoveTheView) {
     const auto hand = pixel_of("bob/right_hand");
     EXPECT_GT(norm(hand - after), 0);
     game.eye() = {};
-    game.resize(884, 656);
+    game.resize(884, 628);
     EXPECT_NEAR(norm(hand - after), 2 * norm(pixel_of("bob/right_hand") - pixel_of("bob/head")), 0.1);
 }
 

@@ -28,26 +28,33 @@ class CutTool final : public Tool {
     void move(Play& play) override {
         const auto to = play.pointer();
         if (to == from_) return;
-        const auto view = play.view();
-        constexpr double depth = 1; // any: only the direction counts
-        const Slash slash{{view.place_of(from_, depth), view.place_of(to, depth)}, view};
-        const auto before = count_constraints(play.session().world());
-        if (cut_ == 0)
-            play.tape().edit(slash, "cut");
-        else
-            play.tape().act(slash);
-        const auto gone = before - count_constraints(play.session().world());
-        if (cut_ == 0 && gone == 0) play.tape().forget_edit();
+        std::size_t gone = 0;
+        play.each_pane([&] { gone += slash(play, to); });
+        if (cut_ == 0 && gone == 0) play.each_pane([&] { play.tape().forget_edit(); });
         cut_ += gone;
         from_ = to;
         trail_.push_back(cast<float>(to));
         if (trail_.size() > longest_trail) trail_.erase(trail_.begin());
     }
 
+    /// Cuts in the active pane; tells how many constraints.
+    std::size_t slash(Play& play, Vec2<double> to) const {
+        const auto look = play.eye().look(play.session());
+        const auto view = play.view();
+        constexpr double depth = 1; // any: only the direction counts
+        const Slash slash{{view.place_of(from_, depth), view.place_of(to, depth)}, look};
+        const auto before = count_constraints(play.session().world());
+        if (cut_ == 0)
+            play.tape().edit(slash, "cut");
+        else
+            play.tape().act(slash);
+        return before - count_constraints(play.session().world());
+    }
+
     void release(Play& play) override {
         trail_.clear();
         if (cut_ == 0) return;
-        play.tape().finish_edit();
+        play.each_pane([&] { play.tape().finish_edit(); });
         play.tell("cut", {{"constraints", cut_}});
     }
 

@@ -76,7 +76,10 @@ class RopeTool final : public Tool {
     void move(Play& play) override { stroke_.go_on(play); }
 
     void release(Play& play) override {
-        if (stroke_.size() < 2) return;
+        if (stroke_.size() >= 2) play.each_pane([&] { add(play); });
+    }
+
+    void add(Play& play) const {
         json::Array links;
         for (std::size_t i = 0; i + 1 < stroke_.size(); ++i) links.push_back(link(i, i + 1));
         const auto name = free_name(play.session().scene(), "drawn_rope");
@@ -107,8 +110,11 @@ class PolygonTool final : public Tool {
     void move(Play& play) override { stroke_.go_on(play); }
 
     void release(Play& play) override {
+        if (stroke_.size() >= 3) play.each_pane([&] { add(play); });
+    }
+
+    void add(Play& play) const {
         const auto n = stroke_.size();
-        if (n < 3) return;
         json::Array links;
         for (std::size_t i = 0; i < n; ++i) links.push_back(link(i, (i + 1) % n));
         if (n > 3)

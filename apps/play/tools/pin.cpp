@@ -12,22 +12,29 @@ class PinTool final : public Tool {
     void press(Play& play) override {
         const auto& session = play.session();
         if (const auto pinned = pin_near(play)) {
-            auto scene = session.scene();
-            const auto particle = scene.pins[*pinned].particle;
-            scene.pins.erase(scene.pins.begin() + std::ptrdiff_t(*pinned));
-            play.become(std::move(scene), "unpin");
+            const auto particle = session.scene().pins[*pinned].particle;
+            play.change(
+                [&](Scene& scene) {
+                    std::erase_if(scene.pins, [&](const PinSection& pin) { return pin.particle == particle; });
+                },
+                "unpin");
             return play.tell("unpin", {{"particle", particle}});
         }
         const auto picked = play.pick_here();
         if (!picked) return;
         const auto name = name_of(session.world(), picked->members.front());
         if (name.find('/') == std::string::npos) return void(play.message = "this particle has no name to pin it by");
-        auto scene = session.scene();
+        play.change([&](Scene& scene) { pin_where_it_is(play, scene, name); }, "pin");
+        play.tell("pin", {{"particle", name}});
+    }
+
+    static void pin_where_it_is(const Play& play, Scene& scene, const std::string& name) {
+        const auto& world = play.session().world();
+        const auto id = std::visit([&](const auto& any) { return find_particle(any, name); }, world);
+        if (!id) return;
         auto& pin = scene.pins.emplace_back();
         pin.particle = name;
-        pin.to = place_of(session.world(), {&picked->members.front(), 1});
-        play.become(std::move(scene), "pin");
-        play.tell("pin", {{"particle", name}});
+        pin.to = place_of(world, {&*id, 1});
     }
 
     /// The scene's pin nearest to the pointer.

@@ -47,7 +47,7 @@ class RemoveTool final : public Tool {
             play.session().world());
         if (figure.empty()) return;
         play.hovered.reset(), play.selected.reset();
-        play.become(without(play.session().scene(), figure), "delete " + figure);
+        play.change([&](Scene& scene) { scene = without(std::move(scene), figure); }, "delete " + figure);
         play.tell("remove", {{"figure", figure}});
     }
 };

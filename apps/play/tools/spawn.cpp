@@ -26,7 +26,9 @@ class SpawnTool final : public Tool {
     std::string_view about() const override { return "puts the chosen prefab where it is pressed"; }
 
     void press(Play& play) override {
-        put(play, play.prefab, play.prefab_parameters, play.view().place_of(play.pointer(), depth_of_middle(play)));
+        play.each_pane([&] {
+            put(play, play.prefab, play.prefab_parameters, play.view().place_of(play.pointer(), depth_of_middle(play)));
+        });
     }
 };
 
@@ -39,6 +41,10 @@ class ClothTool final : public Tool {
     void press(Play& play) override { from_ = play.pointer(); }
 
     void release(Play& play) override {
+        play.each_pane([&] { add(play); });
+    }
+
+    void add(Play& play) const {
         constexpr double cell = 14; // nominal pixels
         constexpr int most = 60;
         const auto view = play.view();

@@ -1,0 +1,143 @@
+#include "apps/play/play.h"
+#include "apps/play/tool.h"
+#include "canvas/raster.h"
+
+#include <cstring>
+#include <utility>
+
+/// Several panes side by side: classic and physical mode of one scene, in lockstep.
+namespace sinew::play {
+namespace {
+
+constexpr std::array<const char*, 2> sides = {"classic", "physical"};
+
+/// The pixels of a picture.
+std::shared_ptr<const Image> painted(const Picture& picture) {
+    canvas::Raster raster(picture.width, picture.height);
+    if (raster.paint(picture)) return nullptr;
+    Image image{picture.width, picture.height, std::vector<std::uint32_t>(std::size_t(picture.width * picture.height))};
+    std::memcpy(image.pixels.data(), raster.bytes().data(), image.pixels.size() * sizeof(std::uint32_t));
+    for (auto& pixel : image.pixels) pixel |= 0xff000000U;
+    return std::make_shared<const Image>(std::move(image));
+}
+
+} // namespace
+
+int Play::pane_left(std::size_t number) const {
+    return int(std::int64_t(width_) * std::int64_t(number) / std::int64_t(panes_.size()));
+}
+
+void Play::each_pane(const std::function<void()>& act) {
+    const auto under_pointer = active_;
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        active_ = i;
+        muted_ = i != under_pointer;
+        act();
+    }
+    active_ = under_pointer;
+    muted_ = false;
+}
+
+/// What is selected stays so under its name.
+void Play::switch_pane(std::size_t number) {
+    if (number == active_) return;
+    const auto& from = session().world();
+    const auto chosen = selected;
+    active_ = number;
+    hovered.reset();
+    select(chosen ? counterpart(from, *chosen, session().world(), view()) : std::nullopt);
+}
+
+void Play::resize_eyes() {
+    for (std::size_t i = 0; i < panes_.size(); ++i) panes_[i].eye.resize(pane_width(i), height_);
+}
+
+/// A file may say more about each mode than which it is; a scene that was edited goes into both as it is.
+void Play::toggle_split() {
+    let_go_of_everything();
+    if (is_split()) {
+        if (active_ != 0) std::swap(panes_[0], panes_[active_]);
+        panes_.erase(panes_.begin() + 1, panes_.end());
+        active_ = 0;
+        resize_eyes();
+        return tell("split", {{"on", false}});
+    }
+    std::vector<Pane> panes;
+    for (const char* mode : sides) {
+        Fetched fetched;
+        if (would_lose() || path_.empty()) {
+            fetched = shelf_.read(saved_text(), name_, beside_);
+            if (fetched.opened) fetched.opened->scene.solver.mode = mode;
+            if (fetched.opened) fetched.opened->world = instantiate(fetched.opened->scene);
+        } else {
+            auto overrides = overrides_;
+            std::erase_if(overrides, [](const Override& one) { return one.pair.starts_with("mode="); });
+            overrides.push_back({std::string("mode=") + mode, "the split view"});
+            fetched = shelf_.fetch(name_, overrides);
+        }
+        if (!fetched.opened) return report_problem(std::move(fetched.problem));
+        panes.push_back({Tape(Session(std::move(*fetched.opened))), {}});
+    }
+    if (panes[0].tape.session().scene().solver.rate != panes[1].tape.session().scene().solver.rate)
+        return report_problem("classic and physical mode of this scene take steps of other lengths");
+    begin(std::move(panes));
+    tell("split", {{"on", true}});
+}
+
+void Play::paint_scene(std::size_t number, Picture& picture) {
+    const auto under_pointer = std::exchange(active_, number);
+    picture.width = pane_width(number), picture.height = height_;
+    tape().draw(picture, overlay, view(), clock_->paused() ? 1 : clock_->share(), theme);
+    if (is_split()) {
+        const auto& colors = theme_called(shown_theme());
+        const auto unit = float(density_);
+        picture.add_text(session().scene().solver.mode, {{float(picture.width) / 2, 18 * unit}}, 15 * unit, colors.pen);
+        const std::array<Vec2<float>, 2> edge = {{{{0, 0}}, {{0, float(picture.height)}}}};
+        if (number > 0) picture.add(Shape::polyline, edge, 2 * unit, colors.wall);
+    }
+    active_ = under_pointer;
+}
+
+void Play::paint_pointer(std::size_t number, Picture& picture) {
+    const auto under_pointer = std::exchange(active_, number);
+    if (number == under_pointer) highlight(picture);
+    if (busy_) busy_->draw(*this, picture);
+    active_ = under_pointer;
+}
+
+/// Panes are painted into images, so that nothing of one lies over the other.
+void Play::lay_side_by_side(Picture& picture) {
+    picture.clear();
+    picture.width = width_, picture.height = height_;
+    picture.images.clear();
+    Picture part;
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        paint_scene(i, part);
+        picture.background = part.background;
+        picture.images.push_back(painted(part));
+        const auto left = float(pane_left(i)), right = float(pane_left(i + 1)), low = float(height_);
+        const std::array<Vec2<float>, 4> grid = {{{{left, 0}}, {{right, 0}}, {{left, low}}, {{right, low}}}};
+        picture.add_image(std::uint32_t(i), grid, 2, {});
+    }
+}
+
+void Play::draw(Picture& picture) {
+    if (is_split())
+        lay_side_by_side(picture);
+    else
+        paint_scene(0, picture);
+    take_pictures(picture);
+    if (!is_split()) paint_pointer(0, picture);
+}
+
+void Play::draw_panes(std::vector<Picture>& pictures) {
+    pictures.resize(panes_.size());
+    if (!is_split()) return draw(pictures[0]);
+    if (Picture whole; wants_pictures()) draw(whole);
+    for (std::size_t i = 0; i < panes_.size(); ++i) {
+        paint_scene(i, pictures[i]);
+        paint_pointer(i, pictures[i]);
+    }
+}
+
+} // namespace sinew::play

@@ -1,0 +1,97 @@
+#include "apps/window/menu.h"
+
+#include "apps/window/label.h"
+
+#include <filesystem>
+
+namespace sinew::window {
+namespace {
+
+using play::Play;
+using play::Purpose;
+
+/// An entry with the key that does the same, by the action's name.
+bool entry(const Play& play, const char* words, const char* action = "", bool possible = true) {
+    const auto key = *action ? play.keys.of(action) : std::string();
+    return ImGui::MenuItem(words, key.c_str(), false, possible);
+}
+
+void file_menu(Play& play) {
+    if (entry(play, "New", "new")) play.open_new();
+    if (entry(play, "Open\xe2\x80\xa6", "open")) play.ask_for_path(Purpose::open);
+    if (ImGui::BeginMenu("Open recent", !play.recent.empty())) {
+        const auto files = play.recent;
+        for (const auto& file : files) {
+            if (ImGui::MenuItem(std::filesystem::path(file).filename().c_str())) play.open(file);
+            tooltip(file);
+        }
+        ImGui::EndMenu();
+    }
+    ImGui::Separator();
+    if (entry(play, "Save", "save")) play.save_or_ask();
+    if (entry(play, "Save as\xe2\x80\xa6", "save_as")) play.ask_for_path(Purpose::save);
+    if (entry(play, "Save running state\xe2\x80\xa6")) play.ask_for_path(Purpose::save_state);
+    tooltip("All that led to this moment; Open goes on from it.");
+    ImGui::Separator();
+    if (entry(play, "Export picture\xe2\x80\xa6")) play.ask_for_path(Purpose::picture);
+    if (play.recording() ? entry(play, "End the film", "film") : entry(play, "Record film\xe2\x80\xa6"))
+        play.recording() ? play.toggle_recording() : play.ask_for_path(Purpose::film);
+    ImGui::Separator();
+    if (entry(play, "Settings\xe2\x80\xa6", "settings")) play.settings = true;
+    if (entry(play, "Quit", "close")) play.ask_to_quit();
+}
+
+void edit_menu(Play& play) {
+    const auto undo = play.tape().undo_name(), redo = play.tape().redo_name();
+    if (entry(play, ("Undo " + undo).c_str(), "undo", !undo.empty())) play.undo();
+    if (entry(play, ("Redo " + redo).c_str(), "redo", !redo.empty())) play.redo();
+    ImGui::Separator();
+    if (entry(play, "Copy scene as text", "copy")) play.copy_scene();
+    if (entry(play, "Run scene from clipboard", "paste")) play.open_clipboard();
+}
+
+void view_menu(Play& play) {
+    const auto& mode = play.session().scene().solver.mode;
+    const bool split = play.is_split();
+    if (ImGui::MenuItem("Physical", nullptr, !split && mode == "physical")) play.show_mode("physical");
+    if (ImGui::MenuItem("Classic", nullptr, !split && mode == "classic")) play.show_mode("classic");
+    if (ImGui::MenuItem("Both, side by side", play.keys.of("split").c_str(), split)) play.toggle_split();
+    ImGui::Separator();
+    for (std::size_t i = 0; i < overlays.size(); ++i) {
+        const std::string name(overlays[i].name), key = std::to_string(i + 1);
+        if (ImGui::MenuItem(name.c_str(), key.c_str(), play.overlay.test(i))) play.overlay.flip(i);
+        tooltip(std::string(overlays[i].about));
+    }
+    ImGui::Separator();
+    if (entry(play, "See everything", "see_all")) play.each_pane([&] { play.eye().home(play.session()); });
+    if (entry(play, "Light or dark", "theme")) play.switch_theme();
+    if (entry(play, "Panel and bars", "panel")) play.panel = false;
+}
+
+template <class Show> void menu(const char* name, Show&& show) {
+    if (!ImGui::BeginMenu(name)) return;
+    show();
+    ImGui::EndMenu();
+}
+
+} // namespace
+
+void menu_bar(Play& play, bool docked, bool& drawer) {
+    if (!ImGui::BeginMenuBar()) return;
+    menu("File", [&] { file_menu(play); });
+    menu("Edit", [&] { edit_menu(play); });
+    menu("View", [&] { view_menu(play); });
+    menu("Help", [&] {
+        if (entry(play, "Keys", "help")) play.help = true;
+    });
+    if (!docked) {
+        const char* const word = drawer ? "Hide panel" : "Panel";
+        const float width = ImGui::CalcTextSize(word).x + 3 * ImGui::GetStyle().ItemSpacing.x;
+        ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width);
+        if (ImGui::MenuItem(word)) drawer = !drawer;
+        tooltip("scenes, parameters, inspector and statistics");
+    }
+    ImGui::EndMenuBar();
+}
+
+} // namespace sinew::window

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "sinew/constraint/kinds.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+/// The list of kinds at run time, for scene files, schemas, messages and panels.
+namespace sinew {
+
+struct KindInfo {
+    std::string_view name;
+    int least_arity = 0;    ///< number of particles, at least
+    bool any_arity = false; ///< more particles are allowed
+    Dimensions dimensions;
+    bool angle = false; ///< radians in a world, degrees in a file
+    DrawnAs drawn_as = DrawnAs::nothing;
+};
+
+namespace detail {
+
+template <class Kind> constexpr int least_arity() {
+    if constexpr (Kind::arity == any_arity)
+        return Kind::least_arity;
+    else
+        return Kind::arity;
+}
+
+template <class... Kind> constexpr std::array<KindInfo, sizeof...(Kind)> infos_of(TypeList<Kind...>) {
+    return {KindInfo{.name = Kind::name,
+                     .least_arity = least_arity<Kind>(),
+                     .any_arity = Kind::arity == any_arity,
+                     .dimensions = Kind::dimensions,
+                     .angle = Kind::length_power == 0,
+                     .drawn_as = is_drawn_as<Kind>}...};
+}
+
+template <class... Kind> constexpr std::array<std::string_view, sizeof...(Kind)> names_of_kinds(TypeList<Kind...>) {
+    return {Kind::name...};
+}
+
+} // namespace detail
+
+/// Every kind, whatever its dimensions.
+inline constexpr auto every_kind = detail::infos_of(EveryKind<2>{});
+inline constexpr auto kind_names = detail::names_of_kinds(EveryKind<2>{});
+
+/// The kinds of worlds of D dimensions. The index is `ConstraintId::kind`, and the number of the world's table.
+template <int D> inline constexpr auto kinds_in = detail::infos_of(Kinds<D>{});
+
+constexpr std::optional<KindInfo> kind_called(std::string_view name) {
+    const auto found = std::find(kind_names.begin(), kind_names.end(), name);
+    return found == kind_names.end() ? std::nullopt
+                                     : std::optional(every_kind[std::size_t(found - kind_names.begin())]);
+}
+
+/// The position of a name in `kinds_in<D>`; -1 where there is none.
+template <int D> constexpr int kind_index(std::string_view name) {
+    for (std::size_t i = 0; i < kinds_in<D>.size(); ++i)
+        if (kinds_in<D>[i].name == name) return int(i);
+    return -1;
+}
+
+} // namespace sinew

@@ -1,0 +1,210 @@
+#include "sinew/scene/check.h"
+#include "sinew/scene/types.h"
+#include "sinew/solver/edit.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <span>
+
+namespace sinew {
+namespace {
+
+/// Checks references against the world they are made to.
+template <int D, class Real> class ReferenceCheck {
+  public:
+    ReferenceCheck(const Scene& scene, const World<D, Real>& world, Document& document)
+        : scene_(scene), world_(world), document_(document) {}
+
+    void run() {
+        for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
+            for (std::size_t k = 0; k < scene_.constraints[i].between.size(); ++k)
+                particle(scene_.constraints[i].between[k], under("constraints", i, "between") + under("", k).substr(1));
+        for (std::size_t i = 0; i < scene_.pins.size(); ++i)
+            particle(scene_.pins[i].particle, under("pins", i, "particle"));
+        for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
+        for (std::size_t i = 0; i < scene_.looks.size(); ++i) look(scene_.looks[i].first);
+        for (std::size_t i = 0; i < scene_.events.size(); ++i)
+            detail::visit_held(scene_.events[i].event, [&](const auto& event) { this->event(event, i); });
+        for (std::size_t i = 0; i < scene_.traces.size(); ++i)
+            if (const auto& of = scene_.traces[i].of; !find_figure(world_, of)) particle(of, under("traces", i, "of"));
+        for (std::size_t i = 0; i < scene_.world.forces.size(); ++i)
+            if (const auto* attractor = std::get_if<AttractorForce>(&scene_.world.forces[i].force))
+                pulled(attractor->figure, "/world" + under("forces", i, "figure"));
+    }
+
+  private:
+    const Scene& scene_;
+    const World<D, Real>& world_;
+    Document& document_;
+
+    std::vector<std::string_view> figure_names() const {
+        std::vector<std::string_view> names;
+        for (const auto& figure : world_.figures) names.push_back(figure.name);
+        return names;
+    }
+
+    /// `also` tells of further names, for which the candidates are no place.
+    void unknown(std::string_view what, std::string_view name, const std::string& place,
+                 std::vector<std::string_view> candidates, const std::string& also = {}) {
+        constexpr std::size_t most_listed = 40;
+        std::string help;
+        if (candidates.size() > most_listed)
+            help = fmt::format("there are {}, such as \"{}\" and \"{}\"", candidates.size(), candidates.front(),
+                               candidates.back());
+        else if (!candidates.empty() || also.empty())
+            help = suggest(name, std::move(candidates));
+        document_.error(place, fmt::format("there is no {} \"{}\"", what, name),
+                        help + (help.empty() || also.empty() ? "" : "; ") + also);
+    }
+
+    /// "by number: joint_0 to joint_19, end_0 to end_5"
+    static std::string numbers_text(std::span<const Numbered> numbered) {
+        std::string text;
+        for (const auto& run : numbered)
+            if (run.count > 0)
+                text += fmt::format("{} {} to {}", text.empty() ? "by number:" : ",",
+                                    name_of(run.first, std::span(&run, 1)),
+                                    name_of(run.first + run.count - 1, std::span(&run, 1)));
+        return text;
+    }
+
+    template <class Id> static std::vector<std::string_view> given_in(const NameTable<Id>& table) {
+        std::vector<std::string_view> names;
+        for (const auto& named : table) names.emplace_back(named.first);
+        return names;
+    }
+
+    template <class Tell>
+    void path(std::string_view what, std::string_view path, const std::string& place, bool found, Tell&& tell) {
+        if (found) return;
+        if (document_.diagnostics.full()) return document_.diagnostics.count_one_more();
+        const auto slash = path.find('/');
+        if (slash == std::string_view::npos)
+            return document_.error(place, fmt::format("expected a {} as figure/name, found \"{}\"", what, path),
+                                   suggest(path, figure_names()));
+        const auto index = find_figure(world_, path.substr(0, slash));
+        if (!index) return unknown("figure", path.substr(0, slash), place, figure_names());
+        const auto& figure = world_.figures[*index];
+        tell(figure, fmt::format("{} in \"{}\" called", what, path.substr(0, slash)), path.substr(slash + 1));
+    }
+
+    void particle(std::string_view name, const std::string& place) {
+        path("particle", name, place, !find_particles(world_, name).empty(),
+             [&](const Figure& figure, const std::string& what, std::string_view unfound) {
+                 unknown(what, unfound, place, given_in(figure.particle_names), numbers_text(figure.particle_numbers));
+             });
+    }
+
+    /// The figure that a force is meant for alone.
+    void pulled(std::string_view name, const std::string& place) {
+        if (!name.empty() && !find_figure(world_, name)) unknown("figure", name, place, figure_names());
+    }
+
+    void constraint(std::string_view name, const std::string& place) {
+        path("constraint", name, place, find_constraint(world_, name).has_value(),
+             [&](const Figure& figure, const std::string& what, std::string_view unfound) {
+                 unknown(what, unfound, place, given_in(figure.constraint_names),
+                         numbers_text(figure.constraint_numbers));
+             });
+    }
+
+    void figure(const FigureSection& section, std::size_t i) {
+        const auto& built = world_.figures[i];
+        for (const auto& [name, kick] : section.kicks)
+            particle(built.name + "/" + name, under("figures", i, "kicks") + json::pointer_step(name));
+        for (const auto& [part, seen] : section.looks)
+            if (part != "all" && !has_part(built, part) && !is_joined_later(built.name + "/" + part))
+                unknown("part", part, under("figures", i, "looks") + json::pointer_step(part), parts_of(built));
+        const auto* by_hand = std::get_if<ByHand>(&section.made);
+        if (!by_hand) return;
+        for (std::size_t k = 0; k < by_hand->constraints.size(); ++k)
+            for (std::size_t m = 0; m < by_hand->constraints[k].between.size(); ++m)
+                particle_seen_from(i, by_hand->constraints[k].between[m],
+                                   under("figures", i) + under("constraints", k) + fmt::format("/between/{}", m));
+        for (std::size_t k = 0; k < by_hand->pieces.size(); ++k)
+            for (std::size_t m = 0; m < by_hand->pieces[k].through.size(); ++m)
+                particle_seen_from(i, by_hand->pieces[k].through[m],
+                                   under("figures", i) + under("pieces", k) + fmt::format("/through/{}", m));
+    }
+
+    /// Inside a figure: one of its own, or as figure/name one of a figure before it.
+    void particle_seen_from(std::size_t i, std::string_view name, const std::string& place) {
+        particle(full_name(name, world_.figures[i].name + "/"), place);
+        const auto index = find_figure(world_, name.substr(0, std::min(name.find('/'), name.size())));
+        if (name.find('/') != std::string_view::npos && index && *index > i)
+            document_.error(place, fmt::format("\"{}\" is of a figure that is made later", name),
+                            "figures are made in their order: put the one that joins others behind them");
+    }
+
+    /// Whether an event makes a constraint of that full name.
+    bool is_joined_later(std::string_view path) const {
+        return std::ranges::any_of(scene_.events, [&](const EventSection& section) {
+            const auto* join = std::get_if<JoinEvent>(&section.event);
+            if (!join || join->constraint.name.empty() || join->constraint.between.empty()) return false;
+            const std::string_view first = join->constraint.between.front();
+            const auto figure = first.substr(0, first.find('/') + 1);
+            return path.starts_with(figure) && path.substr(figure.size()) == join->constraint.name;
+        });
+    }
+
+    static bool has_part(const Figure& figure, std::string_view part) {
+        return std::any_of(figure.pieces.begin(), figure.pieces.end(),
+                           [&](const Piece& piece) { return piece.part == part; });
+    }
+
+    static std::vector<std::string_view> parts_of(const Figure& figure) {
+        std::vector<std::string_view> parts;
+        for (const auto& piece : figure.pieces)
+            if (std::find(parts.begin(), parts.end(), piece.part) == parts.end()) parts.emplace_back(piece.part);
+        return parts;
+    }
+
+    /// A key of "looks": figure/part, figure, or the part of any figure.
+    void look(std::string_view key) {
+        const auto place = "/looks" + json::pointer_step(key);
+        const auto slash = key.find('/');
+        if (slash != std::string_view::npos) {
+            const auto index = find_figure(world_, key.substr(0, slash));
+            if (!index) return unknown("figure", key.substr(0, slash), place, figure_names());
+            if (!has_part(world_.figures[*index], key.substr(slash + 1)))
+                unknown("part", key.substr(slash + 1), place, parts_of(world_.figures[*index]));
+            return;
+        }
+        if (find_figure(world_, key)) return;
+        auto candidates = figure_names();
+        for (const auto& figure : world_.figures) {
+            if (has_part(figure, key)) return;
+            for (const auto part : parts_of(figure))
+                if (std::find(candidates.begin(), candidates.end(), part) == candidates.end())
+                    candidates.push_back(part);
+        }
+        unknown("figure or part", key, place, std::move(candidates));
+    }
+
+    void event(const GrabEvent& grab, std::size_t i) { particle(grab.particle, under("events", i, "grab")); }
+    void event(const ReleaseEvent& release, std::size_t i) {
+        particle(release.particle, under("events", i, "release"));
+    }
+    void event(const ImpulseEvent& impulse, std::size_t i) {
+        if (!find_figure(world_, impulse.target)) particle(impulse.target, under("events", i, "impulse"));
+    }
+    void event(const KickEvent& kick, std::size_t i) { particle(kick.target, under("events", i, "kick")); }
+    void event(const JoinEvent& join, std::size_t i) {
+        for (std::size_t k = 0; k < join.constraint.between.size(); ++k)
+            particle(join.constraint.between[k], under("events", i, "join") + fmt::format("/{}", k));
+    }
+    void event(const SnipEvent& snip, std::size_t i) {
+        for (std::size_t k = 0; k < snip.constraints.size(); ++k)
+            if (!is_joined_later(snip.constraints[k]))
+                constraint(snip.constraints[k], under("events", i, "snip") + fmt::format("/{}", k));
+    }
+    template <class Event> void event(const Event&, std::size_t) {}
+};
+
+} // namespace
+
+void check_references(const Scene& scene, const AnyWorld& world, Document& document) {
+    std::visit([&](const auto& w) { ReferenceCheck(scene, w, document).run(); }, world);
+}
+
+} // namespace sinew

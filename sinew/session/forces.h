@@ -1,0 +1,74 @@
+#pragma once
+
+#include "sinew/constraint/kinds.h"
+#include "sinew/solver/edit.h"
+#include "sinew/solver/phases.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace sinew {
+
+/// Forces on particles, measured from the state that a step of physical mode leaves. In the world's own unit of force.
+template <class WorldT> class Forces {
+  public:
+    static constexpr int D = WorldT::dimension;
+    using Force = Vec<D, double>;
+
+    /// The world is kept by reference.
+    explicit Forces(const WorldT& world) : world_(world), internal_(world.particles.size()) {
+        for_each_table(world, [&](const auto& table) {
+            for (Row row = 0; row < table.size(); ++row) add_constraint(table, row);
+        });
+    }
+
+    /// Sum of all force fields on a particle: weight, wind, drag, attraction.
+    Force of_fields(Row row) const {
+        const auto push = push_on(world_, row);
+        const double mass = double(inverse_or_zero(world_.particles.inverse_mass[row]));
+        return (cast<double>(push.acceleration) -
+                cast<double>(world_.particles.velocity[row]) * double(push.drag_rate)) *
+               mass;
+    }
+
+    /// Sum of all constraint forces on a particle: F = lambda grad C / h^2.
+    const Force& of_constraints(Row row) const { return internal_[row]; }
+
+    /// Reaction of a pin that stands still: the force that balances all others on its particle.
+    Force of_pin(Row row) const { return -(of_fields(row) + of_constraints(row)); }
+
+    /// Normal force of a plane on a particle that stays on it, along the plane's normal; a plane only pushes.
+    double of_plane(Row row, const HalfSpace<D, typename WorldT::Real>& plane) const {
+        return maximum(-dot(cast<double>(plane.normal), of_fields(row) + of_constraints(row)), 0.0);
+    }
+
+  private:
+    const WorldT& world_;
+    std::vector<Force> internal_; ///< by row of the particles
+
+    template <class Table> void add_constraint(const Table& table, Row row) {
+        using Kind = typename Table::Kind;
+        const double strength = double(table.multiplier[row]) * inverse_or_zero(square(double(world_.last_substep)));
+        if (strength == 0) return;
+        const auto members = table.members[row];
+        if constexpr (Kind::arity == any_arity) {
+            std::vector<Force> places, gradient(members.size());
+            for (const Row member : members) places.push_back(cast<double>(world_.particles.position[member]));
+            Kind::evaluate(std::span<const Force>(places), std::span<Force>(gradient));
+            add(members, gradient, strength);
+        } else {
+            Points<Kind::arity, D, double> places;
+            for (std::size_t i = 0; i < places.size(); ++i)
+                places[i] = cast<double>(world_.particles.position[members[i]]);
+            add(members, Kind::evaluate(places).gradient, strength);
+        }
+    }
+
+    template <class Gradient> void add(std::span<const Row> members, const Gradient& gradient, double strength) {
+        for (std::size_t i = 0; i < members.size(); ++i) internal_[members[i]] += gradient[i] * strength;
+    }
+};
+
+} // namespace sinew

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "sinew/math/vec.h"
+
+#include <functional>
+
+namespace sinew {
+
+/// A straight cut across a picture plane.
+struct Blade {
+    Vec2<double> from{}, to{};
+    double reach = 0; ///< what comes as near to it is cut too
+};
+
+/// A place of the world in the picture plane; not finite where it is out of sight.
+template <int D> using Projection = std::function<Vec2<double>(const Vec<D, double>&)>;
+
+/// The picture plane of whoever looks along the third axis: (x, y).
+template <int D> Vec2<double> along_z(const Vec<D, double>& place) {
+    return {{place[0], place[1]}};
+}
+
+} // namespace sinew

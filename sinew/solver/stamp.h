@@ -1,0 +1,47 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <utility>
+
+namespace sinew {
+
+/// A number that no other table of ids has drawn in this process. A copy draws its own when it first needs one: after a
+/// table was copied the two hand out different ids, whatever is added to either. Numbers wrap after 2^32 draws; a table
+/// draws one for each run of additions between two removals or copies.
+class Stamp {
+  public:
+    Stamp() = default;
+    Stamp(const Stamp&) {}
+    Stamp(Stamp&& other) noexcept : drawn_(std::exchange(other.drawn_, none)) {}
+    Stamp& operator=(const Stamp&) {
+        forget();
+        return *this;
+    }
+    Stamp& operator=(Stamp&& other) noexcept {
+        drawn_ = std::exchange(other.drawn_, none);
+        return *this;
+    }
+    ~Stamp() = default;
+
+    std::uint32_t get() {
+        if (drawn_ == none) drawn_ = draw();
+        return drawn_;
+    }
+    /// The next one is another.
+    void forget() { drawn_ = none; }
+
+    static constexpr std::uint32_t none = 0; ///< never drawn
+
+  private:
+    std::uint32_t drawn_ = none;
+
+    static std::uint32_t draw() {
+        static std::atomic<std::uint32_t> last{none};
+        std::uint32_t next = none;
+        while (next == none) next = last.fetch_add(1, std::memory_order_relaxed) + 1;
+        return next;
+    }
+};
+
+} // namespace sinew

@@ -1,0 +1,286 @@
+#include "sinew/prefab/prefabs.h"
+
+#include "tests/sanitized.h"
+#include "tests/worlds.h"
+
+#include <cmath>
+
+/// The accuracy that docs/step.md states, under its conditions. All bounds are the documented ones.
+namespace sinew {
+namespace {
+
+using namespace test;
+
+/// T = 2 pi sqrt(L/g) / agm(1, cos(a/2)): the complete elliptic integral by the arithmetic-geometric mean.
+double exact_period(double g, double amplitude) {
+    double a = 1, b = std::cos(amplitude / 2);
+    for (int i = 0; i < 30; ++i) {
+        const double mean = (a + b) / 2;
+        b = std::sqrt(a * b);
+        a = mean;
+    }
+    return 2 * pi<double> / std::sqrt(g) / a;
+}
+
+/// The times at which a measure passes zero, each by linear interpolation.
+class Crossings {
+  public:
+    explicit Crossings(double first) : before_(first) {}
+
+    void at(double time, double step, double now) {
+        if ((before_ > 0) != (now > 0)) times_.push_back(time - step * now / (now - before_));
+        before_ = now;
+    }
+    std::size_t count() const { return times_.size(); }
+    /// Mean over all whole periods.
+    double period() const {
+        const auto half_periods = (times_.size() - 1) / 2 * 2;
+        return (times_[half_periods] - times_[0]) / double(half_periods / 2);
+    }
+
+  private:
+    double before_;
+    std::vector<double> times_;
+};
+
+/// The relative error of the mean of ten periods, a pendulum of 1 m released at the amplitude.
+template <class Real> double period_error(double g, double amplitude, double rate, int substeps) {
+    World<2, Real> world;
+    world.settings.substeps = substeps;
+    fall(world, g);
+    const auto pivot = add_particle(world, {.mass = std::numeric_limits<Real>::infinity()});
+    const auto bob = add_particle(world, {.position = at<Vec2<Real>>(std::sin(amplitude), -std::cos(amplitude))});
+    add<Distance>(world, {pivot, bob}, {.limits = exactly(Real(1))});
+    Crossings crossings(double((*position_of(world, bob))[0]));
+    for (int i = 1; crossings.count() < 21; ++i) {
+        step(world, Real(1 / rate));
+        crossings.at(i / rate, 1 / rate, double((*position_of(world, bob))[0]));
+    }
+    return std::abs(crossings.period() / exact_period(g, amplitude) - 1);
+}
+
+struct Swing {
+    double amplitude, in_float, in_double;
+};
+
+void expect_periods(std::initializer_list<Swing> swings, double rate, int substeps) {
+    for (const double g : {10.0, 1.62})
+        for (const auto& [amplitude, in_float, in_double] : swings) {
+            EXPECT_LT(period_error<float>(g, amplitude, rate, substeps), in_float) << amplitude << " rad, g " << g;
+            EXPECT_LT(period_error<double>(g, amplitude, rate, substeps), in_double) << amplitude << " rad, g " << g;
+        }
+}
+
+TEST(Accuracy, OfAPendulumsPeriodByItsSwing) {
+    if (sanitized) return;
+    expect_periods({{0.3, 1e-6, 1e-8}, {0.9, 2e-5, 1e-8}, {1.3, 1e-4, 1e-8}, {2.8, 1e-3, 1e-8}}, 240, 64);
+    expect_periods({{0.3, 1e-6, 2e-6}, {0.9, 1e-5, 2e-6}, {2, 1e-5, 2e-6}, {2.8, 1e-4, 2e-6}}, 60, 0);
+}
+
+/// The amplitude that an undamped spring of that angular frequency, drawn out by 1 m, has left.
+double amplitude_left(double frequency, int substeps, double seconds, Direct direct) {
+    World<2, double> world;
+    world.settings.substeps = substeps;
+    const auto figure = add_figure(world, "spring");
+    world.figures[figure].direct = direct;
+    const auto wall = add_particle(world, {.mass = std::numeric_limits<double>::infinity(), .figure = figure});
+    const auto bob = add_particle(world, {.position = {2, 0}, .figure = figure});
+    add<Distance>(world, {wall, bob},
+                  {.limits = exactly(1.0), .compliance = 1 / (frequency * frequency), .figure = figure});
+    run(world, seconds);
+    double left = 0;
+    for (double time = 0; time < 2 * pi<double> / frequency; time += 1.0 / 600) {
+        step(world, 1.0 / 600);
+        left = std::max(left, std::abs((*position_of(world, bob))[0] - 1));
+    }
+    return left;
+}
+
+// Backward Euler: a free oscillation of angular frequency w decays at w^2 h / 2 where the spring is swept, at half of
+// that where it is solved directly.
+TEST(Accuracy, OfAnUndampedSpringIsBackwardEulersDecay) {
+    constexpr double seconds = 5;
+    for (const double frequency : {3.0, 10.0, 18.0})
+        for (const int substeps : {16, 64}) {
+            const double decay = frequency * frequency / 60 / substeps / 2 * seconds;
+            EXPECT_GT(amplitude_left(frequency, substeps, seconds, Direct::off), 0.97 * std::exp(-decay)) << frequency;
+            EXPECT_GT(amplitude_left(frequency, substeps, seconds, Direct::on), 0.97 * std::exp(-decay / 2))
+                << frequency;
+        }
+}
+
+/// A rigid lattice of triangles, one square cell wide and some long, that hangs from the middle of its upper edge.
+struct Lattice {
+    World<2, double> world;
+    ParticleId left{}, right{}; ///< its lowest corners
+    double length = 0;
+    double inertia = 0, moment = 0; ///< about the pivot
+
+    Lattice(int cells, Direct direct, double angle) {
+        constexpr double side = 0.1;
+        fall(world, gravity);
+        const auto figure = add_figure(world, "lattice");
+        world.figures[figure].direct = direct;
+        length = side * cells;
+        std::vector<ParticleId> p;
+        const auto turned = [&](double x, double y) {
+            return Vec2<double>{std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y};
+        };
+        for (int i = 0; i <= cells; ++i)
+            for (const double x : {-side / 2, side / 2}) {
+                p.push_back(add_particle(world, {.position = turned(x, -i * side), .figure = figure}));
+                inertia += square(x) + square(i * side);
+                moment += i * side;
+            }
+        const auto pivot = add_particle(world, {.figure = figure});
+        pin(world, pivot);
+        const auto link = [&](ParticleId a, ParticleId b) { add<Distance>(world, {a, b}, {.figure = figure}); };
+        for (std::size_t i = 0; i + 1 < p.size(); i += 2) link(p[i], p[i + 1]);
+        for (std::size_t i = 0; i + 3 < p.size(); i += 2)
+            link(p[i], p[i + 2]), link(p[i + 1], p[i + 3]), link(p[i], p[i + 3]);
+        for (std::size_t i = 0; i < 4; ++i) link(pivot, p[i]);
+        left = p[p.size() - 2];
+        right = p.back();
+    }
+
+    double turn() const {
+        const auto middle = (*position_of(world, left) + *position_of(world, right)) * 0.5;
+        return std::atan2(middle[0], -middle[1]);
+    }
+    /// For small swings, to the square of the amplitude.
+    double period(double amplitude) const {
+        return 2 * pi<double> * std::sqrt(inertia / (moment * gravity)) * (1 + square(amplitude) / 16);
+    }
+};
+
+double lattice_error(int cells, Direct direct, int substeps) {
+    constexpr double amplitude = 0.1;
+    Lattice lattice(cells, direct, amplitude);
+    lattice.world.settings.substeps = substeps;
+    Crossings crossings(lattice.turn());
+    for (int i = 1; i <= 60 * 20; ++i) {
+        step(lattice.world, 1.0 / 60);
+        crossings.at(i / 60.0, 1.0 / 60, lattice.turn());
+    }
+    return std::abs(crossings.period() / lattice.period(amplitude) - 1);
+}
+
+TEST(Accuracy, OfACompoundPendulumsPeriod) {
+    if (sanitized) return;
+    for (const int cells : {1, 4, 10}) {
+        EXPECT_LT(lattice_error(cells, Direct::automatic, 0), 5e-4) << cells;
+        EXPECT_LT(lattice_error(cells, Direct::automatic, 16), 1e-5) << cells;
+        EXPECT_LT(lattice_error(cells, Direct::off, 16), 1e-3) << cells;
+    }
+}
+
+/// The most energy gained in 20 s, as a share of that of the swing.
+double lattice_gain(int cells, Direct direct, int substeps) {
+    constexpr double amplitude = 0.1;
+    Lattice lattice(cells, direct, amplitude);
+    lattice.world.settings.substeps = substeps;
+    const double begun = energy(lattice.world).total(), swing = lattice.moment * gravity * (1 - std::cos(amplitude));
+    double gain = 0;
+    for (int i = 0; i < 60 * 20; ++i) {
+        step(lattice.world, 1.0 / 60);
+        gain = std::max(gain, energy(lattice.world).total() - begun);
+    }
+    return gain / swing;
+}
+
+TEST(Accuracy, OfTheEnergyOfARigidLattice) {
+    if (sanitized) return;
+    for (const int cells : {1, 4, 10}) {
+        for (const int substeps : {0, 1, 16})
+            EXPECT_LT(lattice_gain(cells, Direct::automatic, substeps), 1e-3) << cells;
+        EXPECT_LT(lattice_gain(cells, Direct::off, 16), 1e-3) << cells;
+    }
+}
+
+/// The share of its angular momentum that a free cloth has left, spinning in its plane.
+double spin_left(double rate, int substeps, double seconds) {
+    World<3, double> world;
+    world.settings.substeps = substeps;
+    build(world, Cloth{.columns = 16, .rows = 16, .pins = "none"}, "cloth");
+    const auto center = center_of_mass(world);
+    for (Row row = 0; row < world.particles.size(); ++row) {
+        const auto arm = world.particles.position[row] - center;
+        world.particles.velocity[row] = {-rate * arm[2], 0, rate * arm[0]};
+    }
+    step(world, 1.0 / 60);
+    const auto begun = angular_momentum(world);
+    run(world, seconds);
+    return dot(angular_momentum(world), begun) / dot(begun, begun);
+}
+
+// A mesh is corrected along the directions at the end of a substep, which takes w^2 h of its spin a second.
+TEST(Accuracy, OfTheSpinOfAFreeClothThatIsSwept) {
+    constexpr double seconds = 10;
+    for (const double rate : {0.3, 1.0}) {
+        const double decay = rate * rate / 60 / 16 * seconds;
+        EXPECT_GT(spin_left(rate, 16, seconds), 1 - 1.1 * decay) << rate;
+        EXPECT_LT(spin_left(rate, 16, seconds), 1 + 1e-6) << rate;
+    }
+}
+
+template <class Type> struct AccuracyOf : ::testing::Test {};
+TYPED_TEST_SUITE(AccuracyOf, Everywhere, Names);
+
+/// What a figure reaches in some seconds at the default settings. Energy is a share of its weight times its length.
+struct Reached {
+    double energy = 0, stretch = 0;
+};
+
+template <class World> Reached reached(World& world, double seconds, double scale) {
+    using Real = typename World::Real;
+    const double begun = energy(world).total();
+    Reached most;
+    for (int i = 0; i < int((sanitized ? 0.2 : seconds) * 60); ++i) {
+        step(world, Real(1.0 / 60));
+        most.energy = std::max(most.energy, std::abs(energy(world).total() - begun) / scale);
+        most.stretch = std::max(most.stretch, stretch(world).max);
+    }
+    return most;
+}
+
+TYPED_TEST(AccuracyOf, TheEnergyOfRodsThatSwing) {
+    for (const int links : {2, 20}) {
+        typename TypeParam::World world;
+        fall(world, gravity);
+        build(world, Rope{.length = 10, .segments = links, .angle = 0.9, .mass = double(links), .links = "exact"},
+              "rope");
+        EXPECT_LT(reached(world, 30, links * gravity * 10).energy, 1e-6) << links;
+    }
+}
+
+TYPED_TEST(AccuracyOf, TheLengthOfARopeWhateverHangsOnIt) {
+    constexpr int links = 100;
+    for (const double weight : {1.0, 1000.0, 100000.0})
+        for (const double angle : {0.0, 0.9}) {
+            typename TypeParam::World world;
+            fall(world, gravity);
+            build(world, Rope{.length = 10, .segments = links, .angle = angle, .mass = links, .weight = weight},
+                  "rope");
+            EXPECT_LT(reached(world, 3, 1).stretch, TypeParam::precise ? 1e-5 : 1e-4) << weight << " from " << angle;
+        }
+}
+
+// In space a ragdoll is swept, and loses most of its swing.
+template <class Real> void expect_ragdoll_keeps_its_energy() {
+    constexpr double tall = 1.6, mass = 70;
+    for (const double turn : {0.9, -0.9}) {
+        World<2, Real> world;
+        fall(world, gravity);
+        build(world, Ragdoll{.height = tall, .mass = mass}, "bob", {.turn = turn});
+        pin(world, *find_particle(world, "bob/left_hand"));
+        EXPECT_LT(reached(world, 30, mass * gravity * tall).energy, 1e-5) << turn;
+    }
+}
+
+TEST(Accuracy, OfTheEnergyOfARagdollOnOneHandInThePlane) {
+    expect_ragdoll_keeps_its_energy<float>();
+    expect_ragdoll_keeps_its_energy<double>();
+}
+
+} // namespace
+} // namespace sinew
