@@ -87,8 +87,8 @@ template <int D> class BlockBends {
         return 0.5 * tautness(bend, at_start) * square(angle - clamp(angle, bend.low, bend.high)) / bend.compliance;
     }
 
-    /// From now on springs do nothing.
-    void go_limp() { limp_ = true; }
+    /// Whether springs do nothing from now on.
+    void go_limp(bool limp) { limp_ = limp; }
 
     /// How far the worst rigid one is outside its limits when the substep begins.
     double worst_outside() const {

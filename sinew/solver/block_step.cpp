@@ -127,7 +127,7 @@ template <int D, class Real> class BlockStep {
         if (!found && depth < deepest) return advance_in_pieces(from, to, depth);
         if (!found && state_.block.springy) {
             state_.start_tensions();
-            solve.bends().go_limp();
+            solve.bends().go_limp(true);
             found = run(solve, Rule::implicit, many) && kinetic + energy.work() >= 0;
         }
         if (!found) creep(solve, energy, kinetic);
@@ -139,11 +139,12 @@ template <int D, class Real> class BlockStep {
         state_.store();
     }
 
-    /// One linear step towards where it is pulled, as far as lengths and angles bear it. It always comes some of the
-    /// way, so that what could not be solved for is left behind.
+    /// One linear step towards where it is pulled, as far as lengths, angles and its energy bear it. It always comes
+    /// some of the way, so that what could not be solved for is left behind.
     void creep(Solve& solve, const Energy& energy, double kinetic) {
         constexpr double bearable = 1e-5;
         state_.forget_tensions();
+        solve.bends().go_limp(false);
         solve.be_elastic();
         run(solve, Rule::implicit, 1);
         const double most = maximum(bearable, solve.worst_start_strain());

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t floor = 2;                           ///< its number among the walls
+constexpr std::size_t ground = 2;                          ///< its number among the walls
 constexpr double g = 9.81, friction = 0.5, strength = 100; ///< strength: a hand's force over the weight it holds
 
 /// A figure that has fallen into a room and lies there.
@@ -77,7 +77,7 @@ TYPED_TEST_SUITE(Rest, test::Everywhere, test::Names);
 // allow.
 TYPED_TEST(Rest, WhatLiesComesWhenItIsPulled) {
     using Real = typename TypeParam::Real;
-    const int every = few_or_many(23, 1);
+    const int every = few_or_many(41, 1);
     int number = 0;
     for_every_lying<TypeParam>([&](const auto& prefab) {
         const Lying<TypeParam> lying(prefab, 0.4);
@@ -118,7 +118,7 @@ TYPED_TEST(Rest, WhatIsPushedUpRises) {
             if (number++ % every != 0) continue;
             auto world = lying.world;
             world.settings.damping = 0;
-            std::swap(world.bounds.front(), world.bounds[floor]);
+            std::swap(world.bounds.front(), world.bounds[ground]);
             world.bounds.resize(1);
             const double before = height(world), time = steps / 60.0;
             for (int i = 0; i < steps; ++i) {
