@@ -86,8 +86,9 @@ template <int D, class Real> class BlockStep {
     Went swing(Solve& solve, Energy& energy, int depth) {
         const bool shortest = depth >= deepest;
         constexpr int few = 8;             // iterations: where more are needed, shorter substeps are cheaper
-        constexpr double overshoot = 2e-3; // radians beyond the end of a joint
-        if (loses_nothing(solve)) solve.let_bounce();
+        constexpr double overshoot = 2e-3; // radians beyond the end of a joint, or half of a range's length
+        const bool lossless = loses_nothing(solve);
+        if (lossless) solve.let_bounce();
         const bool found = run(solve, Rule::swing, few);
         if (struck(solve)) return Went::against_something;
         if (!found) return Went::too_far;
@@ -98,12 +99,12 @@ template <int D, class Real> class BlockStep {
             gain = energy.gain();
         }
         if (gain > (shortest ? slight : 1)) return Went::too_far;
-        if (depth < deepest_at_ends && solve.bends().worst_overshoot() > overshoot) return Went::past_an_end;
+        if (depth < deepest_at_ends && solve.worst_overshoot() > overshoot) return Went::past_an_end;
         const double per_h = 1 / state_.substep();
         for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * (2 * per_h) - node.velocity;
         if (gain > 1) energy.slow_down(energy.due());
-        if (!bounce(solve, energy) && !shortest) return Went::too_far;
-        if (any_tightened()) {
+        bounce(solve, energy);
+        if (any_tightened(lossless)) {
             note_lost(settle(solve, energy));
         } else if (solve.jolted(longest_)) {
             const double kinetic = solve.kinetic();
@@ -204,22 +205,21 @@ template <int D, class Real> class BlockStep {
         return state_.world.settings.damping == Real(0) && state_.works_alone() && !contact_.near() &&
                solve.bends().worst_outside() < far_outside;
     }
-    /// False where what came to rest on its end had much energy; else that goes back into the rest of the motion.
-    bool bounce(Solve& solve, const Energy& energy) const {
+    /// What came to rest on its end had little energy, which goes back into the rest of the motion.
+    void bounce(Solve& solve, const Energy& energy) const {
         constexpr double part = 1e-5, tiny = 1e-7; // of its energy, and of its weight times its length
         const double kinetic = solve.kinetic();
-        if (!detail::BlockBounce<D>(solve).run()) return true;
-        const bool little = kinetic - solve.kinetic() <= part * kinetic + tiny * solve.weight() * solve.reach();
-        energy.bring_to(kinetic);
-        return little;
+        const double little = part * energy.inner() + tiny * solve.weight() * solve.reach();
+        if (detail::BlockBounce<D>(solve, little).run()) energy.bring_to(kinetic);
     }
 
     /// Something has come to a plane, or a joint to its end: what follows is a blow, not a swing.
     bool struck(const Solve& solve) { return contact_.struck() || solve.bends().any_struck(); }
 
-    bool any_tightened() const {
+    bool any_tightened(bool ranges_bounce) const {
         for (const auto& link : state_.links())
-            if (link.low < link.high && link.before == 0 && link.tension != 0) return true;
+            if (link.low < link.high && link.before == 0 && link.tension != 0 && !(ranges_bounce && link.is_range()))
+                return true;
         for (const auto& way : state_.ways())
             if (way.one_sided() && way.before == 0 && way.tension != 0) return true;
         return false;
@@ -242,9 +242,9 @@ template <int D, class Real> class BlockStep {
     /// is one. False where that is much.
     bool straighten(Solve& solve, const Energy& energy) {
         constexpr double much = 1.02;
-        const double kinetic = solve.kinetic();
+        const double kinetic = solve.kinetic(), inner = energy.inner();
         settle(solve, energy);
-        const bool little = kinetic <= much * solve.kinetic();
+        const bool little = inner <= much * energy.inner();
         if (!state_.driven()) energy.bring_to(kinetic);
         return little;
     }
