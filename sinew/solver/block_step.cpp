@@ -113,6 +113,7 @@ template <int D, class Real> class BlockStep {
         }
         note_lost(energy.missing());
         energy.keep_momentum();
+        if (lossless && is_free()) energy.slow_down(energy.due()); // a fold's mean gradient turns the whole a little
         return Went::well;
     }
 
@@ -219,7 +220,7 @@ template <int D, class Real> class BlockStep {
         constexpr double part = 1e-5, tiny = 1e-7; // of its energy, and of its weight times its length
         const double kinetic = solve.kinetic();
         const double little = part * energy.inner() + tiny * solve.weight() * solve.reach();
-        if (detail::BlockBounce<D>(solve, little).run()) energy.bring_to(kinetic);
+        if (detail::BlockBounce<D>(solve, little).run()) energy.bring_to(minimum(kinetic, energy.due()));
     }
 
     /// Something has come to a plane, or a joint to its end: what follows is a blow, not a swing.

@@ -93,7 +93,7 @@ TEST(FreeFlight, WhatHappensInsideDoesNotDependOnTheVelocityOfTheWhole) {
             if (still.world.particles.size() == 0) return;
             still.fly(0.25);
             flying.fly(0.25);
-            EXPECT_LE(parted(still.world, flying.world), 1e-9 * still.size()) << prefab.name << " in " << D << "D";
+            EXPECT_LE(parted(still.world, flying.world), 1e-8 * still.size()) << prefab.name << " in " << D << "D";
         }
     });
 }
@@ -116,7 +116,7 @@ TEST(FreeFlight, KeepsTheEnergyOfWhatIsSolvedAtOnceOrTellsItLost) {
         flight.fly(5);
         if (!flight.direct() || flight.world.particles.size() == 0) return;
         const double left = inner_energy(flight.world);
-        EXPECT_LE(left, (1 + 1e-5) * begun) << prefab.name << " in " << D << "D";
+        EXPECT_LE(left, (1 + 1e-4) * begun) << prefab.name << " in " << D << "D";
         EXPECT_NEAR(left + energy(flight.world).lost, begun, 1e-3 * begun) << prefab.name << " in " << D << "D";
     });
 }
@@ -131,8 +131,8 @@ template <int D> double drift_of_a_ragdoll(double seconds) {
 }
 
 TEST(FreeFlight, KeepsTheEnergyOfARagdoll) {
-    EXPECT_LE(drift_of_a_ragdoll<2>(10), 1e-7);
-    EXPECT_LE(drift_of_a_ragdoll<3>(10), 1e-5);
+    EXPECT_LE(drift_of_a_ragdoll<2>(10), 1e-6);
+    EXPECT_LE(drift_of_a_ragdoll<3>(10), 1e-4);
 }
 
 } // namespace
