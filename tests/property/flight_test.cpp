@@ -116,7 +116,7 @@ TEST(FreeFlight, KeepsTheEnergyOfWhatIsSolvedAtOnceOrTellsItLost) {
         flight.fly(5);
         if (!flight.direct() || flight.world.particles.size() == 0) return;
         const double left = inner_energy(flight.world);
-        EXPECT_LE(left, (1 + 1e-4) * begun) << prefab.name << " in " << D << "D";
+        EXPECT_LE(left, (1 + 1e-5) * begun) << prefab.name << " in " << D << "D";
         EXPECT_NEAR(left + energy(flight.world).lost, begun, 1e-3 * begun) << prefab.name << " in " << D << "D";
     });
 }
@@ -132,7 +132,7 @@ template <int D> double drift_of_a_ragdoll(double seconds) {
 
 TEST(FreeFlight, KeepsTheEnergyOfARagdoll) {
     EXPECT_LE(drift_of_a_ragdoll<2>(10), 1e-6);
-    EXPECT_LE(drift_of_a_ragdoll<3>(10), 1e-4);
+    EXPECT_LE(drift_of_a_ragdoll<3>(10), 1e-5);
 }
 
 } // namespace
