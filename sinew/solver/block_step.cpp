@@ -113,7 +113,8 @@ template <int D, class Real> class BlockStep {
         }
         note_lost(energy.missing());
         energy.keep_momentum();
-        if (lossless && is_free()) energy.slow_down(energy.due()); // a fold's mean gradient turns the whole a little
+        // a fold's mean gradient turns the whole a little
+        if (lossless && is_free() && state_.block.ranges > 0) energy.slow_down(energy.due());
         return Went::well;
     }
 
