@@ -60,6 +60,8 @@ template <int D, class Real> void Tree::build(Builder<D, Real>& figure) const {
         if (i == 0) return root;
         return branches[i].below == 0 ? base : tops[branches[branches[i].below].below];
     };
+    // Torn from the ground, the trunk still has a foot to bend against.
+    if (!classic) figure.template constrain<Distance>("stump", {root, base});
     figure.number_constraints("branch", branches.size());
     for (std::size_t i = 0; i < branches.size(); ++i) figure.template constrain<Distance>("", {foot(i), tops[i]});
     figure.number_constraints("joint", branches.size());

@@ -74,7 +74,7 @@ struct Tree {
 
     Sizes sizes() const {
         const auto branches = (std::size_t(2) << std::size_t(depth)) - 1;
-        return {.particles = branches + 2, .constraints = 2 * branches};
+        return {.particles = branches + 2, .constraints = 2 * branches + 1};
     }
     template <int D, class Real> void build(Builder<D, Real>& figure) const;
 };

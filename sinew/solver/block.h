@@ -98,20 +98,32 @@ template <int D> struct BlockLink : BlockLimit {
     std::uint32_t entry = 0;    ///< of the matrix; none if one of them is fixed
     double length = 0;          ///< the limit that counts for its scale
     double per_length2 = 0;     ///< 1 / length^2
+    double give = 0;            ///< how far beyond its limit it is held, of (length^2 - limit^2) / 2
+    bool strikes = false;       ///< it has come to its end (block_bounce.h)
     Vec<D, double> start{}, along{};
+
+    /// A joint's range: it may become much longer than it may become short.
+    bool is_range() const { return low > 0 && low < 0.9 * high; }
 };
 
-/// An angle at the middle one of three nodes.
+/// A limit of a joint's turn: an angle at the middle one of three nodes; or in space a fold, the volume of a
+/// tetrahedron as a part of the largest one allowed.
 template <int D> struct BlockBend : BlockLimit, BlockDrive {
+    static constexpr std::size_t most_nodes = D == 2 ? 3 : 4, most_pairs = most_nodes * (most_nodes - 1) / 2;
+
+    double unit = 1;  ///< of a fold: the volume that counts as 1
     double begun = 0; ///< the angle when the substep began
     double give = 0;  ///< how far beyond its limit it is held
     bool strikes = false;
     double taut = 1;              ///< of a spring: the share that acts, in this substep
     std::array<double, 2> arms{}; ///< squares of the lengths at which its arms are taut; 0 of one that is never slack
-    std::array<std::uint32_t, 3> nodes{};
-    std::array<std::uint32_t, 3> entries{}; ///< of the pairs 0 1, 1 2, 2 0
-    std::array<Vec<D, double>, 3> gradient{};
-    std::array<Vec<D, double>, 3> along{}; ///< where it is pulled
+    std::size_t arity = 3;
+    std::array<std::uint32_t, most_nodes> nodes{};
+    std::array<std::uint32_t, most_pairs> entries{}; ///< of the pairs 0 1, 0 2, .. 1 2, ..
+    std::array<Vec<D, double>, most_nodes> gradient{};
+    std::array<Vec<D, double>, most_nodes> along{}; ///< where it is pulled
+
+    bool is_fold() const { return arity == 4; }
 };
 
 /// What couples a node to a later one.
@@ -131,6 +143,7 @@ struct Block {
     bool motored = false;        ///< its limits may do work
     bool springy = false;        ///< some of it gives
     double lost = 0;             ///< energy, in the last step
+    std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom hold
 
     // Of one that is joined to what is swept.
     std::uint32_t first_port = 0, ports = 0; ///< of Ports::list
@@ -138,7 +151,7 @@ struct Block {
     std::uint32_t load_tethers = 0;          ///< the last of its links, each to a fixed node of its own
 
     /// Some of its links may hold what others hold too.
-    bool braced() const { return links - load_tethers > unknowns + 1; }
+    bool braced() const { return links - ranges - load_tethers > unknowns + 1; }
     /// Something that does not move holds it, load tethers aside.
     bool fixed() const { return nodes > unknowns + load_tethers; }
 };

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "sinew/constraint/angle.h"
+#include "sinew/constraint/volume.h"
 #include "sinew/solver/block_matrix.h"
 #include "sinew/solver/block_rule.h"
 #include "sinew/solver/project.h"
 
-/// Angles in a block: rigid ones between their limits, springs, motors.
+/// Angles in a block: rigid ones between their limits, springs, motors; and the folds of joints in space, alike.
 namespace sinew::detail {
 
 template <int D> class BlockBends {
@@ -79,7 +80,7 @@ template <int D> class BlockBends {
     /// How much the last move turned it, to first order.
     double change(const BlockBend<D>& bend) const {
         double turn = 0;
-        for (std::size_t k = 0; k < 3; ++k) turn += dot(bend.gradient[k], node(bend.nodes[k]).move);
+        for (std::size_t k = 0; k < bend.arity; ++k) turn += dot(bend.gradient[k], node(bend.nodes[k]).move);
         return turn;
     }
 
@@ -88,6 +89,10 @@ template <int D> class BlockBends {
             const auto& at = node(bend.nodes[k]);
             return at_start ? at.start : at.place;
         };
+        if constexpr (D == 3)
+            if (bend.is_fold())
+                return Volume<3>::evaluate(Points<4, 3, double>{place(0), place(1), place(2), place(3)}).value /
+                       bend.unit;
         const Points<3, D, double> points{place(0), place(1), place(2)};
         return unwrap<Angle<D>>(Angle<D>::evaluate(points).value, bend.low, bend.high);
     }
@@ -98,8 +103,8 @@ template <int D> class BlockBends {
         return 0.5 * tautness(bend, at_start) * square(angle - clamp(angle, bend.low, bend.high)) / bend.compliance;
     }
 
-    /// From now on springs do nothing.
-    void go_limp() { limp_ = true; }
+    /// Whether springs do nothing from now on.
+    void go_limp(bool limp) { limp_ = limp; }
 
     /// How far the worst rigid one is outside its limits when the substep begins.
     double worst_outside() const {
@@ -137,7 +142,7 @@ template <int D> class BlockBends {
     /// How fast an angle grows, less how fast its limits do.
     double rate_of(const BlockBend<D>& bend) const {
         double rate = -bend.rate;
-        for (std::size_t k = 0; k < 3; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
+        for (std::size_t k = 0; k < bend.arity; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
         return rate;
     }
     double rate_at_end(BlockBend<D>& bend) const {
@@ -190,11 +195,34 @@ template <int D> class BlockBends {
     }
 
     double measure(BlockBend<D>& bend) const {
+        if constexpr (D == 3)
+            if (bend.is_fold()) return measure_fold(bend);
         const Points<3, D, double> points{node(bend.nodes[0]).place, node(bend.nodes[1]).place,
                                           node(bend.nodes[2]).place};
         const auto evaluated = Angle<D>::evaluate(points);
         for (std::size_t k = 0; k < 3; ++k) bend.gradient[k] = gentle<Angle<D>>(evaluated.gradient[k]);
         return unwrap<Angle<D>>(evaluated.value, bend.low, bend.high);
+    }
+
+    double measure_fold(BlockBend<D>& bend) const requires(D == 3) {
+        const auto place = [&](std::size_t k) { return node(bend.nodes[k]).place; };
+        const auto evaluated = Volume<3>::evaluate(Points<4, 3, double>{place(0), place(1), place(2), place(3)});
+        for (std::size_t k = 0; k < 4; ++k) bend.gradient[k] = evaluated.gradient[k] * (1 / bend.unit);
+        return evaluated.value / bend.unit;
+    }
+
+    /// A volume is linear in each of its edges u, v, w, so that its mean gradient on the way is exact:
+    ///
+    ///     du = (2 v0 x w0 + v0 x w1 + v1 x w0 + 2 v1 x w1) / 36
+    void point_fold(BlockBend<D>& bend) const requires(D == 3) {
+        const auto& a = node(bend.nodes[0]);
+        const auto mean = [&](std::size_t i, std::size_t j) {
+            const auto &b = node(bend.nodes[i]), &c = node(bend.nodes[j]);
+            const auto v0 = b.start - a.start, w0 = c.start - a.start, v1 = b.place - a.place, w1 = c.place - a.place;
+            return (cross(v0 * 2 + v1, w0) + cross(v1 * 2 + v0, w1)) * (1 / (36 * bend.unit));
+        };
+        const auto db = mean(2, 3), dc = mean(3, 1), dd = mean(1, 2);
+        bend.along = {-(db + dc + dd), db, dc, dd};
     }
 
     /// Where it is pulled. In a swing along the discrete gradient: what that does over the substep is the torque times
@@ -207,6 +235,8 @@ template <int D> class BlockBends {
     void point(BlockBend<D>& bend, Rule rule, double angle) const {
         bend.along = bend.gradient;
         if (rule != Rule::swing || soft(bend)) return;
+        if constexpr (D == 3)
+            if (bend.is_fold()) return point_fold(bend);
         const auto &a = node(bend.nodes[0]), &b = node(bend.nodes[1]), &c = node(bend.nodes[2]);
         const auto u0 = b.start - a.start, v0 = c.start - b.start, u1 = b.place - a.place, v1 = c.place - b.place;
         const auto u = (u0 + u1) * 0.5, v = (v0 + v1) * 0.5;
@@ -231,7 +261,8 @@ template <int D> class BlockBends {
     /// The square of an angle's lever: an angle as stiff as a link of that length.
     static double arm2(const BlockBend<D>& bend) {
         double steepest = 0;
-        for (const auto& gradient : bend.gradient) steepest = maximum(steepest, dot(gradient, gradient));
+        for (std::size_t k = 0; k < bend.arity; ++k)
+            steepest = maximum(steepest, dot(bend.gradient[k], bend.gradient[k]));
         return inverse_or_zero(steepest);
     }
 
@@ -264,16 +295,18 @@ template <int D> class BlockBends {
     }
 
     void add(const BlockBend<D>& bend, double torque) {
-        for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t i = 0, pair = 0; i < bend.arity; ++i) {
             auto& at = node(bend.nodes[i]);
             at.residual -= bend.along[i] * torque;
             at.diagonal += outer(bend.along[i] * bend.stiffness, bend.gradient[i]);
-            if (bend.entries[i] == Blocks<D>::none) continue;
-            const auto j = (i + 1) % 3;
-            const bool in_order = bend.nodes[i] < bend.nodes[j];
-            const auto early = in_order ? i : j, late = in_order ? j : i;
-            blocks_.entries[bend.entries[i]].lower += outer(bend.along[late] * bend.stiffness, bend.gradient[early]);
-            blocks_.entries[bend.entries[i]].upper += outer(bend.along[early] * bend.stiffness, bend.gradient[late]);
+            for (std::size_t j = i + 1; j < bend.arity; ++j, ++pair) {
+                if (bend.entries[pair] == Blocks<D>::none) continue;
+                const bool in_order = bend.nodes[i] < bend.nodes[j];
+                const auto early = in_order ? i : j, late = in_order ? j : i;
+                auto& entry = blocks_.entries[bend.entries[pair]];
+                entry.lower += outer(bend.along[late] * bend.stiffness, bend.gradient[early]);
+                entry.upper += outer(bend.along[early] * bend.stiffness, bend.gradient[late]);
+            }
         }
     }
 };

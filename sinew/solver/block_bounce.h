@@ -2,19 +2,21 @@
 
 #include "sinew/solver/block_settle.h"
 
-/// The ends of joints where nothing is lost. A joint swings past its end for the rest of a substep, which keeps its
-/// energy, and then all velocities are mirrored in those that would stop it: with P the projection on the motions that
-/// the links, and the joints at their ends, allow (for the least change of momentum; Moreau 1962),
+/// The ends of joints, and of links that are a joint's range, where nothing is lost. A joint swings past its end for
+/// the rest of a substep, which keeps its energy, and then all velocities are mirrored in those that would stop it:
+/// with P the projection on the motions that the links, and the joints at their ends, allow (for the least change of
+/// momentum; Moreau 1962),
 ///
 ///     v -> 2 P v - v
 ///
 /// which is as long as v, and leaves each end as fast as it came. A joint that comes back within one substep rests on
-/// its end from then on: as long as it pushes it turns no further, which takes no work.
+/// its end from then on, if it comes gently: as long as it pushes it turns no further, which takes no work.
 namespace sinew::detail {
 
 template <int D> class BlockBounce {
   public:
-    explicit BlockBounce(BlockEquations<D>& block) : block_(block), bends_(block.bends()) {}
+    /// `little` is an energy that may be lost where a joint comes to rest on its end.
+    BlockBounce(BlockEquations<D>& block, double little) : block_(block), bends_(block.bends()), little_(little) {}
 
     /// Velocities are those at the end of the swing. False where no joint has come to its end.
     bool run() {
@@ -25,6 +27,7 @@ template <int D> class BlockBounce {
   private:
     BlockEquations<D>& block_;
     BlockBends<D>& bends_;
+    double little_;
 
     /// Those that come back within the substep, or those that do not.
     bool stop(bool landing) {
@@ -33,19 +36,44 @@ template <int D> class BlockBounce {
             bend.strikes = bend.side == 0 && bends_.bounces(bend) && strikes(bend, landing);
             any = any || bend.strikes;
         }
+        for (auto& link : block_.links()) {
+            link.strikes = link.side == 0 && block_.bounces(link) && strikes(link, landing);
+            if (link.strikes) link.tension = link.side; // so that it resists
+            any = any || link.strikes;
+        }
         if (!any) return false;
         const auto nodes = block_.unknowns();
-        settle_block(block_, [](double) {}); // keeps what they were in `aim`
+        const double kinetic = block_.kinetic();
+        constexpr int rounds = 12; // until it is known which of many ends are pressed
+        settle_block(
+            block_, [](double) {}, rounds); // keeps what they were in `aim`
+        const bool rests = landing && kinetic - block_.kinetic() <= little_;
         for (auto& bend : bends_.all()) {
             if (!bend.strikes) continue;
-            if (landing)
+            if (rests)
                 bend.tension = bend.pull / block_.substep();
             else
                 bend.side = 0;
         }
-        if (!landing)
+        for (auto& link : block_.links()) {
+            if (!link.strikes) continue;
+            link.tension = rests ? link.pull / block_.substep() : 0;
+            if (!rests) link.side = 0;
+        }
+        if (!rests)
             for (auto& node : nodes) node.velocity = node.velocity * 2 - node.aim;
         return true;
+    }
+
+    bool strikes(BlockLink<D>& link, bool landing) const {
+        const auto &a = block_.node(link.a), &b = block_.node(link.b);
+        const auto span = b.place - a.place;
+        const auto side_of = [&](double length) { return length > link.high ? 1 : length < link.low ? -1 : 0; };
+        link.side = side_of(norm(span));
+        const bool comes_back = link.side != 0 && side_of(norm(link.start)) == link.side;
+        if (link.side != 0 && comes_back == landing && dot(span, b.velocity - a.velocity) * link.side > 0) return true;
+        link.side = 0;
+        return false;
     }
 
     bool strikes(BlockBend<D>& bend, bool landing) {

@@ -16,8 +16,8 @@ template <int D, class Real> class BlockBuilder {
         : world_(world), graph_(graph), particles_(world.particles),
           distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           angles_(std::get<kind_number<Angle, D>>(world.constraints)),
-          pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), blocks_(world.blocks),
-          elimination_(world.blocks.elimination), room_(world.blocks.room) {}
+          pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), constraints_(world.constraints),
+          blocks_(world.blocks), elimination_(world.blocks.elimination), room_(world.blocks.room) {}
 
     /// Makes a block of those particles, which `part` names, and lists it. False where it would not stay sparse.
     /// Of what hangs on the rest of the world, only what is rigid.
@@ -30,6 +30,7 @@ template <int D, class Real> class BlockBuilder {
             add_neighbours(distances_, row);
             add_neighbours(angles_, row);
             add_neighbours(pulleys_, row);
+            graph_.with_volumes([&](const auto& volumes) { add_neighbours(volumes, row); });
             elimination_.end_row(row);
         }
         if (!elimination_.run(members)) return false;
@@ -48,13 +49,14 @@ template <int D, class Real> class BlockBuilder {
         for (const Row row : elimination_.order()) add_links(row);
         block.links = std::uint32_t(blocks_.links.size()) - block.first_link;
         block.first_bend = std::uint32_t(blocks_.bends.size());
-        for (const Row row : elimination_.order()) add_bends(row);
+        for (const Row row : elimination_.order()) add_bends(row), add_folds(row);
         block.bends = std::uint32_t(blocks_.bends.size()) - block.first_bend;
         block.first_way = std::uint32_t(blocks_.ways.size());
         for (const Row row : elimination_.order()) add_ways(row);
         block.ways = std::uint32_t(blocks_.ways.size()) - block.first_way;
         if (hangs) add_ports(block);
         block.motored = is_motored(block);
+        block.ranges = ranges_of(block);
         block.springy = is_springy(block);
         block.nodes = std::uint32_t(blocks_.nodes.size()) - block.first_node;
         for (std::size_t i = block.unknowns; i < block.nodes; ++i) {
@@ -72,6 +74,7 @@ template <int D, class Real> class BlockBuilder {
     Constraints<Distance<D>, Real>& distances_;
     Constraints<Angle<D>, Real>& angles_;
     Constraints<Pulley<D>, Real>& pulleys_;
+    ConstraintTables<D, Real>& constraints_;
     Blocks<D>& blocks_;
     Elimination& elimination_;
     BlockRoom& room_;
@@ -142,6 +145,7 @@ template <int D, class Real> class BlockBuilder {
             added.entry = inner ? entry_of(a, b) : Blocks<D>::none;
             constexpr double far = 1e12; // as good as no limit
             added.length = added.high < far ? added.high : maximum(added.low, 1e-6);
+            if (added.is_range()) added.length = minimum(added.high, 2 * added.low);
             added.per_length2 = 1 / square(added.length);
             blocks_.links.push_back(added);
             distances_.in_block.set(link, 1);
@@ -245,6 +249,12 @@ template <int D, class Real> class BlockBuilder {
         return any(blocks_.ways, block.first_way, block.ways) || any(blocks_.bends, block.first_bend, block.bends);
     }
 
+    std::uint32_t ranges_of(const Block& block) const {
+        const auto first = blocks_.links.begin() + block.first_link;
+        return std::uint32_t(
+            std::count_if(first, first + block.links, [](const BlockLink<D>& link) { return link.is_range(); }));
+    }
+
     bool is_springy(const Block& block) const {
         const auto any = [](const auto& list, std::uint32_t first, std::uint32_t count) {
             return std::any_of(list.begin() + first, list.begin() + first + count,
@@ -265,6 +275,35 @@ template <int D, class Real> class BlockBuilder {
         return arm;
     }
 
+    /// A bend's nodes, and the places of their pairs in the matrix.
+    void join(BlockBend<D>& bend, std::span<const Row> members) {
+        bend.arity = members.size();
+        for (std::size_t i = 0; i < members.size(); ++i) bend.nodes[i] = node_for(members[i]);
+        for (std::size_t i = 0, pair = 0; i < members.size(); ++i)
+            for (std::size_t j = i + 1; j < members.size(); ++j, ++pair) {
+                const auto [early, late] = std::minmax(bend.nodes[i], bend.nodes[j]);
+                bend.entries[pair] = mobile(members[i]) && mobile(members[j]) ? entry_of(early, late) : Blocks<D>::none;
+            }
+    }
+
+    void add_folds(Row row) {
+        if constexpr (D == 3) {
+            auto& volumes = std::get<kind_number<Volume, D>>(constraints_);
+            graph_.each(volumes, row, [&](Row fold) {
+                const auto members = std::as_const(volumes).members[fold];
+                if (!takes(volumes, fold) || !is_first(row, members)) return;
+                BlockBend<D> added;
+                static_cast<BlockLimit&>(added) = limit_of(volumes, fold);
+                added.unit = Graph::fold_unit(volumes, fold);
+                added.low_begun = added.low /= added.unit;
+                added.high_begun = added.high /= added.unit;
+                join(added, members);
+                blocks_.bends.push_back(added);
+                volumes.in_block.set(fold, 1);
+            });
+        }
+    }
+
     /// Those of which a particle is the first to be eliminated.
     void add_bends(Row row) {
         graph_.each(angles_, row, [&](Row bend) {
@@ -273,12 +312,7 @@ template <int D, class Real> class BlockBuilder {
             BlockBend<D> added;
             static_cast<BlockLimit&>(added) = limit_of(angles_, bend);
             added.driven = is_driven(angles_, bend);
-            for (std::size_t i = 0; i < 3; ++i) added.nodes[i] = node_for(members[i]);
-            for (std::size_t i = 0; i < 3; ++i) {
-                const auto j = (i + 1) % 3;
-                const auto [early, late] = std::minmax(added.nodes[i], added.nodes[j]);
-                added.entries[i] = mobile(members[i]) && mobile(members[j]) ? entry_of(early, late) : Blocks<D>::none;
-            }
+            join(added, members);
             for (std::size_t i = 0; i < 2; ++i) added.arms[i] = slack_arm(members[i], members[i + 1]);
             blocks_.bends.push_back(added);
             angles_.in_block.set(bend, 1);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "sinew/math/random.h"
 #include "sinew/solver/block_solve.h"
 #include "sinew/solver/block_state.h"
+
+#include <utility>
 
 /// What acts on a block from outside: soft pins and planes, as terms on the diagonal of its equations.
 namespace sinew::detail {
@@ -33,9 +36,11 @@ template <int D, class Real> class BlockContact {
         return false;
     }
 
-    /// Adds all to the equations. `hardest` is as stiff as a link.
-    void hold(double hardest, const SolveProgress& progress) {
+    /// Adds all to the equations. `hardest` is as stiff as a link. True where all that can let go or give way does as
+    /// it did in the equations before.
+    bool hold(double hardest, const SolveProgress& progress) {
         progress_ = progress;
+        const auto before = std::exchange(decisions_, 0);
         if (state_.driven())
             for (auto& node : state_.unknowns())
                 for (auto i = state_.blocks.pin_of[node.row]; i != Blocks<D>::none; i = state_.blocks.next_pin[i])
@@ -43,6 +48,7 @@ template <int D, class Real> class BlockContact {
         if (near_)
             for (auto& node : state_.unknowns())
                 for (const auto& plane : world_.bounds) press(node, plane, hardest);
+        return decisions_ == before;
     }
 
     /// What is beyond a plane after all is put on it.
@@ -74,14 +80,17 @@ template <int D, class Real> class BlockContact {
     World<D, Real>& world_;
     bool near_ = false, touched_ = false;
     SolveProgress progress_{};
+    std::uint64_t decisions_ = 0; ///< a hash of what touches, slides or is at the end of its force
 
     double depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
         return double(plane.offset) + double(world_.particles.radius[node.row]) -
                dot(cast<double>(plane.normal), node.place);
     }
 
+    void decide(int choice) { decisions_ = random::mix(decisions_ + std::uint64_t(choice)); }
+
     /// A damped spring to its goal, whose force has an end.
-    void pull(BlockNode<D>& node, Pin<D, Real>& pin, double hardest) const {
+    void pull(BlockNode<D>& node, Pin<D, Real>& pin, double hardest) {
         const double h = state_.substep();
         const double per_compliance = inverse_or_zero(double(pin.compliance));
         const double k = per_compliance > 0 ? minimum(per_compliance, hardest) : hardest;
@@ -90,16 +99,17 @@ template <int D, class Real> class BlockContact {
         auto force = error * k + (error - before) * damper;
         auto growth = Matrix::diagonal(k + damper);
         if (const double most = double(pin.max_force); most > 0)
-            bound(force, growth, k + damper, most, led_across(error, last_move(node)));
+            decide(bound(force, growth, k + damper, most, led_across(error, last_move(node))));
         node.diagonal += growth;
         node.residual -= force;
         pin.multiplier = cast<Real>(clamp_components(force * -square(h), double(limit::multiplier<Real>)));
     }
 
     /// A plane pushes back and rubs (Coulomb): both so stiff that nothing sinks or creeps visibly.
-    void press(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) const {
+    void press(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) {
         const auto normal = cast<double>(plane.normal);
         const double pressure = k * depth(node, plane);
+        decide(pressure > 0);
         if (!(pressure > 0)) return;
         node.diagonal += outer(normal * k, normal);
         node.residual += normal * pressure;
@@ -111,7 +121,9 @@ template <int D, class Real> class BlockContact {
         const double pressing = pressing_depth(node, plane), friction = double(plane.friction);
         auto force = slip * k;
         Matrix growth;
-        if (bound(force, growth, k, friction * k * pressing, across) && pressing > 0)
+        const bool slides = bound(force, growth, k, friction * k * pressing, across);
+        decide(slides ? 1 + (pressing > 0) : 0);
+        if (slides && pressing > 0 && !cautious())
             node.diagonal -= outer(direction(slip) * (friction * k), normal); // the deeper, the more
         growth -= outer(normal * dot(normal, growth * normal), normal);
         node.diagonal += growth;
@@ -121,10 +133,16 @@ template <int D, class Real> class BlockContact {
     /// The depth whose pressure lets a node rub. One that has just come through the plane tells nothing of how hard it
     /// will be pressed on it: first it is tried to stick there; where that leads away again, to slide without friction.
     double pressing_depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
-        constexpr int tries = 4;
         const double now = depth(node, plane);
         const bool knew = progress_.share > 0 && now + dot(cast<double>(plane.normal), last_move(node)) > 0;
-        return knew || progress_.iteration / tries % 2 == 0 ? now : 0;
+        return knew || !cautious() ? now : 0;
+    }
+
+    /// Two ways to friction take turns, a few iterations each, for either finds what the other does not: its full
+    /// linearisation, which converges fast but may be singular where a limb jams, and that for the last pressure.
+    bool cautious() const {
+        constexpr int tries = 4;
+        return progress_.iteration / tries % 2 == 1;
     }
 
     /// How an iteration has just moved a node.

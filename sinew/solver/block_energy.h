@@ -36,14 +36,25 @@ template <int D> class BlockEnergy {
         const double per_h = 2 / solve_.substep();
         double before = 0;
         after_ = 0;
+        typename Solve::Vector momentum{}, momentum_after{};
         for (const auto& node : solve_.unknowns()) {
             const auto velocity = (node.place - node.start) * per_h - node.velocity;
             before += 0.5 * node.mass * dot(node.velocity, node.velocity);
             after_ += 0.5 * node.mass * dot(velocity, velocity);
+            momentum += node.velocity * node.mass;
+            momentum_after += velocity * node.mass;
         }
         due_ = before + work();
-        return (after_ - due_) *
-               inverse_or_zero(rounding * (before + after_) + tiny * solve_.weight() * solve_.reach());
+        const double inner = before + after_ - of_the_whole(momentum) - of_the_whole(momentum_after);
+        return (after_ - due_) * inverse_or_zero(rounding * inner + tiny * solve_.weight() * solve_.reach());
+    }
+
+    /// The kinetic energy of a free block about its centre; of any other, all of it. No decision about a free one may
+    /// depend on how fast it flies.
+    double inner() const {
+        typename Solve::Vector momentum{};
+        for (const auto& node : solve_.unknowns()) momentum += node.velocity * node.mass;
+        return solve_.kinetic() - of_the_whole(momentum);
     }
 
     /// The kinetic energy it should have then, and how much of that it has not.
@@ -97,6 +108,10 @@ template <int D> class BlockEnergy {
     bool free_;
     double due_ = 0, after_ = 0;
     Motion begun_{}; ///< of a free block, when the substep began
+
+    double of_the_whole(const typename Solve::Vector& momentum) const {
+        return free_ ? 0.5 * dot(momentum, momentum) * inverse_or_zero(solve_.total_mass()) : 0;
+    }
 };
 
 } // namespace sinew::detail

@@ -41,6 +41,9 @@ template <int D> class BlockEquations {
     /// A spring; one so stiff that the penalty is softer is as good as rigid.
     bool soft(const BlockLink<D>& link) const { return link.compliance * stiffness_ > 1; }
 
+    /// A range that comes to its end, and leaves as fast as it came.
+    bool bounces(const BlockLink<D>& link) const { return ranges_bounce_ && link.is_range() && !soft(link); }
+
     void clear_entries() {
         const auto begin = blocks_.first_entry[block_.first_node];
         const auto end = blocks_.first_entry[block_.first_node + block_.unknowns];
@@ -107,6 +110,7 @@ template <int D> class BlockEquations {
     BlockBends<D> bends_;
     BlockWays<D> ways_;
     double h_, per_h_;
+    bool ranges_bounce_ = false;
     double total_mass_ = 0, weight_ = 0, stiffness_ = 0;
 };
 

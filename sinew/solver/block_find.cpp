@@ -200,7 +200,7 @@ template <int D, class Real> class Finder {
             room_.tree.clear();
             const Row root = pieces[first].first;
             for (; end < pieces.size() && pieces[end].first == root; ++end) room_.tree.push_back(pieces[end].second);
-            build_piece(root);
+            if (room_.tree.size() < members.size()) build_piece(root); // all of a part has been judged already
         }
     }
 

@@ -16,6 +16,21 @@ template <int D, class Real> class BlockGraph {
     const Constraints<Angle<D>, Real>& angles() const { return angles_; }
     const Constraints<Pulley<D>, Real>& pulleys() const { return pulleys_; }
 
+    /// Calls visit(table) with the tetrahedra that limit folds; there are none in the plane.
+    template <class Visit> void with_volumes(Visit&& visit) const {
+        if constexpr (D == 3) visit(std::get<kind_number<Volume, D>>(world_.constraints));
+    }
+    /// A tetrahedron that keeps a joint in its range: rigid at the ends, and no jelly.
+    template <class Table> static bool is_fold(const Table& table, Row row) {
+        return natural(table, row) && table.compliance[row] == Real(0) && !is_driven(table, row) &&
+               table.low(row) < table.high(row) && fold_unit(table, row) > 0;
+    }
+    /// The larger one of its limits; 0 where either has none.
+    template <class Table> static double fold_unit(const Table& table, Row row) {
+        const double largest = maximum(absolute(double(table.low(row))), absolute(double(table.high(row))));
+        return largest < double(limit::coordinate<Real>) ? largest : 0;
+    }
+
     bool mobile(Row particle) const { return particles_.mobility[particle] > Real(0); }
 
     /// Calls visit(row) for each constraint of the kind of `table` that a particle is part of, in their order.

@@ -6,9 +6,8 @@ namespace sinew::detail {
 
 /// What the constraints did to the velocities is not along the links: those that pull keep the lengths they have
 /// (n . v = 0), for the least change of momentum. `hold(stiffness)` adds what else acts on the nodes.
-template <int D, class Hold> void settle_block(BlockEquations<D>& block, Hold&& hold) {
+template <int D, class Hold> void settle_block(BlockEquations<D>& block, Hold&& hold, int rounds = 3) {
     constexpr double relative = 1e3;
-    constexpr int rounds = 3;
     const auto at = [&](std::uint32_t i) -> BlockNode<D>& { return block.node(i); };
     const double hardest = relative * block.total_mass();
     for (auto& link : block.links()) link.pull = 0;

@@ -20,7 +20,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     using Base = BlockEquations<D>;
 
   public:
-    using Base::Base, Base::links, Base::unknowns, Base::soft;
+    using Base::Base, Base::links, Base::unknowns, Base::soft, Base::bounces;
     using typename Base::Vector;
     BlockNode<D>& node(std::uint32_t i) const { return Base::node(i); }
 
@@ -37,16 +37,17 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// Which limits hold when the substep begins.
     void choose_sides(Rule rule) {
         reach_ = 0;
+        Base::ranges_bounce_ = bounce_ && rule == Rule::swing;
         for (auto& link : links()) {
             link.start = node(link.b).start - node(link.a).start;
             reach_ += link.length;
             choose_side(link);
         }
-        bends_.set_out(bounce_ && rule == Rule::swing);
+        bends_.set_out(Base::ranges_bounce_);
         reach_ += ways_.set_out(as_good_as_taut);
     }
 
-    /// Finds every `place`. `hold(assemble)` adds what else acts on the nodes to their equations. False where it did
+    /// Finds every `place`. `hold()` adds what else acts on the nodes to their equations. False where it did
     /// not converge.
     template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
         set_out(rule);
@@ -60,6 +61,14 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         return iterate(rule, most_iterations, hold);
     }
 
+    /// Whether what acts from outside decides as it did in the equations before; where nothing does, it has no say.
+    template <class Hold> static bool agrees(Hold& hold) {
+        if constexpr (std::is_void_v<decltype(hold())>)
+            return true;
+        else
+            return hold();
+    }
+
     /// One iteration more. False where that led away: a limit let go that should have held.
     template <class Hold> bool refine(Rule rule, Hold&& hold) {
         assemble(rule);
@@ -67,6 +76,18 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         Base::solve();
         take_step(1);
         return worst_error() <= acceptable;
+    }
+
+    /// How far the worst joint that bounces has gone beyond its end, and beyond where it began.
+    double worst_overshoot() const {
+        double worst = bends_.worst_overshoot();
+        for (const auto& link : links()) {
+            if (link.side != 0 || !bounces(link)) continue;
+            const double begun = norm(link.start), now = norm(node(link.b).place - node(link.a).place);
+            const double beyond = maximum(now - maximum(link.high, begun), minimum(link.low, begun) - now);
+            worst = maximum(worst, 2 * beyond / link.length);
+        }
+        return worst;
     }
 
     /// Where Newton does not find the lengths: sweeps over the links come nearer to them.
@@ -116,7 +137,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     template <class Hold> bool iterate(Rule rule, int most_iterations, Hold&& hold) {
         double before = 0, last = 0;
         for (int i = 0;; ++i) {
-            if (i > 0 && steady() && worst_error() <= good_enough) return true;
+            if (i > 0 && steady() && worst_error() <= good_enough && agrees(hold)) return true;
             const double worst = assemble(rule);
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
@@ -159,10 +180,21 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// tighten link by link.
     void choose_side(BlockLink<D>& link) const {
         link.flips = 0;
+        link.give = 0;
+        if (bounces(link)) return rest_on_end(link);
         link.side = link.low == link.high || link.tension > 0 ? 1 : link.tension < 0 ? -1 : 0;
         if (link.side != 0) return;
         const double length = norm(link.start), margin = as_good_as_taut * link.length;
         link.side = length > link.high - margin ? 1 : length < link.low + margin ? -1 : 0;
+    }
+
+    /// Of one that bounces: only the end that it rests on holds, as far out as it is.
+    static void rest_on_end(BlockLink<D>& link) {
+        constexpr double hardly_short = 1e-6;
+        const double length2 = dot(link.start, link.start), margin = hardly_short * square(link.length);
+        const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
+        link.side = link.tension > 0 && above > -margin ? 1 : link.tension < 0 && below < margin ? -1 : 0;
+        link.give = link.side > 0 ? maximum(above, 0.0) : link.side < 0 ? minimum(below, 0.0) : 0;
     }
 
     /// The equations at the present places. Returns the worst violation of a rigid link, relative to its length.
@@ -183,8 +215,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             const double k = hardest * link.per_length2;
             const double length2 = dot(now, now);
             const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
-            if (link.side == 0) link.come_to_a_limit(above, below, good_enough * square(link.length));
-            const double error = link.side > 0 ? above : link.side < 0 ? below : 0;
+            if (link.side == 0 && !bounces(link)) link.come_to_a_limit(above, below, good_enough * square(link.length));
+            const double error = (link.side > 0 ? above : link.side < 0 ? below : 0) - link.give;
             worst = maximum(worst, absolute(error) * link.per_length2);
             link.pull = link.side != 0 ? link.tension + k * error : 0;
             link.stiffness = link.side != 0 ? k : 0;
@@ -207,9 +239,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     double worst_error() {
         double worst = 0;
         for (const auto& link : links()) {
-            if (soft(link)) continue;
+            if (soft(link) || (link.side == 0 && bounces(link))) continue;
             const auto now = node(link.b).place - node(link.a).place;
-            const double length2 = dot(now, now);
+            const double length2 = dot(now, now) - 2 * link.give;
             const double above = length2 - square(link.high), below = length2 - square(link.low);
             worst = maximum(worst, 0.5 * link.outside(above, below) * link.per_length2);
         }

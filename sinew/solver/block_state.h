@@ -20,7 +20,7 @@ template <int D, class Real> class BlockState {
           angles_(std::get<kind_number<Angle, D>>(world.constraints)),
           pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), frame_(frame) {
         const double per = inverse_or_zero(square(last_substep));
-        for (auto& bend : bends()) bend.before = -double(angles_.multiplier[bend.constraint]) * per;
+        for (auto& bend : bends()) bend.before = -double(multiplier_of(bend)) * per * bend.unit;
         for (auto& link : links()) link.before = -double(distances_.multiplier[link.constraint]) * per / link.length;
         if (block.ways > 0 || block.motored) find_drives(per);
     }
@@ -120,7 +120,7 @@ template <int D, class Real> class BlockState {
             distances_.multiplier[link.constraint] =
                 Real(clamp(-link.before * link.length * square(substep), -most, most));
         for (const auto& bend : bends())
-            angles_.multiplier[bend.constraint] = Real(clamp(-bend.before * square(substep), -most, most));
+            multiplier_of(bend) = Real(clamp(-bend.before / bend.unit * square(substep), -most, most));
         for (const auto& way : ways()) {
             multiplier_of(way) = Real(clamp(-way.before * square(substep), -most, most));
             if (!way.gives()) continue;
@@ -156,6 +156,12 @@ template <int D, class Real> class BlockState {
         return way.is_pulley ? pulleys_.multiplier[way.constraint] : distances_.multiplier[way.constraint];
     }
 
+    Real& multiplier_of(const BlockBend<D>& bend) {
+        if constexpr (D == 3)
+            if (bend.is_fold()) return std::get<kind_number<Volume, D>>(world.constraints).multiplier[bend.constraint];
+        return angles_.multiplier[bend.constraint];
+    }
+
     template <class Table> static void find_drive(BlockDrive& drive, const Table& table, Row row) {
         drive.most = double(table.max_force[row]);
         drive.lead = double(table.lead[row]);
@@ -164,7 +170,8 @@ template <int D, class Real> class BlockState {
         drive.high_begun = double(table.high(row));
     }
     void find_drives(double per) {
-        for (auto& bend : bends()) find_drive(bend, angles_, bend.constraint);
+        for (auto& bend : bends())
+            if (!bend.is_fold()) find_drive(bend, angles_, bend.constraint);
         for (auto& way : ways()) {
             if (way.is_pulley)
                 find_drive(way, pulleys_, way.constraint);

@@ -46,7 +46,7 @@ template <int D, class Real> class BlockStep {
         contact_.look();
     }
     bool run(Solve& solve, Rule rule, int iterations) {
-        return solve.run(rule, iterations, [&] { contact_.hold(solve.stiffness(), solve.progress()); });
+        return solve.run(rule, iterations, [&] { return contact_.hold(solve.stiffness(), solve.progress()); });
     }
     bool refine(Solve& solve) {
         return solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness(), solve.progress()); });
@@ -86,8 +86,9 @@ template <int D, class Real> class BlockStep {
     Went swing(Solve& solve, Energy& energy, int depth) {
         const bool shortest = depth >= deepest;
         constexpr int few = 8;             // iterations: where more are needed, shorter substeps are cheaper
-        constexpr double overshoot = 2e-3; // radians beyond the end of a joint
-        if (loses_nothing(solve)) solve.let_bounce();
+        constexpr double overshoot = 2e-3; // radians beyond the end of a joint, or half of a range's length
+        const bool lossless = loses_nothing(solve);
+        if (lossless) solve.let_bounce();
         const bool found = run(solve, Rule::swing, few);
         if (struck(solve)) return Went::against_something;
         if (!found) return Went::too_far;
@@ -98,12 +99,12 @@ template <int D, class Real> class BlockStep {
             gain = energy.gain();
         }
         if (gain > (shortest ? slight : 1)) return Went::too_far;
-        if (depth < deepest_at_ends && solve.bends().worst_overshoot() > overshoot) return Went::past_an_end;
+        if (depth < deepest_at_ends && solve.worst_overshoot() > overshoot) return Went::past_an_end;
         const double per_h = 1 / state_.substep();
         for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * (2 * per_h) - node.velocity;
         if (gain > 1) energy.slow_down(energy.due());
-        if (!bounce(solve, energy) && !shortest) return Went::too_far;
-        if (any_tightened()) {
+        bounce(solve, energy);
+        if (any_tightened(lossless)) {
             note_lost(settle(solve, energy));
         } else if (solve.jolted(longest_)) {
             const double kinetic = solve.kinetic();
@@ -112,6 +113,8 @@ template <int D, class Real> class BlockStep {
         }
         note_lost(energy.missing());
         energy.keep_momentum();
+        // a fold's mean gradient turns the whole a little
+        if (lossless && is_free() && state_.block.ranges > 0) energy.slow_down(energy.due());
         return Went::well;
     }
 
@@ -124,14 +127,17 @@ template <int D, class Real> class BlockStep {
         pull_together(solve);
         const double kinetic = solve.kinetic();
         bool found = run(solve, Rule::implicit, many);
+        if (!found && depth < deepest) return advance_in_pieces(from, to, depth);
         if (!found && state_.block.springy) {
             state_.start_tensions();
-            solve.bends().go_limp();
-            found = run(solve, Rule::implicit, many);
+            solve.bends().go_limp(true);
+            found = run(solve, Rule::implicit, many) && kinetic + energy.work() >= 0;
         }
-        if (!found && depth < deepest) return advance_in_pieces(from, to, depth);
-        if (!found) creep(solve);
-        take_mean_velocities();
+        if (!found) creep(solve, energy, kinetic);
+        if (contact_.near() || !state_.works_alone() || state_.block.springy)
+            take_mean_velocities();
+        else
+            keep_flying();
         settle(solve, energy);
         energy.keep_momentum();
         if (state_.works_alone()) energy.slow_down(kinetic + energy.work());
@@ -139,21 +145,29 @@ template <int D, class Real> class BlockStep {
         state_.store();
     }
 
-    /// One linear step towards where it is pulled, as far as lengths and angles bear it. It always comes some of the
-    /// way, so that what could not be solved for is left behind.
-    void creep(Solve& solve) {
+    /// One linear step towards where it is pulled, as far as lengths, angles and its energy bear it. It always comes
+    /// some of the way, so that what could not be solved for is left behind.
+    void creep(Solve& solve, const Energy& energy, double kinetic) {
         constexpr double bearable = 1e-5;
         state_.forget_tensions();
+        solve.bends().go_limp(false);
         solve.be_elastic();
         run(solve, Rule::implicit, 1);
-        retreat(solve, maximum(bearable, solve.worst_start_strain()));
+        const double most = maximum(bearable, solve.worst_start_strain());
+        retreat([&] { return solve.worst_place_strain() <= most && kinetic + energy.work() >= 0; });
         state_.start_tensions();
     }
 
-    /// Back towards where it began, until lengths are no further from what they should be than that.
-    void retreat(const Solve& solve, double most) {
+    /// Velocities as they would be without links, which `settle` brings in line with them. A place that was not found
+    /// to the last digit, over a short substep, would be a wrong velocity of all that is heavy.
+    void keep_flying() {
+        for (auto& node : state_.unknowns()) node.velocity += node.push * state_.substep();
+    }
+
+    /// Back towards where it began, until that is so.
+    template <class Bearable> void retreat(Bearable&& bearable) {
         constexpr int halvings = 20;
-        for (int i = 0; i < halvings && !(solve.worst_place_strain() <= most); ++i)
+        for (int i = 0; i < halvings && !bearable(); ++i)
             for (auto& node : state_.unknowns()) node.place = (node.place + node.start) * 0.5;
     }
 
@@ -166,7 +180,7 @@ template <int D, class Real> class BlockStep {
         solve.be_elastic();
         run(solve, Rule::implicit, stretched_iterations);
         constexpr double most = 10;
-        retreat(solve, maximum(most, before));
+        retreat([&] { return solve.worst_place_strain() <= maximum(most, before); });
         contact_.lift(); // it has not converged
         take_mean_velocities();
         state_.forget_tensions();
@@ -202,22 +216,21 @@ template <int D, class Real> class BlockStep {
         return state_.world.settings.damping == Real(0) && state_.works_alone() && !contact_.near() &&
                solve.bends().worst_outside() < far_outside;
     }
-    /// False where what came to rest on its end had much energy; else that goes back into the rest of the motion.
-    bool bounce(Solve& solve, const Energy& energy) const {
+    /// What came to rest on its end had little energy, which goes back into the rest of the motion.
+    void bounce(Solve& solve, const Energy& energy) const {
         constexpr double part = 1e-5, tiny = 1e-7; // of its energy, and of its weight times its length
         const double kinetic = solve.kinetic();
-        if (!detail::BlockBounce<D>(solve).run()) return true;
-        const bool little = kinetic - solve.kinetic() <= part * kinetic + tiny * solve.weight() * solve.reach();
-        energy.bring_to(kinetic);
-        return little;
+        const double little = part * energy.inner() + tiny * solve.weight() * solve.reach();
+        if (detail::BlockBounce<D>(solve, little).run()) energy.bring_to(minimum(kinetic, energy.due()));
     }
 
     /// Something has come to a plane, or a joint to its end: what follows is a blow, not a swing.
     bool struck(const Solve& solve) { return contact_.struck() || solve.bends().any_struck(); }
 
-    bool any_tightened() const {
+    bool any_tightened(bool ranges_bounce) const {
         for (const auto& link : state_.links())
-            if (link.low < link.high && link.before == 0 && link.tension != 0) return true;
+            if (link.low < link.high && link.before == 0 && link.tension != 0 && !(ranges_bounce && link.is_range()))
+                return true;
         for (const auto& way : state_.ways())
             if (way.one_sided() && way.before == 0 && way.tension != 0) return true;
         return false;
@@ -240,9 +253,9 @@ template <int D, class Real> class BlockStep {
     /// is one. False where that is much.
     bool straighten(Solve& solve, const Energy& energy) {
         constexpr double much = 1.02;
-        const double kinetic = solve.kinetic();
+        const double kinetic = solve.kinetic(), inner = energy.inner();
         settle(solve, energy);
-        const bool little = kinetic <= much * solve.kinetic();
+        const bool little = inner <= much * energy.inner();
         if (!state_.driven()) energy.bring_to(kinetic);
         return little;
     }

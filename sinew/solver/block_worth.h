@@ -2,7 +2,7 @@
 
 #include "sinew/solver/block_graph.h"
 
-/// What is worth a block: few loops of links, and angles, that are held in the natural way.
+/// What is worth a block: few loops of links, angles and folds, that are held in the natural way.
 namespace sinew::detail {
 
 template <int D, class Real> class BlockWorth {
@@ -32,6 +32,8 @@ template <int D, class Real> class BlockWorth {
             part.suits = part.suits && Graph::natural(table, row);
         } else if constexpr (std::is_same_v<Kind, Angle<D>>) {
             part.suits = part.suits && Graph::natural(table, row) && !Graph::opens(table, row);
+        } else if constexpr (std::is_same_v<Kind, Volume<D>>) {
+            part.suits = part.suits && Graph::is_fold(table, row);
         } else {
             part.suits = false;
         }

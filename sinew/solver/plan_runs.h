@@ -140,7 +140,7 @@ template <int D, class Real> class RunWriter {
     }
 
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
-    bool is_exact(Row link) const { return low(link) == high(link); }
+    bool is_exact(Row link) const { return distances_.low(link) == distances_.high(link) && !is_at_port(link); }
 
     void extend(LinkRun& run, Row link) {
         if (run.uniform && !has_parameters(link, run.parameters)) {

@@ -78,6 +78,26 @@ template <int D> double parted(const World<D, double>& one, const World<D, doubl
     return most;
 }
 
+/// Kinetic energy about the centre, and what springs hold.
+template <int D> double inner_energy(const World<D, double>& world) {
+    const auto whole = momentum(world);
+    return energy(world).kinetic - 0.5 * dot(whole, whole) / total_mass(world) + energy(world).stored;
+}
+
+// The equations of the places about the centre do not contain its velocity: neither does a damping that slows every
+// particle at the same rate. Later rounding parts the two, the faster the more joints come to their ends.
+TEST(FreeFlight, WhatHappensInsideDoesNotDependOnTheVelocityOfTheWhole) {
+    for_every_figure([]<int D>(const auto& prefab) {
+        for (const double damping : {0.0, 0.5}) {
+            Flight<D> still(prefab, Vec<D, double>{}, damping), flying(prefab, thrown<D>(), damping);
+            if (still.world.particles.size() == 0) return;
+            still.fly(0.25);
+            flying.fly(0.25);
+            EXPECT_LE(parted(still.world, flying.world), 1e-8 * still.size()) << prefab.name << " in " << D << "D";
+        }
+    });
+}
+
 TEST(FreeFlight, KeepsTheSpinOfWhatIsSolvedAtOnce) {
     for_every_figure([]<int D>(const auto& prefab) {
         Flight<D> flight(prefab, thrown<D>(), 0);
@@ -86,6 +106,33 @@ TEST(FreeFlight, KeepsTheSpinOfWhatIsSolvedAtOnce) {
         if (!flight.direct() || flight.world.particles.size() == 0) return;
         EXPECT_LE(norm(flight.spin() - begun), 1e-9 * norm(begun)) << prefab.name << " in " << D << "D";
     });
+}
+
+// Slack links that snap taut, and springs, take energy; that is told.
+TEST(FreeFlight, KeepsTheEnergyOfWhatIsSolvedAtOnceOrTellsItLost) {
+    for_every_figure([]<int D>(const auto& prefab) {
+        Flight<D> flight(prefab, thrown<D>(), 0);
+        const double begun = inner_energy(flight.world);
+        flight.fly(5);
+        if (!flight.direct() || flight.world.particles.size() == 0) return;
+        const double left = inner_energy(flight.world);
+        EXPECT_LE(left, (1 + 1e-5) * begun) << prefab.name << " in " << D << "D";
+        EXPECT_NEAR(left + energy(flight.world).lost, begun, 1e-3 * begun) << prefab.name << " in " << D << "D";
+    });
+}
+
+/// The share of its energy that a thrown ragdoll has gained or lost in so many seconds.
+template <int D> double drift_of_a_ragdoll(double seconds) {
+    Flight<D> flight(Ragdoll{}, thrown<D>(), 0);
+    const double begun = inner_energy(flight.world);
+    flight.fly(seconds);
+    EXPECT_TRUE(flight.direct());
+    return std::abs(inner_energy(flight.world) / begun - 1);
+}
+
+TEST(FreeFlight, KeepsTheEnergyOfARagdoll) {
+    EXPECT_LE(drift_of_a_ragdoll<2>(10), 1e-6);
+    EXPECT_LE(drift_of_a_ragdoll<3>(10), 1e-5);
 }
 
 } // namespace

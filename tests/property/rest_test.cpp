@@ -11,6 +11,7 @@
 namespace sinew {
 namespace {
 
+constexpr std::size_t ground = 2;                          ///< its number among the walls
 constexpr double g = 9.81, friction = 0.5, strength = 100; ///< strength: a hand's force over the weight it holds
 
 /// A figure that has fallen into a room and lies there.
@@ -58,12 +59,13 @@ template <class In> struct Lying {
     }
 };
 
-/// Calls check(prefab) with what can lie on a floor, in every world it exists in.
+/// Calls check(prefab) with what can lie on a floor, in every world it exists in: what hangs together, not the ships of
+/// a formation.
 template <class In, class Check> void for_every_lying(Check&& check) {
     Prefabs::for_each([&]<class Prefab>(std::type_identity<Prefab>) {
         if constexpr (Prefab::dimensions.include(In::dimension)) {
             const Prefab prefab;
-            if (prefab.sizes().particles < 150) check(prefab);
+            if (prefab.sizes().particles < 150 && Prefab::name != Formation::name) check(prefab);
         }
     });
 }
@@ -75,7 +77,7 @@ TYPED_TEST_SUITE(Rest, test::Everywhere, test::Names);
 // allow.
 TYPED_TEST(Rest, WhatLiesComesWhenItIsPulled) {
     using Real = typename TypeParam::Real;
-    const int every = few_or_many(23, 1);
+    const int every = few_or_many(41, 1);
     int number = 0;
     for_every_lying<TypeParam>([&](const auto& prefab) {
         const Lying<TypeParam> lying(prefab, 0.4);
@@ -98,6 +100,83 @@ TYPED_TEST(Rest, WhatLiesComesWhenItIsPulled) {
                     << lying.where(prefab.name, row) << ", direction " << direction << ": " << left / lying.size
                     << " sizes away, force " << force / double(most) << (stands ? ", stands still" : "");
             }
+    });
+}
+
+template <class World> double height(const World& world) {
+    return center_of_mass(world)[1];
+}
+
+// m a = F - m g + N, and a floor only pushes.
+TYPED_TEST(Rest, WhatIsPushedUpRises) {
+    using Real = typename TypeParam::Real;
+    const int every = few_or_many(11, 1), steps = 15;
+    int number = 0;
+    for_every_lying<TypeParam>([&](const auto& prefab) {
+        const Lying<TypeParam> lying(prefab, 0.4);
+        for (Row row = 0; row < lying.world.particles.size(); ++row) {
+            if (number++ % every != 0) continue;
+            auto world = lying.world;
+            world.settings.damping = 0;
+            std::swap(world.bounds.front(), world.bounds[ground]);
+            world.bounds.resize(1);
+            const double before = height(world), time = steps / 60.0;
+            for (int i = 0; i < steps; ++i) {
+                apply_force(world, lying.id(row), test::at<typename TypeParam::Vector>(0, 3 * g * lying.mass));
+                step(world, Real(1.0 / 60));
+            }
+            EXPECT_GT(height(world) - before, 0.98 * g * square(time)) << lying.where(prefab.name, row);
+        }
+    });
+}
+
+TYPED_TEST(Rest, WhatLiesRisesWhenGravityTurnsRound) {
+    for_every_lying<TypeParam>([&](const auto& prefab) {
+        auto world = Lying<TypeParam>(prefab, 0.4).world;
+        world.settings.damping = 0;
+        world.forces.clear();
+        test::fall(world, -g);
+        const double before = height(world), time = 0.1;
+        test::run(world, time);
+        EXPECT_GT(height(world) - before, 0.48 * g * square(time)) << prefab.name;
+    });
+}
+
+TYPED_TEST(Rest, WhatLiesFallsWhenItsFloorIsTakenAway) {
+    for_every_lying<TypeParam>([&](const auto& prefab) {
+        auto world = Lying<TypeParam>(prefab, 0.4).world;
+        world.settings.damping = 0;
+        world.bounds.clear();
+        const double before = height(world), time = 0.5;
+        test::run(world, time);
+        EXPECT_NEAR((before - height(world)) / (0.5 * g * square(time)), 1, 0.02) << prefab.name;
+    });
+}
+
+// A hard pin is where it is told to be, and what hangs on it comes along.
+TYPED_TEST(Rest, WhatHangsComesAlongWithItsPin) {
+    using Real = typename TypeParam::Real;
+    const int every = few_or_many(17, 1);
+    int number = 0;
+    for_every_lying<TypeParam>([&](const auto& prefab) {
+        const Lying<TypeParam> lying(prefab, 0.4);
+        for (Row row = 0; row < lying.world.particles.size(); ++row) {
+            if (number++ % every != 0) continue;
+            auto world = lying.world;
+            world.bounds.clear();
+            const auto held = *pin(world, lying.id(row));
+            test::run(world, 6);
+            const auto from = world.particles.position[row];
+            const auto way = TypeParam::Vector::axis(0) * Real(4 * lying.size);
+            const double before = center_of_mass(world)[0];
+            for (int i = 1; i <= 60; ++i) {
+                move_pin(world, held, from + way * (Real(i) / 60));
+                step(world, Real(1.0 / 60));
+            }
+            EXPECT_LE(double(distance(world.particles.position[row], from + way)), 1e-4 * lying.size)
+                << lying.where(prefab.name, row);
+            EXPECT_GT(center_of_mass(world)[0] - before, lying.size) << lying.where(prefab.name, row);
+        }
     });
 }
 
