@@ -14,8 +14,8 @@
 #include <variant>
 #include <vector>
 
-/// Actions as records of a file (state_file.h). Particles are told by their rows, as in actions: figures drawn by hand
-/// have particles without a name.
+/// Actions as records of a file (state_file.h). Particles are identified by rows, because the particles of figures
+/// drawn by hand have no names.
 namespace sinew::play {
 
 struct SavedPointer {
@@ -119,7 +119,7 @@ struct SavedAction {
 
 SavedAction saved(const LoggedAction& action);
 
-/// Nothing where a scene of it cannot be opened, of which `open` has told.
+/// The action of a record; nothing if a scene cannot be opened; `open` reports the failure.
 std::optional<Deed> deed_of(const SavedAction& action,
                             const std::function<std::optional<Opened>(const json::Value& scene)>& open);
 

@@ -13,7 +13,7 @@
 namespace sinew::play {
 namespace {
 
-constexpr std::int64_t most_steps = 100'000'000; // three weeks at 60 a second
+constexpr std::int64_t most_steps = 100'000'000; // 19 days at 60 per second
 
 struct StateFile {
     int version = 1;
@@ -44,7 +44,7 @@ std::string hash_of(const Session& session) {
     return text;
 }
 
-/// The dimension in which the file's points are, before its scene is read.
+/// Dimension of the file's points, needed before the scene is parsed.
 int dimension_of(const json::Value& root) {
     const auto* dimension = json::find(root, "/scene/dimension");
     const auto* number = dimension ? dimension->as<json::Number>() : nullptr;
