@@ -9,9 +9,9 @@
 
 namespace sinew::window {
 
-/// What is remembered from one time to the next, in $XDG_CONFIG_HOME/sinew/window.json.
+/// Settings kept between runs, in $XDG_CONFIG_HOME/sinew/window.json.
 struct Settings {
-    std::string theme; ///< empty: as scenes say
+    std::string theme; ///< empty: the theme of each scene
     int width = 1280, height = 720;
     bool panel = true;
     bool free_running = false;
@@ -33,11 +33,11 @@ struct Settings {
     }
 };
 
-/// As they were saved; the usual ones where there are none or they cannot be read.
+/// Saved settings; the defaults if the file is missing or invalid.
 Settings load_settings();
 void save_settings(const Settings& settings);
 
-/// Where unsaved edits are kept: $XDG_STATE_HOME/sinew/autosave.json; empty where there is no home.
+/// File of unsaved edits: $XDG_STATE_HOME/sinew/autosave.json; empty if HOME is not set.
 std::filesystem::path draft_path();
 
 } // namespace sinew::window
