@@ -25,15 +25,16 @@ struct StateFile {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.version,
               Field{.name = "sinew_state", .help = "Version of the format", .low = 1, .high = 1, .required = true});
-        visit(self.from, Field{.name = "from", .help = "File of the scene, beside which its pictures are"});
+        visit(self.from,
+              Field{.name = "from", .help = "File of the scene; paths of images and models are relative to it"});
         visit(self.steps, Field{.name = "steps",
-                                .help = "How many are taken from the start of the scene",
+                                .help = "Number of steps from the start of the scene",
                                 .low = 0,
                                 .high = double(most_steps),
                                 .required = true});
-        visit(self.hash, Field{.name = "hash", .help = "Of the state they lead to", .required = true});
-        visit(self.scene, Field{.name = "scene", .help = "As a scene file", .required = true});
-        visit(self.actions, Field{.name = "actions", .help = "What was done to it, in order"});
+        visit(self.hash, Field{.name = "hash", .help = "Hash of the final state", .required = true});
+        visit(self.scene, Field{.name = "scene", .help = "Scene, as in a scene file", .required = true});
+        visit(self.actions, Field{.name = "actions", .help = "Actions, in order"});
     }
 };
 
