@@ -57,7 +57,7 @@ struct Layouts {
 std::vector<Topic> topics_of(const Layouts& shapes) {
     std::vector<Topic> topics{
         {"scene", "A scene file", &shapes.scene},
-        {"limits", "What a scene may ask for before it is refused; only on the command line", &shapes.limits}};
+        {"limits", "Limits beyond which a scene is refused; set on the command line only", &shapes.limits}};
     collect(topics, shapes.scene, "");
     std::ranges::stable_sort(topics, {}, &Topic::depth);
     std::set<std::string_view> taken;
@@ -71,13 +71,13 @@ const Topic& topic_called(const std::vector<Topic>& topics, const std::string& w
         if (word == topic.path || word == topic.name()) return topic;
         names.push_back(topic.name());
     }
-    misused(fmt::format("there is nothing called {} to describe", in_quotes(word)), suggest(word, std::move(names)));
+    misused(fmt::format("no topic is called {}", in_quotes(word)), suggest(word, std::move(names)));
 }
 
 std::string overview(const std::vector<Topic>& topics) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& topic : topics) rows.push_back({std::string(topic.name()), std::string(topic.about)});
-    return fmt::format("{}\n{}", bold("what can be described"), table(rows));
+    return fmt::format("{}\n{}", bold("topics"), table(rows));
 }
 
 class DescribeCommand final : public Command {
@@ -85,11 +85,11 @@ class DescribeCommand final : public Command {
         return {
             .name = "describe",
             .usage = "PREFAB | scene | SECTION [--schema] [--markdown]",
-            .about = "tells what a scene file can say: parameters, units, defaults, ranges, names",
-            .details = "Without a name it lists everything that has one. Defaults and ranges are in metres, kilograms\n"
-                       "and seconds; in a scene in px they are 100 times that a metre, in one in frames 60 a second.\n"
-                       "Of a prefab it also tells where its \"at\" is and how its particles, constraints and drawn\n"
-                       "parts are called.\n",
+            .about = "describes scene files: parameters, units, defaults, ranges, names",
+            .details = "Without a name, lists all topics. Defaults and ranges are in metres, kilograms and seconds;\n"
+                       "in a scene in px a metre counts as 100, in a scene in frames a second counts as 60.\n"
+                       "For a prefab, also describes the position \"at\" and the names of particles, constraints\n"
+                       "and drawn parts.\n",
             .examples = "sinew describe\n"
                         "sinew describe rope\n"
                         "sinew describe solver.rules\n"

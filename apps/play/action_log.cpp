@@ -6,7 +6,7 @@
 namespace sinew::play {
 namespace {
 
-/// Whether the second of two actions at the same step leaves nothing of the first.
+/// True if `later`, at the same step, overrides `earlier`.
 bool replaces(const Deed& later, const Deed& earlier) {
     return later.index() == earlier.index() &&
            (std::holds_alternative<Drag>(later) || std::holds_alternative<PointAt>(later));

@@ -9,10 +9,10 @@
 
 namespace sinew::play {
 
-/// Shows a world between two steps, so that it moves evenly whatever the display's rate.
+/// Interpolates particle positions between the last two steps, for motion that looks even at any display rate.
 class Between {
   public:
-    /// Called before a step.
+    /// Stores the positions; called before each step.
     void remember(const AnyWorld& world) {
         std::visit(
             [&]<class WorldT>(const WorldT& any) {
@@ -23,11 +23,11 @@ class Between {
             world);
     }
 
-    /// Called when things leap: nothing is shown on the way.
+    /// Drops the stored positions; called when the state jumps and must not be interpolated.
     void forget() { before_ = std::monostate{}; }
 
-    /// Calls draw() while all particles are where they were at `share` of the last step. Those that came since are
-    /// where they are.
+    /// Calls draw() with positions interpolated linearly from the stored ones (share 0) to the current ones (share 1).
+    /// Particles added since are drawn at their current positions.
     template <class Draw> void show(AnyWorld& world, double share, Draw&& draw) {
         std::visit(
             [&]<class WorldT>(WorldT& any) {

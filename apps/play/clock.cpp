@@ -6,7 +6,7 @@
 namespace sinew::play {
 namespace {
 
-/// Of a step. A frame as long as a step is one step, though rounding makes it 0.9999999999 of one.
+/// Tolerance as a fraction of a step: a frame as long as a step is one step in spite of rounding errors.
 constexpr double rounding = 1e-6;
 
 } // namespace

@@ -10,53 +10,53 @@
 #include <variant>
 #include <vector>
 
-/// What a player can do to a session, as data: done again at the same step of the same session, it leads to the same
-/// bits. Particles are told by their rows: ids are given out anew when a step is done again, rows are the same.
+/// Actions of a player on a session, as data. Replayed at the same step of the same session, an action gives the same
+/// bits. Particles are identified by rows: a replay gives out new ids, but the same rows.
 namespace sinew::play {
 
-/// A moment in the log of actions (action_log.h): the last action before it, and how many steps the session has taken.
+/// A moment in the log of actions (action_log.h): the preceding action and the number of steps.
 struct Branch {
     std::uint32_t last = 0; ///< index of the action
-    std::uint64_t step = 0; ///< since the action at the branch's root
+    std::uint64_t step = 0; ///< steps since the action at the branch's root
 };
 
 struct PointAt {
     std::optional<Point> place;
-}; ///< for pins that follow the pointer
+}; ///< position for pins that follow the pointer
 struct Grab {
-    std::vector<Row> members; ///< one, or several with the place between them
+    std::vector<Row> members; ///< a particle, or several around the position
     Point place;
 };
 struct Drag {
     Point place;
 };
 struct LetGo {};
-/// How a player looks at a scene, as data: the same numbers are the same view.
+/// A view of a scene as data: equal numbers give equal views.
 struct Look {
     ViewSection section;
-    std::array<Point, 2> focus{}; ///< two corners around what the scene shows at its start
-    int width = 1, height = 1;    ///< of the picture, pixels
+    std::array<Point, 2> focus{}; ///< two corners of a box around the scene at its start
+    int width = 1, height = 1;    ///< size of the picture, pixels
 
     View view(const Scene& scene) const { return View(scene, section, focus, width, height); }
 };
 
-/// A cut along a line, as seen in a view.
+/// A cut along a line as seen in a view.
 struct Slash {
     std::array<Point, 2> line;
     Look look;
 };
 struct Become {
     std::shared_ptr<const Scene> scene;
-}; ///< an edit: another scene, that goes on where it can
+}; ///< an edit: continues as another scene, keeping the state that both share
 struct Return {
     std::shared_ptr<const Session> to;
-    Branch at{}; ///< of the log, what led there
-};               ///< to what it was then
+    Branch at{}; ///< moment of the log at which `to` was copied
+};               ///< restores an earlier session
 struct Restart {};
 struct Quicken {
     double by = 0;
-}; ///< time passes faster or slower
-/// Sets what is said of one particle.
+}; ///< changes the time scale
+/// Sets the state of one particle.
 struct Tweak {
     Row particle = 0;
     std::optional<Point> position, velocity;
@@ -65,10 +65,10 @@ struct Tweak {
 
 using Deed = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart, Quicken, Tweak>;
 
-/// Id of the particle in a row; none where there is no such row.
+/// Id of the particle in a row; an invalid id where the row does not exist.
 ParticleId id_at(const AnyWorld& world, Row row);
 
-/// The rows of particles now; of one that is gone, none that there is.
+/// Current rows of particles; the largest Row for a missing particle.
 std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> particles);
 
 void carry_out(const Deed& deed, Session& session);

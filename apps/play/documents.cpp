@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <utility>
 
-/// Files of a game: opened, saved, asked for, kept as drafts.
+/// Files: opening, saving, path requests, drafts.
 namespace sinew::play {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = 256u << 20; // of a saved state
+constexpr std::size_t most_bytes = 256u << 20; // limit of a saved state
 constexpr std::size_t most_recent = 8;
 constexpr double draft_every = 5; // seconds
 constexpr std::string_view draft_origin = "// from ";
@@ -119,7 +119,7 @@ void Play::open_state(const fs::path& path) {
     restoration_ = std::move(restoration);
     restored_from_ = path;
     tell("restoring", {{"path", path.string()}});
-    if (ready()) return; // advance() goes on with it, between pictures
+    if (ready()) return; // advance() continues between pictures
     restoration_->advance();
     end_restoration();
 }
@@ -180,7 +180,7 @@ void Play::save_or_ask() {
     save_then({});
 }
 
-/// A scene of the catalogue is not the player's to write over.
+/// Scenes of the catalogue are never overwritten.
 void Play::save_then(std::function<void()> go_on) {
     const bool own = !path_.empty() && is_file_name(name_);
     if (!own) return ask_for_path(Purpose::save, std::move(go_on));
@@ -276,7 +276,7 @@ void Play::write_draft() {
     draft_edits_ = tape().edits();
 }
 
-/// Once nothing would be lost, there is no draft either.
+/// Writes the draft while edits are unsaved; otherwise removes it.
 void Play::tend_draft(double seconds) {
     since_draft_ += seconds;
     if (draft_.empty() || since_draft_ < draft_every || draft_edits_ == tape().edits()) return;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-/// Edits of what runs: the same in every pane.
+/// Edits of the running session, applied to every pane.
 namespace sinew::play {
 
 void Play::undo() {
@@ -25,7 +25,7 @@ void Play::redo() {
     tell("redo", {{"edit", what}, {"hash", hash()}});
 }
 
-/// One scene for each pane.
+/// `scenes`: one per pane.
 void Play::become(const std::vector<Scene>& scenes, const std::string& name, bool goes_on) {
     let_go_of_everything();
     each_pane([&] { tape().edit(Become{std::make_shared<const Scene>(scenes[active_])}, name, goes_on); });
@@ -39,7 +39,7 @@ void Play::change(const std::function<void(Scene&)>& change, const std::string& 
     become(scenes, name, false);
 }
 
-/// What is done to a particle is done to those of its name in other panes.
+/// In other panes the edit applies to the particle of the same name.
 void Play::edit(Deed deed, std::string name) {
     const auto& world = session().world();
     const auto under_pointer = active_;
@@ -84,7 +84,8 @@ void Play::switch_mode() {
     show_mode(session().scene().solver.mode == "classic" ? "physical" : "classic");
 }
 
-/// The file may say more about the other mode than which it is. Of a split view the pane stays that shows it.
+/// In a split view, keeps the pane of the mode. An unedited file is opened again, because the file may contain
+/// settings for each mode.
 void Play::show_mode(const std::string& mode) {
     for (std::size_t i = 0; i < panes_.size() && is_split(); ++i)
         if (panes_[i].tape.session().scene().solver.mode == mode) return switch_pane(i), toggle_split();

@@ -8,22 +8,22 @@
 namespace sinew::play {
 namespace {
 
-/// Of a picture, how much of a scene it can show from top to bottom, as multiples of what the scene shows.
+/// Range of the shown height, as multiples of the height in the scene's own view.
 constexpr double nearest = 1e-3, farthest = 1e3;
 
-/// How much of the scene is shown from top to bottom of a picture as high as the view's own.
+/// Shown height in scene units, for a picture with the aspect ratio of the view's own size.
 double shown_height(const View& view, const ViewSection& section, int width, int height) {
     const double ratio = double(section.size[0]) / section.size[1];
     return std::min(double(height) / view.scale(), double(width) / (view.scale() * ratio));
 }
 
-/// Turned about an axis (unit) by an angle (Rodrigues 1840).
+/// Rotation about a unit axis, angle in radians (Rodrigues 1840).
 Vec3<double> turned(const Vec3<double>& v, const Vec3<double>& axis, double angle) {
     const double c = cosine(angle), s = sine(angle);
     return v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1 - c));
 }
 
-/// Two corners around all particles.
+/// Bounding box of all particles in the xy plane.
 std::array<Vec2<double>, 2> extent_of(const AnyWorld& world) {
     std::array<Vec2<double>, 2> corners{};
     std::visit(
@@ -91,7 +91,7 @@ void Eye::zoom(const Session& session, Vec2<double> about, double factor) {
 
 void Eye::orbit(const Session& session, Vec2<double> by) {
     if (session.scene().dimension == 2) return pan(session, by);
-    constexpr double a_pixel = 0.006; // radians
+    constexpr double a_pixel = 0.006; // radians per pixel
     constexpr double steepest = 0.985;
     auto& camera = hold(session).camera;
     const auto seen = view(session);

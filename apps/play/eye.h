@@ -4,28 +4,29 @@
 
 namespace sinew::play {
 
-/// How a player looks at a scene: as it says, until the view is moved.
+/// Camera controller: the view of the scene until the player moves it.
 class Eye {
   public:
-    /// The size of the picture, in pixels.
+    /// Size of the picture, pixels.
     void resize(int width, int height) { width_ = width, height_ = height; }
 
     Look look(const Session& session) const;
     View view(const Session& session) const { return look(session).view(session.scene()); }
 
-    /// Moves what is seen along with the pointer. Pixels.
+    /// Moves the picture with the pointer, by pixels.
     void pan(const Session& session, Vec2<double> by);
-    /// What is at the pixel stays there. A factor above 1 shows it larger.
+    /// Enlarges by a factor above 1. In 2D the point at pixel `about` stays in place; in 3D the camera moves towards
+    /// the target.
     void zoom(const Session& session, Vec2<double> about, double factor);
-    /// Around what a 3D scene is looked at; in 2D the same as panning. Pixels.
+    /// Turns the camera about the target, by pixels; in 2D pans.
     void orbit(const Session& session, Vec2<double> by);
-    /// Between perspective and orthographic; nothing in 2D.
+    /// Switches between perspective and orthographic projection; no effect in 2D.
     void switch_projection(const Session& session);
-    /// As the scene says; what is out of sight then is framed.
+    /// Restores the scene's own view; in 2D, particles outside are then framed.
     void home(const Session& session);
 
   private:
-    /// The view as it is, in numbers.
+    /// The moved view, copied from the current one at the first call.
     ViewSection& hold(const Session& session);
 
     int width_ = 1, height_ = 1;

@@ -9,19 +9,19 @@
 
 namespace sinew::play {
 
-/// When the file was written; the same for all that are not there.
+/// Time of the last write; a fixed default for missing files.
 std::filesystem::file_time_type time_written(const std::filesystem::path& path);
 
-/// Writes a file whole, or not at all.
+/// Writes a file as a whole or not at all; returns the failure, if any.
 [[nodiscard]] canvas::Failure write_file(const std::filesystem::path& path, const std::string& text);
 
-/// A name in the folder that no file has: ragdoll.png, ragdoll-2.png.
+/// A path without a file yet: ragdoll.png, ragdoll-2.png.
 std::filesystem::path free_path(const std::filesystem::path& wanted);
 
-/// The whole of a text file of at most so many bytes; nothing where it cannot be read.
+/// Content of a regular file of at most `most` bytes; nothing if unreadable.
 std::optional<std::string> read_file(const std::filesystem::path& path, std::size_t most);
 
-/// From the root, for messages: a reader shall find it.
+/// Absolute path, for messages.
 std::string full_path(const std::filesystem::path& path);
 
 } // namespace sinew::play

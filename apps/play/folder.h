@@ -11,8 +11,8 @@ struct FolderEntry {
     bool is_folder = false;
 };
 
-/// What a dialog offers of a folder: the folder above, folders, then files that end so, each in the order of the
-/// alphabet; at most `most`. Empty where it cannot be read.
+/// Entries of a folder for a dialog: the parent folder, then folders, then files with the given ending, each
+/// alphabetically; at most `most` below the parent. Empty if unreadable.
 std::vector<FolderEntry> entries_of(const std::filesystem::path& folder, const std::string& ending,
                                     std::size_t most = 1000);
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-/// What a player does, whether with a mouse in a window or by a script. Places are pixels of the picture.
+/// Input of a player, from the mouse of a window or from a script. Positions are pixels of the picture.
 namespace sinew::play {
 
 enum class Button { left, middle, right };
@@ -21,19 +21,19 @@ struct Released {
 };
 struct Scrolled {
     double notches = 0;
-}; ///< positive: away from the player, larger
+}; ///< positive: away from the player, enlarges
 struct Pinched {
     Vec2<double> by;
     double factor = 1;
-}; ///< two fingers: moved and spread
-/// "p", "[", "escape", "tab", "f1", "ctrl+z"; lower case.
+}; ///< gesture of two fingers: displacement of their middle, ratio of their distances
+/// Lower case: "p", "[", "escape", "tab", "f1", "ctrl+z".
 struct Key {
     std::string name;
 };
 struct KeyUp {
     std::string name;
 };
-struct Left {}; ///< the pointer is no longer over the picture
+struct Left {}; ///< the pointer has left the picture
 
 using Input = std::variant<Moved, Pressed, Released, Scrolled, Pinched, Key, KeyUp, Left>;
 

@@ -45,7 +45,7 @@ constexpr std::array actions = {
     KeyAction{"close", "escape", "close, or quit", [](Play& play) { play.close(); }},
 };
 
-/// Calls visit(name, usual key) for everything that has a key.
+/// Calls visit(name, default key) for every action and tool.
 template <class Visit> void for_each_key(Visit&& visit) {
     for (const auto& action : actions) visit(action.name, action.key);
     static const auto tools = all_tools();
@@ -83,7 +83,7 @@ std::string Keys::choose(std::string_view name, std::string_view key) {
     return "";
 }
 
-/// 1 to 9 are the overlays in their order.
+/// Keys 1 to 9 toggle the overlays in their order.
 void press_key(Play& play, std::string_view key) {
     if (key.size() == 1 && key[0] >= '1' && key[0] <= '9') {
         const auto number = std::size_t(key[0] - '1');

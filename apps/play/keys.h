@@ -11,27 +11,27 @@ namespace sinew::play {
 class Play;
 
 struct KeyAction {
-    std::string_view name; ///< one word, as settings say it
-    std::string_view key;  ///< unless the player chose another
+    std::string_view name; ///< a word, as in settings
+    std::string_view key;  ///< default key
     std::string_view about;
     void (*act)(Play&);
 };
 
-/// What keys do, beside choosing tools, in the order of the help. A new one is a line in keys.cpp.
+/// Actions with a key, apart from tools, in the order of the help. A new action is a line in keys.cpp.
 std::span<const KeyAction> key_actions();
 
-/// Which key does what: as actions and tools say, or as the player chose.
+/// Key bindings: the defaults of actions and tools, and the player's changes.
 class Keys {
   public:
-    /// By the name of an action or a tool.
+    /// Key of an action or tool, by name.
     std::string of(std::string_view name) const;
-    /// The action or tool that a key stands for; empty where it is none.
+    /// Name of the action or tool bound to a key; empty if none.
     std::string action_of(std::string_view key) const;
-    /// Chooses a key; the name of the action that has it already is returned, and nothing is changed.
+    /// Binds a key. If another action has the key already, nothing changes and that action's name is returned.
     std::string choose(std::string_view name, std::string_view key);
     void reset() { chosen.clear(); }
 
-    std::vector<std::pair<std::string, std::string>> chosen; ///< keys by name, that are not as usual
+    std::vector<std::pair<std::string, std::string>> chosen; ///< changed bindings: name, key
 };
 
 void press_key(Play& play, std::string_view key);

@@ -7,11 +7,11 @@
 
 namespace sinew::play {
 
-/// A session in its own part of the picture. In a split view there are two, side by side, which step together.
+/// A session in its part of the picture. A split view has two panes side by side, which step together.
 struct Pane {
     Tape tape;
     Eye eye;
-    std::size_t told = 0; ///< of the session's happenings
+    std::size_t told = 0; ///< number of the session's events reported so far
 };
 
 } // namespace sinew::play

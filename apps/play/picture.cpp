@@ -10,20 +10,20 @@
 #include <algorithm>
 #include <utility>
 
-/// What a game looks like, on the screen and in files.
+/// Pictures of a game on the screen, as screenshots and as films.
 namespace sinew::play {
 namespace {
 
-constexpr double film_rate = 30; // frames a second
+constexpr double film_rate = 30; // frames per second
 
-/// Scene files are called by their paths.
+/// Scene files are named by their paths, scenes of the catalogue by a word.
 std::string stem_of(const std::string& name) {
     return std::filesystem::path(name).stem().string();
 }
 
 } // namespace
 
-/// A ring around what the pointer would take hold of.
+/// Draws a ring around the particles to be grabbed by a press.
 void Play::highlight(Picture& picture) const {
     if (!hovered || busy_ || !over_ || question || path_request) return;
     const auto place =
@@ -71,7 +71,7 @@ void Play::toggle_recording(std::filesystem::path path) {
     tell("recording", {{"path", film_path_.string()}});
 }
 
-/// A film ends where pictures take another size.
+/// A recording ends when the size of the picture changes.
 void Play::take_pictures(const Picture& picture) {
     for (const auto& path : std::exchange(screenshots_, {})) {
         auto opened = canvas::open(path, {.width = picture.width, .height = picture.height});

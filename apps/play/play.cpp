@@ -13,9 +13,9 @@
 namespace sinew::play {
 namespace {
 
-constexpr double a_notch = 1.15;    // how much larger a notch of the wheel shows things
-constexpr double most_notches = 20; // at once
-constexpr double look_every = 0.5;  // seconds between looks at the scene's file
+constexpr double a_notch = 1.15;    // magnification per notch of the wheel
+constexpr double most_notches = 20; // per event
+constexpr double look_every = 0.5;  // seconds between checks of the scene's file
 
 bool follows_pointer(const PinSection& pin) {
     return pin.driver && std::holds_alternative<PointerDriver>(*pin.driver);
@@ -25,7 +25,7 @@ bool has_hover(const std::vector<std::pair<std::string, sinew::Look>>& looks) {
     return std::any_of(looks.begin(), looks.end(), [](const auto& look) { return !look.second.hover.empty(); });
 }
 
-/// Whether a pointer that only moves does something to the scene.
+/// True if moving the pointer without a button affects the scene.
 bool feels_pointer(const Scene& scene) {
     return scene.solver.rules.hover_freezes || has_hover(scene.looks) ||
            std::any_of(scene.pins.begin(), scene.pins.end(), follows_pointer) ||
@@ -48,7 +48,7 @@ Play::Play(Shelf shelf, std::string scene, std::vector<Override> overrides)
     open_now(scene, std::move(overrides));
 }
 
-/// A film that was not ended is a film nevertheless.
+/// An unfinished film is finished, to be playable.
 Play::~Play() {
     if (film_) (void)film_->finish();
 }
@@ -84,7 +84,7 @@ void Play::report_problem(std::string text) {
     tell("problem", {{"text", problem_}});
 }
 
-/// A scene file that was written since is played as it is now.
+/// Reads the scene's file again after another program has written it.
 void Play::look_at_file(double seconds) {
     since_look_ += seconds;
     if (path_.empty() || since_look_ < look_every) return;
@@ -101,7 +101,7 @@ void Play::look_at_file(double seconds) {
     tell("asks", {{"question", question->title}});
 }
 
-/// A file that is wrong leaves the scene that runs.
+/// An invalid file leaves the running scene as it is.
 void Play::read_again() {
     auto fetched = shelf_.fetch(name_, overrides_);
     if (!fetched.opened) return report_problem(std::move(fetched.problem));
@@ -133,7 +133,7 @@ void Play::advance(double seconds, const std::function<bool()>& enough) {
             break;
         }
     }
-    if (over_ && !held_) hovered = pick_here(); // things move under a pointer that rests
+    if (over_ && !held_) hovered = pick_here(); // particles move under a resting pointer
     find_selected_again();
 }
 
@@ -216,7 +216,7 @@ void Play::select(std::optional<Picked> picked) {
     for (const auto id : selected->members) selected_names_.push_back(name_of(session().world(), id));
 }
 
-/// An edit makes the scene's world anew: its particles have other ids then, but the same names.
+/// An edit rebuilds the world with new particle ids but the same names.
 void Play::find_selected_again() {
     if (!selected) return;
     const auto& world = session().world();
@@ -232,7 +232,7 @@ std::optional<Picked> Play::pick_here() const {
     return pick(session().world(), view(), pointer_, pick_radius * density_);
 }
 
-/// A drag that began in a pane stays there.
+/// A drag stays in the pane where it began.
 void Play::moved(Vec2<double> to) {
     const auto last = active_;
     if (!held_)
@@ -260,7 +260,7 @@ Tool& Play::current_tool() {
     return *tools_.front();
 }
 
-/// With the grab tool, pressing where nothing is turns a 3D scene.
+/// With the grab tool, a press on the background turns the camera of a 3D scene.
 void Play::pressed(Button button) {
     if (held_ || question || restoration_) return;
     held_ = button;
@@ -305,7 +305,7 @@ void Play::key(const std::string& name) {
     press_key(*this, name);
 }
 
-// --- what is told ----------------------------------------------------------------------------------------------------
+// --- events ----------------------------------------------------------------------------------------------------------
 
 void Play::tell(std::string what, json::Object more) {
     if (listener && !muted_) listener({std::move(what), std::move(more)});
@@ -321,7 +321,7 @@ std::string Play::hash() const {
 void Play::tell_happenings() {
     const auto& all = session().happenings();
     auto& told = pane().told;
-    told = std::min(told, all.size()); // it went back
+    told = std::min(told, all.size()); // the session was restored to an earlier state
     for (; told < all.size(); ++told) tell(all[told].what, {{"where", all[told].where}});
 }
 

@@ -22,37 +22,39 @@ namespace sinew::play {
 
 class Tool;
 
-/// Something that happened, for whoever listens: "grab", and {"particle": "bob/right_hand"}.
+/// An event for listeners: "grab", and {"particle": "bob/right_hand"}.
 struct Told {
     std::string what;
     json::Object more;
 };
 
-/// A game with a scene: input goes in, pictures come out. Knows no window; a script plays it just as well.
+/// Interactive player of a scene: takes input, gives pictures. Independent of windows; a script drives a Play as a
+/// window does.
 class Play {
   public:
-    /// Opens the scene; where it cannot be opened, problem() says why and there is nothing to play.
+    /// Opens the scene; on failure problem() gives the reason and ready() is false.
     Play(Shelf shelf, std::string scene, std::vector<Override> overrides = {});
     Play(const Play&) = delete;
     Play& operator=(const Play&) = delete;
     ~Play();
 
     bool ready() const { return !panes_.empty(); }
-    const std::string& problem() const { return problem_; } ///< with the last scene that was asked for; may be empty
+    const std::string& problem() const { return problem_; } ///< reason of the last failure; may be empty
     void dismiss_problem() { problem_.clear(); }
     void report_problem(std::string text);
 
-    /// The picture's size in pixels, and how many of them a nominal pixel has (2 on a dense display).
+    /// Size of the picture in pixels, and pixels per nominal pixel (2 on a dense display).
     void resize(int width, int height, double density = 1);
     void handle(const Input& input);
-    /// Real time passes. Steps until all that is due is done, or `enough` says that it took too long.
+    /// Advances real time and takes the steps due, until `enough` returns true.
     void advance(double seconds, const std::function<bool()>& enough = {});
-    /// Fills the picture, whose size is set by resize(); that of a split view is larger by what canvas/beside.h adds.
+    /// Fills the picture, of the size set by resize(); the picture of a split view is larger by the labels of
+    /// canvas/beside.h.
     void draw(Picture& picture);
-    /// Fills a picture for each pane.
+    /// Fills one picture per pane.
     void draw_panes(std::vector<Picture>& pictures);
 
-    // --- what panels show and do ---------------------------------------------------------------------------------
+    // --- for panels ----------------------------------------------------------------------------------------------
 
     const Session& session() const { return pane().tape.session(); }
     const Tape& tape() const { return pane().tape; }
@@ -71,48 +73,49 @@ class Play {
     void go_to(std::uint64_t step);
     void undo();
     void redo();
-    /// Goes on as a changed scene; can be undone.
+    /// Continues as a changed scene; can be undone.
     void change(const std::function<void(Scene&)>& change, const std::string& name);
-    /// Any other edit of what runs.
+    /// Any other edit of the running session; can be undone.
     void edit(Deed deed, std::string name);
-    /// Puts a figure, as a file says it, into the scene.
+    /// Adds a figure, given as in a file, to the scene.
     bool add_figure(json::Object figure, const std::string& name);
-    /// Sets one value of the scene by its path, as on the command line; what is wrong with it is the problem.
+    /// Sets one value of the scene by its path, as on the command line; false after reporting an invalid value.
+    /// `goes_on` merges the edit with the preceding one of the same path.
     bool set(const std::string& path, const std::string& value, bool goes_on = false);
     void switch_mode();
-    /// Shows the scene in that mode alone.
+    /// Shows the scene in the given mode alone.
     void show_mode(const std::string& mode);
     void toggle_gravity();
     void toggle_wind();
     void switch_theme();
     void zoom(double factor);
-    /// Of the picture as it is drawn next; where no path is given, beside others in out/.
+    /// Saves the next picture drawn; without a path, to a new file in out/.
     void screenshot(std::filesystem::path path = {});
     void toggle_recording(std::filesystem::path path = {});
     bool recording() const { return film_ != nullptr; }
 
     // --- files (documents.cpp) -----------------------------------------------------------------------------------
 
-    /// Opens a scene of the catalogue, a scene file or a saved state. Asks first where something would be lost.
+    /// Opens a scene of the catalogue, a scene file or a saved state. Asks first if unsaved edits would be lost.
     void open(const std::string& scene, std::vector<Override> overrides = {});
     void open_neighbour(int by);
-    /// Opens a scene from its text, which messages call `name`.
+    /// Opens a scene from its text, called `name` in messages.
     void open_text(const std::string& text, const std::string& name);
     void open_clipboard();
     void copy_scene();
     void copy_hash();
     void open_new();
-    /// To the scene's own file; asks where, if it has none.
+    /// Saves to the scene's own file; asks for a path if there is none.
     void save_or_ask();
     bool save(const std::filesystem::path& path);
-    /// The running session, with all that led to it.
+    /// Saves the running session with all actions since the start.
     bool save_state(const std::filesystem::path& path);
     void ask_for_path(Purpose purpose, std::function<void()> then = {});
-    /// Does what the path was asked for.
+    /// Answers the path request.
     void choose(const std::filesystem::path& path);
-    /// Whether anything would be lost by opening another scene.
+    /// True if opening another scene would lose unsaved edits.
     bool would_lose() const;
-    /// Closes what lies over the scene; where nothing does, quits, and asks first where something would be lost.
+    /// Closes the topmost dialog or page; without one, quits, and asks first if unsaved edits would be lost.
     void close();
     void ask_to_quit();
 
@@ -121,61 +124,61 @@ class Play {
     void answer(std::size_t number);
     bool answer(std::string_view name);
 
-    /// Unsaved edits are kept in this file every few seconds.
+    /// Saves unsaved edits to this file every few seconds.
     void keep_draft_in(std::filesystem::path path) { draft_ = std::move(path); }
-    /// Offers the edits that an earlier game left there.
+    /// Offers the unsaved edits of an earlier run.
     void offer_draft();
     void write_draft();
 
     std::vector<std::string> recent;                       ///< files, the latest first
-    std::function<std::string()> clipboard;                ///< reads it
-    std::function<void(const std::string&)> set_clipboard; ///< copies a text
+    std::function<std::string()> clipboard;                ///< reads the clipboard
+    std::function<void(const std::string&)> set_clipboard; ///< copies a text to the clipboard
     double restored_share() const { return restoration_ ? restoration_->share() : 1; }
 
     // --- split view (split.cpp) ----------------------------------------------------------------------------------
 
-    /// Classic and physical mode side by side, from the start; or the half under the pointer alone.
+    /// Shows classic and physical mode side by side, from the start; a second call keeps the pane under the pointer
+    /// alone.
     void toggle_split();
     bool is_split() const { return panes_.size() > 1; }
     std::size_t pane_count() const { return panes_.size(); }
-    std::size_t active_pane() const { return active_; } ///< the one under the pointer
-    int pane_left(std::size_t number) const;            ///< pixels
+    std::size_t active_pane() const { return active_; } ///< number of the pane under the pointer
+    int pane_left(std::size_t number) const;            ///< pixels from the left of the picture
     int pane_width(std::size_t number) const { return pane_left(number + 1) - pane_left(number); }
-    /// Calls act() for every pane, which then is the active one. Only what happens in the one under the pointer is
-    /// told.
+    /// Calls act() for every pane, made the active one in turn. Events of panes away from the pointer are not reported.
     void each_pane(const std::function<void()>& act);
 
     OverlaySet overlay;
-    std::string tool = "grab";        ///< by name in tools()
-    std::string prefab = "box";       ///< that the spawn tool makes
-    json::Object prefab_parameters{}; ///< of that
-    std::string theme;                ///< instead of the scene's; empty leaves that
+    std::string tool = "grab";        ///< a name of all_tools()
+    std::string prefab = "box";       ///< made by the spawn tool
+    json::Object prefab_parameters{}; ///< parameters of `prefab`
+    std::string theme;                ///< replaces the scene's theme unless empty
     std::string shown_theme() const { return theme.empty() ? session().scene().view.theme : theme; }
     bool panel = true, help = false;
-    bool settings = false;     ///< their page lies over the scene
+    bool settings = false;     ///< the settings page is open
     bool free_running = false; ///< pictures do not wait for the display
     bool quit = false;
     Keys keys;
 
-    /// A line for who has never dragged anything.
+    /// True until the first drag of a new player: enables the hint.
     bool hint = false;
-    /// How visible it is: 1 at first, 0 soon after the first drag or ten seconds.
+    /// Opacity of the hint: 1 at first, 0 after ten seconds or the first drag.
     double hint_strength() const;
 
     std::optional<Picked> hovered, selected;
-    /// It stays selected through edits of the scene, as long as its particles have names.
+    /// Selects particles; the selection survives edits of the scene while the particles have names.
     void select(std::optional<Picked> picked);
-    std::string message; ///< a line about what was just done
+    std::string message; ///< one line about the last action
 
-    /// Called with everything that happens.
+    /// Called with every event.
     std::function<void(const Told&)> listener;
     void tell(std::string what, json::Object more = {});
     std::string hash() const;
 
-    /// In the active pane.
+    /// Position in the active pane, pixels.
     Vec2<double> pointer() const { return pointer_; }
     double density() const { return density_; }
-    /// What the pointer would take hold of.
+    /// The particles to be grabbed by a press.
     std::optional<Picked> pick_here() const;
 
   private:
@@ -216,39 +219,39 @@ class Play {
     Shelf shelf_;
     std::string name_, problem_;
     std::vector<Override> overrides_;
-    std::filesystem::path path_;   ///< of the scene's own file; empty where it has none
-    std::filesystem::path beside_; ///< file beside which the scene's pictures are
+    std::filesystem::path path_;   ///< the scene's own file; empty if none
+    std::filesystem::path beside_; ///< file to which the paths of the scene's pictures and models are relative
     std::filesystem::file_time_type written_{};
     double since_look_ = 0;
     std::vector<Pane> panes_;
     std::size_t active_ = 0;
-    std::size_t own_pane_ = 0; ///< the one in the mode that the scene had before it was split: it is saved
-    bool muted_ = false;       ///< what happens in other panes is not told
+    std::size_t own_pane_ = 0; ///< pane in the mode of the scene before the split; the one saved
+    bool muted_ = false;       ///< events of other panes are not reported
     std::optional<Clock> clock_;
     std::optional<Restoration> restoration_;
     std::filesystem::path restored_from_;
     Vec2<double> pointer_{};
-    std::vector<std::string> selected_names_; ///< of its members
+    std::vector<std::string> selected_names_; ///< names of the selected particles
     bool over_ = false;                       ///< the pointer is over the picture
     int width_ = 1280, height_ = 720;
     double density_ = 1;
     bool space_ = false;
     std::optional<Button> held_;
     std::vector<std::unique_ptr<Tool>> tools_;
-    Tool* busy_ = nullptr;                          ///< between press and release
-    static constexpr std::int64_t never_saved = -1; ///< edits that no tape has
-    std::int64_t saved_edits_ = 0;                  ///< the tape's, when it was saved last
-    std::string saved_as_;                          ///< the scene's text then
+    Tool* busy_ = nullptr;                          ///< tool between press and release
+    static constexpr std::int64_t never_saved = -1; ///< a count of edits that no tape has
+    std::int64_t saved_edits_ = 0;                  ///< the tape's edits at the last save
+    std::string saved_as_;                          ///< the scene's text at the last save
     std::filesystem::path draft_;
-    std::int64_t draft_edits_ = 0; ///< the tape's, when the draft was written
+    std::int64_t draft_edits_ = 0; ///< the tape's edits at the last draft
     double since_draft_ = 0;       ///< seconds
-    double hint_age_ = 0;          ///< seconds since it appeared
-    Point gravity_;                ///< while it is off
+    double hint_age_ = 0;          ///< seconds since the hint appeared
+    Point gravity_;                ///< gravity to restore when switched on again
     std::vector<std::filesystem::path> screenshots_;
     std::unique_ptr<canvas::Writer> film_;
     std::filesystem::path film_path_;
     int film_width_ = 0, film_height_ = 0;
-    double film_due_ = 0; ///< seconds until its next frame
+    double film_due_ = 0; ///< seconds until the film's next frame
 };
 
 } // namespace sinew::play

@@ -5,27 +5,27 @@
 #include <string>
 #include <vector>
 
-/// What a game asks its player: a choice between answers, or a path.
+/// Questions to the player: a choice between answers, or a path.
 namespace sinew::play {
 
 struct Answer {
-    std::string name;  ///< one word, as scripts say it: "save"
-    std::string label; ///< on a button
+    std::string name;  ///< a word for scripts: "save"
+    std::string label; ///< text of the button
     std::function<void()> act;
 };
 
 struct Question {
     std::string title, text;
-    std::vector<Answer> answers; ///< the last changes nothing; Escape chooses it
+    std::vector<Answer> answers; ///< the last changes nothing and is chosen by Escape
 };
 
 enum class Purpose { open, save, save_state, picture, film };
 
-/// Asks for the path of a file.
+/// A request for the path of a file.
 struct PathRequest {
     Purpose purpose{};
     std::filesystem::path suggested;
-    std::function<void()> then; ///< what was meant to be done once the file is written; may be empty
+    std::function<void()> then; ///< continuation after the file is written; may be empty
 };
 
 } // namespace sinew::play

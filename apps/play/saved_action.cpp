@@ -8,7 +8,7 @@ namespace {
 
 using Saved = decltype(SavedAction::action);
 
-/// Returns and restarts are branches of the log, not actions of a recipe.
+/// Return and Restart are branches of the log, never actions of a recipe; their cases only complete the visitor.
 struct Save {
     Saved operator()(const PointAt& deed) const { return SavedPointer{deed.place.value_or(Point{})}; }
     Saved operator()(const Grab& deed) const {

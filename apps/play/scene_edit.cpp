@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view source = "the scene";
 
-/// A changed scene, with the models that the scene has.
+/// Opens a changed document, with the models already loaded for the scene.
 Edited read_again(Document document, const Scene& scene) {
     const auto model = [&](const std::string& name, const Limits&) -> ReadModel {
         for (const auto& figure : scene.figures)
@@ -29,7 +29,7 @@ std::string constraint_name(const Figure& figure, std::size_t number) {
     return name.empty() ? "" : figure.name + "/" + name;
 }
 
-/// The constraints that the scene's figures were built with and have no more, by name. What has no name is not told.
+/// Names of the cut constraints: built with the figures, gone from the world. Unnamed constraints are left out.
 SnipEvent snipped(const AnyWorld& world) {
     SnipEvent snip;
     std::visit(

@@ -18,7 +18,7 @@ namespace {
 
 struct Action {
     std::string_view name;
-    std::size_t least, most; ///< words after it
+    std::size_t least, most; ///< number of arguments
 };
 constexpr std::array script_actions = {
     Action{"move", 1, 4},   Action{"press", 0, 1},  Action{"release", 0, 1}, Action{"scroll", 1, 1},
@@ -49,7 +49,7 @@ std::vector<std::string> words_of(const std::string& line) {
     return words;
 }
 
-/// Takes one line; what is wrong with it, or nothing.
+/// Parses one line; returns the reason of failure, or nothing.
 std::string read_line(const std::vector<std::string>& words, std::size_t number, Script& script) {
     if (words[0] == "size" && words.size() == 2) {
         const auto cross = words[1].find('x');
@@ -84,12 +84,12 @@ std::string read_line(const std::vector<std::string>& words, std::size_t number,
     return "";
 }
 
-/// Plays the lines as their time comes.
+/// Runs the lines of a script at their times.
 class Player {
   public:
     Player(const Script& script, Play& play) : script_(script), play_(play), touch_(play) {}
 
-    /// All that is due by that second; a problem ends it.
+    /// Carries out all lines due at `now`; returns the reason of the first failure.
     std::string perform(double now) {
         glide(now);
         for (auto& slide : slides_) touch_.move(slide.finger, slide.at(now));
@@ -105,7 +105,7 @@ class Player {
     bool over() const { return over_ || (next_ == script_.lines.size() && !to_ && slides_.empty()) || play_.quit; }
 
   private:
-    /// A finger on its way.
+    /// A finger in motion.
     struct Slide {
         std::int64_t finger = 0;
         Vec2<double> from, to;
@@ -123,7 +123,7 @@ class Player {
     std::size_t next_ = 0;
     bool over_ = false;
     Vec2<double> from_{};
-    std::optional<Vec2<double>> to_; ///< where the pointer glides
+    std::optional<Vec2<double>> to_; ///< target of the pointer's motion
     std::optional<ParticleId> followed_;
     double since_ = 0, until_ = 0;
 

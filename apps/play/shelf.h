@@ -12,20 +12,20 @@
 
 namespace sinew::play {
 
-/// A scene that was opened, or all that is wrong with it.
+/// An opened scene, or the reason of failure.
 struct Fetched {
     std::optional<Opened> opened;
     std::string problem;
-    std::filesystem::path path; ///< where it is, to see when it changes; empty where it is no file
+    std::filesystem::path path; ///< the scene's file, watched for changes; empty if none
 };
 
-/// Where scenes come from.
+/// The source of scenes.
 struct Shelf {
-    std::vector<std::string> names;      ///< of the catalogue, in the order in which they are shown
-    std::vector<std::string> categories; ///< of each; none where that is not known
+    std::vector<std::string> names;      ///< scenes of the catalogue, in display order
+    std::vector<std::string> categories; ///< category of each name; empty if unknown
     std::function<Fetched(const std::string& word, std::span<const Override> overrides)> fetch;
-    /// Opens a scene from its text, which messages call `name`; pictures and models are looked for beside the file
-    /// `beside`, or in the current folder where that is empty.
+    /// Opens a scene from its text, called `name` in messages; paths of pictures and models are relative to the file
+    /// `beside`, or to the current folder if empty.
     std::function<Fetched(const std::string& text, const std::string& name, const std::filesystem::path& beside)> read;
 };
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-/// Several panes side by side: classic and physical mode of one scene, in lockstep.
+/// Split view: classic and physical mode of one scene side by side, in lockstep.
 namespace sinew::play {
 namespace {
 
@@ -28,7 +28,7 @@ void Play::each_pane(const std::function<void()>& act) {
     muted_ = false;
 }
 
-/// What is selected stays so under its name.
+/// The selection carries over to the particles of the same names.
 void Play::switch_pane(std::size_t number) {
     if (number == active_) return;
     const auto& from = session().world();
@@ -42,7 +42,8 @@ void Play::resize_eyes() {
     for (std::size_t i = 0; i < panes_.size(); ++i) panes_[i].eye.resize(pane_width(i), height_);
 }
 
-/// A file may say more about each mode than which it is; a scene that was edited goes into both as it is.
+/// An unedited file is opened once per mode, because the file may contain settings for each; an edited scene is used
+/// for both modes.
 void Play::toggle_split() {
     let_go_of_everything();
     if (is_split()) {
@@ -95,7 +96,7 @@ void Play::paint_pointer(std::size_t number, Picture& picture) {
     active_ = under_pointer;
 }
 
-/// The name of the mode, and a line between neighbours.
+/// Draws the name of the mode, and a line between neighbouring panes.
 void Play::label_pane(std::size_t number, Picture& picture) const {
     const auto& colors = theme_called(shown_theme());
     const auto unit = float(density_);

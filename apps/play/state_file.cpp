@@ -13,7 +13,7 @@
 namespace sinew::play {
 namespace {
 
-constexpr std::int64_t most_steps = 100'000'000; // three weeks at 60 a second
+constexpr std::int64_t most_steps = 100'000'000; // 19 days at 60 per second
 
 struct StateFile {
     int version = 1;
@@ -25,15 +25,16 @@ struct StateFile {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.version,
               Field{.name = "sinew_state", .help = "Version of the format", .low = 1, .high = 1, .required = true});
-        visit(self.from, Field{.name = "from", .help = "File of the scene, beside which its pictures are"});
+        visit(self.from,
+              Field{.name = "from", .help = "File of the scene; paths of images and models are relative to it"});
         visit(self.steps, Field{.name = "steps",
-                                .help = "How many are taken from the start of the scene",
+                                .help = "Number of steps from the start of the scene",
                                 .low = 0,
                                 .high = double(most_steps),
                                 .required = true});
-        visit(self.hash, Field{.name = "hash", .help = "Of the state they lead to", .required = true});
-        visit(self.scene, Field{.name = "scene", .help = "As a scene file", .required = true});
-        visit(self.actions, Field{.name = "actions", .help = "What was done to it, in order"});
+        visit(self.hash, Field{.name = "hash", .help = "Hash of the final state", .required = true});
+        visit(self.scene, Field{.name = "scene", .help = "Scene, as in a scene file", .required = true});
+        visit(self.actions, Field{.name = "actions", .help = "Actions, in order"});
     }
 };
 
@@ -44,7 +45,7 @@ std::string hash_of(const Session& session) {
     return text;
 }
 
-/// The dimension in which the file's points are, before its scene is read.
+/// Dimension of the file's points, needed before the scene is parsed.
 int dimension_of(const json::Value& root) {
     const auto* dimension = json::find(root, "/scene/dimension");
     const auto* number = dimension ? dimension->as<json::Number>() : nullptr;

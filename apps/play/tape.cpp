@@ -8,12 +8,12 @@
 namespace sinew::play {
 namespace {
 
-constexpr double remembered = 60;          // seconds
-constexpr double between_marks = 0.25;     // seconds: what going back has to step again at most, on the way
-constexpr std::size_t memory = 256u << 20; // bytes of all marks, about; beyond it they are farther apart
+constexpr double remembered = 60;          // seconds of restorable past
+constexpr double between_marks = 0.25;     // seconds between snapshots, doubled when `memory` is used up
+constexpr std::size_t memory = 256u << 20; // bytes of all snapshots, estimated; beyond, half are dropped
 constexpr std::size_t most_edits = 64;
 
-/// About what a copy of a session takes, and of what is in it.
+/// Estimated bytes of a copied session, and of each of its parts.
 constexpr std::size_t empty = 50'000, a_particle = 200, a_constraint = 100, a_piece = 150;
 
 std::size_t bytes_of(const Session& session) {
@@ -31,7 +31,7 @@ std::uint64_t steps_in(double seconds, const Session& session) {
     return std::max<std::uint64_t>(std::uint64_t(seconds * session.scene().solver.rate), 1);
 }
 
-/// Where a pointer is replaces where it was at the same step.
+/// A new position replaces an earlier one at the same step.
 template <class Moved, class Dones> bool replace_last(Dones& done, std::uint64_t step, Deed& deed) {
     if (!std::holds_alternative<Moved>(deed) || done.empty()) return false;
     auto& last = done.back();
@@ -40,7 +40,7 @@ template <class Moved, class Dones> bool replace_last(Dones& done, std::uint64_t
     return true;
 }
 
-/// Whether nothing is where it was one step before.
+/// True if the state jumps, so that positions before and after must not be interpolated.
 bool leaps(const Deed& deed) {
     return std::holds_alternative<Become>(deed) || std::holds_alternative<Return>(deed) ||
            std::holds_alternative<Restart>(deed);
@@ -123,7 +123,7 @@ void Tape::forget_the_future() {
     end_ = now_;
 }
 
-/// Old marks go, and with them what was done before the first that stays.
+/// Adds a snapshot; drops snapshots older than `remembered`, with the actions before the first one left.
 void Tape::mark() {
     marks_.push_back({now_, session_, log_.now()});
     const auto kept = steps_in(remembered, session_);

@@ -13,56 +13,57 @@
 
 namespace sinew::play {
 
-/// A session and its past: what was done to it at which step, and what it was every now and then. Any step of the last
-/// minute can be gone to, by doing again what was done since the snapshot before it.
+/// Timeline of a session: its actions by step, and snapshots at intervals. Any step of the last minute is restored by
+/// replaying the actions since the nearest earlier snapshot.
 ///
-/// Steps are counted from where the tape begins and only grow: a restart or an undo is one more thing that was done.
+/// Steps are counted from the start of the timeline and only grow: restart and undo are actions like others.
 class Tape {
   public:
     explicit Tape(Session session);
-    /// Goes on from a session that has a past: `log` leads to it.
+    /// Continues from a session with a past: `log` leads to the present state.
     Tape(Session session, ActionLog log);
 
     const Session& session() const { return session_; }
-    /// All that led from the start of a scene to now.
+    /// All actions from the start of a scene to now.
     Recipe recipe() const { return log_.recipe(); }
 
     std::uint64_t now() const { return now_; }
-    std::uint64_t first() const { return marks_.front().step; } ///< that can be gone to
-    std::uint64_t end() const { return end_; }                  ///< last one that was reached
+    std::uint64_t first() const { return marks_.front().step; } ///< earliest restorable step
+    std::uint64_t end() const { return end_; }                  ///< latest step reached
 
-    /// Steps on: as it was recorded, or beyond that.
+    /// Takes a step: replays recorded actions, or continues beyond the end.
     void step();
-    /// Held between first() and end().
+    /// Restores a step, clamped to [first(), end()].
     void go_to(std::uint64_t step);
 
-    /// The picture of a moment between the last step but one (share 0) and the last (1). An empty theme is the scene's.
+    /// Draws the state interpolated from the step before the last (share 0) to the last (share 1). An empty theme means
+    /// the scene's own.
     void draw(Picture& picture, OverlaySet overlay, const View& view, double share, const std::string& theme = "");
 
-    /// Does something now. What was recorded after now did not happen then.
+    /// Carries out an action now. Recorded actions after now are dropped.
     void act(Deed deed);
 
-    /// An act that can be undone. An edit of the scene is undone by itself; of anything else (a cut), all that came
-    /// after it is undone too.
-    /// One that goes on with the last (a slider on its way) is undone together with it.
+    /// Carries out an undoable action. Undo of a scene edit (Become) restores the scene alone; undo of any
+    /// other edit, such as a cut, restores the state before the edit and drops all later actions. `goes_on` merges an
+    /// edit with the preceding one of the same name, as while a slider is dragged.
     void edit(Deed deed, std::string name, bool goes_on = false);
-    /// The last edit ends only now: to do it again leads here.
+    /// Moves the end of the last edit to now: redo leads here.
     void finish_edit();
-    /// The last edit changed nothing.
+    /// Drops the last edit, which changed nothing.
     void forget_edit();
     bool undo();
     bool redo();
-    /// How many edits lead from the scene as it was opened to this one: the same number, the same scene.
+    /// Edits between the opened scene and the current one: equal counts, equal scenes.
     std::int64_t edits() const { return edits_made_; }
-    /// What undo and redo would do; empty where there is nothing.
+    /// Names of the edits that undo and redo would apply; empty if none.
     std::string undo_name() const { return undone_ < edits_.size() ? edits_[edits_.size() - 1 - undone_].name : ""; }
     std::string redo_name() const { return undone_ > 0 ? edits_[edits_.size() - undone_].name : ""; }
 
   private:
     struct Mark {
         std::uint64_t step = 0;
-        Session session; ///< on arrival, before what was done there
-        Branch at;       ///< of the log, then
+        Session session; ///< on arrival at the step, before its actions
+        Branch at;       ///< moment of the log on arrival
     };
     struct Done {
         std::uint64_t step = 0;
@@ -88,7 +89,7 @@ class Tape {
     std::deque<Done> done_;
     std::deque<Edit> edits_;
     std::int64_t edits_made_ = 0;
-    std::size_t undone_ = 0; ///< of edits_, from the back
+    std::size_t undone_ = 0; ///< undone edits, counted from the back of edits_
 };
 
 } // namespace sinew::play

@@ -8,21 +8,22 @@
 
 namespace sinew::play {
 
-/// What the pointer does. A tool lives as long as the game; between press and release it is busy.
+/// A tool of the pointer. Tools live as long as the Play; a tool is busy between press and release.
 class Tool {
   public:
     virtual ~Tool() = default;
     virtual std::string_view name() const = 0;
     virtual std::string_view key() const = 0;
-    virtual std::string_view about() const = 0; ///< one line, begins with a verb
+    virtual std::string_view about() const = 0; ///< a line beginning with a verb
     virtual void press(Play& play) = 0;
     virtual void move(Play&) {}
     virtual void release(Play&) {}
-    /// Over the scene, while it is busy.
+    /// Draws over the scene, while the tool is busy.
     virtual void draw(const Play&, Picture&) const {}
 };
 
-/// The list of tools, in the order of the toolbar. A new one is a file that defines its maker, and a word here.
+/// The list of tools, in the order of the toolbar. A new tool is a file with a factory function, and a word
+/// here.
 #define SINEW_TOOLS(X) X(grab) X(pin) X(cut) X(rope) X(polygon) X(cloth) X(spawn) X(remove) X(measure)
 
 namespace tool {

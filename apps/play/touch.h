@@ -8,9 +8,9 @@
 
 namespace sinew::play {
 
-/// Fingers on a screen, and pens that report as such. One is the pointer with its left button down; two move and
-/// scale what is seen, and what the first held is let go. Whatever is left of two fingers does nothing until all are
-/// lifted.
+/// Fingers on a screen, and pens reported as fingers. A single finger is the pointer with its left button down; a
+/// second finger releases the button, and both together pan and zoom. After a gesture of two fingers, a remaining
+/// finger has no effect until all are lifted.
 class Touch {
   public:
     explicit Touch(Play& play) : play_(play) {}
@@ -19,7 +19,7 @@ class Touch {
     void move(std::int64_t finger, Vec2<double> to);
     void up(std::int64_t finger);
 
-    /// Where the finger is, if it is down.
+    /// Position of the finger, if down.
     std::optional<Vec2<double>> place_of(std::int64_t finger) const;
 
   private:
@@ -28,8 +28,8 @@ class Touch {
         Vec2<double> at;
     };
     Play& play_;
-    std::vector<Finger> fingers_; ///< in the order in which they came down
-    bool points_ = false;         ///< the first is the pointer
+    std::vector<Finger> fingers_; ///< in the order of touching down
+    bool points_ = false;         ///< the first finger is the pointer
 };
 
 } // namespace sinew::play

@@ -4,26 +4,26 @@
 
 namespace sinew::window {
 
-/// A part of the window, in pixels.
+/// A rectangle of the window, pixels.
 struct Area {
     int left = 0, top = 0, width = 1, height = 1;
 
     bool contains(double x, double y) const { return x >= left && y >= top && x < left + width && y < top + height; }
 };
 
-/// Where everything is in a window of some size. Bars shrink in small windows; the panel becomes a drawer over the
-/// scene, and a window too small for bars is all scene.
+/// Layout of a window of any size. Bars shrink in small windows; in narrow ones the panel becomes a drawer over the
+/// scene, and a window too small for bars shows the scene alone.
 struct Arrangement {
-    static constexpr int tool_buttons = 11; ///< tools, undo, redo
+    static constexpr int tool_buttons = 11; ///< all tools, undo, redo
 
     Area scene, menu, tools, time, side;
     bool bars = false;
     bool docked = false;  ///< the panel is beside the scene, not over it
-    float tool_side = 40; ///< of a tool's button, pixels
+    float tool_side = 40; ///< side of a tool's button, pixels
     int tool_columns = 1;
-    float time_side = 38; ///< of a button of the time bar, pixels
+    float time_side = 38; ///< side of a button in the time bar, pixels
 
-    /// `scale`: pixels a nominal pixel has.
+    /// `scale`: pixels per nominal pixel.
     static Arrangement of(int width, int height, float scale, bool panel, bool drawer) {
         Arrangement layout;
         layout.scene = {0, 0, std::max(width, 1), std::max(height, 1)};
@@ -53,7 +53,7 @@ struct Arrangement {
     }
 
   private:
-    /// One column of buttons as large as the height allows, or two.
+    /// Chooses one column of buttons, as large as the height allows, or two where buttons would be too small.
     void choose_tools(float room, float scale) {
         constexpr float largest = 40, smallest = 22, gap = 4, margins = 26; // nominal pixels
         const auto fitting = [&](int rows) { return (room / scale - margins) / float(rows) - gap; };

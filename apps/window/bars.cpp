@@ -15,7 +15,7 @@ std::string clock_text(double seconds) {
     return text;
 }
 
-/// The last minute as a line; where it is pressed is gone to.
+/// The last minute as a line; a press or drag goes to the step at the pointer.
 void timeline(play::Play& play, const Look& look, float width, float scale) {
     auto& tape = play.tape();
     const auto at = ImGui::GetCursorScreenPos();
@@ -65,14 +65,14 @@ namespace {
 constexpr std::array scales = {0.1, 0.25, 0.5, 1.0, 2.0};
 constexpr std::array scale_words = {"0.1", "\xc2\xbc", "\xc2\xbd", "1", "2"};
 
-/// The place of the clock's scale among those offered, or -1.
+/// Index of the clock's scale in `scales`, or -1.
 int chosen_scale(play::Play& play) {
     for (std::size_t i = 0; i < scales.size(); ++i)
         if (play.clock().scale() == scales[i]) return int(i);
     return -1;
 }
 
-/// All speeds, or where there is no room the current one, which gives way to the next when pressed.
+/// A choice between all speeds, or without room for them a button with the current speed, which a press advances.
 void speeds(play::Play& play, const Look& look, float width, bool all) {
     const int chosen = chosen_scale(play);
     if (all) {
@@ -153,7 +153,7 @@ void mode_switch(play::Play& play, const Look& look, float scale) {
     ImGui::Dummy({0, 0});
 }
 
-/// As many in a line as fit.
+/// Places as many chips in a line as fit.
 void overlay_chips(play::Play& play, const Look& look) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (std::size_t i = 0; i < overlays.size(); ++i) {

@@ -6,11 +6,11 @@
 
 namespace sinew::window {
 
-/// The tools, one below the other, in two columns where the window is low.
+/// Tools in a column, or in two columns in a low window.
 void tool_bar(play::Play& play, const Arrangement& layout, const Look& look, float scale);
-/// Back, pause, on; the last minute to go back in; how fast time passes.
+/// Restart, step back, pause, step; the timeline of the last minute; the speed.
 void time_bar(play::Play& play, const Arrangement& layout, const Look& look, const Fonts& fonts, float scale);
-/// Physical, classic or both, light or dark.
+/// Choices: physical, classic or both; light or dark.
 void mode_switch(play::Play& play, const Look& look, float scale);
 void overlay_chips(play::Play& play, const Look& look);
 

@@ -12,7 +12,7 @@ std::string words_of(std::string name) {
 
 } // namespace
 
-/// Three in a row, two rows of them to be seen.
+/// Three cards in a row, two rows in view.
 void Browser::show(const Look& look, const Fonts& fonts, float scale) {
     constexpr int across = 3;
     const float gap = 8 * scale, width = (ImGui::GetContentRegionAvail().x - gap * (across - 1) - 10 * scale) / across;

@@ -8,7 +8,7 @@
 
 namespace sinew::window {
 
-/// The catalogue: a search, and a picture of every scene.
+/// The catalogue: a search field, and a thumbnail of every scene.
 class Browser {
   public:
     explicit Browser(play::Play& play) : play_(play), thumbnails_(play.shelf()) {}

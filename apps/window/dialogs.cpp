@@ -53,7 +53,7 @@ void Dialogs::show(const Look& look, const Fonts& fonts, float scale, int width,
     if (play_.restored_share() < 1) progress();
 }
 
-/// A modal in the middle, no wider than the window.
+/// Begins a modal in the middle, no wider than the window.
 bool Dialogs::begin(const char* title, float nominal_width) {
     if (open_ != title) ImGui::OpenPopup(title);
     open_ = title;
@@ -66,7 +66,7 @@ bool Dialogs::begin(const char* title, float nominal_width) {
     const bool shown = ImGui::BeginPopupModal(title, nullptr, flags);
     ImGui::PopStyleVar();
     if (shown) return true;
-    open_ = nullptr; // something else closed it
+    open_ = nullptr; // closed by ImGui
     return false;
 }
 
@@ -125,7 +125,7 @@ void Dialogs::path() {
     end();
 }
 
-/// The folder of what is typed.
+/// Lists the folder of the typed path.
 void Dialogs::folder(const std::string& ending) {
     const fs::path typed(typed_.data());
     std::error_code unknown;
@@ -139,7 +139,7 @@ void Dialogs::folder(const std::string& ending) {
     ImGui::EndChild();
 }
 
-/// A folder keeps the name of the file that was typed.
+/// Going into a folder keeps the typed file name.
 void Dialogs::go_into(const std::string& name) {
     const fs::path typed(typed_.data());
     std::error_code unknown;
@@ -220,7 +220,7 @@ bool Dialogs::take_key(const std::string& key) {
     return true;
 }
 
-/// In as many columns as fit, over all else, which is dimmed.
+/// Shows the keys in as many columns as fit, over a dimmed window.
 void Dialogs::help() {
     const bool wide = width_ > 680 * scale_;
     dim();
@@ -258,7 +258,7 @@ void Dialogs::help() {
     ImGui::PopStyleVar(2);
 }
 
-/// A window that lies over all that was begun before it.
+/// Covers everything begun before with a dimming window.
 void Dialogs::dim() const {
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width_, height_});

@@ -8,17 +8,17 @@
 
 namespace sinew::window {
 
-/// What lies over the scene until it is answered: questions, paths, problems, settings, the keys.
+/// Dialogs over the scene: questions, path requests, problems, settings, the help.
 class Dialogs {
   public:
     explicit Dialogs(play::Play& play) : play_(play) {}
 
-    /// Within an ImGui frame; the window's size in pixels.
+    /// Shows the open dialog within an ImGui frame; size of the window in pixels.
     void show(const Look& look, const Fonts& fonts, float scale, int width, int height);
 
-    double text_size = 1; ///< of all letters and bars; 1 is usual
-    /// A key that was pressed while one was to be chosen is taken.
+    double text_size = 1; ///< factor for all letters and bars, 1 by default
     bool is_open() const { return open_ != nullptr; }
+    /// Consumes the key if a binding is being chosen; otherwise returns false.
     bool take_key(const std::string& key);
 
   private:
@@ -40,10 +40,10 @@ class Dialogs {
     const Look* look_ = nullptr;
     const Fonts* fonts_ = nullptr;
     float scale_ = 1, width_ = 0, height_ = 0;
-    const char* open_ = nullptr;             ///< the modal that was shown last
-    std::array<char, 1024> typed_{};         ///< a path
-    bool typing_ = false;                    ///< typed_ is that of the present request
-    std::string rebinding_, rebind_problem_; ///< the action whose key is chosen
+    const char* open_ = nullptr;             ///< title of the modal shown last; null if none
+    std::array<char, 1024> typed_{};         ///< the typed path
+    bool typing_ = false;                    ///< typed_ belongs to the current request
+    std::string rebinding_, rebind_problem_; ///< action whose key is being chosen; why the last choice failed
 };
 
 } // namespace sinew::window

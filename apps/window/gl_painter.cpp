@@ -30,8 +30,8 @@ void main() {
 }
 )";
 
-// After "#define IMAGES" or without: a renderer in software takes both sides of every branch, texels first of all.
-// Colours are straight, images are premultiplied, what is written is premultiplied.
+// Compiled with and without IMAGES, because a software renderer evaluates both sides of every branch, and texture reads
+// cost the most. Vertex colours have straight alpha; images and the output are premultiplied.
 constexpr const char* fragment_text = R"(
 in vec2 at;
 flat in vec2 form;
@@ -205,7 +205,7 @@ void GlPainter::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     batches_.back().count += 3;
 }
 
-/// What follows is painted with that texture; what has none can be painted with any.
+/// Selects the texture for the following triangles. Untextured triangles join any batch.
 void GlPainter::use(std::uint32_t texture) {
     if (batches_.back().texture != texture)
         batches_.push_back({texture, std::uint32_t(indices_.size()), 0, batches_.back().pane});
@@ -233,7 +233,7 @@ void GlPainter::add_line(Vec2<float> a, Vec2<float> b, float width, std::uint32_
     const auto along = length > 1e-6F ? way * (1 / length) : Vec2<float>{{1, 0}};
     const auto across = perpendicular(along);
     const auto middle = (a + b) * 0.5F;
-    const float far = half + radius + 1, wide = radius + 1; // a pixel more: where it fades
+    const float far = half + radius + 1, wide = radius + 1; // with a pixel for the faded edge
     const auto corner = [&](float x, float y) {
         return put({middle + along * x + across * y, {{x, y}}, {{half, radius}}, color});
     };
@@ -242,15 +242,15 @@ void GlPainter::add_line(Vec2<float> a, Vec2<float> b, float width, std::uint32_
     triangle(first, first + 1, first + 2), triangle(first, first + 2, first + 3);
 }
 
-/// A strip of quads that share their corners where the stroke hardly turns, with round ends; where it turns sharply one
-/// strip ends and the next begins.
+/// A strip of quads with round ends, which share their corners at gentle turns; at a sharp turn the strip ends and
+/// another begins.
 void GlPainter::add_stroke(std::span<const Vec2<float>> outline, bool closed, float width, std::uint32_t color) {
     way_.clear();
     for (const auto& point : outline)
         if (way_.empty() || distance(way_.back(), point) > 1e-3F) way_.push_back(point);
     if (closed && way_.size() > 2) way_.push_back(way_.front());
     if (way_.size() < 3) return add_line(way_.front(), way_.back(), width, color);
-    const float radius = width / 2, wide = radius + 1; // a pixel more: where it fades
+    const float radius = width / 2, wide = radius + 1; // with a pixel for the faded edge
     const auto pair = [&](Vec2<float> place, Vec2<float> across, float beyond) {
         put({place - across, {{beyond, -wide}}, {{0, radius}}, color});
         return put({place + across, {{beyond, wide}}, {{0, radius}}, color});
@@ -274,7 +274,7 @@ void GlPainter::add_stroke(std::span<const Vec2<float>> outline, bool closed, fl
         const auto next = direction(way_[i + 1] - way_[i]);
         const float straight = 1 + dot(along, next);
         const auto out = (perpendicular(along) + perpendicular(next)) * (wide / maximum(straight, 1e-3F));
-        const float inwards = absolute(dot(out, along)); // how far the corner reaches along its sides
+        const float inwards = absolute(dot(out, along)); // length of the corner along its sides
         const bool turns = straight < 1.5F || inwards > distance(way_[i - 1], way_[i]) / 2 ||
                            inwards > distance(way_[i], way_[i + 1]) / 2;
         if (turns) {
@@ -289,7 +289,7 @@ void GlPainter::add_stroke(std::span<const Vec2<float>> outline, bool closed, fl
     end(way_.back());
 }
 
-/// Triangles, and around them a rim that fades.
+/// Triangles, and a rim around them that fades to transparent.
 void GlPainter::add_polygon(std::span<const Vec2<float>> outline, std::uint32_t color) {
     constexpr float fade = 0.75F; // pixels
     const auto count = std::uint32_t(outline.size());
@@ -342,7 +342,7 @@ void GlPainter::add_text(const Picture& picture, const Picture::Item& item) {
     const auto& texture = texture_of(key, picture, item);
     use(texture.name);
     const auto middle = picture.points_of(item)[0];
-    // On whole pixels, where letters are sharp.
+    // Whole pixels keep letters sharp.
     const Vec2<float> corner{
         {std::round(middle[0] - float(texture.width) / 2), std::round(middle[1] - float(texture.height) / 2)}};
     const auto first = std::uint32_t(vertices_.size());

@@ -10,12 +10,11 @@
 
 namespace sinew::window {
 
-/// Paints pictures with OpenGL 3.3. Lines and discs are quads whose fragments know how far they are from the line
-/// (signed distance), which smooths edges without multisampling. Everything of a picture is one buffer, drawn in as few
-/// calls as its textures allow.
+/// Paints pictures with OpenGL 3.3. Lines and discs are quads shaded by the signed distance to the line, which smooths
+/// edges without multisampling. A picture is one vertex buffer, drawn with one call per run of the same texture.
 class GlPainter {
   public:
-    /// Needs a current context, and so do all calls. What cannot be compiled is the problem.
+    /// Requires a current OpenGL context, as do all members. If a shader does not compile, problem() gives the reason.
     GlPainter();
     GlPainter(const GlPainter&) = delete;
     GlPainter& operator=(const GlPainter&) = delete;
@@ -23,29 +22,29 @@ class GlPainter {
 
     const std::string& problem() const { return problem_; }
 
-    /// Into the rectangle at the left and the bottom of the target, as large as the picture.
+    /// Paints into a rectangle of the target, of the picture's size, with its lower left corner at (left, bottom).
     void paint(const Picture& picture, int left, int bottom);
 
   private:
     struct Vertex {
         Vec2<float> place;
-        Vec2<float> local; ///< of a line: along it from its middle, and across. Of an image: where in it, 0 to 1
-        Vec2<float> shape; ///< of a line: half its length, half its width. Else {-1, 0}: flat; {-2, 0}: an image
+        Vec2<float> local; ///< line: pixels along and across, from the middle; image: texture coordinates, 0 to 1
+        Vec2<float> shape; ///< line: {half length, half width}, pixels; {-1, 0}: flat; {-2, 0}: image
         std::uint32_t color;
     };
     struct Program {
         std::uint32_t name = 0;
-        int size = -1; ///< where it takes the picture's
+        int size = -1; ///< location of the uniform for the picture's size
     };
     struct Batch {
         std::uint32_t texture = 0, first = 0, count = 0;
-        std::array<int, 4> pane{}; ///< left, top, width, height in pixels; no width: all of the picture
+        std::array<int, 4> pane{}; ///< left, top, width, height in pixels; width 0: the whole picture
     };
     struct Texture {
         std::uint32_t name = 0;
         int width = 0, height = 0;
-        std::uint64_t used = 0;        ///< the frame it was last seen in
-        std::weak_ptr<const Image> of; ///< of a text: none
+        std::uint64_t used = 0;        ///< number of the last frame that used the texture
+        std::weak_ptr<const Image> of; ///< source; empty for a text
         std::string text;
     };
 
@@ -72,9 +71,9 @@ class GlPainter {
     std::vector<std::uint32_t> indices_;
     std::vector<Batch> batches_;
     std::vector<Texture> textures_;
-    std::vector<std::uint32_t> rest_; // scratch of a polygon's corners
-    std::vector<Vec2<float>> way_;    // scratch of a stroke
-    Color paper_;                     ///< behind what is painted now
+    std::vector<std::uint32_t> rest_; // scratch: remaining corners of a polygon
+    std::vector<Vec2<float>> way_;    // scratch: points of a stroke
+    Color paper_;                     ///< background at the current item
     std::uint64_t frame_ = 0;
 };
 

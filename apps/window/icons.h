@@ -5,7 +5,7 @@
 
 namespace sinew::window {
 
-/// Draws an icon about a place, so many pixels from its middle to its edge. An unknown name is a dot.
+/// Draws the icon around `middle`, `size` pixels from there to the edge; a dot for an unknown name.
 void draw_icon(ImDrawList& list, std::string_view name, ImVec2 middle, float size, ImU32 color);
 
 } // namespace sinew::window

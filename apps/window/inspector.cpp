@@ -16,7 +16,7 @@ template <class WorldT> class Shown {
     Shown(play::Play& play, const WorldT& world, ParticleId id, Row at, const Look& look)
         : play_(play), world_(world), id_(id), row_(at), look_(look) {}
 
-    /// What the player changes of it, if anything.
+    /// Shows the particle; returns the player's change, if any.
     std::optional<play::Tweak> particle() {
         const auto& p = world_.particles;
         const auto units = play_.session().scene().measures();
@@ -41,7 +41,7 @@ template <class WorldT> class Shown {
         return tweak.position || tweak.velocity || tweak.mass ? std::optional(tweak) : std::nullopt;
     }
 
-    /// What it is part of.
+    /// Lists the constraints of the particle, at most 6 of them.
     void constraints() {
         int kind = 0, shown = 0;
         for_each_table(world_, [&](const auto& table) { of_kind(table, kind++, shown); });
@@ -80,7 +80,7 @@ template <class WorldT> class Shown {
         return play::name_of(play_.session().world(), world_.particles.slots.id_of(member));
     }
 
-    /// The other end of what has two, by the last part of its name.
+    /// For a constraint of two particles, the other one, by the last part of the name.
     std::string to_others(std::span<const Row> members) const {
         if (members.size() != 2) return "";
         const auto name = name_of(members[0] == row_ ? members[1] : members[0]);

@@ -5,7 +5,7 @@
 
 namespace sinew::window {
 
-/// The particle that is selected, or else hovered, what holds it, and its figure.
+/// State and constraints of the selected particle, or else of the hovered one.
 void inspector(play::Play& play, const Look& look, const Fonts& fonts);
 
 } // namespace sinew::window

@@ -7,7 +7,7 @@
 
 namespace sinew::window {
 
-/// What the game calls a key: "p", "[", "ctrl+z", "ctrl+shift+s", "delete".
+/// Name of a key for play::Key: "p", "[", "ctrl+z", "ctrl+shift+s", "delete".
 inline std::string name_of_key(const SDL_Keysym& key) {
     std::string name = SDL_GetKeyName(key.sym);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });

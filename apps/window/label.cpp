@@ -7,7 +7,7 @@ namespace sinew::window {
 std::string elided(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     for (auto length = text.size(); length-- > 1;) {
-        if ((static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) continue; // within a character
+        if ((static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) continue; // inside a UTF-8 character
         auto shorter = text.substr(0, length) + "\xe2\x80\xa6";
         if (ImGui::CalcTextSize(shorter.c_str()).x <= width) return shorter;
     }

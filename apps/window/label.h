@@ -6,30 +6,30 @@
 
 namespace sinew::window {
 
-/// As much of the text as fits, with dots where some is missing.
+/// The longest beginning of the text that fits `width` pixels, followed by an ellipsis if shortened.
 std::string elided(const std::string& text, float width);
 
 void tooltip(const std::string& text);
 
-/// The name of a value with what it means as its tooltip; the value comes next, in a column of its own.
+/// Name of a value, with `help` as tooltip, in the left `share` of the width; the value follows in the rest.
 void label(const std::string& name, const std::string& help, const ImVec4& color, float share = 0.42F);
 
 /// A label and a value with its unit.
 void row(const std::string& name, const std::string& help, const std::string& value, const Look& look);
 
-/// A format for ImGui: a number with its unit.
+/// ImGui format of a number with its unit: "%.4g m".
 std::string number_format(const char* number, const std::string& unit);
 
-/// One of some words, and what it means.
+/// A word to choose, with a tooltip.
 struct Choice {
     const char* word;
     const char* help = "";
 };
 
-/// Some words of which one is chosen, in one frame. The number of the one that is pressed, or -1.
+/// A row of words in one frame, with the word number `chosen` marked. Returns the number of the word pressed, or -1.
 int choice(const char* id, std::initializer_list<Choice> words, int chosen, const Look& look, float width);
 
-/// A square with an icon; `on` fills it.
+/// A square button with an icon, filled if `on`.
 bool icon_button(std::string_view icon, float side, bool on, const Look& look, const std::string& tip);
 
 } // namespace sinew::window

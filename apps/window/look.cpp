@@ -31,10 +31,10 @@ const Look dark = {.surface = rgb(0x20242f),
                    .good = rgb(0x43c6b9),
                    .cool = rgb(0x74a7ff)};
 
-/// The first of some fonts that the machine has.
+/// The first font of the list that is installed; ImGui's own if none is.
 template <std::size_t N> ImFont* font_of(const std::array<const char*, N>& paths, float size) {
     auto& fonts = *ImGui::GetIO().Fonts;
-    static const ImWchar letters[] = {0x20, 0xff, 0x2013, 0x2026, 0x2190, 0x2193, 0}; // Latin, dashes, dots, arrows
+    static const ImWchar letters[] = {0x20, 0xff, 0x2013, 0x2026, 0x2190, 0x2193, 0}; // Latin, dashes, ellipsis, arrows
     std::error_code unknown;
     for (const char* path : paths)
         if (std::filesystem::exists(path, unknown))
@@ -54,7 +54,7 @@ constexpr std::array fixed_fonts = {"/usr/share/fonts/truetype/dejavu/DejaVuSans
 void make_fonts(float density, Fonts& fonts) {
     auto& io = ImGui::GetIO();
     io.Fonts->Clear();
-    // Parts of a pixel in a line's height add up to a scroll bar that nothing needs.
+    // Fractional line heights add up to a needless scroll bar.
     fonts.normal = font_of(text_fonts, std::round(15 * density));
     fonts.large = font_of(text_fonts, std::round(22 * density));
     fonts.small = font_of(text_fonts, 12.5F * density);

@@ -7,18 +7,18 @@
 
 namespace sinew::window {
 
-/// Colours of the panel, beside those of the theme.
+/// Colours of the panel; scenes have themes of their own.
 struct Look {
     ImVec4 surface, raised, line, text, faint, accent, on_accent, good, cool;
 };
 const Look& look_called(const std::string& theme);
 
-/// Letters of the panel. All may be the same where a machine has no others.
+/// Fonts of the panel; all the same on a machine without the preferred ones.
 struct Fonts {
     ImFont *normal = nullptr, *large = nullptr, *small = nullptr, *fixed = nullptr;
 };
 
-/// Makes the panel look so, `density` times as large as usual. Fonts are made anew where the density is another.
+/// Sets ImGui's style, scaled by `density`; makes the fonts again if the density has changed.
 void dress(const Look& look, double density, double& dressed_density, Fonts& fonts);
 
 inline ImVec4 to_gui(const Color& color) {

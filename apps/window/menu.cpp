@@ -10,7 +10,7 @@ namespace {
 using play::Play;
 using play::Purpose;
 
-/// An entry with the key that does the same, by the action's name.
+/// A menu entry with the key of the action, if any.
 bool entry(const Play& play, const char* words, const char* action = "", bool possible = true) {
     const auto key = *action ? play.keys.of(action) : std::string();
     return ImGui::MenuItem(words, key.c_str(), false, possible);

@@ -5,7 +5,7 @@
 
 namespace sinew::window {
 
-/// The bar at the top: File, Edit, View, Help. Where the panel is a drawer, `drawer` is opened and closed from it.
+/// The menu bar: File, Edit, View, Help; also opens and closes the panel's drawer if not docked.
 void menu_bar(play::Play& play, bool docked, bool& drawer);
 
 } // namespace sinew::window

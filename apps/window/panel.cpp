@@ -14,12 +14,12 @@
 namespace sinew::window {
 namespace {
 
-/// A window that takes the focus as it appears may not come while a question is open.
+/// Bars never take the focus when they appear, so that an open question keeps it.
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                           ImGuiWindowFlags_NoFocusOnAppearing;
 
-/// A part of the panel, with a hairline around it.
+/// Begins a part of the panel, with a hairline around.
 void begin_fixed(const char* name, const Area& area, ImGuiWindowFlags more = 0) {
     const ImVec2 corner{float(area.left), float(area.top)}, size{float(area.width), float(area.height)};
     ImGui::SetNextWindowPos(corner);
@@ -47,7 +47,7 @@ bool Panel::leaves_to_scene(double x, double y) const {
     return layout_.scene.contains(x, y) && !layout_.side.contains(x, y) && !popup_open_ && !play_.help;
 }
 
-/// Escape closes a menu or a list, or leaves a field of text; dialogs are the game's to close.
+/// Escape closes a menu or a list, or leaves a text field; dialogs are closed by Play::close().
 bool Panel::take_key(const std::string& key) {
     if (dialogs_.take_key(key)) return true;
     if (key != "escape" || dialogs_.is_open()) return false;
@@ -136,7 +136,7 @@ void Panel::side() {
     ImGui::Dummy({0, 12 * scale_});
 }
 
-/// A line over the scene, so far down; cut off where it is wider.
+/// Text over the scene at the fraction `share` of the height, wrapped to the scene's width.
 void Panel::write_over_scene(const std::string& text, float share, float alpha) {
     const auto& area = layout_.scene;
     const float inset = 14 * scale_, wrap = std::max(float(area.width) - 4 * inset, 60.0F);
@@ -149,7 +149,7 @@ void Panel::write_over_scene(const std::string& text, float share, float alpha) 
     list.AddText(nullptr, 0, {x, y}, packed(look().surface, alpha), text.c_str(), nullptr, wrap);
 }
 
-/// Goes away by itself.
+/// Shows the last message for four seconds.
 void Panel::message() {
     constexpr double shown = 4; // seconds
     if (play_.message != last_message_) last_message_ = play_.message, message_since_ = ImGui::GetTime();

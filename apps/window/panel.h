@@ -9,25 +9,25 @@
 
 namespace sinew::window {
 
-/// All that is around the scene: the menu at the top, tools at the left, time at the bottom, the panel at the right.
+/// Everything around the scene: menu at the top, tools at the left, time at the bottom, panel at the right.
 class Panel {
   public:
     explicit Panel(play::Play& play) : play_(play), browser_(play), dialogs_(play) {}
 
-    /// Works out where everything is in a window of that size, in pixels.
+    /// Lays out a window; width and height in pixels.
     void arrange(int width, int height, double density);
     const Area& scene() const { return layout_.scene; }
-    /// Whether a pointer there (pixels of the window) is over the scene and nothing lies over it.
+    /// True if a window pixel belongs to the scene, with nothing open over the scene.
     bool leaves_to_scene(double x, double y) const;
-    /// Within an ImGui frame.
+    /// Draws within an ImGui frame.
     void show();
-    /// Whether a key was for what lies over the scene and not for the game.
+    /// True if the panel has consumed the key, so that the game must ignore it.
     bool take_key(const std::string& key);
 
     double text_size() const { return dialogs_.text_size; }
     void set_text_size(double size) { dialogs_.text_size = size; }
 
-    /// The context that held them is gone.
+    /// Drops textures and fonts whose OpenGL context is gone.
     void forget_textures() { browser_.forget_textures(); }
     void forget_fonts() { dressed_scale_ = 0; }
     void measure_frame(double seconds) { statistics_.frame(seconds); }
@@ -51,11 +51,11 @@ class Panel {
     Dialogs dialogs_;
     Fonts fonts_;
     Arrangement layout_;
-    float scale_ = 1;          ///< pixels a nominal pixel of bars has
-    double dressed_scale_ = 0; ///< for which fonts were made
+    float scale_ = 1;          ///< pixels per nominal pixel of the bars
+    double dressed_scale_ = 0; ///< scale for which the fonts were made
     int width_ = 0, height_ = 0;
-    bool drawer_ = false;     ///< a panel that is not docked is shown
-    bool popup_open_ = false; ///< a menu, a list or a question lies over the scene
+    bool drawer_ = false;     ///< the panel is shown although not docked
+    bool popup_open_ = false; ///< a menu, a list or a question is open
     bool close_menus_ = false;
     std::string last_message_;
     double message_since_ = 0;

@@ -33,7 +33,7 @@ Screen::~Screen() {
 }
 
 std::optional<std::string> Screen::open(const std::string& title, int width, int height) {
-    // Left to itself SDL may take a driver that shows nothing.
+    // Explicit order: SDL's default may choose a driver without visible output.
     SDL_SetHint(SDL_HINT_VIDEODRIVER, is_set("DISPLAY") ? "x11,wayland" : "wayland,x11");
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
@@ -52,7 +52,7 @@ std::optional<std::string> Screen::open(const std::string& title, int width, int
     return std::nullopt;
 }
 
-/// How dense a display is can be asked only once a window is on it.
+/// Scales the window for a dense display, whose density is known only once the window is open.
 void Screen::fit(int width, int height) {
     const double scale = size_scale();
     if (scale == 1) return;
@@ -63,7 +63,7 @@ void Screen::fit(int width, int height) {
     SDL_SetWindowPosition(window_, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED);
 }
 
-/// Where the driver cannot tell that a context is lost, one that does not tell is better than none.
+/// Creates a context that reports its loss, or a plain one if the driver cannot.
 std::optional<std::string> Screen::renew() {
     if (context_) SDL_GL_DeleteContext(context_);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION, SDL_GL_CONTEXT_RESET_LOSE_CONTEXT);
@@ -107,7 +107,7 @@ double Screen::pointer_scale() const {
     return width > 0 ? double(this->width()) / width : 1;
 }
 
-/// SINEW_SCALE decides; else what the desktop says to other programs; else how dense the display is.
+/// Order: SINEW_SCALE, GDK_SCALE, pixels per unit of the window, dots per inch over 96.
 double Screen::density() const {
     for (const char* variable : {"SINEW_SCALE", "GDK_SCALE"})
         if (is_set(variable))

@@ -14,14 +14,15 @@ class Screen {
     Screen& operator=(const Screen&) = delete;
     ~Screen();
 
-    /// A window of that size in nominal pixels, as much larger as letters are, as far as the display has room. What
-    /// went wrong, or nothing.
+    /// Opens a window of nominal pixels, scaled like the letters as far as the display has room; returns the reason of
+    /// failure, or nothing.
     std::optional<std::string> open(const std::string& title, int width, int height);
-    /// Units of SDL's window size that a nominal pixel has.
+    /// Units of SDL's window size per nominal pixel.
     double size_scale() const { return density() / pointer_scale(); }
-    /// Whether the context was lost, as when a graphics driver starts anew: nothing more will be seen of it.
+    /// True if the context was lost, as after a restart of the graphics driver; nothing is displayed any more.
     bool lost() const;
-    /// A new context in the same window. What was in the old one is gone.
+    /// Creates a new context in the same window, without the old one's objects; returns the reason of failure, or
+    /// nothing.
     std::optional<std::string> renew();
 
     SDL_Window* window() const { return window_; }
@@ -29,13 +30,13 @@ class Screen {
 
     int width() const;  ///< pixels
     int height() const; ///< pixels
-    /// Pixels that a unit of SDL's pointer has: 2 on some dense displays.
+    /// Pixels per unit of SDL's pointer: 2 on some dense displays.
     double pointer_scale() const;
-    /// How much larger than usual letters should be.
+    /// Magnification of letters, 1 on a usual display.
     double density() const;
     bool minimized() const;
     void show() const { SDL_GL_SwapWindow(window_); }
-    /// Whether showing waits for the display.
+    /// Switches vertical synchronisation.
     void wait_for_display(bool on);
 
   private:

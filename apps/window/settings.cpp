@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of the XDG base directories; none where there is no home.
+/// A folder of the XDG base directories; empty if HOME is not set.
 fs::path folder(const char* variable, const char* usual) {
     const char* const own = std::getenv(variable);
     if (own && *own) return fs::path(own) / "sinew";
@@ -43,7 +43,7 @@ Settings load_settings() {
 void save_settings(const Settings& settings) {
     const auto path = settings_path();
     if (path.empty()) return;
-    (void)play::write_file(path, json::to_text(write(settings, Writing{})) + "\n"); // next time they are the usual ones
+    (void)play::write_file(path, json::to_text(write(settings, Writing{})) + "\n"); // on failure: defaults next time
 }
 
 fs::path draft_path() {

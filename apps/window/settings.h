@@ -9,9 +9,9 @@
 
 namespace sinew::window {
 
-/// What is remembered from one time to the next, in $XDG_CONFIG_HOME/sinew/window.json.
+/// Settings kept between runs, in $XDG_CONFIG_HOME/sinew/window.json.
 struct Settings {
-    std::string theme; ///< empty: as scenes say
+    std::string theme; ///< empty: the theme of each scene
     int width = 1280, height = 720;
     bool panel = true;
     bool free_running = false;
@@ -21,23 +21,25 @@ struct Settings {
     std::vector<std::pair<std::string, std::string>> keys;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.theme, Field{.name = "theme", .help = "light, dark, or as scenes say"});
-        visit(self.width, Field{.name = "width", .help = "Of the window, nominal pixels", .low = 1, .high = 16384});
-        visit(self.height, Field{.name = "height", .help = "Of the window, nominal pixels", .low = 1, .high = 16384});
-        visit(self.panel, Field{.name = "panel", .help = "Whether the panel is shown"});
-        visit(self.free_running, Field{.name = "free_running", .help = "Whether pictures do not wait for the display"});
-        visit(self.text_size, Field{.name = "text_size", .help = "Of letters and bars", .low = 0.5, .high = 4});
-        visit(self.hint, Field{.name = "hint", .help = "Whether nothing was ever dragged: the hint is shown"});
-        visit(self.recent, Field{.name = "recent", .help = "Files, the latest first"});
-        visit(self.keys, Field{.name = "keys", .help = "Keys of actions and tools that are not as usual"});
+        visit(self.theme, Field{.name = "theme", .help = "light or dark; empty: the theme of each scene"});
+        visit(self.width,
+              Field{.name = "width", .help = "Width of the window, nominal pixels", .low = 1, .high = 16384});
+        visit(self.height,
+              Field{.name = "height", .help = "Height of the window, nominal pixels", .low = 1, .high = 16384});
+        visit(self.panel, Field{.name = "panel", .help = "True if the panel is shown"});
+        visit(self.free_running, Field{.name = "free_running", .help = "True if pictures do not wait for the display"});
+        visit(self.text_size, Field{.name = "text_size", .help = "Factor for letters and bars", .low = 0.5, .high = 4});
+        visit(self.hint, Field{.name = "hint", .help = "True until the first drag; enables the hint"});
+        visit(self.recent, Field{.name = "recent", .help = "Recent files, the latest first"});
+        visit(self.keys, Field{.name = "keys", .help = "Changed keys of actions and tools"});
     }
 };
 
-/// As they were saved; the usual ones where there are none or they cannot be read.
+/// Saved settings; the defaults if the file is missing or invalid.
 Settings load_settings();
 void save_settings(const Settings& settings);
 
-/// Where unsaved edits are kept: $XDG_STATE_HOME/sinew/autosave.json; empty where there is no home.
+/// File of unsaved edits: $XDG_STATE_HOME/sinew/autosave.json; empty if HOME is not set.
 std::filesystem::path draft_path();
 
 } // namespace sinew::window

@@ -16,7 +16,7 @@
 namespace sinew::window {
 namespace {
 
-/// Parts of the solver, and of every figure, that act in one mode only.
+/// Fields of the solver and of figures that have an effect in one mode only.
 struct OfMode {
     std::string_view path, mode;
 };
@@ -25,7 +25,7 @@ constexpr std::array parts_of_modes = {OfMode{"solver.rules", "classic"},      O
                                        OfMode{"solver.direct", "physical"},    OfMode{"figures.direct", "physical"},
                                        OfMode{"figures.integrator", "classic"}};
 
-/// Numbers that a scene's units do not measure.
+/// Units of fields whose unit is not one of the scene's units.
 struct Measured {
     std::string_view path, mode, unit;
 };
@@ -38,7 +38,7 @@ constexpr std::array measured_otherwise = {Measured{"solver.rate", "", "a second
                                            Measured{"solver.substeps", "", "a step"},
                                            Measured{"solver.iterations", "", "a substep"}};
 
-/// The path of a figure's part without the figure's number.
+/// Path of a figure's field without the figure's number.
 std::string of_any_figure(const std::string& path) {
     constexpr std::string_view figures = "figures";
     const auto number = path.starts_with(figures) ? path.find('.', figures.size() + 1) : std::string::npos;
@@ -55,10 +55,10 @@ bool acts_in(std::string_view mode, const std::string& path) {
 
 namespace {
 
-/// Walks a layout beside what the scene says, and shows what can be changed.
+/// Shows the fields of a layout, with the values of a scene, as widgets.
 class Form {
   public:
-    /// Takes a new value of a path; the last argument: it is one of many on the way of a slider.
+    /// Applies a new value to a path; the flag is set while a widget is dragged, after the first change.
     using Setter = std::function<void(const std::string&, const json::Value&, bool)>;
 
     Form(const Scene& scene, const Look& look, Setter setter)
@@ -104,11 +104,11 @@ class Form {
             if (!part.optional || own) record(part, own, here);
             return;
         default:
-            return; // lists and maps are for an editor of text
+            return; // lists and maps are left to a text editor
         }
     }
 
-    /// The fields of the alternative that the object says it is.
+    /// Shows the fields of the alternative named in the object.
     void alternative(const Layout& part, const json::Value* value, const std::string& path) {
         const auto* said = member(value, part.field.name);
         const auto* name = said ? said->as<std::string>() : nullptr;
@@ -123,7 +123,7 @@ class Form {
         return units_.text(part.field.unit);
     }
 
-    /// Numbers that share a field tell their unit beside their name.
+    /// Vectors show their unit beside the name, because several numbers share the field.
     void label(const Layout& part, const std::string& unit = "") const {
         auto name = std::string(part.field.name);
         std::replace(name.begin(), name.end(), '_', ' ');
@@ -158,7 +158,7 @@ class Form {
         ImGui::EndCombo();
     }
 
-    /// Narrow ranges are sliders; in wide ones the pointer moves a number in parts of itself.
+    /// A slider for a narrow range; for a wide one, a drag proportional to the number.
     void number(const Layout& part, const json::Value* own, const std::string& path) {
         const auto* said = own ? own->as<json::Number>() : nullptr;
         const auto* usual = part.usual.as<json::Number>();
@@ -205,7 +205,7 @@ class Form {
     }
 };
 
-/// What a scene says under a name.
+/// Layout of a section of the scene.
 const Layout& layout_named(std::string_view name) {
     static const Layout scene = scene_layout();
     const auto found = std::find_if(scene.parts.begin(), scene.parts.end(),
@@ -241,7 +241,7 @@ void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
     section(layout_named("solver"), "solver");
     const auto* own = json::find(root, "figures");
     if (const auto* figures = own ? own->value.as<json::Array>() : nullptr) {
-        constexpr std::size_t most = 12; // figures: a crowd is for the file
+        constexpr std::size_t most = 12; // figures; larger crowds are edited in the file
         for (std::size_t i = 0; i < std::min(figures->size(), most); ++i) {
             title(std::string(sinew::name_of(play.session().scene().figures[i])));
             form.record(layout_of_figures(), &(*figures)[i], "figures." + std::to_string(i));

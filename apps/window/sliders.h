@@ -8,13 +8,14 @@
 
 namespace sinew::window {
 
-/// The scene's numbers and words, as its records declare them; a change is applied at once.
+/// Widgets for the numbers and words of the scene, as declared by its records; changes apply at once.
 void sliders(play::Play& play, const Look& look, const Fonts& fonts);
 
-/// Whether a part of a scene ("solver.rules", "figures.0.direct") changes anything in a mode; others are not shown.
+/// True if a field of the scene ("solver.rules", "figures.0.direct") has an effect in the mode; other fields are
+/// hidden.
 bool acts_in(std::string_view mode, const std::string& path);
 
-/// Which prefab the spawn tool makes, and with which parameters.
+/// Choice of the prefab for the spawn tool, with parameters.
 void prefab_form(play::Play& play, const Look& look);
 
 } // namespace sinew::window

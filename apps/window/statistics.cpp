@@ -17,7 +17,7 @@ template <class Deque, class Value> void keep(Deque& deque, Value value, std::si
     if (deque.size() > most) deque.pop_front();
 }
 
-/// A frame for a graph; its corners.
+/// Draws the background of a graph; returns two corners.
 std::array<ImVec2, 2> graph_frame(const Look& look, float height) {
     const auto at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
@@ -46,7 +46,7 @@ double largest_tension(const AnyWorld& world) {
             double largest = 0;
             constexpr int kind = kind_number<Distance, std::decay_t<decltype(any)>::dimension>;
             const auto& table = std::get<kind>(any.constraints);
-            constexpr std::size_t few = 5000; // more takes too long for what it tells
+            constexpr std::size_t few = 5000; // distances; beyond, the measurement takes too long
             if (any.settings.mode == Mode::classic || table.size() > few) return largest;
             for (Row row = 0; row < table.size(); ++row)
                 if (const auto state = constraint_state(any, {kind, table.slots.id_of(row)}))
@@ -67,7 +67,7 @@ struct Legend {
     ImVec4 color;
 };
 
-/// The name of a graph with its range, and what its colours are; in a line of their own where they do not fit.
+/// Title of a graph with the range and a legend, which wraps to another line if too wide.
 void graph_title(const char* name, const char* help, const std::string& range, const std::vector<Legend>& legend,
                  const Look& look) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -109,7 +109,7 @@ void Statistics::steps(double seconds, std::uint64_t count, const PhaseTimes& ph
 }
 
 void Statistics::sample(play::Play& play) {
-    constexpr double every = 0.1; // seconds of the player
+    constexpr double every = 0.1; // seconds of real time
     if (play.scene_name() != scene_) energies_.clear(), step_times_.clear(), sampled_ = ~0ULL;
     scene_ = play.scene_name();
     if (ImGui::GetTime() - since_ < every || play.tape().now() == sampled_) return;
@@ -155,7 +155,7 @@ void Statistics::numbers(play::Play& play, const Look& look) const {
         text("%.1f ms", frame_) + text(", %.0f a second", 1000 / std::max(frame_, 0.01)), look);
 }
 
-/// The same number, the same state to the last bit.
+/// Shows the hash of the state: equal hashes, equal bits.
 void Statistics::hash(play::Play& play, const Look& look, const Fonts& fonts) const {
     label("hash", "one number over the whole state: equal on every machine", look.faint);
     char hash[17];
@@ -167,7 +167,7 @@ void Statistics::hash(play::Play& play, const Look& look, const Fonts& fonts) co
     if (pressed) play.copy_hash();
 }
 
-/// One on the other: the uppermost line is all of a step.
+/// Times of the phases stacked, below a line for the whole step.
 void Statistics::times(const Look& look, float scale) const {
     const std::array<ImVec4, 5> colors = {look.faint, look.accent, look.cool, look.good, look.text};
     float slowest = 0.05F;
@@ -186,7 +186,7 @@ void Statistics::times(const Look& look, float scale) const {
 void Statistics::energies(const Look& look, float scale) const {
     float low = 0, high = 0;
     const auto total = [](const Energies& e) { return e.kinetic + e.potential + e.stored; };
-    const float origin = energies_.empty() ? 0 : energies_.front().potential; // only changes of it mean anything
+    const float origin = energies_.empty() ? 0 : energies_.front().potential; // only differences have a meaning
     for (const auto& e : energies_)
         for (const float value : {e.kinetic, e.potential - origin, total(e) - origin})
             low = std::min(low, value), high = std::max(high, value);

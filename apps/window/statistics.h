@@ -9,16 +9,16 @@
 
 namespace sinew::window {
 
-/// "20 distance, 4 angle": how many constraints of each kind, by the name that the kind has for itself.
+/// "20 distance, 4 angle": number of constraints of each kind, by the kind's own name.
 std::string kinds_of(const AnyWorld& world);
 
-/// What the world has and what it costs, over time.
+/// Counts, times and energies of the running session.
 class Statistics {
   public:
     void frame(double seconds) { frame_ += (seconds * 1000 - frame_) * 0.1; }
-    /// So many steps took so long, together, and in each phase.
+    /// Records `count` steps that took `seconds` together, and the times of the phases.
     void steps(double seconds, std::uint64_t count, const PhaseTimes& phases);
-    /// Measures the world every now and then.
+    /// Samples the world at most ten times per second.
     void sample(play::Play& play);
     void show(play::Play& play, const Look& look, const Fonts& fonts, float scale);
 
@@ -35,7 +35,7 @@ class Statistics {
     };
 
     double frame_ = 16, step_ = 0; ///< milliseconds, smoothed
-    /// Milliseconds of a step up to the end of each phase; the last: all of it, with what drives the scene.
+    /// Milliseconds per step to the end of each phase; last, the whole step with the scene's drivers.
     using StepTimes = std::array<float, phase_names.size() + 1>;
     std::deque<StepTimes> step_times_;
     std::deque<Energies> energies_;

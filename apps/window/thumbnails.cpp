@@ -13,13 +13,13 @@
 namespace sinew::window {
 namespace {
 
-/// The scene after a fifth of its time, or as far as a moment's work leads.
+/// Draws the scene after a fifth of its time, at most 4 s, or as far as 0.3 s of work lead.
 std::vector<std::byte> draw(const play::Shelf& shelf, const std::string& name, const std::string& theme) {
     const std::vector<Override> overrides = {{"view.theme=" + theme, "the panel"}};
     auto fetched = shelf.fetch(name, overrides);
     if (!fetched.opened) return {};
     Session session(std::move(*fetched.opened));
-    constexpr double part = 0.2, longest = 4; // seconds of the scene
+    constexpr double part = 0.2, longest = 4; // simulated seconds
     const double until = std::min(session.scene().seconds * part, longest);
     const auto begin = std::chrono::steady_clock::now();
     while (session.seconds() < until && std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(300))

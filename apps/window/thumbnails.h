@@ -12,7 +12,7 @@
 
 namespace sinew::window {
 
-/// Small pictures of scenes, drawn one after the other by a thread of their own.
+/// Small pictures of scenes, drawn one after the other by a background thread.
 class Thumbnails {
   public:
     static constexpr int width = 192, height = 144; ///< pixels
@@ -20,9 +20,9 @@ class Thumbnails {
     explicit Thumbnails(const play::Shelf& shelf) : shelf_(shelf) {}
     ~Thumbnails();
 
-    /// Its texture; 0 as long as there is none.
+    /// OpenGL texture of a scene in a theme, requested at the first call; 0 until drawn.
     std::uint32_t of(const std::string& name, const std::string& theme);
-    /// Draws them all again: the context that held them is gone.
+    /// Forgets all textures, of a context that is gone; thumbnails are drawn again on request.
     void forget() { textures_.clear(); }
 
   private:
@@ -34,7 +34,7 @@ class Thumbnails {
     void work(const std::stop_token& stop);
 
     const play::Shelf& shelf_;
-    std::map<std::string, std::uint32_t> textures_; ///< by name and theme; 0: asked for
+    std::map<std::string, std::uint32_t> textures_; ///< by name and theme; 0: not drawn yet
     std::mutex mutex_;
     std::condition_variable_any wanted_changed_;
     std::vector<std::pair<std::string, std::string>> wanted_;

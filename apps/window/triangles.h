@@ -8,7 +8,7 @@
 
 namespace sinew::window {
 
-/// Positive where the outline turns from x towards y.
+/// Positive if the outline turns from x towards y.
 inline float signed_area(std::span<const Vec2<float>> outline) {
     float twice = 0;
     for (std::size_t i = 1; i + 1 < outline.size(); ++i)
@@ -18,7 +18,7 @@ inline float signed_area(std::span<const Vec2<float>> outline) {
 
 inline bool is_convex(std::span<const Vec2<float>> outline) {
     bool left = false, right = false;
-    float turn = 0; // a star turns twice
+    float turn = 0; // changes of direction along x; more than two in a star
     const auto count = outline.size();
     for (std::size_t i = 0; i < count; ++i) {
         const auto a = outline[i], b = outline[(i + 1) % count], c = outline[(i + 2) % count];
@@ -30,8 +30,8 @@ inline bool is_convex(std::span<const Vec2<float>> outline) {
     return !(left && right) && turn <= 2;
 }
 
-/// Calls triangle(a, b, c) with numbers of corners: together they fill a simple polygon (by cutting off ears). One that
-/// crosses itself is filled about. `rest` is scratch.
+/// Triangulates a simple polygon by cutting off ears; calls triangle(a, b, c) with indices of corners. An outline that
+/// crosses itself is filled approximately. `rest` is scratch.
 template <class Triangle>
 void triangulate(std::span<const Vec2<float>> outline, std::vector<std::uint32_t>& rest, Triangle&& triangle) {
     const auto count = std::uint32_t(outline.size());
@@ -57,7 +57,7 @@ void triangulate(std::span<const Vec2<float>> outline, std::vector<std::uint32_t
     std::size_t at = 0, failed = 0;
     while (rest.size() > 3 && failed <= rest.size()) {
         at %= rest.size();
-        if (failed == rest.size() || is_ear(at)) { // where there is no ear, any corner goes
+        if (failed == rest.size() || is_ear(at)) { // without an ear, any corner is cut off
             const auto n = rest.size();
             triangle(rest[(at + n - 1) % n], rest[at], rest[(at + 1) % n]);
             rest.erase(rest.begin() + std::ptrdiff_t(at));

@@ -62,15 +62,15 @@ class Window {
     Screen screen_;
     Panel panel_;
     std::unique_ptr<GlPainter> painter_;
-    std::vector<Picture> pictures_; ///< one a pane
-    Area area_;                     ///< of the scene
+    std::vector<Picture> pictures_; ///< per pane
+    Area area_;                     ///< area of the scene
     std::vector<SDL_Scancode> new_keys_;
     std::vector<SDL_Event> late_releases_;
     std::string title_;
     std::int64_t frames_ = 0;
-    double shown_ = 0, stepping_ = 0, gathering_ = 0, painting_ = 0; ///< seconds, of all frames
+    double shown_ = 0, stepping_ = 0, gathering_ = 0, painting_ = 0; ///< seconds, summed over all frames
 
-    /// The game as its settings say.
+    /// Applies the settings to the game.
     void begin() {
         settings_ = load_settings();
         play_.theme = settings_.theme;
@@ -106,7 +106,7 @@ class Window {
         window::save_settings(settings_);
     }
 
-    /// What lives in the OpenGL context.
+    /// Creates the objects of the OpenGL context.
     std::optional<std::string> prepare() {
         painter_ = std::make_unique<GlPainter>();
         if (!painter_->problem().empty()) return painter_->problem();
@@ -114,7 +114,7 @@ class Window {
         return std::nullopt;
     }
 
-    /// After the context was lost: all again in a new one. The scene knows nothing of it.
+    /// Creates all objects again in a new context after the old one was lost; the session is not affected.
     std::optional<std::string> start_anew() {
         ImGui_ImplOpenGL3_Shutdown();
         painter_.reset();
@@ -132,7 +132,7 @@ class Window {
                            {"ms_gather", gathering_ * each},
                            {"ms_paint", painting_ * each}});
         save_settings();
-        if (!play_.quit) play_.write_draft(); // interrupted: nobody was asked
+        if (!play_.quit) play_.write_draft(); // interrupted, without a question about unsaved edits
         ImGui_ImplOpenGL3_Shutdown();
         ImGui_ImplSDL2_Shutdown();
         ImGui::DestroyContext();
@@ -151,7 +151,7 @@ class Window {
             tell_gui(event);
             take(event);
         }
-        if (screen_.minimized() || width < 1 || height < 1) { // nothing to see: time stands still
+        if (screen_.minimized() || width < 1 || height < 1) { // invisible: simulated time stops
             SDL_Delay(50);
             return;
         }
@@ -163,7 +163,7 @@ class Window {
         const auto drawn = Clock::now();
         name_window();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glDisable(GL_SCISSOR_TEST); // panes of a split view may leave a column
+        glDisable(GL_SCISSOR_TEST); // panes of a split view may leave a column uncovered
         glClear(GL_COLOR_BUFFER_BIT);
         for (std::size_t i = 0; i < pictures_.size() && i < play_.pane_count(); ++i)
             painter_->paint(pictures_[i], area_.left + play_.pane_left(i), height - area_.top - area_.height);
@@ -184,8 +184,8 @@ class Window {
         painting_ += seconds_between(drawn, Clock::now());
     }
 
-    /// ImGui's back-end asks the display server where the pointer is, which on X11 answers with an old place once a
-    /// button was pressed; and it counts in units of the window, where the panel counts in pixels.
+    /// ImGui's back-end asks the display server for the pointer, which on X11 returns an old position after a button
+    /// was pressed; and the back-end counts in units of the window, the panel in pixels.
     void tell_gui_of_pixels() const {
         auto& io = ImGui::GetIO();
         io.DisplaySize = {float(screen_.width()), float(screen_.height())};
@@ -197,14 +197,14 @@ class Window {
         io.MousePos = is_here ? ImVec2{float(x) * scale, float(y) * scale} : ImVec2{-FLT_MAX, -FLT_MAX};
     }
 
-    /// Where the display does not make the program wait, more pictures than any display shows are of no use.
+    /// Limits the rate to 250 pictures per second where the display does not make the program wait.
     static void rest(Clock::time_point begin) {
         constexpr double shortest = 1.0 / 250;
         const double left = shortest - seconds_between(begin, Clock::now());
         if (left > 0) SDL_Delay(Uint32(left * 1000));
     }
 
-    /// As many steps as are due, as long as pictures keep coming.
+    /// Takes the steps that are due, for at most about 25 ms.
     void step(double passed) {
         constexpr double longest = 0.025; // seconds
         const auto begin = Clock::now();
@@ -227,7 +227,8 @@ class Window {
         return {{x * scale - area_.left, y * scale - area_.top}};
     }
 
-    /// ImGui looks at keys once a frame: the release of one that was pressed in the same frame waits for the next.
+    /// ImGui samples keys once per frame: if press and release fall into one frame, the release is passed on in the
+    /// next.
     void tell_gui(const SDL_Event& event) {
         const bool is_new = event.type == SDL_KEYUP &&
                             std::find(new_keys_.begin(), new_keys_.end(), event.key.keysym.scancode) != new_keys_.end();
@@ -298,8 +299,8 @@ class Window {
 
     bool dragging_ = false, is_lost_ = false;
 
-    /// Whether a pointer there is over the scene. Told from where things are, not from what ImGui saw in the picture
-    /// before: a pointer that leaves a button and is pressed at once is over the scene already.
+    /// True if a pointer at this position is over the scene. Decided by the layout, not by ImGui's last frame: a
+    /// pointer that leaves a button and is pressed at once is already over the scene.
     bool is_free(int x, int y) const {
         const double scale = screen_.pointer_scale();
         return panel_.leaves_to_scene(x * scale, y * scale);
@@ -310,7 +311,7 @@ class Window {
         return is_free(x, y);
     }
 
-    /// Escape leaves a field of text, and what it belongs to.
+    /// Escape leaves a text field and closes the dialog around the field.
     void press_key(const SDL_Keysym& key, bool typing) {
         const auto name = name_of_key(key);
         if (panel_.take_key(name) || (typing && name != "escape")) return;
@@ -324,7 +325,7 @@ class Window {
         return std::nullopt;
     }
 
-    /// What is dragged stays so beyond the window's edge.
+    /// Captures the mouse, so that a drag continues beyond the window's edge.
     void press(play::Button button) {
         dragging_ = true;
         SDL_CaptureMouse(SDL_TRUE);
@@ -336,10 +337,10 @@ class Window {
         play_.handle(play::Released{button});
     }
 
-    /// SDL moves a mouse to where the first finger is: for the panel, not for the scene.
+    /// True for the mouse events that SDL makes of the first finger: meant for the panel, not for the scene.
     static bool is_a_finger(Uint32 mouse) { return mouse == SDL_TOUCH_MOUSEID; }
 
-    /// A finger does not hover, so that the panel has not seen it come.
+    /// Decided by the layout: fingers do not hover, so ImGui has not seen the pointer arrive.
     bool is_scene(Vec2<double> at) const { return panel_.leaves_to_scene(at[0] + area_.left, at[1] + area_.top); }
 
     Vec2<double> under(const SDL_TouchFingerEvent& finger) const {

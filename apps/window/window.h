@@ -7,10 +7,10 @@
 
 namespace sinew::window {
 
-/// Whether there is a display that a window could be opened on.
+/// True if the environment names a display.
 bool has_display();
 
-/// Shows the game until the player quits; what went wrong, or nothing.
+/// Shows the game until the player quits; returns the reason of failure, or nothing.
 std::optional<std::string> show(play::Play& play);
 
 } // namespace sinew::window

@@ -13,7 +13,7 @@ std::size_t count_constraints(const AnyWorld& world) {
         world);
 }
 
-/// Cuts what the pointer is drawn across. A whole stroke is undone at once.
+/// Cuts along the path of the pointer. A whole stroke is undone at once.
 class CutTool final : public Tool {
     std::string_view name() const override { return "cut"; }
     std::string_view key() const override { return "x"; }
@@ -37,11 +37,11 @@ class CutTool final : public Tool {
         if (trail_.size() > longest_trail) trail_.erase(trail_.begin());
     }
 
-    /// Cuts in the active pane; tells how many constraints.
+    /// Cuts in the active pane; returns the number of constraints removed.
     std::size_t slash(Play& play, Vec2<double> to) const {
         const auto look = play.eye().look(play.session());
         const auto view = play.view();
-        constexpr double depth = 1; // any: only the direction counts
+        constexpr double depth = 1; // any depth: only the direction counts
         const Slash slash{{view.place_of(from_, depth), view.place_of(to, depth)}, look};
         const auto before = count_constraints(play.session().world());
         if (cut_ == 0)

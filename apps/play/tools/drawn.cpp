@@ -6,13 +6,13 @@
 namespace sinew::play {
 namespace {
 
-/// A line drawn by hand, as points of the world at even distances.
+/// A line drawn by hand, as points at even distances.
 class Stroke {
   public:
     void begin(const Play& play) { points_.assign(1, play.pointer()); }
 
     void go_on(const Play& play) {
-        const double least = 14 * play.density(); // nominal pixels from point to point
+        const double least = 14 * play.density(); // nominal pixels between points
         for (double left = distance(points_.back(), play.pointer()); left >= least && points_.size() < most;
              left = distance(points_.back(), play.pointer()))
             points_.push_back(points_.back() + (play.pointer() - points_.back()) * (least / left));
@@ -20,7 +20,7 @@ class Stroke {
 
     std::size_t size() const { return points_.size(); }
 
-    /// The figure's particles p0, p1, ...
+    /// Particles of the figure: p0, p1, ...
     json::Object particles(const Play& play, double mass) const {
         const auto view = play.view();
         const auto& scene = play.session().scene();
@@ -59,7 +59,7 @@ json::Value link(std::size_t a, std::size_t b) {
     return json::Object{{"between", json::Array{Stroke::name(a), Stroke::name(b)}}};
 }
 
-/// What is wide is drawn so in units of the scene.
+/// Length in scene units of a number of nominal pixels.
 double nominal_width(const Play& play, double pixels) {
     const auto view = play.view();
     const double depth = 1;
@@ -100,7 +100,7 @@ class RopeTool final : public Tool {
     Stroke stroke_;
 };
 
-/// A closed form: its outline and what holds it open, each corner with the one across.
+/// A closed form: links along the outline, links to the next but one corner, and links across.
 class PolygonTool final : public Tool {
     std::string_view name() const override { return "polygon"; }
     std::string_view key() const override { return "f"; }

@@ -9,14 +9,14 @@ json::Array numbers(const Point& point) {
     return items;
 }
 
-/// Takes hold of what is nearest and carries it, in 3D in the plane across the view.
+/// Grabs the nearest particle or particles and drags, in 3D in the plane parallel to the picture.
 class GrabTool final : public Tool {
     std::string_view name() const override { return "grab"; }
     std::string_view key() const override { return "a"; }
     std::string_view about() const override { return "takes hold of what is nearest; let go to throw it"; }
 
-    /// In every pane of a split view the particle of the same name is held, wherever it is there; where there is none
-    /// of that name, what is under the pointer.
+    /// In other panes of a split view grabs the particles of the same names, at any position; without such names, the
+    /// particles under the pointer.
     void press(Play& play) override {
         const auto picked = play.pick_here();
         play.select(picked);
@@ -80,10 +80,10 @@ class GrabTool final : public Tool {
 
     struct Hold {
         bool held = false;
-        double depth = 0;      ///< of what is held, from the eye
-        Vec2<double> offset{}; ///< from the pointer to what is held, pixels
+        double depth = 0;      ///< distance of the grabbed point from the camera
+        Vec2<double> offset{}; ///< from the pointer to the grabbed point, pixels
     };
-    std::vector<Hold> holds_; ///< one a pane
+    std::vector<Hold> holds_; ///< per pane
 };
 
 } // namespace

@@ -37,7 +37,7 @@ class PinTool final : public Tool {
         pin.to = place_of(world, {&*id, 1});
     }
 
-    /// The scene's pin nearest to the pointer.
+    /// The first pin of the scene within 18 nominal pixels of the pointer.
     static std::optional<std::size_t> pin_near(const Play& play) {
         constexpr double near = 18; // nominal pixels
         const auto& session = play.session();

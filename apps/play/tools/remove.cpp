@@ -8,12 +8,12 @@
 namespace sinew::play {
 namespace {
 
-/// Whether a name is the figure's or of something in it.
+/// True if a name belongs to the figure or to a part of the figure.
 bool belongs(std::string_view name, const std::string& figure) {
     return name == figure || name.starts_with(figure + "/");
 }
 
-/// A scene without a figure, and without what speaks of it.
+/// The scene without a figure and all references to the figure.
 Scene without(Scene scene, const std::string& figure) {
     std::erase_if(scene.figures, [&](const FigureSection& one) { return sinew::name_of(one) == figure; });
     std::erase_if(scene.pins, [&](const PinSection& pin) { return belongs(pin.particle, figure); });

@@ -4,7 +4,7 @@
 namespace sinew::play {
 namespace {
 
-/// A figure put into the scene at the pointer.
+/// Adds a figure at a point.
 void put(Play& play, const std::string& prefab, json::Object parameters, const Point& at) {
     const auto& scene = play.session().scene();
     const auto name = free_name(scene, prefab);
@@ -32,7 +32,7 @@ class SpawnTool final : public Tool {
     }
 };
 
-/// A cloth as large as the rectangle that is drawn.
+/// A cloth of the size of the drawn rectangle.
 class ClothTool final : public Tool {
     std::string_view name() const override { return "cloth"; }
     std::string_view key() const override { return "l"; }
