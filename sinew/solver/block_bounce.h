@@ -18,7 +18,7 @@ template <int D> class BlockBounce {
     /// `little` is an energy that may be lost where a joint comes to rest on its end.
     BlockBounce(BlockEquations<D>& block, double little) : block_(block), bends_(block.bends()), little_(little) {}
 
-    /// Velocities are those at the end of the swing. False where no joint has come to its end.
+    /// Takes the velocities at the end of the swing. False if no joint has reached a limit.
     bool run() {
         const bool landed = stop(true), struck = stop(false);
         return landed || struck;
@@ -29,7 +29,7 @@ template <int D> class BlockBounce {
     BlockBends<D>& bends_;
     double little_;
 
-    /// Those that come back within the substep, or those that do not.
+    /// Stops the joints back within the substep if `landing`, otherwise reflects velocities at the others.
     bool stop(bool landing) {
         bool any = false;
         for (auto& bend : bends_.all()) {

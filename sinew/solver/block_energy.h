@@ -3,7 +3,7 @@
 #include "sinew/solver/block_solve.h"
 #include "sinew/solver/rigid_motion.h"
 
-/// What a block's motion has to keep: its energy, and where nothing holds it its momentum and spin.
+/// Conservation in a block: of energy, and in a free block of momentum and angular momentum.
 namespace sinew::detail {
 
 template <int D> class BlockEnergy {
@@ -15,7 +15,7 @@ template <int D> class BlockEnergy {
         if (free_) begun_ = Motion::of(solve_.unknowns(), Solve::start_of);
     }
 
-    /// What the force fields put in on the way, less what the springs took.
+    /// Work of the force fields in the substep, less the increase of energy in springs.
     double work() const {
         double sum = 0;
         for (const auto& node : solve_.unknowns()) sum += node.mass * dot(node.push, node.place - node.start);
@@ -30,7 +30,7 @@ template <int D> class BlockEnergy {
         return sum;
     }
 
-    /// How much more a swing to its places has than it began with and was given, as a part of what rounding may do.
+    /// Excess of the energy after a midpoint step over the energy due, in units of the rounding tolerance.
     double gain() {
         constexpr double rounding = 1e-6, tiny = 2e-7;
         const double per_h = 2 / solve_.substep();
@@ -57,16 +57,16 @@ template <int D> class BlockEnergy {
         return solve_.kinetic() - of_the_whole(momentum);
     }
 
-    /// The kinetic energy it should have then, and how much of that it has not.
+    /// Kinetic energy due at the end of the substep, and the deficit.
     double due() const { return due_; }
     double missing() const { return maximum(due_ - after_, 0.0); }
 
-    /// What moves about the motion of the whole is slowed down, until no more than that is left.
+    /// Scales the motion relative to the rigid-body motion down until the kinetic energy is at most `most`.
     void slow_down(double most) const {
         if (solve_.kinetic() > most) bring_to(most);
     }
 
-    /// What moves about the motion of the whole gets slower or faster, until the energy is that.
+    /// Scales the motion relative to the rigid-body motion until the kinetic energy is `kinetic`.
     void bring_to(double kinetic) const {
         constexpr double fastest = 1.1; // a correction, not a kick
         const auto unknowns = solve_.unknowns();
@@ -82,9 +82,9 @@ template <int D> class BlockEnergy {
         for (auto& node : unknowns) node.velocity = whole(node) + (node.velocity - whole(node)) * share;
     }
 
-    /// A free block has the momentum and the spin it had, and what the fields gave it: links only act within. The
-    /// moment of a field is taken about the mean of the centres at both ends of the substep: about either one of them
-    /// a figure in flight would be turned by its own weight.
+    /// Restores momentum and angular momentum of a free block: the initial ones plus the impulses of the fields, since
+    /// links act within. The moment of a field is taken about the mean of the centres at both ends of the substep:
+    /// about either one of the two a figure in flight would be turned by its own weight.
     void keep_momentum() const {
         if (!free_) return;
         const auto unknowns = solve_.unknowns();

@@ -3,7 +3,7 @@
 #include "sinew/solver/block_bend.h"
 #include "sinew/solver/block_way.h"
 
-/// The linear equations of a block, as links, angles and ways write themselves into them, and what is measured of it.
+/// Linear equations of a block, assembled by links, angles and cables, and measurements of the block.
 namespace sinew::detail {
 
 template <int D> class BlockEquations {
@@ -13,7 +13,7 @@ template <int D> class BlockEquations {
     BlockEquations(Blocks<D>& blocks, const Block& block, double substep)
         : blocks_(blocks), block_(block), bends_(blocks, block, substep), ways_(blocks, block, substep), h_(substep),
           per_h_(1 / substep) {
-        constexpr double relative = 1e4; // of a rigid link, over all mass / h^2
+        constexpr double relative = 1e4; // stiffness of a rigid link, over total mass / h^2
         for (const auto& node : unknowns()) {
             total_mass_ += node.mass;
             weight_ += node.mass * norm(node.push);
@@ -34,11 +34,11 @@ template <int D> class BlockEquations {
     const Block& block() const { return block_; }
     double substep() const { return h_; }
     double total_mass() const { return total_mass_; }
-    /// What the fields pull with, however they are directed.
+    /// Sum of the magnitudes of the field forces.
     double weight() const { return weight_; }
-    /// Of a link of length 1 that holds whatever pulls.
+    /// Penalty stiffness of a rigid link of length 1.
     double stiffness() const { return stiffness_; }
-    /// A spring; one so stiff that the penalty is softer is as good as rigid.
+    /// True for a spring; stiffer than the penalty counts as rigid.
     bool soft(const BlockLink<D>& link) const { return link.compliance * stiffness_ > 1; }
 
     /// A range that comes to its end, and leaves as fast as it came.
@@ -62,7 +62,7 @@ template <int D> class BlockEquations {
     }
     void solve() { solve_block(blocks_, block_); }
 
-    /// How far the worst rigid link is outside its limits, as Green's strain, at the places or at the start.
+    /// Worst violation of a rigid link, as Green strain, at the positions at(node).
     template <class At> double worst_strain(At&& at) const {
         double worst = 0;
         for (const auto& link : links()) {
@@ -79,9 +79,9 @@ template <int D> class BlockEquations {
     static const Vector& start_of(const BlockNode<D>& node) { return node.start; }
     static const Vector& place_of(const BlockNode<D>& node) { return node.place; }
 
-    /// Whether velocities would lengthen links, as after a blow: by more than a swing does in a substep that long.
+    /// True if velocities would change lengths more than a swing does in a time h, as after a blow.
     bool jolted(double h) const {
-        const double usual = block_.motored ? 1e-4 : 0.02; // what is driven starts and stops, and must not ring on
+        const double usual = block_.motored ? 1e-4 : 0.02; // motors start and stop, and must not ring
         for (const auto& link : links()) {
             if (soft(link) || (link.one_sided() && link.tension == 0)) continue;
             const auto span = node(link.b).place - node(link.a).place;
@@ -91,7 +91,7 @@ template <int D> class BlockEquations {
         return ways_.jolted(usual, h);
     }
 
-    /// Half the sum of m v^2.
+    /// Kinetic energy, half the sum of m v^2.
     double kinetic() const {
         double sum = 0;
         for (const auto& node : unknowns()) sum += 0.5 * node.mass * dot(node.velocity, node.velocity);

@@ -2,7 +2,7 @@
 
 #include "sinew/solver/world.h"
 
-/// The constraints that blocks are made of, by particle.
+/// Constraints that blocks consist of, by particle.
 namespace sinew::detail {
 
 template <int D, class Real> class BlockGraph {
@@ -33,7 +33,7 @@ template <int D, class Real> class BlockGraph {
 
     bool mobile(Row particle) const { return particles_.mobility[particle] > Real(0); }
 
-    /// Calls visit(row) for each constraint of the kind of `table` that a particle is part of, in their order.
+    /// Calls visit(row) for each constraint of a particle of the kind of `table`, in order.
     template <class Table, class Visit> void each(const Table& table, Row particle, Visit&& visit) const {
         constexpr int wanted = Kinds<D>::template index_of<typename Table::Kind>;
         world_.blocks.bonds.each(particles_.slots.slot_of(particle), [&](int kind, std::uint32_t slot) {
@@ -44,25 +44,25 @@ template <int D, class Real> class BlockGraph {
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
     Row other_end(Row link, Row particle) const { return end(link, 0) == particle ? end(link, 1) : end(link, 0); }
 
-    /// Without one it has no direction. A driven limit counts as one that has: its value changes from step to step, and
-    /// the solver of a constraint must not depend on when the blocks were found.
+    /// True for a link of positive length: zero length has no direction. Driven limits count as positive: values change
+    /// from step to step, and the choice of solver must not depend on when the blocks were found.
     bool has_length(Row link) const { return is_driven(distances_, link) || distances_.high(link) >= Real(1e-6); }
 
-    /// Shares and relaxations other than the natural ones are wishes about the sweep.
+    /// True for the default split and relaxation; other values are meant for the sweep.
     template <class Table> static bool natural(const Table& table, Row row) {
         return table.split[row] == Real(0.5) && table.relaxation[row] == Real(1);
     }
     template <class Table> static bool is_driven(const Table& table, Row row) {
         return table.driven[row] || table.gives(row);
     }
-    /// Unsigned, an angle that has to be more than none has no direction to open in. A driven lower limit may get
-    /// there.
+    /// True for a 3D angle with a positive lower limit: an unsigned angle of zero has no direction to open in. A driven
+    /// lower limit may become positive.
     static bool opens(const Constraints<Angle<D>, Real>& table, Row row) {
         const Real least = table.driven[row] ? -limit::measure<Real> : Real(0);
         return D == 3 && table.low(row) > least;
     }
 
-    /// Neither a spring nor a motor.
+    /// True for a rigid link: neither a spring nor a motor.
     bool is_stick(Row link) const {
         return distances_.compliance[link] == Real(0) && natural(distances_, link) && has_length(link) &&
                !is_driven(distances_, link);

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-/// A block as the world has it: taken over where a substep begins, given back where it ends.
+/// State of a block: loaded from the world at the start of a substep, and stored at the end.
 namespace sinew::detail {
 
 template <int D, class Real> class BlockState {
@@ -38,18 +38,18 @@ template <int D, class Real> class BlockState {
     std::span<BlockWay> ways() const { return std::span(blocks.ways).subspan(block.first_way, block.ways); }
 
     double substep() const { return h_; }
-    /// Something from outside may do work.
+    /// True if pins or their targets may do work.
     bool driven() const { return driven_; }
-    /// Energy is its own, but for what fields and planes do.
+    /// True if only fields and planes change the energy.
     bool works_alone() const { return !driven_ && !block.motored; }
 
-    /// Sets the substep, a share of the frame, and takes over where it begins.
+    /// Sets the substep, between two fractions of the frame, and loads the state at the start.
     void load(double from, double to) {
         from_ = from, to_ = to, h_ = (to - from) * frame_;
         driven_ = false;
         if (block.motored) move_limits();
         Decay<double> decay;
-        Push<D, Real> fall; // the same for all that only fall
+        Push<D, Real> fall; // common to particles under gravity only
         bool fall_known = false;
         const bool all_fall = std::all_of(world.forces.begin(), world.forces.end(), [](const auto& force) {
             return std::holds_alternative<Gravity<D, Real>>(force);
@@ -100,8 +100,8 @@ template <int D, class Real> class BlockState {
         }
     }
 
-    /// Those of the last substep. Where some braces hold against others, any of them would do that is the same all
-    /// round, and from substep to substep it would grow with what rounding did to their lengths.
+    /// Starts from the tensions of the last substep. A braced block starts from zero: its tensions are not unique, and
+    /// a self-stress would grow from substep to substep with the rounding of lengths.
     void start_tensions() {
         for (auto& link : links()) link.tension = block.braced() ? 0 : link.before;
         for (auto& bend : bends()) bend.tension = bend.before;
@@ -113,7 +113,7 @@ template <int D, class Real> class BlockState {
         for (auto& way : ways()) way.tension = 0;
     }
 
-    /// As multipliers of a substep of that length.
+    /// Stores the tensions as multipliers of a substep of the given length, and limits moved by slipping.
     void report_tensions(double substep) {
         constexpr double most = double(limit::multiplier<Real>);
         for (const auto& link : links())
@@ -131,7 +131,7 @@ template <int D, class Real> class BlockState {
         }
     }
 
-    /// Where a pin wants its particle when the substep begins, or ends.
+    /// Target of a pin at the start or end of the substep.
     Vector goal(const Pin<D, Real>& pin, bool at_end) const {
         const auto from = cast<double>(pin.from);
         return from + (cast<double>(pin.target) - from) * (at_end ? to_ : from_);
@@ -142,10 +142,10 @@ template <int D, class Real> class BlockState {
     Constraints<Angle<D>, Real>& angles_;
     Constraints<Pulley<D>, Real>& pulleys_;
     double frame_;
-    double from_ = 0, to_ = 0, h_ = 0; ///< of this substep: shares of the frame, and its length
+    double from_ = 0, to_ = 0, h_ = 0; ///< fractions of the frame at the ends of the substep, and its length
     bool driven_ = false;
 
-    /// What let go in the end pulls no more.
+    /// Tension at the end of the substep; zero for a limit released since.
     static double kept(const BlockLimit& limit) {
         return limit.one_sided() && limit.tension * limit.side <= 0 ? 0 : limit.tension;
     }
@@ -182,14 +182,14 @@ template <int D, class Real> class BlockState {
         }
     }
 
-    /// Whether it pulled as hard as it can in the last substep. The flag of that substep would not do: a copy of the
-    /// world has none.
+    /// True if the tension of the last substep was nearly the largest. Not stored as a flag: a copy of the world has
+    /// none.
     static bool has_slipped(const BlockWay& way) {
         constexpr double nearly = 0.999;
         return way.gives() && absolute(way.before) >= nearly * way.most;
     }
 
-    /// Its limits are where it was pulled to.
+    /// Moves the limits to the length reached.
     void slip(BlockWay& way) {
         const double length = BlockWays<D>(blocks, block, h_).length_of(way, false);
         const double error = length - clamp(length, way.low, way.high), spring = way.most * way.compliance;
@@ -201,7 +201,7 @@ template <int D, class Real> class BlockState {
         table.limits.set(row, Real(drive.low_begun), Real(drive.high_begun));
     }
 
-    /// To where they are when the substep ends.
+    /// Moves the limits to the end of the substep.
     void move_limits() {
         const double by = to_ * frame_;
         for (auto& bend : bends()) {

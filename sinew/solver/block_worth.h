@@ -12,14 +12,14 @@ template <int D, class Real> class BlockWorth {
 
     explicit BlockWorth(const Graph& graph) : graph_(graph) {}
 
-    /// Another particle of a part.
+    /// Counts a particle of a part.
     void take_stock(Part& part, Row particle) const {
         const auto direct = graph_.direct_of(particle);
         ++part.particles;
         part.suits = part.suits && direct != Direct::off;
         part.wanted = part.wanted || direct == Direct::on;
     }
-    /// Another constraint, and how many of its particles can move.
+    /// Counts a constraint of a part, with the number of mobile members.
     template <class Table> void take_stock(Part& part, const Table& table, Row row, std::uint32_t moving) const {
         using Kind = typename Table::Kind;
         if constexpr (std::is_same_v<Kind, Distance<D>>) {
@@ -39,7 +39,8 @@ template <int D, class Real> class BlockWorth {
         }
     }
 
-    /// A single link is as well solved in the sweep, whose one step is then exact. With many loops the factors fill in.
+    /// True if a direct solution pays. A single link is solved exactly by one step of the sweep; with many loops the
+    /// factors fill in.
     static bool worthwhile(const Part& part) {
         const auto loops = part.inner_links + 1 > part.particles ? part.inner_links + 1 - part.particles : 0;
         if (part.wanted) return part.suits && part.links >= 1;
