@@ -200,7 +200,7 @@ template <int D, class Real> class Finder {
             room_.tree.clear();
             const Row root = pieces[first].first;
             for (; end < pieces.size() && pieces[end].first == root; ++end) room_.tree.push_back(pieces[end].second);
-            build_piece(root);
+            if (members.size() > 2) build_piece(root); // a single link is exact in the sweep
         }
     }
 
