@@ -200,7 +200,7 @@ template <int D, class Real> class Finder {
             room_.tree.clear();
             const Row root = pieces[first].first;
             for (; end < pieces.size() && pieces[end].first == root; ++end) room_.tree.push_back(pieces[end].second);
-            if (members.size() > 2) build_piece(root); // a single link is exact in the sweep
+            if (room_.tree.size() < members.size()) build_piece(root); // all of a part has been judged already
         }
     }
 
