@@ -1,12 +1,10 @@
 #pragma once
 
-#include "sinew/solver/block.h"
-
-#include <span>
+#include "sinew/math/matrix.h"
 
 namespace sinew::detail {
 
-/// Rigid-body motion of some nodes: momenta, changed by external forces only.
+/// Rigid-body motion of some nodes, each with a mass and a velocity: momenta, changed by external forces only.
 template <int D> struct RigidMotion {
     using Vector = Vec<D, double>;
     using Spin = Vec<D == 2 ? 1 : 3, double>;
@@ -15,7 +13,7 @@ template <int D> struct RigidMotion {
     Vector center{}, momentum{};
     Spin spin{}; ///< angular momentum about the centre
 
-    template <class At> static RigidMotion of(std::span<const BlockNode<D>> nodes, At&& at) {
+    template <class Nodes, class At> static RigidMotion of(const Nodes& nodes, At&& at) {
         RigidMotion motion;
         for (const auto& node : nodes) {
             motion.mass += node.mass;
@@ -35,7 +33,7 @@ template <int D> struct RigidMotion {
     static Vector turning(const Vec<3, double>& rate, const Vec<3, double>& arm) { return cross(rate, arm); }
 
     /// Angular velocity of nodes with this spin at the given positions; zero if all are collinear (3D).
-    template <class At> Spin rate_of(std::span<const BlockNode<D>> nodes, At&& at) const {
+    template <class Nodes, class At> Spin rate_of(const Nodes& nodes, At&& at) const {
         if constexpr (D == 2) {
             double inertia = 0;
             for (const auto& node : nodes) inertia += node.mass * dot(at(node) - center, at(node) - center);

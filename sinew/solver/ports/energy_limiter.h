@@ -1,7 +1,10 @@
 #pragma once
 
 #include "sinew/solver/project.h"
+#include "sinew/solver/rigid_motion.h"
 #include "sinew/solver/world.h"
+
+#include <ranges>
 
 /// Energy limit of blocks and sweep together. Sweeps and linear models leave errors, and repairing one may do work.
 /// Under impulses J of the constraints a particle goes from velocity v to v', without them to u; with the potential
@@ -10,8 +13,8 @@
 ///     E' - E = sum J . (v + v')/2,        J = m (v' - u)
 ///
 /// to rounding. Any excess over the energy from springs and soft pins is taken from the velocities: relative to the
-/// mean motion of a free group, to the motion of the pins of a held one. Positions stay as solved, unless the energy
-/// would multiply.
+/// rigid-body motion of a free group, to the motion of the pins of a held one. Positions stay as solved, unless the
+/// energy would multiply.
 namespace sinew::detail {
 
 template <int D, class Real> class EnergyLimiter {
@@ -53,20 +56,40 @@ template <int D, class Real> class EnergyLimiter {
     std::span<const std::uint32_t> anchors(const PortGroup& group) const {
         return std::span(ports_.anchors).subspan(group.first_anchor, group.anchors);
     }
+    /// A particle with its displacement in the substep as its velocity.
+    struct Body {
+        double mass = 0;
+        Vector place{}, velocity{};
+    };
+    static Vector place_of(const Body& body) { return body.place; }
+    auto bodies(const PortGroup& group) const {
+        return std::views::transform(members(group), [this](Row s) { return Body{mass(s), place(s), move(s)}; });
+    }
+    Vector place(Row slot) const { return cast<double>(swept_.place_at(slot)); }
+
+    /// Motion of a rigid body, in which the rest of a group's motion is measured.
+    struct Frame {
+        Vector center{}, velocity{};
+        typename RigidMotion<D>::Spin rate{};
+
+        Vector at(const Vector& place) const { return velocity + RigidMotion<D>::turning(rate, place - center); }
+    };
+
     double mass(Row slot) const { return inverse_or_zero(ports_.mobilities[slot]); }
     Vector move(Row slot) const { return cast<double>(swept_.move_at(slot)); }
 
     /// Factor of the velocities that removes energy added by constraints, 0..1.
     double share_left(const PortGroup& group) const {
-        Vector frame{};
+        Frame frame;
         if (!find_frame(group, frame)) return 1;
         double work = 0, kinetic = 0;
         for (const auto s : members(group)) {
-            const auto to = move(s) - frame;
-            work += 0.5 * mass(s) * dot(ports_.last_moves[s] - frame + to, move(s) - ports_.free_moves[s]);
-            kinetic += 0.5 * mass(s) * dot(to, to);
+            const auto own = move(s) - frame.at(place(s));
+            work += 0.5 * mass(s) *
+                    dot(ports_.last_moves[s] + move(s) - frame.velocity * 2.0, move(s) - ports_.free_moves[s]);
+            kinetic += 0.5 * mass(s) * dot(own, own);
         }
-        work -= of_soft_pins(group, frame);
+        work -= of_soft_pins(group, frame.velocity);
         const double gain = work * square(per_h_) + (group.springs > 0 ? stored(group, true) - group.stored : 0);
         kinetic *= square(per_h_);
         constexpr double rounding = 1e-14;
@@ -87,22 +110,25 @@ template <int D, class Real> class EnergyLimiter {
     }
 
     /// Frame in which energy is measured: pins that are all carried alike do no work in this one. False for other pins.
-    bool find_frame(const PortGroup& group, Vector& frame) const {
+    bool find_frame(const PortGroup& group, Frame& frame) const {
         const auto held = anchors(group);
         if (held.empty()) {
-            double all = 0;
-            for (const auto s : members(group)) frame += move(s) * mass(s), all += mass(s);
-            frame *= inverse_or_zero(all);
+            const auto motion = RigidMotion<D>::of(bodies(group), place_of);
+            frame = {motion.center, motion.momentum * inverse_or_zero(motion.mass),
+                     motion.rate_of(bodies(group), place_of)};
             return true;
         }
-        frame = move(held.front());
-        return std::all_of(held.begin(), held.end(), [&](Row s) { return move(s) == frame; });
+        frame.velocity = move(held.front());
+        return std::all_of(held.begin(), held.end(), [&](Row s) { return move(s) == frame.velocity; });
     }
 
     void slow_down(const PortGroup& group) {
-        Vector frame{};
+        Frame frame;
         find_frame(group, frame);
-        for (const auto s : members(group)) swept_.set_move(s, cast<Real>(frame + (move(s) - frame) * group.share));
+        for (const auto s : members(group)) {
+            const auto whole = frame.at(place(s));
+            swept_.set_move(s, cast<Real>(whole + (move(s) - whole) * group.share));
+        }
     }
 
     double of_soft_pins(const PortGroup& group, const Vector& frame) const {
