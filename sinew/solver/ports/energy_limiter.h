@@ -34,13 +34,16 @@ template <int D, class Real> class EnergyLimiter {
         constexpr double least = 0.7; // share of the velocity; above it solved positions are kept
         for (auto& group : ports_.groups) {
             group.share = group.driven ? 1 : share_left(group);
+            group.spin = due_spin(group);
             if (group.share < least && is_multiplied(group)) slow_down(group), group.share = 1;
         }
     }
     /// Removes the gains once positions have advanced.
     void take_gains() {
-        for (const auto& group : ports_.groups)
+        for (const auto& group : ports_.groups) {
             if (group.share < 1) slow_down(group);
+            if (anchors(group).empty()) restore_spin(group);
+        }
     }
 
   private:
@@ -50,10 +53,10 @@ template <int D, class Real> class EnergyLimiter {
     Ports<D>& ports_;
     double per_h_;
 
-    std::span<const std::uint32_t> members(const PortGroup& group) const {
+    std::span<const std::uint32_t> members(const PortGroup<D>& group) const {
         return std::span(ports_.members).subspan(group.first, group.members);
     }
-    std::span<const std::uint32_t> anchors(const PortGroup& group) const {
+    std::span<const std::uint32_t> anchors(const PortGroup<D>& group) const {
         return std::span(ports_.anchors).subspan(group.first_anchor, group.anchors);
     }
     /// A particle with its displacement in the substep as its velocity.
@@ -62,7 +65,7 @@ template <int D, class Real> class EnergyLimiter {
         Vector place{}, velocity{};
     };
     static Vector place_of(const Body& body) { return body.place; }
-    auto bodies(const PortGroup& group) const {
+    auto bodies(const PortGroup<D>& group) const {
         return std::views::transform(members(group), [this](Row s) { return Body{mass(s), place(s), move(s)}; });
     }
     Vector place(Row slot) const { return cast<double>(swept_.place_at(slot)); }
@@ -70,7 +73,7 @@ template <int D, class Real> class EnergyLimiter {
     /// Motion of a rigid body, in which the rest of a group's motion is measured.
     struct Frame {
         Vector center{}, velocity{};
-        typename RigidMotion<D>::Spin rate{};
+        typename RigidMotion<D>::Spin rate{}; ///< radians a substep
 
         Vector at(const Vector& place) const { return velocity + RigidMotion<D>::turning(rate, place - center); }
     };
@@ -79,7 +82,7 @@ template <int D, class Real> class EnergyLimiter {
     Vector move(Row slot) const { return cast<double>(swept_.move_at(slot)); }
 
     /// Factor of the velocities that removes energy added by constraints, 0..1.
-    double share_left(const PortGroup& group) const {
+    double share_left(const PortGroup<D>& group) const {
         Frame frame;
         if (!find_frame(group, frame)) return 1;
         double work = 0, kinetic = 0;
@@ -96,8 +99,34 @@ template <int D, class Real> class EnergyLimiter {
         return gain > rounding * kinetic ? square_root(maximum(0.0, 1 - gain / kinetic)) : 1;
     }
 
+    using Motion = RigidMotion<D>;
+    using Spin = typename Motion::Spin;
+
+    /// Angular momentum about its centre that a free group has after the substep: the initial one and the moment of
+    /// the external impulses, about the mean of the centres at both ends.
+    Spin due_spin(const PortGroup<D>& group) const {
+        const auto after = Motion::of(bodies(group), place_of);
+        const auto drift = after.momentum * inverse_or_zero(after.mass);
+        Spin spin{};
+        for (const auto s : members(group)) {
+            const auto arm = place(s) - after.center;
+            spin += Motion::moment(arm, ports_.last_moves[s] * mass(s));
+            spin +=
+                Motion::moment(arm + (move(s) - drift) * 0.5, (ports_.free_moves[s] - ports_.last_moves[s]) * mass(s));
+        }
+        return spin;
+    }
+    /// Turns the velocities of a free group until its angular momentum is the due one.
+    void restore_spin(const PortGroup<D>& group) {
+        auto missing = Motion::of(bodies(group), place_of);
+        missing.spin = group.spin - missing.spin;
+        const auto rate = missing.rate_of(bodies(group), place_of);
+        for (const auto s : members(group))
+            swept_.set_move(s, cast<Real>(move(s) + Motion::turning(rate, place(s) - missing.center)));
+    }
+
     /// True if constraints multiplied the motion of a group, and moved particles by more than a link.
-    bool is_multiplied(const PortGroup& group) const {
+    bool is_multiplied(const PortGroup<D>& group) const {
         constexpr double times = 4;
         double had = 0, has = 0, most = 0;
         for (const auto s : members(group)) {
@@ -110,7 +139,7 @@ template <int D, class Real> class EnergyLimiter {
     }
 
     /// Frame in which energy is measured: pins that are all carried alike do no work in this one. False for other pins.
-    bool find_frame(const PortGroup& group, Frame& frame) const {
+    bool find_frame(const PortGroup<D>& group, Frame& frame) const {
         const auto held = anchors(group);
         if (held.empty()) {
             const auto motion = RigidMotion<D>::of(bodies(group), place_of);
@@ -122,7 +151,7 @@ template <int D, class Real> class EnergyLimiter {
         return std::all_of(held.begin(), held.end(), [&](Row s) { return move(s) == frame.velocity; });
     }
 
-    void slow_down(const PortGroup& group) {
+    void slow_down(const PortGroup<D>& group) {
         Frame frame;
         find_frame(group, frame);
         for (const auto s : members(group)) {
@@ -131,7 +160,7 @@ template <int D, class Real> class EnergyLimiter {
         }
     }
 
-    double of_soft_pins(const PortGroup& group, const Vector& frame) const {
+    double of_soft_pins(const PortGroup<D>& group, const Vector& frame) const {
         if (!swept_.any_pin_soft) return 0;
         double work = 0;
         for (const auto& pinned : swept_.plan.pins) {
@@ -142,13 +171,13 @@ template <int D, class Real> class EnergyLimiter {
         }
         return work;
     }
-    bool is_in(const PortGroup& group, Row slot) const {
+    bool is_in(const PortGroup<D>& group, Row slot) const {
         const auto all = members(group);
         return std::find(all.begin(), all.end(), slot) != all.end();
     }
 
     /// Energy in the springs of a group, before or after the move.
-    double stored(const PortGroup& group, bool moved) const {
+    double stored(const PortGroup<D>& group, bool moved) const {
         double sum = 0;
         for (const auto& spring : std::span(ports_.springs).subspan(group.first_spring, group.springs))
             visit_table(world_, spring.kind, [&](const auto& table) { sum += stored(table, spring.row, moved); });

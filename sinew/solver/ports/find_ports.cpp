@@ -137,7 +137,7 @@ template <int D, class Real> class GroupFinder {
         group.anchors = size(ports_.anchors) - group.first_anchor;
         group.length = std::exchange(length_, 0) * inverse_or_zero(std::exchange(links_, 0));
     }
-    template <class Table> void reach(PortGroup& group, int kind, const Table& table, Row constraint) {
+    template <class Table> void reach(PortGroup<D>& group, int kind, const Table& table, Row constraint) {
         const auto members = table.members[constraint];
         for (const Row member : members) reach(member);
         group.driven = group.driven || table.driven[constraint] || table.gives(constraint);

@@ -34,7 +34,7 @@ struct PortRow {
 };
 
 /// Connected component of particles around a port, by all constraints.
-struct PortGroup {
+template <int D> struct PortGroup {
     std::uint32_t first = 0, members = 0;        ///< range of Ports::members
     std::uint32_t first_spring = 0, springs = 0; ///< range of Ports::springs
     std::uint32_t first_anchor = 0, anchors = 0; ///< range of Ports::anchors
@@ -42,6 +42,7 @@ struct PortGroup {
     double stored = 0;                           ///< energy in the springs at the begin of the substep
     double length = 0;                           ///< mean link length, metres
     double share = 1;                            ///< factor of the velocities at the end of the substep, 0..1
+    Vec<D == 2 ? 1 : 3, double> spin{};          ///< angular momentum due at the end of the substep, of a free one
 };
 
 /// Derived from the rest of the world: neither copied nor hashed.
@@ -56,7 +57,7 @@ template <int D> struct Ports {
 
     std::vector<char> sheets; ///< 1 for each sheet of the plan with a port
 
-    std::vector<PortGroup> groups;
+    std::vector<PortGroup<D>> groups;
     std::vector<std::uint32_t> members; ///< particles of the groups, by their slots of the sweep
     std::vector<PortRow> springs;       ///< compliant constraints of the groups
     std::vector<std::uint32_t> anchors; ///< immovable particles at the groups, by their slots
