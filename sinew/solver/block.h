@@ -113,8 +113,8 @@ template <int D> struct BlockBend : BlockLimit, BlockDrive {
     static constexpr std::size_t most_nodes = D == 2 ? 3 : 4, most_pairs = most_nodes * (most_nodes - 1) / 2;
 
     double unit = 1;  ///< volume of a fold that counts as 1, m^3
-    double begun = 0; ///< angle at the start of the substep, rad
-    double give = 0;  ///< offset of the active limit, rad
+    double begun = 0; ///< angle at the start of the substep, rad; of a fold, volume as a fraction of `unit`
+    double give = 0;  ///< offset of the active limit, as `begun`
     bool strikes = false;
     double taut = 1;              ///< fraction of a spring's stiffness that acts in this substep, 0..1
     std::array<double, 2> arms{}; ///< squared lengths at which the arms are taut, m^2; 0 for an arm that is never slack

@@ -2,21 +2,20 @@
 
 #include "sinew/solver/block_settle.h"
 
-/// Bounces of joints, and of links that are a joint's range, without loss of energy. A joint swings past its limit for
-/// the rest of a substep, which conserves energy, and then all velocities are mirrored in the velocities that would
-/// stop the joint: with P the projection onto the motions that the links, and the joints at their limits, allow (for
-/// the least change of momentum; Moreau 1962),
+/// Bounces of joints, and of links limiting a joint's range, without loss of energy. A joint swings past the limit for
+/// the rest of a substep, which conserves energy, and then all velocities are mirrored: with P the projection onto the
+/// motions allowed by the links, and by the joints at their limits (for the least change of momentum; Moreau 1962),
 ///
 ///     v -> 2 P v - v
 ///
-/// which has the norm of v, and leaves each limit at the speed of arrival. A joint that comes back within one substep
-/// rests on the limit from then on, if the approach is slow: pressed against the limit, the joint turns no further,
-/// which takes no work.
+/// which has the norm of v, and leaves each limit at the speed of arrival. A joint back within one substep rests on the
+/// limit from then on, if the approach is slow: pressed against the limit, the joint turns no further, which takes no
+/// work.
 namespace sinew::detail {
 
 template <int D> class BlockBounce {
   public:
-    /// `little` is the energy that may be lost where a joint comes to rest on a limit, J.
+    /// `little`: energy that may be lost where a joint comes to rest on a limit, J.
     BlockBounce(BlockEquations<D>& block, double little) : block_(block), bends_(block.bends()), little_(little) {}
 
     /// Takes the velocities at the end of the swing. False if no joint has reached a limit.

@@ -37,8 +37,8 @@ template <int D, class Real> class BlockContact {
         return false;
     }
 
-    /// Adds all terms to the equations. `hardest` is the penalty stiffness of a link. True if all terms that can
-    /// release or saturate do as in the equations before.
+    /// Adds all terms to the equations. `hardest` is the penalty stiffness of a link. True if all terms able to release
+    /// or saturate do as in the equations before.
     bool hold(double hardest, const SolveProgress& progress) {
         progress_ = progress;
         const auto before = std::exchange(decisions_, 0);
@@ -69,7 +69,7 @@ template <int D, class Real> class BlockContact {
                     clamp_components(world_.pins[i].multiplier * longer, limit::multiplier<Real>);
     }
 
-    /// Same as `hold`, for velocities: a node that struck a plane leaves with the restitution, a resting node stays.
+    /// Same as `hold`, for velocities: a node leaves a plane with the restitution after a blow; a resting node stays.
     void rebound(double k) {
         if (!near_) return;
         for (auto& node : state_.unknowns())
@@ -81,7 +81,7 @@ template <int D, class Real> class BlockContact {
     World<D, Real>& world_;
     bool near_ = false, touched_ = false;
     SolveProgress progress_{};
-    std::uint64_t decisions_ = 0; ///< hash of the terms that touch, slide or are saturated
+    std::uint64_t decisions_ = 0; ///< hash of all decisions: contact, sliding, saturation
 
     double depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
         return double(plane.offset) + double(world_.particles.radius[node.row]) -
@@ -131,17 +131,17 @@ template <int D, class Real> class BlockContact {
         node.residual -= force;
     }
 
-    /// Depth whose pressure bounds the friction, m. The depth of a node that has just crossed the plane tells little of
-    /// the final pressure: a cautious iteration lets such a node slide without friction.
+    /// Depth whose pressure bounds the friction, m. The depth of a node just behind the plane tells little of the final
+    /// pressure: a cautious iteration lets such a node slide without friction.
     double pressing_depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
         const double now = depth(node, plane);
         const bool knew = progress_.share > 0 && now + dot(cast<double>(plane.normal), last_move(node)) > 0;
         return knew || !cautious() ? now : 0;
     }
 
-    /// True for the iterations that linearise friction at the pressure of the iteration before. They alternate, a few
-    /// at a time, with the full linearisation, which converges fast but may be singular where a limb jams; either
-    /// converges where the other does not.
+    /// True for iterations that linearise friction at the pressure of the iteration before. Every few iterations the
+    /// full linearisation takes turns, which converges fast but may be singular where a limb jams; either converges
+    /// where the other does not.
     bool cautious() const {
         constexpr int tries = 4;
         return progress_.iteration / tries % 2 == 1;
@@ -150,9 +150,9 @@ template <int D, class Real> class BlockContact {
     /// Move of a node in the last iteration, m.
     Vector last_move(const BlockNode<D>& node) const { return node.move * progress_.share; }
 
-    /// Clamps the force of a spring to `most`, and sets the derivative `growth`. True if saturated. A force that the
-    /// last move led `across` to the other side stays unsaturated for an iteration, so as not to jump from one bound to
-    /// the other.
+    /// Clamps the force of a spring to `most`, and sets the derivative `growth`. True if saturated. A force led
+    /// `across` to the other side by the last move stays unsaturated for an iteration, so as not to jump from one bound
+    /// to the other.
     static bool bound(Vector& force, Matrix& growth, double stiffness, double most, bool across) {
         const double size = norm(force);
         growth = Matrix::diagonal(stiffness);

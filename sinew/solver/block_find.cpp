@@ -178,8 +178,8 @@ template <int D, class Real> class Finder {
 
     // --- trees and figures attached to a component with too many loops: ropes on a cloth, a ragdoll in a hammock ---
 
-    /// Turns trees, and figures that alone would be blocks, into blocks with ports (ports/ports.h). Swept particles at
-    /// the other end of a link become nodes, too: all pieces attached to one particle form one block.
+    /// Turns trees, and figures eligible for a block, into blocks with ports (ports/ports.h). Swept particles at the
+    /// other end of a link become nodes, too: all pieces attached to one particle form one block.
     void hang_pieces(const Part& part) {
         const auto members = members_of(part);
         peel(members);
@@ -233,7 +233,7 @@ template <int D, class Real> class Finder {
         });
     }
 
-    /// Marks figures that are joined to others and alone would be blocks.
+    /// Marks figures joined to others, but eligible for a block alone.
     void find_skeletons(std::span<const Row> members) {
         auto& figures = room_.figures;
         figures.clear();
@@ -342,7 +342,7 @@ template <int D, class Real> class Finder {
     }
 };
 
-/// Reserves for every state that tears can lead to: a thread that tears must not make a step allocate.
+/// Reserves for every state within reach of tears: a tearing thread must not make a step allocate.
 template <int D, class Real> void reserve_for_tears(World<D, Real>& world) {
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     constexpr std::size_t small = 100'000; // distances; of more, the room would be waste

@@ -2,7 +2,7 @@
 
 #include "sinew/solver/world.h"
 
-/// Constraints that blocks consist of, by particle.
+/// Constraints eligible for blocks, by particle.
 namespace sinew::detail {
 
 template <int D, class Real> class BlockGraph {
@@ -68,7 +68,7 @@ template <int D, class Real> class BlockGraph {
                !is_driven(distances_, link);
     }
 
-    /// True for a constraint that a block with ports can hold.
+    /// True for a constraint allowed in a block with ports.
     template <class Table> bool is_rigid(const Table& table, Row row) const {
         using Kind = typename Table::Kind;
         if constexpr (std::is_same_v<Kind, Distance<D>>) return is_stick(row);
@@ -78,7 +78,7 @@ template <int D, class Real> class BlockGraph {
         return false;
     }
 
-    /// A link between particles that move, by which a tree hangs on the rest of the world.
+    /// True for a rigid link, by which a tree may hang on the rest of the world.
     bool may_hang(Row link) const {
         return is_stick(link) && direct_of(end(link, 0)) != Direct::off && direct_of(end(link, 1)) != Direct::off;
     }

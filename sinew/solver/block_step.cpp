@@ -37,7 +37,7 @@ template <int D, class Real> class BlockStep {
     static constexpr int many = 40, stretched_iterations = 10; ///< iterations of the fallback solves
     detail::BlockState<D, Real> state_;
     detail::BlockContact<D, Real> contact_;
-    double frame_, longest_ = 0; ///< of the step and of the longest substep, s
+    double frame_, longest_ = 0; ///< durations of the step and of the longest substep, s
     double lost_ = 0;
     bool swung_ = false; ///< the last substep was a midpoint step: lengths and velocities are right
 
@@ -145,8 +145,8 @@ template <int D, class Real> class BlockStep {
         state_.store();
     }
 
-    /// One linear step towards the solution, halved until lengths and energy are tolerable. Some of the way is always
-    /// made, which leaves a state without a solution behind.
+    /// Fallback: a linear step towards the solution, halved until lengths and energy are tolerable. Some of the way is
+    /// always made, which leaves a state without a solution behind.
     void creep(Solve& solve, const Energy& energy, double kinetic) {
         constexpr double bearable = 1e-5;
         state_.forget_tensions();
@@ -158,8 +158,8 @@ template <int D, class Real> class BlockStep {
         state_.start_tensions();
     }
 
-    /// Velocities as without links, for `settle` to project. A position that was not found to the last digit, over a
-    /// short substep, would give wrong velocities to everything heavy.
+    /// Velocities as without links, for `settle` to project. A position not found to the last digit, over a short
+    /// substep, would give wrong velocities to everything heavy.
     void keep_flying() {
         for (auto& node : state_.unknowns()) node.velocity += node.push * state_.substep();
     }

@@ -8,7 +8,7 @@ namespace sinew {
 /// Largest acceleration, m/s^2: the largest force on the lightest particle.
 template <class Real> constexpr Real largest_acceleration = limit::force<Real>* limit::mass<Real>;
 
-/// force.cpp: forces on a particle, at its position or another place: dv/dt = acceleration - drag_rate v.
+/// force.cpp: forces on a particle, at the present position or another: dv/dt = acceleration - drag_rate v.
 template <int D, class Real> struct Push {
     Vec<D, Real> acceleration{};
     Real drag_rate = 0;
@@ -54,8 +54,8 @@ template <int D, class Real> void find_passive(World<D, Real>& world);
 template <int D, class Real> void note_energy(World<D, Real>& world);
 template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h);
 
-/// drive.cpp: finds out if any limit is driven or has a maximum force; advances driven limits; lets lengths slip that
-/// were pulled harder than their maximum force.
+/// drive.cpp: finds out if any limit is driven or has a maximum force; advances driven limits; shifts the limits of
+/// lengths loaded up to the maximum force.
 template <int D, class Real> bool any_driven(const World<D, Real>& world);
 template <int D, class Real> void move_limits(World<D, Real>& world, Real h);
 template <int D, class Real> void slip(World<D, Real>& world, Real h);

@@ -17,8 +17,8 @@ template <int D, class Real> class PlanParts {
         : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), swept_(world.swept),
           plan_(world.swept.plan), room_(world.swept.room) {}
 
-    /// Finds the components of the swept particles that are in no kept sheet. A link that leads to a kept sheet is
-    /// reported by meet(slot) of a particle there instead, and the result is false.
+    /// Finds the components of the swept particles outside kept sheets. A link to a kept sheet is reported by
+    /// meet(slot) of a particle there instead, and the result is false.
     template <class Meet> bool find(Meet&& meet) {
         if (!take_plain(meet)) return false;
         join();
@@ -84,7 +84,7 @@ template <int D, class Real> class PlanParts {
         if (distances_.size() > small) ((columns = Column()), ...);
     }
 
-    /// Visits the particles of the sweep that are in no kept sheet.
+    /// Visits the swept particles outside kept sheets.
     template <class Visit> void each_swept(Visit&& visit) const {
         const std::span<const char> in_block = world_.particles.in_block;
         for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)

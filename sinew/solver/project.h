@@ -3,7 +3,7 @@
 #include "sinew/math/random.h"
 #include "sinew/solver/world.h"
 
-/// One constraint, solved once: the same text for every kind, dimension, precision and mode.
+/// Solution of one constraint: the same text for every kind, dimension, precision and mode.
 ///
 ///     error    the measure's distance from its limits
 ///     dlambda = -(error + alpha lambda) / (sum w g . d + alpha),   alpha = compliance / h^2
@@ -64,7 +64,7 @@ template <class Kind, class Real> Real unwrap(Real measure, Real low, Real high)
     }
 }
 
-/// Violation of the limits as a fraction of the violated limit; of an angle in radians. A limit of zero is never
+/// Violation of the limits as a fraction of the violated limit; in radians for an angle. A limit of zero is never
 /// strained.
 template <class Kind, class Real> Real strain(Real measure, Real low, Real high) {
     const Real unwrapped = unwrap<Kind>(measure, low, high);
@@ -175,7 +175,7 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     const Real alpha = mover.alpha(table.compliance[row]);
     const Real lambda = mover.first_iteration ? Real(0) : table.multiplier[row];
     const Real most = mover.most(table.max_force[row]);
-    Real ahead = 0; // of a damper: predicted change of the measure
+    Real ahead = 0; // predicted change of a damped measure
     if (table.lead[row] > Real(0) && alpha > Real(0)) {
         ahead = mover.ahead(stencil, members, table.lead[row], table.rate[row]);
         resistance *= Real(1) + mover.share(table.lead[row]);

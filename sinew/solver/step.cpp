@@ -106,7 +106,7 @@ template <int D, class Real> class Sweep {
         if (driven_) slip(world_, h_);
     }
 
-    /// One iteration over all constraints: ports after everything that is not at a port, and before the tethers. Sheets
+    /// Runs an iteration over all constraints: ports after everything not at a port, and before the tethers. Sheets
     /// with ports are swept again, since most of the load on them comes from outside.
     void project_all(Substep& substep) {
         const auto& ports = world_.blocks.ports;
