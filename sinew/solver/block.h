@@ -10,39 +10,39 @@
 #include <utility>
 #include <vector>
 
-/// What is solved at once instead of in a sweep: ropes, chains, trees, and figures with few loops. A block is a
-/// connected part of the world whose equations have a sparse factorisation; it depends on nothing outside it, so it is
-/// moved by itself, with substeps of its own. In double whatever the world's precision: a heavy weight on light links
-/// has no digits to spare.
+/// Blocks: parts of the world that are solved directly instead of swept: ropes, chains, trees, and figures with few
+/// loops. A block is a connected component whose equations have a sparse factorisation. Nothing outside acts on a block
+/// through constraints, so the block moves alone, with its own substeps; blocks in `hanging` are joined to the sweep by
+/// ports. Numbers are double whatever the precision of the world: a heavy weight on light links has no digits to spare.
 namespace sinew {
 
-/// A particle of a block. Its equation is   diagonal move + sum of entries = residual.
+/// A particle of a block. Equation of a node:   diagonal move + sum of entries = residual.
 template <int D> struct BlockNode {
     Row row = 0;
-    std::uint32_t slot = 0; ///< which stays the same when rows move (block_rows.h)
+    std::uint32_t slot = 0; ///< slot of the particle, stable while rows move (block_rows.h)
     double mass = 0;
-    Vec<D, double> start{};    ///< where the substep began
-    Vec<D, double> place{};    ///< where it is going to be
-    Vec<D, double> velocity{}; ///< when the substep began, less what drag took
-    Vec<D, double> push{};     ///< the acceleration of all force fields
-    Vec<D, double> aim{};      ///< where it would go by itself
-    double inertia = 0;        ///< what holds it there
+    Vec<D, double> start{};    ///< position at the start of the substep, m
+    Vec<D, double> place{};    ///< position at the end of the substep, m
+    Vec<D, double> velocity{}; ///< at the start of the substep, drag taken off; in the end the new velocity, m/s
+    Vec<D, double> push{};     ///< acceleration by all force fields, m/s^2
+    Vec<D, double> aim{};      ///< position without constraints, m; in settle_block the velocity before, m/s
+    double inertia = 0;        ///< stiffness towards `aim`: mass / h^2, twice as much in a midpoint step, kg/s^2
     Matrix<D, double> diagonal{};
     Vec<D, double> residual{}, move{};
 };
 
-/// A measure held in [low, high], and its multiplier on the way to the solution.
+/// A measure constrained to [low, high], and the multiplier while a solve runs.
 struct BlockLimit {
     Row constraint = 0;
-    std::uint32_t slot = 0; ///< which stays the same when rows move
+    std::uint32_t slot = 0; ///< slot of the constraint, stable while rows move; no_row for a load tether
     double low = 0, high = 0, compliance = 0;
-    double before = 0;  ///< the tension when the substep began
-    double tension = 0; ///< the multiplier; of a distance, of (length^2 - limit^2) / 2
-    double pull = 0;    ///< what it is in this iteration
+    double before = 0;  ///< tension at the start of the substep
+    double tension = 0; ///< multiplier; for a distance, of (length^2 - limit^2) / 2
+    double pull = 0;    ///< multiplier in the current iteration
     double stiffness = 0;
-    int side = 0;           ///< at its high limit: 1, at its low one: -1, between them: 0
-    int flips = 0;          ///< how often it came to a limit in this substep
-    bool slackened = false; ///< it let go in a solve of this substep, of a block with ports
+    int side = 0;           ///< active limit: 1 high, -1 low, 0 none
+    int flips = 0;          ///< number of activations in this substep
+    bool slackened = false; ///< released in a solve of this substep; only in a block with ports
 
     bool one_sided() const { return low < high; }
     void come_to_a_limit(double above, double below, double margin) {
@@ -50,109 +50,110 @@ struct BlockLimit {
         side = above > margin ? 1 : -1;
         ++flips;
     }
-    /// How far a measure so much above its high limit and its low one breaks what it is held to.
+    /// Violation of the active limit, given the measure's excess `above` the high limit and over the low one (`below`).
+    /// Without an active limit: the larger violation, negative inside the limits.
     double outside(double above, double below) const {
         return side > 0 ? absolute(above) : side < 0 ? absolute(below) : maximum(above, -below);
     }
 };
 
-/// Of a limit that is driven, or gives way.
+/// Further parts of a limit that is driven or has a maximum force.
 struct BlockDrive {
-    double most = 1e300;                  ///< it pulls or pushes with
-    double lead = 0, rate = 0;            ///< of a damper; of the limits
-    double low_begun = 0, high_begun = 0; ///< the limits when the step began
+    double most = 1e300;                  ///< maximum force, N; of an angle, torque, N m
+    double lead = 0, rate = 0;            ///< damping time, s; rate of change of the limits, per second
+    double low_begun = 0, high_begun = 0; ///< limits at the start of the step
     bool driven = false;
-    bool slips = false; ///< in this iteration
-    int doubts = 0;     ///< how often it changed its mind about that in this substep
+    bool slips = false; ///< the force is saturated in this iteration
+    int doubts = 0;     ///< changes of `slips` in this substep
 
     bool gives() const { return most < 1e25; }
-    /// A force as it is tried in an iteration, by one that pulls so far: from one end of what it can do it does not go
-    /// straight to the other.
+    /// Force to apply in an iteration, clamped to [-most, most]. A saturated force that would change sign keeps the
+    /// last `tension` instead: the solve does not jump from one bound straight to the other.
     double held(double force, double tension, bool pulls_only) {
         const bool turns = (pulls_only && force < 0) || (force * tension < 0 && absolute(tension) >= most);
         const bool should = !turns && absolute(force) > most;
-        constexpr int most_doubts = 4; // then it stays as it is
+        constexpr int most_doubts = 4; // from then on `slips` stays fixed for the substep
         if (should != slips && doubts++ < most_doubts) slips = should;
         if (!slips) return force;
         return absolute(force) > most && !turns ? clamp(force, -most, most) : clamp(tension, -most, most);
     }
 };
 
-/// A way over several nodes: a pulley; or a distance that is driven or gives way.
+/// A cable over several nodes: a pulley, or a distance that is driven or has a maximum force.
 struct BlockWay : BlockLimit, BlockDrive {
     bool is_pulley = false;
-    std::uint32_t first = 0, nodes = 0; ///< of way_nodes
-    std::uint32_t first_entry = 0;      ///< of way_entries: of each pair of its nodes
-    double length = 0;                  ///< at the places of this iteration
+    std::uint32_t first = 0, nodes = 0; ///< range in way_nodes
+    std::uint32_t first_entry = 0;      ///< in way_entries, one for each pair of nodes
+    double length = 0;                  ///< at the positions of this iteration, m
 };
 template <int D> struct BlockWayNode {
     std::uint32_t node = 0;
-    Vec<D, double> start{};    ///< the leg to the next one, when the substep began
-    Vec<D, double> gradient{}; ///< of the length
-    Vec<D, double> along{};    ///< where it is pulled
+    Vec<D, double> start{};    ///< leg to the next node at the start of the substep, m
+    Vec<D, double> gradient{}; ///< gradient of the length
+    Vec<D, double> along{};    ///< direction of the force
 };
 
 /// A distance between two nodes.
 template <int D> struct BlockLink : BlockLimit {
     std::uint32_t a = 0, b = 0; ///< nodes
-    std::uint32_t entry = 0;    ///< of the matrix; none if one of them is fixed
-    double length = 0;          ///< the limit that counts for its scale
+    std::uint32_t entry = 0;    ///< index in the matrix; none if an end is fixed
+    double length = 0;          ///< limit used for scaling, m
     double per_length2 = 0;     ///< 1 / length^2
-    double give = 0;            ///< how far beyond its limit it is held, of (length^2 - limit^2) / 2
-    bool strikes = false;       ///< it has come to its end (block_bounce.h)
+    double give = 0;            ///< offset of the active limit, in (length^2 - limit^2) / 2
+    bool strikes = false;       ///< moves out past a limit at the end of a swing (block_bounce.h)
     Vec<D, double> start{}, along{};
 
-    /// A joint's range: it may become much longer than it may become short.
+    /// True for a joint's range: a low limit well below the high one.
     bool is_range() const { return low > 0 && low < 0.9 * high; }
 };
 
-/// A limit of a joint's turn: an angle at the middle one of three nodes; or in space a fold, the volume of a
-/// tetrahedron as a part of the largest one allowed.
+/// A limit of a joint: the angle at the middle one of three nodes, or in 3D a fold: the volume of a tetrahedron as a
+/// fraction of the largest volume allowed.
 template <int D> struct BlockBend : BlockLimit, BlockDrive {
     static constexpr std::size_t most_nodes = D == 2 ? 3 : 4, most_pairs = most_nodes * (most_nodes - 1) / 2;
 
-    double unit = 1;  ///< of a fold: the volume that counts as 1
-    double begun = 0; ///< the angle when the substep began
-    double give = 0;  ///< how far beyond its limit it is held
+    double unit = 1;  ///< volume of a fold that counts as 1, m^3
+    double begun = 0; ///< angle at the start of the substep, rad; of a fold, volume as a fraction of `unit`
+    double give = 0;  ///< offset of the active limit, as `begun`
     bool strikes = false;
-    double taut = 1;              ///< of a spring: the share that acts, in this substep
-    std::array<double, 2> arms{}; ///< squares of the lengths at which its arms are taut; 0 of one that is never slack
+    double taut = 1;              ///< fraction of a spring's stiffness that acts in this substep, 0..1
+    std::array<double, 2> arms{}; ///< squared lengths at which the arms are taut, m^2; 0 for an arm that is never slack
     std::size_t arity = 3;
     std::array<std::uint32_t, most_nodes> nodes{};
-    std::array<std::uint32_t, most_pairs> entries{}; ///< of the pairs 0 1, 0 2, .. 1 2, ..
+    std::array<std::uint32_t, most_pairs> entries{}; ///< matrix entries of the pairs 0 1, 0 2, .. 1 2, ..
     std::array<Vec<D, double>, most_nodes> gradient{};
-    std::array<Vec<D, double>, most_nodes> along{}; ///< where it is pulled
+    std::array<Vec<D, double>, most_nodes> along{}; ///< direction of the force
 
     bool is_fold() const { return arity == 4; }
 };
 
-/// What couples a node to a later one.
+/// Coupling of a node with a later one.
 template <int D> struct BlockEntry {
     std::uint32_t node = 0;
-    Matrix<D, double> lower{}, upper{}; ///< in the later node's rows, and in its columns
+    Matrix<D, double> lower{}, upper{}; ///< in the rows, and in the columns, of the later node
 };
 
-/// Nodes stand in the order of elimination; those that cannot move come last and are no unknowns.
+/// Nodes stand in elimination order; immovable nodes come last and are no unknowns.
 struct Block {
     std::uint32_t first_node = 0, unknowns = 0, nodes = 0;
     std::uint32_t first_link = 0, links = 0;
     std::uint32_t first_bend = 0, bends = 0;
     std::uint32_t first_way = 0, ways = 0;
-    std::uint32_t particle = 0;  ///< the slot of one that is in it
-    std::uint32_t row_moves = 0; ///< how often rows had moved when it looked its own up
-    bool motored = false;        ///< its limits may do work
-    bool springy = false;        ///< some of it gives
-    double lost = 0;             ///< energy, in the last step
-    std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom hold
+    std::uint32_t particle = 0;  ///< slot of one member
+    std::uint32_t row_moves = 0; ///< `Blocks::row_moves` at the last look-up of rows
+    bool motored = false;        ///< some limits are driven, and may do work
+    bool springy = false;        ///< some constraints are compliant
+    double lost = 0;             ///< energy lost in the last step, J
+    std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom active
 
-    // Of one that is joined to what is swept.
-    std::uint32_t first_port = 0, ports = 0; ///< of Ports::list
-    std::uint32_t first_response = 0;        ///< of Ports::responses: ports x ports
-    std::uint32_t load_tethers = 0;          ///< the last of its links, each to a fixed node of its own
+    // Only for a block joined to the sweep.
+    std::uint32_t first_port = 0, ports = 0; ///< range in Ports::list
+    std::uint32_t first_response = 0;        ///< in Ports::responses, a matrix of ports x ports
+    std::uint32_t load_tethers = 0;          ///< at the end of the links, each with a fixed node apart
 
-    /// Some of its links may hold what others hold too.
+    /// True if some links may be redundant.
     bool braced() const { return links - ranges - load_tethers > unknowns + 1; }
-    /// Something that does not move holds it, load tethers aside.
+    /// True if an immovable particle holds the block, load tethers aside.
     bool fixed() const { return nodes > unknowns + load_tethers; }
 };
 
@@ -166,37 +167,37 @@ struct SweepRun {
     Rows rows;
 };
 
-/// What has happened to a particle.
+/// Change of a particle.
 enum class Touch : char {
-    joined,   ///< it is new, or what it is joined by
-    mobility, ///< it can move, or can no more: all that it is joined to is concerned
+    joined,   ///< new, or with other constraints
+    mobility, ///< became movable or immovable, which concerns all neighbours
     weight
 };
 
-/// Room for finding the blocks.
+/// Work space for finding the blocks.
 struct BlockRoom {
-    /// What hangs together, as far as it matters to whether it becomes a block.
+    /// A connected component, with the properties that decide whether a block is built.
     struct Part {
-        std::uint32_t first = 0, particles = 0; ///< of `members`
+        std::uint32_t first = 0, particles = 0; ///< range in `members`
         std::uint32_t links = 0, inner_links = 0;
         bool suits = true;
-        bool wanted = false; ///< however many loops it has
+        bool wanted = false; ///< a direct solution is requested, however many loops there are
     };
     struct Constraint {
         int kind = 0;
         Row row = 0;
     };
     std::vector<Part> parts;
-    std::vector<Row> members;            ///< of the parts, one after the other
-    std::vector<Constraint> constraints; ///< all that join or hold them
-    std::vector<std::uint32_t> met;      ///< per particle: the last look in which it was met
-    std::vector<Row> part_of;            ///< per particle: the block it is in, by one of its particles
-    std::vector<Row> node_of;            ///< per particle
+    std::vector<Row> members;            ///< particles of the parts, one part after the other
+    std::vector<Constraint> constraints; ///< all constraints on members
+    std::vector<std::uint32_t> met;      ///< per particle: number of the last search that reached the particle
+    std::vector<Row> part_of;            ///< per particle: the block, named by one of the block's particles
+    std::vector<Row> node_of;            ///< per particle: index of the node
     std::vector<Row> bonds, parent, peeled, tree;
-    std::vector<std::pair<Row, Row>> trees; ///< particles of pieces, behind the first of their piece
-    std::vector<Row> hung;                  ///< those of them that are in blocks
-    std::vector<char> direct; ///< per particle: it is of a tree, or of a figure that is as good as a block
-    std::vector<std::pair<FigureIndex, Row>> figures; ///< of the particles of a part
+    std::vector<std::pair<Row, Row>> trees; ///< particles of pieces, each after the first of the piece
+    std::vector<Row> hung;                  ///< direct particles of pieces that became blocks
+    std::vector<char> direct;               ///< per particle: in a tree, or in a figure that alone would be a block
+    std::vector<std::pair<FigureIndex, Row>> figures; ///< pairs (figure, particle) of a part
 
     void reserve(std::size_t particles) {
         parts.reserve(particles);
@@ -208,38 +209,38 @@ struct BlockRoom {
     }
 };
 
-/// All of it follows from the rest of the world: a copy begins without, and looks again.
+/// Derived data: everything follows from the rest of the world. A copy begins empty and searches anew.
 template <int D> struct Blocks {
     static constexpr auto none = ~std::uint32_t(0);
 
     std::vector<Block> list;
-    std::vector<Block> hanging; ///< trees on what is swept: solved as one constraint of the sweep
+    std::vector<Block> hanging; ///< trees attached to swept particles, each solved as one constraint of the sweep
     std::vector<BlockNode<D>> nodes;
     std::vector<BlockLink<D>> links;
     std::vector<BlockBend<D>> bends;
     std::vector<BlockWay> ways;
     std::vector<BlockWayNode<D>> way_nodes;
     std::vector<std::uint32_t> way_entries;
-    std::vector<std::uint32_t> first_entry; ///< of each node, and one more
+    std::vector<std::uint32_t> first_entry; ///< first of a node's entries; one element more than nodes
     std::vector<BlockEntry<D>> entries;
-    std::vector<std::uint32_t> first_pair; ///< of each node: for its entries e < g, where their product goes
-    std::vector<std::uint32_t> pairs;
+    std::vector<std::uint32_t> first_pair; ///< first of a node's pairs of entries e < g
+    std::vector<std::uint32_t> pairs;      ///< entry that receives the product of a pair
 
-    std::vector<SweepRun> runs; ///< constraints that are left to the sweep, in its order
-    Ports<D> ports;             ///< where blocks of `hanging` are joined to the rest
+    std::vector<SweepRun> runs; ///< constraints left to the sweep, in sweep order
+    Ports<D> ports;             ///< joints between blocks of `hanging` and the rest
 
-    // Room for a step.
-    std::vector<std::uint32_t> pin_of, next_pin; ///< per particle its first pin, per pin the next of the same particle
+    // Work space of a step.
+    std::vector<std::uint32_t> pin_of, next_pin; ///< first pin of each particle, next pin of the same particle
 
-    // What has changed since the blocks were found.
+    // Changes since the blocks were found.
     struct Touched {
-        std::uint32_t particle = 0; ///< its slot
+        std::uint32_t particle = 0; ///< slot
         Touch what = Touch::joined;
     };
-    bool stale = true;   ///< everything has to be looked at
-    bool changed = true; ///< something has
+    bool stale = true;   ///< the whole world must be searched
+    bool changed = true; ///< a part of the world must be
     std::vector<Touched> touched;
-    std::uint32_t row_moves = 0; ///< how often rows have moved
+    std::uint32_t row_moves = 0; ///< count of the moves of rows
     Bonds bonds;
 
     Elimination elimination;
@@ -269,7 +270,7 @@ template <int D> struct Blocks {
         ports.clear();
         touched.clear();
     }
-    /// Calls visit(column) for what grows with every block.
+    /// Calls visit(column) for each column that grows with every block.
     template <class Visit> void columns(Visit&& visit) {
         visit(nodes);
         visit(links);
@@ -283,7 +284,7 @@ template <int D> struct Blocks {
         visit(pairs);
     }
 
-    /// Room for whatever becomes of so many particles and constraints as they tear.
+    /// Reserves for every state that so many particles and constraints can reach by tearing.
     void reserve(std::size_t particles, std::size_t distances, std::size_t angles) {
         for (auto* blocks : {&list, &hanging}) blocks->reserve(particles / 2 + 1);
         const auto most_nodes = 2 * (3 * particles + distances + 2 * angles);
@@ -300,7 +301,7 @@ template <int D> struct Blocks {
         room.reserve(particles);
     }
 
-    /// What changes is found again behind all that was there, as long as there is room for so much more.
+    /// True if each column has room for `more` elements: changed blocks are appended behind all others.
     bool has_room(std::size_t more) {
         bool enough = true;
         columns([&](const auto& column) { enough = enough && column.size() + more <= column.capacity(); });

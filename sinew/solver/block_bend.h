@@ -6,7 +6,7 @@
 #include "sinew/solver/block_rule.h"
 #include "sinew/solver/project.h"
 
-/// Angles in a block: rigid ones between their limits, springs, motors; and the folds of joints in space, alike.
+/// Angles of a block: rigid between their limits, springs and motors; the folds of 3D joints alike.
 namespace sinew::detail {
 
 template <int D> class BlockBends {
@@ -15,7 +15,8 @@ template <int D> class BlockBends {
 
     std::span<BlockBend<D>> all() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
 
-    /// Which limit holds when the substep begins. Where ends `bounce` (block_bounce.h) only those that one rests on.
+    /// Chooses the active limits at the start of the substep. If limits `bounce` (block_bounce.h), only limits on which
+    /// a joint rests are active.
     void set_out(bool bounce) {
         bounce_ = bounce;
         for (auto& bend : all()) {
@@ -38,14 +39,14 @@ template <int D> class BlockBends {
         }
     }
 
-    /// Adds all to the equations; returns how far the worst is outside its limits.
+    /// Adds all angles to the equations; returns the largest violation of a limit.
     double assemble(Rule rule, double hardest, double margin) {
         double worst = 0;
         for (auto& bend : all()) worst = maximum(worst, assemble(bend, rule, hardest, margin));
         return worst;
     }
 
-    /// Adds what holds to equations of the response to impulses: exact ones and, where it is said so, those at a limit.
+    /// Adds held angles to equations of the response to impulses: equalities and, if `limits`, loaded limits.
     void stiffen(bool limits, double hardest) {
         for (auto& bend : all()) {
             if (soft(bend) || bend.slips || (bend.one_sided() && !(limits && bend.tension * bend.side > 0))) continue;
@@ -69,15 +70,15 @@ template <int D> class BlockBends {
         return worst;
     }
 
-    /// How far an angle is beyond the limit that holds it.
+    /// Excess over the active limit, positive outside.
     static double beyond(const BlockBend<D>& bend, double angle) {
         return bend.side > 0 ? angle - bend.high : bend.low - angle;
     }
 
-    /// An end it can come to, and leaves as fast as it came.
+    /// True for a limit that a joint can reach, and leaves at the speed of arrival.
     bool bounces(const BlockBend<D>& bend) const { return bounce_ && bend.one_sided() && !soft(bend) && !bend.driven; }
 
-    /// How much the last move turned it, to first order.
+    /// First-order change of the angle in the last move.
     double change(const BlockBend<D>& bend) const {
         double turn = 0;
         for (std::size_t k = 0; k < bend.arity; ++k) turn += dot(bend.gradient[k], node(bend.nodes[k]).move);
@@ -103,10 +104,10 @@ template <int D> class BlockBends {
         return 0.5 * tautness(bend, at_start) * square(angle - clamp(angle, bend.low, bend.high)) / bend.compliance;
     }
 
-    /// Whether springs do nothing from now on.
+    /// Disables springs from now on, or enables them.
     void go_limp(bool limp) { limp_ = limp; }
 
-    /// How far the worst rigid one is outside its limits when the substep begins.
+    /// Largest violation of a rigid limit at the start of the substep.
     double worst_outside() const {
         double worst = 0;
         for (const auto& bend : all()) {
@@ -123,7 +124,7 @@ template <int D> class BlockBends {
         return false;
     }
 
-    /// How far the worst one that bounces has gone beyond its end, and beyond where it began.
+    /// Largest overshoot of a bouncing angle past the limit, and past the angle at the start of the substep.
     double worst_overshoot() const {
         double worst = 0;
         for (const auto& bend : all()) {
@@ -139,7 +140,7 @@ template <int D> class BlockBends {
 
     // --- velocities
 
-    /// How fast an angle grows, less how fast its limits do.
+    /// Rate of change of an angle, relative to the limits.
     double rate_of(const BlockBend<D>& bend) const {
         double rate = -bend.rate;
         for (std::size_t k = 0; k < bend.arity; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
@@ -176,8 +177,8 @@ template <int D> class BlockBends {
 
     BlockNode<D>& node(std::uint32_t i) const { return blocks_.nodes[i]; }
 
-    /// The share of a spring that acts: it bends what is taut, and nothing where an arm has no length and could be
-    /// turned by nothing.
+    /// Fraction of a spring's stiffness that acts, 0..1: springs bend taut arms only, since an arm of no length could
+    /// be turned by nothing.
     double tautness(const BlockBend<D>& bend, bool at_start) const {
         double share = 1;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -189,7 +190,7 @@ template <int D> class BlockBends {
         return share;
     }
 
-    /// A spring that is folded turns on past half a turn, for as long as a substep lasts: it must not push to and fro.
+    /// Angle of a spring, continued past half a turn within a substep, where the torque must not change sign.
     static double turned_on(const BlockBend<D>& bend, double angle) {
         return bend.begun + unwrap<Angle<D>>(angle - bend.begun, 0.0, 0.0);
     }
@@ -211,7 +212,7 @@ template <int D> class BlockBends {
         return evaluated.value / bend.unit;
     }
 
-    /// A volume is linear in each of its edges u, v, w, so that its mean gradient on the way is exact:
+    /// Discrete gradient of a volume: the mean over the substep, exact since a volume is linear in each edge u, v, w:
     ///
     ///     du = (2 v0 x w0 + v0 x w1 + v1 x w0 + 2 v1 x w1) / 36
     void point_fold(BlockBend<D>& bend) const requires(D == 3) {
@@ -225,9 +226,9 @@ template <int D> class BlockBends {
         bend.along = {-(db + dc + dd), db, dc, dd};
     }
 
-    /// Where it is pulled. In a swing along the discrete gradient: what that does over the substep is the torque times
-    /// the turn. The angle is that of (u . v, u x v), both bilinear, whose own discrete gradients are those at the
-    /// means of u and v; between two points of a circle of radius r, turned by t about the middle angle m, it is
+    /// Direction of the force. In a midpoint step, the discrete gradient: the work over the substep is torque times
+    /// turn. The angle is that of (u . v, u x v), both bilinear, with discrete gradients at the means of u and v;
+    /// between two points of a circle of radius r, turned by t about the middle angle m, the discrete gradient is
     ///
     ///     (-sin m, cos m)  (t/2) / (r sin(t/2))
     ///
@@ -258,7 +259,7 @@ template <int D> class BlockBends {
         }
     }
 
-    /// The square of an angle's lever: an angle as stiff as a link of that length.
+    /// Squared lever arm of an angle, m^2: makes an angle as stiff as a link of that length.
     static double arm2(const BlockBend<D>& bend) {
         double steepest = 0;
         for (std::size_t k = 0; k < bend.arity; ++k)
@@ -266,13 +267,13 @@ template <int D> class BlockBends {
         return inverse_or_zero(steepest);
     }
 
-    /// Returns how far the angle is outside its limits.
+    /// Adds one angle to the equations; returns the violation of a limit.
     double assemble(BlockBend<D>& bend, Rule rule, double hardest, double margin) {
         double angle = measure(bend);
         if (soft(bend)) angle = turned_on(bend, angle);
         point(bend, rule, angle);
         bend.stiffness = 0;
-        if (rule == Rule::place && bend.driven) return 0; // no time passes: it gives
+        if (rule == Rule::place && bend.driven) return 0; // no time passes: a motor yields
         if (soft(bend)) {
             const double error = angle - clamp(angle, bend.low, bend.high);
             if (limp_) bend.tension = 0;

@@ -2,20 +2,20 @@
 
 #include "sinew/solver/block_settle.h"
 
-/// The ends of joints, and of links that are a joint's range, where nothing is lost. A joint swings past its end for
-/// the rest of a substep, which keeps its energy, and then all velocities are mirrored in those that would stop it:
-/// with P the projection on the motions that the links, and the joints at their ends, allow (for the least change of
-/// momentum; Moreau 1962),
+/// Bounces of joints, and of links limiting a joint's range, without loss of energy. A joint swings past the limit for
+/// the rest of a substep, which conserves energy, and then all velocities are mirrored: with P the projection onto the
+/// motions allowed by the links, and by the joints at their limits (for the least change of momentum; Moreau 1962),
 ///
 ///     v -> 2 P v - v
 ///
-/// which is as long as v, and leaves each end as fast as it came. A joint that comes back within one substep rests on
-/// its end from then on, if it comes gently: as long as it pushes it turns no further, which takes no work.
+/// which has the norm of v, and leaves each limit at the speed of arrival. A joint back within one substep rests on the
+/// limit from then on, if the approach is slow: pressed against the limit, the joint turns no further, which takes no
+/// work.
 namespace sinew::detail {
 
 template <int D> class BlockBounce {
   public:
-    /// `little` is an energy that may be lost where a joint comes to rest on its end.
+    /// `little`: energy that may be lost where a joint comes to rest on a limit, J.
     BlockBounce(BlockEquations<D>& block, double little) : block_(block), bends_(block.bends()), little_(little) {}
 
     /// Takes the velocities at the end of the swing. False if no joint has reached a limit.
@@ -38,15 +38,15 @@ template <int D> class BlockBounce {
         }
         for (auto& link : block_.links()) {
             link.strikes = link.side == 0 && block_.bounces(link) && strikes(link, landing);
-            if (link.strikes) link.tension = link.side; // so that it resists
+            if (link.strikes) link.tension = link.side; // makes the link resist in settle_block
             any = any || link.strikes;
         }
         if (!any) return false;
         const auto nodes = block_.unknowns();
         const double kinetic = block_.kinetic();
-        constexpr int rounds = 12; // until it is known which of many ends are pressed
+        constexpr int rounds = 12; // enough to find which of many limits are loaded
         settle_block(
-            block_, [](double) {}, rounds); // keeps what they were in `aim`
+            block_, [](double) {}, rounds); // keeps the old velocities in `aim`
         const bool rests = landing && kinetic - block_.kinetic() <= little_;
         for (auto& bend : bends_.all()) {
             if (!bend.strikes) continue;

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-/// Makes a block of particles: its nodes in the order of their elimination, what joins them, and the places in its
-/// matrix.
+/// Builds a block of particles: nodes in elimination order, constraints, and entries of the matrix.
 namespace sinew::detail {
 
 template <int D, class Real> class BlockBuilder {
@@ -19,8 +18,9 @@ template <int D, class Real> class BlockBuilder {
           pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), constraints_(world.constraints),
           blocks_(world.blocks), elimination_(world.blocks.elimination), room_(world.blocks.room) {}
 
-    /// Makes a block of those particles, which `part` names, and lists it. False where it would not stay sparse.
-    /// Of what hangs on the rest of the world, only what is rigid.
+    /// Builds a block of `members`, whose `part_of` is `part`, and appends the block to `list`. False if the
+    /// factorisation would not stay sparse, or if room runs out: then everything is stale. A block that `hangs` on the
+    /// rest of the world takes rigid constraints only.
     bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool hangs) {
         part_ = part, hangs_ = hangs;
         neighbours_ = 0;
@@ -80,12 +80,12 @@ template <int D, class Real> class BlockBuilder {
     BlockRoom& room_;
     Row part_ = no_row;
     bool hangs_ = false;
-    std::size_t neighbours_ = 0; ///< of all members, counted as often as they are named
+    std::size_t neighbours_ = 0; ///< neighbours of all members, with repetitions
 
     bool mobile(Row particle) const { return graph_.mobile(particle); }
     template <class Table> static bool is_driven(const Table& table, Row row) { return Graph::is_driven(table, row); }
 
-    /// Whether a constraint is one of this block.
+    /// True if all movable members of a constraint are in this block.
     template <class Table> bool takes(const Table& table, Row row) const {
         for (const Row member : table.members[row])
             if (mobile(member) && room_.part_of[member] != part_) return false;
@@ -130,7 +130,7 @@ template <int D, class Real> class BlockBuilder {
         blocks_.first_entry.pop_back();
     }
 
-    /// Those of a particle that no earlier one of the block has added.
+    /// Adds the links of a particle that no earlier particle of the block has added.
     void add_links(Row row) {
         graph_.each(distances_, row, [&](Row link) {
             const Row other = graph_.other_end(link, row);
@@ -154,8 +154,8 @@ template <int D, class Real> class BlockBuilder {
 
     // --- ports
 
-    /// Nodes on which constraints act that are not the block's. Each has load tethers, which hold nothing yet
-    /// (ports/load_tethers.h). They come behind all links, so the block's angles come before.
+    /// Adds the ports: nodes on which constraints outside the block act. Each gets load tethers, inactive at first
+    /// (ports/load_tethers.h). Load tethers are the last links of the block, hence added after everything else.
     void add_ports(Block& block) {
         for (std::uint32_t i = block.first_node; i < block.first_node + block.unknowns; ++i) {
             if (!is_port(blocks_.nodes[i].row)) continue;
@@ -188,7 +188,7 @@ template <int D, class Real> class BlockBuilder {
         blocks_.links.push_back(tether);
     }
 
-    /// A particle that cannot move is a node each time it is needed.
+    /// Node of a particle. An immovable particle gets a new node at each use.
     std::uint32_t node_for(Row particle) {
         if (mobile(particle)) return room_.node_of[particle];
         blocks_.nodes.push_back({.row = particle, .slot = particles_.slots.slot_of(particle)});
@@ -264,7 +264,8 @@ template <int D, class Real> class BlockBuilder {
                any(blocks_.ways, block.first_way, block.ways);
     }
 
-    /// The square of the length at which the link between two particles is taut; 0 where it is never slack, or driven.
+    /// Squared length at which the link between two particles is taut, m^2; 0 for a link that is never slack, or
+    /// driven.
     double slack_arm(Row a, Row b) const {
         double arm = 0;
         graph_.each(distances_, a, [&](Row link) {
@@ -275,7 +276,7 @@ template <int D, class Real> class BlockBuilder {
         return arm;
     }
 
-    /// A bend's nodes, and the places of their pairs in the matrix.
+    /// Sets the nodes of a bend, and the matrix entries of all pairs.
     void join(BlockBend<D>& bend, std::span<const Row> members) {
         bend.arity = members.size();
         for (std::size_t i = 0; i < members.size(); ++i) bend.nodes[i] = node_for(members[i]);
@@ -304,7 +305,7 @@ template <int D, class Real> class BlockBuilder {
         }
     }
 
-    /// Those of which a particle is the first to be eliminated.
+    /// Adds the angles in which a particle is eliminated first.
     void add_bends(Row row) {
         graph_.each(angles_, row, [&](Row bend) {
             const auto members = std::as_const(angles_).members[bend];

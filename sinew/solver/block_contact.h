@@ -6,7 +6,7 @@
 
 #include <utility>
 
-/// What acts on a block from outside: soft pins and planes, as terms on the diagonal of its equations.
+/// External terms of a block: soft pins and planes, on the diagonal of the equations.
 namespace sinew::detail {
 
 template <int D, class Real> class BlockContact {
@@ -16,7 +16,8 @@ template <int D, class Real> class BlockContact {
 
     explicit BlockContact(BlockState<D, Real>& state) : state_(state), world_(state.world) {}
 
-    /// When a substep begins: whether it may come to a plane. What has touched one is near it for the rest of the step.
+    /// Decides at the start of a substep whether the block may reach a plane. After a touch the block counts as near
+    /// for the rest of the step.
     void look() {
         near_ = touched_;
         if (world_.bounds.empty() || near_) return;
@@ -28,7 +29,7 @@ template <int D, class Real> class BlockContact {
     }
     bool near() const { return near_; }
 
-    /// Whether something has come to a plane: also what was far from it, and was drawn there by the rest.
+    /// True if a node is beyond a plane, even if `look` found all planes far away.
     bool struck() {
         for (const auto& plane : world_.bounds)
             for (const auto& node : state_.unknowns())
@@ -36,8 +37,8 @@ template <int D, class Real> class BlockContact {
         return false;
     }
 
-    /// Adds all to the equations. `hardest` is as stiff as a link. True where all that can let go or give way does as
-    /// it did in the equations before.
+    /// Adds all terms to the equations. `hardest` is the penalty stiffness of a link. True if all terms able to release
+    /// or saturate do as in the equations before.
     bool hold(double hardest, const SolveProgress& progress) {
         progress_ = progress;
         const auto before = std::exchange(decisions_, 0);
@@ -51,14 +52,14 @@ template <int D, class Real> class BlockContact {
         return decisions_ == before;
     }
 
-    /// What is beyond a plane after all is put on it.
+    /// Moves nodes beyond a plane onto the plane.
     void lift() {
         for (const auto& plane : world_.bounds)
             for (auto& node : state_.unknowns())
                 node.place += cast<double>(plane.normal) * maximum(depth(node, plane), 0.0);
     }
 
-    /// Pins tell their forces as those of the sweep do, by a substep of that length.
+    /// Scales the multipliers of pins to a substep of the given length, as pins of the sweep report them.
     void report_pins(double substep) {
         if (!state_.driven()) return;
         const auto longer = Real(square(substep / state_.substep()));
@@ -68,7 +69,7 @@ template <int D, class Real> class BlockContact {
                     clamp_components(world_.pins[i].multiplier * longer, limit::multiplier<Real>);
     }
 
-    /// As `hold`, for velocities: what struck a plane leaves it with its restitution; what rests on it stays.
+    /// Same as `hold`, for velocities: a node leaves a plane with the restitution after a blow; a resting node stays.
     void rebound(double k) {
         if (!near_) return;
         for (auto& node : state_.unknowns())
@@ -80,7 +81,7 @@ template <int D, class Real> class BlockContact {
     World<D, Real>& world_;
     bool near_ = false, touched_ = false;
     SolveProgress progress_{};
-    std::uint64_t decisions_ = 0; ///< a hash of what touches, slides or is at the end of its force
+    std::uint64_t decisions_ = 0; ///< hash of all decisions: contact, sliding, saturation
 
     double depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
         return double(plane.offset) + double(world_.particles.radius[node.row]) -
@@ -89,7 +90,7 @@ template <int D, class Real> class BlockContact {
 
     void decide(int choice) { decisions_ = random::mix(decisions_ + std::uint64_t(choice)); }
 
-    /// A damped spring to its goal, whose force has an end.
+    /// A damped spring to the goal, with a maximum force.
     void pull(BlockNode<D>& node, Pin<D, Real>& pin, double hardest) {
         const double h = state_.substep();
         const double per_compliance = inverse_or_zero(double(pin.compliance));
@@ -105,7 +106,7 @@ template <int D, class Real> class BlockContact {
         pin.multiplier = cast<Real>(clamp_components(force * -square(h), double(limit::multiplier<Real>)));
     }
 
-    /// A plane pushes back and rubs (Coulomb): both so stiff that nothing sinks or creeps visibly.
+    /// Contact with Coulomb friction, both so stiff that nothing sinks or creeps visibly.
     void press(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) {
         const auto normal = cast<double>(plane.normal);
         const double pressure = k * depth(node, plane);
@@ -124,32 +125,34 @@ template <int D, class Real> class BlockContact {
         const bool slides = bound(force, growth, k, friction * k * pressing, across);
         decide(slides ? 1 + (pressing > 0) : 0);
         if (slides && pressing > 0 && !cautious())
-            node.diagonal -= outer(direction(slip) * (friction * k), normal); // the deeper, the more
+            node.diagonal -= outer(direction(slip) * (friction * k), normal); // friction grows with depth
         growth -= outer(normal * dot(normal, growth * normal), normal);
         node.diagonal += growth;
         node.residual -= force;
     }
 
-    /// The depth whose pressure lets a node rub. One that has just come through the plane tells nothing of how hard it
-    /// will be pressed on it: first it is tried to stick there; where that leads away again, to slide without friction.
+    /// Depth whose pressure bounds the friction, m. The depth of a node just behind the plane tells little of the final
+    /// pressure: a cautious iteration lets such a node slide without friction.
     double pressing_depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
         const double now = depth(node, plane);
         const bool knew = progress_.share > 0 && now + dot(cast<double>(plane.normal), last_move(node)) > 0;
         return knew || !cautious() ? now : 0;
     }
 
-    /// Two ways to friction take turns, a few iterations each, for either finds what the other does not: its full
-    /// linearisation, which converges fast but may be singular where a limb jams, and that for the last pressure.
+    /// True for iterations that linearise friction at the pressure of the iteration before. Every few iterations the
+    /// full linearisation takes turns, which converges fast but may be singular where a limb jams; either converges
+    /// where the other does not.
     bool cautious() const {
         constexpr int tries = 4;
         return progress_.iteration / tries % 2 == 1;
     }
 
-    /// How an iteration has just moved a node.
+    /// Move of a node in the last iteration, m.
     Vector last_move(const BlockNode<D>& node) const { return node.move * progress_.share; }
 
-    /// A force that has an end, of a spring so stiff, and how it grows. From one end of what it can do it does not go
-    /// straight to the other: where the last move led across, it holds for an iteration. True where it is at its end.
+    /// Clamps the force of a spring to `most`, and sets the derivative `growth`. True if saturated. A force led
+    /// `across` to the other side by the last move stays unsaturated for an iteration, so as not to jump from one bound
+    /// to the other.
     static bool bound(Vector& force, Matrix& growth, double stiffness, double most, bool across) {
         const double size = norm(force);
         growth = Matrix::diagonal(stiffness);
@@ -161,7 +164,7 @@ template <int D, class Real> class BlockContact {
         growth -= outer(along * (stiffness * share), along);
         return true;
     }
-    /// Whether a move led from one side to the other.
+    /// True if a move led from one side to the other.
     static bool led_across(const Vector& now, const Vector& moved) { return dot(now, now - moved) < 0; }
 
     void rebound(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) const {

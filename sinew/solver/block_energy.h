@@ -107,7 +107,7 @@ template <int D> class BlockEnergy {
     const Solve& solve_;
     bool free_;
     double due_ = 0, after_ = 0;
-    Motion begun_{}; ///< of a free block, when the substep began
+    Motion begun_{}; ///< motion of a free block at the start of the substep
 
     double of_the_whole(const typename Solve::Vector& momentum) const {
         return free_ ? 0.5 * dot(momentum, momentum) * inverse_or_zero(solve_.total_mass()) : 0;

@@ -41,7 +41,7 @@ template <int D> class BlockEquations {
     /// True for a spring; stiffer than the penalty counts as rigid.
     bool soft(const BlockLink<D>& link) const { return link.compliance * stiffness_ > 1; }
 
-    /// A range that comes to its end, and leaves as fast as it came.
+    /// True for a joint's range that a link can leave, and comes back from at the speed of arrival.
     bool bounces(const BlockLink<D>& link) const { return ranges_bounce_ && link.is_range() && !soft(link); }
 
     void clear_entries() {

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
-/// Finding the blocks: which parts of the world hang together, and whether their equations stay sparse. What a change
-/// did not touch stays as it was found; the rest is found as if it were all there is, so that the blocks do not depend
-/// on how the world came to be what it is.
+/// Finding the blocks: connected components of the world whose equations stay sparse. Components without a change stay
+/// as found; the others are searched as if nothing else existed, so that blocks do not depend on the history of the
+/// world.
 namespace sinew {
 namespace {
 
@@ -19,7 +19,7 @@ template <int D, class Real> class Finder {
         : world_(world), particles_(world.particles), graph_(world), worth_(graph_), builder_(world, graph_),
           blocks_(world.blocks), room_(world.blocks.room) {}
 
-    /// Whether all of it was looked at.
+    /// Finds the blocks. True if the whole world was searched.
     bool run() {
         if (!blocks_.stale) find_again();
         const bool all = blocks_.stale;
@@ -39,7 +39,7 @@ template <int D, class Real> class Finder {
     Blocks<D>& blocks_;
     BlockRoom& room_;
 
-    static constexpr char met = 2; ///< in place of in_block: a constraint this look has come to
+    static constexpr char met = 2; ///< value of in_block while a search has reached the constraint
 
     bool mobile(Row particle) const { return graph_.mobile(particle); }
 
@@ -67,7 +67,7 @@ template <int D, class Real> class Finder {
         std::fill(particles_.in_block.begin(), particles_.in_block.end(), char(0));
         blocks_.bonds.forget();
         std::size_t constraints = 0;
-        bool may_tear = false; // then everything has to be at hand
+        bool may_tear = false; // tears need the adjacency of all constraints
         for_each_table(world_, [&](auto& table) {
             table.in_block.fill(0);
             constraints += table.size();
@@ -77,8 +77,7 @@ template <int D, class Real> class Finder {
         const bool large = constraints > small;
         if (!large || may_tear || !detail::BlockGlance(world_, graph_).sees_no_blocks()) spread();
         build_parts();
-        if (large)
-            room_.constraints = decltype(room_.constraints)(); // which is room that is taken again when it is needed
+        if (large) room_.constraints = decltype(room_.constraints)(); // released, and allocated again on demand
         blocks_.leave_room();
     }
     void spread() {
@@ -86,7 +85,7 @@ template <int D, class Real> class Finder {
         for (Row row = 0; row < particles_.size(); ++row) spread(row);
     }
 
-    /// What hangs together with what has changed. Where there is no room for more, everything is stale.
+    /// Searches the components of all changed particles. Where there is no room for more, everything becomes stale.
     void find_again() {
         begin_look();
         make_room();
@@ -112,9 +111,10 @@ template <int D, class Real> class Finder {
         build_parts();
     }
 
-    // --- what hangs together ----------------------------------------------------------------------------------------
+    // --- connected components ----------------------------------------------------------------------------------------
 
-    /// What shares no constraint moves by itself. What cannot move joins nothing.
+    /// Collects the component of a particle. Components are connected through constraints; immovable particles do not
+    /// connect.
     void spread(Row from) {
         if (!mobile(from) || !meet(from)) return;
         auto first = room_.members.size() - 1;
@@ -145,7 +145,7 @@ template <int D, class Real> class Finder {
         worth_.take_stock(room_.parts.back(), table, row, moving);
     }
 
-    /// Over all that a constraint joins, from one of its particles that cannot move.
+    /// Collects the components of all members of a constraint, for an immovable particle among the members.
     void spread_over(int kind, std::uint32_t slot) {
         visit_table(world_, kind, [&](auto& table) {
             const Row row = table.slots.row_at(slot);
@@ -176,11 +176,10 @@ template <int D, class Real> class Finder {
         return builder_.build(members, part, list, hangs);
     }
 
-    // --- what is joined to something with too many loops: ropes on a cloth, a ragdoll in a hammock -------------------
+    // --- trees and figures attached to a component with too many loops: ropes on a cloth, a ragdoll in a hammock ---
 
-    /// Trees, and figures that would be blocks by themselves, become blocks with ports (ports/ports.h). Particles of
-    /// the rest at the other end of their links are nodes of them, too: all pieces that hang on one particle are one
-    /// block.
+    /// Turns trees, and figures eligible for a block, into blocks with ports (ports/ports.h). Swept particles at the
+    /// other end of a link become nodes, too: all pieces attached to one particle form one block.
     void hang_pieces(const Part& part) {
         const auto members = members_of(part);
         peel(members);
@@ -200,7 +199,7 @@ template <int D, class Real> class Finder {
             room_.tree.clear();
             const Row root = pieces[first].first;
             for (; end < pieces.size() && pieces[end].first == root; ++end) room_.tree.push_back(pieces[end].second);
-            if (room_.tree.size() < members.size()) build_piece(root); // all of a part has been judged already
+            if (room_.tree.size() < members.size()) build_piece(root); // the whole component has been judged already
         }
     }
 
@@ -220,7 +219,7 @@ template <int D, class Real> class Finder {
         while (parent[row] != row) row = parent[row] = parent[parent[row]];
         return row;
     }
-    /// Links with a direct end unite, and links that join swept figures to each other.
+    /// Unites a particle with neighbours over links with a direct end, and over links between different figures.
     void unite_with_neighbours(Row row) {
         if (room_.direct[row]) room_.part_of[row] = row;
         graph_.each(graph_.distances(), row, [&](Row link) {
@@ -234,7 +233,7 @@ template <int D, class Real> class Finder {
         });
     }
 
-    /// Figures that are joined to others and would be blocks by themselves.
+    /// Marks figures joined to others, but eligible for a block alone.
     void find_skeletons(std::span<const Row> members) {
         auto& figures = room_.figures;
         figures.clear();
@@ -248,8 +247,8 @@ template <int D, class Real> class Finder {
             for (const auto& [figure, row] : own) room_.direct[row] = 1;
         }
     }
-    /// Judged by the constraints among its own particles. A small mesh is left to the sweep: several joined have too
-    /// many loops.
+    /// Judges a figure by the constraints among its particles. A small mesh is left to the sweep: several joined have
+    /// too many loops.
     bool is_skeleton(std::span<const std::pair<FigureIndex, Row>> own) const {
         Part part;
         for (const auto& [figure, row] : own) {
@@ -284,12 +283,12 @@ template <int D, class Real> class Finder {
         return found;
     }
 
-    /// Leaves are removed until none is left; all removed particles form trees.
+    /// Removes leaves until none is left; all removed particles form trees.
     void peel(std::span<const Row> members) {
-        auto& bonds = room_.bonds; // to others that move and have not gone
+        auto& bonds = room_.bonds; // number of links to movable neighbours not yet removed
         auto& peeled = room_.peeled;
         peeled.clear();
-        constexpr Row never = 1 << 20; // more than any will lose
+        constexpr Row never = 1 << 20; // more than a particle has links
         for (const Row row : members) {
             room_.parent[row] = no_row;
             bonds[row] = 0;
@@ -322,7 +321,7 @@ template <int D, class Real> class Finder {
         return left;
     }
 
-    /// Constraints that are left to the sweep.
+    /// Lists the constraints left to the sweep.
     void list_runs() {
         blocks_.runs.clear();
         std::array<Row, std::size_t(Kinds<D>::size)> next{};
@@ -343,7 +342,7 @@ template <int D, class Real> class Finder {
     }
 };
 
-/// Room for all that could be, not for what is: a thread that tears must not make a step allocate.
+/// Reserves for every state within reach of tears: a tearing thread must not make a step allocate.
 template <int D, class Real> void reserve_for_tears(World<D, Real>& world) {
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     constexpr std::size_t small = 100'000; // distances; of more, the room would be waste

@@ -2,7 +2,7 @@
 
 #include "sinew/solver/world.h"
 
-/// Constraints that blocks consist of, by particle.
+/// Constraints eligible for blocks, by particle.
 namespace sinew::detail {
 
 template <int D, class Real> class BlockGraph {
@@ -20,12 +20,12 @@ template <int D, class Real> class BlockGraph {
     template <class Visit> void with_volumes(Visit&& visit) const {
         if constexpr (D == 3) visit(std::get<kind_number<Volume, D>>(world_.constraints));
     }
-    /// A tetrahedron that keeps a joint in its range: rigid at the ends, and no jelly.
+    /// True for a tetrahedron that limits a joint: rigid at both limits, no jelly.
     template <class Table> static bool is_fold(const Table& table, Row row) {
         return natural(table, row) && table.compliance[row] == Real(0) && !is_driven(table, row) &&
                table.low(row) < table.high(row) && fold_unit(table, row) > 0;
     }
-    /// The larger one of its limits; 0 where either has none.
+    /// Larger limit, m^3; 0 if either is infinite.
     template <class Table> static double fold_unit(const Table& table, Row row) {
         const double largest = maximum(absolute(double(table.low(row))), absolute(double(table.high(row))));
         return largest < double(limit::coordinate<Real>) ? largest : 0;
@@ -68,7 +68,7 @@ template <int D, class Real> class BlockGraph {
                !is_driven(distances_, link);
     }
 
-    /// What a block that is joined to the sweep can hold.
+    /// True for a constraint allowed in a block with ports.
     template <class Table> bool is_rigid(const Table& table, Row row) const {
         using Kind = typename Table::Kind;
         if constexpr (std::is_same_v<Kind, Distance<D>>) return is_stick(row);
@@ -78,7 +78,7 @@ template <int D, class Real> class BlockGraph {
         return false;
     }
 
-    /// A link between particles that move, by which a tree hangs on the rest of the world.
+    /// True for a rigid link, by which a tree may hang on the rest of the world.
     bool may_hang(Row link) const {
         return is_stick(link) && direct_of(end(link, 0)) != Direct::off && direct_of(end(link, 1)) != Direct::off;
     }

@@ -14,12 +14,13 @@ template <int D> void substitute_back(Blocks<D>& blocks, const Block& block) {
     }
 }
 
-/// Solves a block's equations for `move`, in the order that fill was worked out for (elimination.h): LU by D x D parts,
-/// alike in structure but not in value on both sides of the diagonal. With D_i the diagonal of node i, L_e and U_e what
-/// it has below and to the right,
+/// Solves a block's equations for `move`, in the elimination order (elimination.h): LU by D x D blocks, of equal
+/// structure but different values on both sides of the diagonal. With D_i the diagonal of node i, L_e and U_e the
+/// entries below and to the right,
 ///
-///     y_i = D_i^-1 r_i       r_j -= L_e y_i       D_j -= L_e D_i^-1 U_e       A_ge -= L_g D_i^-1 U_e       A_eg -= L_e
-///     D_i^-1 U_g move_i = y_i - D_i^-1 sum U_e move_j
+///     y_i = D_i^-1 r_i       r_j -= L_e y_i       D_j -= L_e D_i^-1 U_e
+///     A_ge -= L_g D_i^-1 U_e       A_eg -= L_e D_i^-1 U_g
+///     move_i = y_i - D_i^-1 sum U_e move_j
 template <int D> void solve_block(Blocks<D>& blocks, const Block& block) {
     auto* const nodes = blocks.nodes.data();
     auto* const entries = blocks.entries.data();
@@ -46,7 +47,7 @@ template <int D> void solve_block(Blocks<D>& blocks, const Block& block) {
     substitute_back(blocks, block);
 }
 
-/// For another right-hand side, by the factors that solve_block has left.
+/// Solves for another right-hand side, with the factors of solve_block.
 template <int D> void solve_block_again(Blocks<D>& blocks, const Block& block) {
     auto* const nodes = blocks.nodes.data();
     for (auto i = block.first_node; i < block.first_node + block.unknowns; ++i) {

@@ -4,7 +4,7 @@
 
 namespace sinew::detail {
 
-/// Rows move when others go. A block knows its own by their slots, and looks them up before it moves.
+/// Looks up the rows of a block by slots, if rows have moved since the last look-up.
 template <int D, class Real> void look_up_rows(World<D, Real>& world, Block& block) {
     auto& blocks = world.blocks;
     if (block.row_moves == blocks.row_moves) return;
@@ -17,7 +17,7 @@ template <int D, class Real> void look_up_rows(World<D, Real>& world, Block& blo
     const auto& pulleys = std::get<kind_number<Pulley, D>>(world.constraints);
     const auto row_in = [](const auto& table) {
         return [&table](BlockLimit& limit) {
-            if (limit.slot != no_row) limit.constraint = table.slots.row_at(limit.slot); // a load tether has none
+            if (limit.slot != no_row) limit.constraint = table.slots.row_at(limit.slot); // none in a load tether
         };
     };
     each(blocks.nodes, block.first_node, block.nodes,

@@ -4,8 +4,9 @@
 
 namespace sinew::detail {
 
-/// What the constraints did to the velocities is not along the links: those that pull keep the lengths they have
-/// (n . v = 0), for the least change of momentum. `hold(stiffness)` adds what else acts on the nodes.
+/// Projects the velocities of a block onto the motions that the constraints allow (n . v = 0 for each active one), with
+/// the least change of momentum: `rounds` solves of an augmented Lagrangian. One-sided limits take part only while
+/// loaded. `hold(stiffness)` adds external terms, such as planes, to the equations.
 template <int D, class Hold> void settle_block(BlockEquations<D>& block, Hold&& hold, int rounds = 3) {
     constexpr double relative = 1e3;
     const auto at = [&](std::uint32_t i) -> BlockNode<D>& { return block.node(i); };

@@ -2,18 +2,18 @@
 
 #include "sinew/solver/block_equations.h"
 
-/// One substep of one block: Newton's method on
+/// Substep of a block: Newton's method on
 ///
 ///     sum inertia/2 |x - aim|^2  +  sum tension C + k/2 C^2,        C = (|x_b - x_a|^2 - limit^2) / 2
 ///
-/// the augmented Lagrangian of its links, their geometric stiffness kept, the tensions of the last substep for a start.
-/// Each iteration gains about four digits, whatever the masses.
+/// the augmented Lagrangian of the links, with geometric stiffness, started from the tensions of the last substep. Each
+/// iteration gains about four digits, whatever the masses.
 namespace sinew::detail {
 
-/// How far a solve has come.
+/// Progress of a solve.
 struct SolveProgress {
     int iteration = 0;
-    double share = 0; ///< of its move that each node went in the last iteration
+    double share = 0; ///< fraction of the Newton step taken in the last iteration, 0..1
 };
 
 template <int D> class BlockSolve : public BlockEquations<D> {
@@ -24,17 +24,17 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     using typename Base::Vector;
     BlockNode<D>& node(std::uint32_t i) const { return Base::node(i); }
 
-    /// The length of all links.
+    /// Total length of links and cables, m.
     double reach() const { return reach_; }
     const SolveProgress& progress() const { return progress_; }
 
-    /// From now on lengths that cannot be kept are shared out, as by very stiff springs.
+    /// Treats links as very stiff springs from now on: lengths that cannot all be kept share the error.
     void be_elastic() { elastic_ = true; }
 
-    /// From now on joints swing past their ends, and bounce from them afterwards (block_bounce.h).
+    /// Lets joints swing past their limits from now on, and bounce afterwards (block_bounce.h).
     void let_bounce() { bounce_ = true; }
 
-    /// Which limits hold when the substep begins.
+    /// Chooses the active limits at the start of the substep.
     void choose_sides(Rule rule) {
         reach_ = 0;
         Base::ranges_bounce_ = bounce_ && rule == Rule::swing;
@@ -47,21 +47,20 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         reach_ += ways_.set_out(as_good_as_taut);
     }
 
-    /// Finds every `place`. `hold()` adds what else acts on the nodes to their equations. False where it did
-    /// not converge.
+    /// Solves for every `place`. `hold()` adds external terms to the equations. False if the solve did not converge.
     template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
         set_out(rule);
         for (auto& node : unknowns()) node.place = node.start + flight(rule, node);
         return iterate(rule, most_iterations, hold);
     }
 
-    /// The same from a guess: places and tensions as they are.
+    /// Same as `run`, started from the present positions and tensions.
     template <class Hold> bool run_again(Rule rule, int most_iterations, Hold&& hold) {
         set_out(rule);
         return iterate(rule, most_iterations, hold);
     }
 
-    /// Whether what acts from outside decides as it did in the equations before; where nothing does, it has no say.
+    /// True if the external terms decided as in the equations before; a `hold` without a result always agrees.
     template <class Hold> static bool agrees(Hold& hold) {
         if constexpr (std::is_void_v<decltype(hold())>)
             return true;
@@ -69,7 +68,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             return hold();
     }
 
-    /// One iteration more. False where that led away: a limit let go that should have held.
+    /// Runs one more iteration. False if the error is no longer acceptable, as after a wrong release of a limit.
     template <class Hold> bool refine(Rule rule, Hold&& hold) {
         assemble(rule);
         hold();
@@ -78,7 +77,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         return worst_error() <= acceptable;
     }
 
-    /// How far the worst joint that bounces has gone beyond its end, and beyond where it began.
+    /// Largest overshoot of a bouncing joint past the limit, and past the state at the start of the substep: radians
+    /// for an angle, a fraction of half the length for a link.
     double worst_overshoot() const {
         double worst = bends_.worst_overshoot();
         for (const auto& link : links()) {
@@ -90,7 +90,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         return worst;
     }
 
-    /// Where Newton does not find the lengths: sweeps over the links come nearer to them.
+    /// Gauss-Seidel sweeps over the links from the start positions: brings lengths nearer where Newton's method fails.
     void sweep() {
         constexpr int rounds = 20;
         for (auto& node : unknowns()) node.place = node.start;
@@ -110,25 +110,28 @@ template <int D> class BlockSolve : public BlockEquations<D> {
   private:
     static constexpr double good_enough = 1e-7;
     static constexpr double braces_give = 1e-6;
-    static constexpr double hardly = 1e-5;        ///< a move after which the next would be too small to matter
-    static constexpr double hardly_pulled = 3e-3; ///< the same of a tension
+    static constexpr double hardly = 1e-5;        ///< relative move after which the next would be too small to matter
+    static constexpr double hardly_pulled = 3e-3; ///< same for a tension
     static constexpr double acceptable = 1e-5;
     static constexpr double absurd = 100;
-    static constexpr int undecided_after = 8;  ///< iterations: then half steps, which settle what goes to and fro
-    static constexpr double slight = 1e-3;     ///< a move, as a part of a link
-    static constexpr int patience = 10;        ///< iterations
-    static constexpr double most_change = 0.5; ///< of a link in one iteration, as a share of its length
+    static constexpr int undecided_after =
+        8;                                 ///< iterations; from then on half steps, which settle limits that alternate
+    static constexpr double slight = 1e-3; ///< a move, as a fraction of a link
+    static constexpr int patience = 10;    ///< iterations
+    static constexpr double most_change = 0.5; ///< change of a link in one iteration, as a fraction of the length
     static constexpr double as_good_as_taut = 1e-4;
-    static constexpr double small_angle = 1e-2; ///< an angle's error counts as this part of a length's
+    static constexpr double small_angle =
+        1e-2; ///< an angle's error in radians counts as this fraction of a relative length error
     static constexpr int most_flips = 2;
 
     using Base::add, Base::clear_entries, Base::bends_, Base::ways_, Base::block_, Base::h_, Base::per_h_;
     double reach_ = 0;
     SolveProgress progress_{};
-    double moved_ = 0, tightened_ = 0, strongest_ = 0; ///< by an iteration: the most of any node and link
+    double moved_ = 0, tightened_ = 0,
+           strongest_ = 0; ///< largest move of a node, change of a tension, and tension in an iteration
     bool elastic_ = false, bounce_ = false;
-    bool let_go_ = false; ///< a limit, since patience was last asked
-    double slight_ = 0;   ///< a tension that is none
+    bool let_go_ = false; ///< a limit was released since `patience` was last checked
+    double slight_ = 0;   ///< tension that counts as zero
 
     double mobility(std::uint32_t i) const {
         return i < block_.first_node + block_.unknowns ? inverse_or_zero(node(i).mass) : 0;
@@ -142,19 +145,20 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
             if (i > 1 && block_.braced() && worst <= braces_give && worst > 0.5 * last && moved_ <= hardly * reach_)
-                return true; // braces in a plane: Newton does not come nearer
+                return true; // redundant links in a plane: Newton's method stagnates
             last = worst;
-            if (i % patience == 0) { // a solution that exists comes nearer
+            if (i % patience == 0) { // the error falls if there is a solution
                 if (i > 0 && !let_go_ && worst > 0.5 * before && worst > acceptable) return false;
                 before = worst;
-                let_go_ = false; // a rope that falls slack does so link by link
+                let_go_ = false; // a rope goes slack link by link
             }
-            // what cannot decide whether it touches: its lengths are right, and it hardly moves
+            // contacts that alternate: lengths are right, and nodes hardly move
             const double slight_move = slight * reach_ / double(block_.links + block_.ways);
             if (rule == Rule::implicit && i >= undecided_after && worst <= acceptable && moved_ <= slight_move)
                 return true;
             if (i == most_iterations)
-                return worst <= acceptable && moved_ <= acceptable * reach_; // links that cannot decide to be taut
+                return worst <= acceptable &&
+                       moved_ <= acceptable * reach_; // links that alternate between taut and slack
             Base::solve();
             take_step(i >= undecided_after ? 0.5 : 1);
         }
@@ -164,7 +168,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         return rule == Rule::place ? Vector{} : node.velocity * h_;
     }
 
-    /// Where it would go by itself.
+    /// Sets inertia and the positions without constraints, and chooses the active limits.
     void set_out(Rule rule) {
         progress_ = {};
         const double share = rule == Rule::swing ? 0.5 : rule == Rule::implicit ? 1 : 0;
@@ -176,8 +180,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         slight_ = 1e-6 * Base::weight() * inverse_or_zero(reach_) * double(block_.links + block_.ways);
     }
 
-    /// Which limit holds when the substep begins. What is as good as taut counts as taut: else a falling rope would
-    /// tighten link by link.
+    /// Active limit at the start of the substep. A link within the margin of a limit counts as taut: a falling rope
+    /// would otherwise tighten link by link.
     void choose_side(BlockLink<D>& link) const {
         link.flips = 0;
         link.give = 0;
@@ -188,7 +192,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         link.side = length > link.high - margin ? 1 : length < link.low + margin ? -1 : 0;
     }
 
-    /// Of one that bounces: only the end that it rests on holds, as far out as it is.
+    /// For a bouncing link: only the limit on which the link rests is active, offset by the present excess.
     static void rest_on_end(BlockLink<D>& link) {
         constexpr double hardly_short = 1e-6;
         const double length2 = dot(link.start, link.start), margin = hardly_short * square(link.length);
@@ -197,7 +201,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         link.give = link.side > 0 ? maximum(above, 0.0) : link.side < 0 ? minimum(below, 0.0) : 0;
     }
 
-    /// The equations at the present places. Returns the worst violation of a rigid link, relative to its length.
+    /// Assembles the equations at the present positions. Returns the worst violation of a rigid link, relative to the
+    /// length.
     double assemble(Rule rule) {
         for (auto& node : unknowns()) {
             node.diagonal = Matrix<D, double>::diagonal(node.inertia);
@@ -235,7 +240,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         return worst;
     }
 
-    /// What `assemble` would return, without the equations.
+    /// Worst violation of links and angles at the present positions, scaled as in `assemble`.
     double worst_error() {
         double worst = 0;
         for (const auto& link : links()) {
@@ -248,7 +253,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         return maximum(worst, small_angle * bends_.worst_error());
     }
 
-    /// A soft link: its force is what it is, and needs no multiplier.
+    /// A compliant link: the force follows from the length, without a multiplier.
     void spring(Rule rule, BlockLink<D>& link, const Vector& now) {
         const double length = norm(now), per_length = inverse_or_zero(length);
         const double error = length - clamp(length, link.low, link.high);
@@ -264,7 +269,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         link.pull = link.tension = force * per_length;
     }
 
-    /// No link changes by more than its own length at once: further out, Newton's model of it means nothing.
+    /// Trust region: the fraction of the step at which no link changes by more than `most_change`. Newton's model means
+    /// nothing further out.
     double trusted_share() {
         double most = 0;
         tightened_ = strongest_ = 0;
@@ -303,8 +309,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             }
     }
 
-    /// The multiplier that goes with the places just found. One that holds the wrong way lets go, unless it cannot
-    /// decide.
+    /// Updates the multiplier. A limit whose multiplier has the wrong sign is released, unless activated more than
+    /// `most_flips` times in this substep.
     void renew(BlockLimit& limit, double next, double share) {
         if (elastic_) {
             limit.tension = 0;

@@ -10,8 +10,8 @@ namespace {
 
 using detail::Rule;
 
-/// Moves one block over a frame: in as few substeps as swing by themselves; where something strikes, cracks or folds,
-/// in shorter ones, in the end implicit.
+/// Moves one block over a frame: in as few substeps as the midpoint rule allows; after a blow, the crack of a whip or a
+/// fold in shorter ones, finally by backward Euler.
 template <int D, class Real> class BlockStep {
   public:
     BlockStep(World<D, Real>& world, const Block& block, double frame, double last_substep)
@@ -25,21 +25,21 @@ template <int D, class Real> class BlockStep {
         state_.report_tensions(substep);
         contact_.report_pins(substep);
     }
-    /// Energy that went where something struck, cracked or snapped taut.
+    /// Energy lost where something struck, cracked or snapped taut, J.
     double lost() const { return lost_; }
 
   private:
     using Solve = detail::BlockSolve<D>;
     using Energy = detail::BlockEnergy<D>;
 
-    static constexpr int deepest = 3;                          ///< a substep is cut into pieces, and again, so often
-    static constexpr int deepest_at_ends = 5;                  ///< the same where joints come to their ends
-    static constexpr int many = 40, stretched_iterations = 10; ///< iterations, where there is no other way
+    static constexpr int deepest = 3;                          ///< maximum depth of division of a substep
+    static constexpr int deepest_at_ends = 5;                  ///< same where joints reach their limits
+    static constexpr int many = 40, stretched_iterations = 10; ///< iterations of the fallback solves
     detail::BlockState<D, Real> state_;
     detail::BlockContact<D, Real> contact_;
-    double frame_, longest_ = 0; ///< substep there may be
+    double frame_, longest_ = 0; ///< durations of the step and of the longest substep, s
     double lost_ = 0;
-    bool swung_ = false; ///< the last substep, so that lengths and velocities are as they should be
+    bool swung_ = false; ///< the last substep was a midpoint step: lengths and velocities are right
 
     void load(double from, double to) {
         state_.load(from, to);
@@ -51,7 +51,7 @@ template <int D, class Real> class BlockStep {
     bool refine(Solve& solve) {
         return solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness(), solve.progress()); });
     }
-    /// Nothing from outside acts on it but force fields.
+    /// True if only force fields act from outside.
     bool is_free() const { return state_.fixed().empty() && !state_.driven() && !contact_.near(); }
 
     void advance(double from, double to, int depth) {
@@ -82,17 +82,17 @@ template <int D, class Real> class BlockStep {
 
     enum class Went { well, against_something, past_an_end, too_far };
 
-    /// Tries to swing. What goes too far for one substep is done in shorter ones, as long as there are any.
+    /// Tries a midpoint step. A motion too large for one substep is left to shorter ones, as long as there are any.
     Went swing(Solve& solve, Energy& energy, int depth) {
         const bool shortest = depth >= deepest;
         constexpr int few = 8;             // iterations: where more are needed, shorter substeps are cheaper
-        constexpr double overshoot = 2e-3; // radians beyond the end of a joint, or half of a range's length
+        constexpr double overshoot = 2e-3; // radians beyond a joint's limit, or a fraction of half a range's length
         const bool lossless = loses_nothing(solve);
         if (lossless) solve.let_bounce();
         const bool found = run(solve, Rule::swing, few);
         if (struck(solve)) return Went::against_something;
         if (!found) return Went::too_far;
-        constexpr double exact = 0.02, slight = 1e3; // parts of what rounding may do
+        constexpr double exact = 0.02, slight = 1e3; // in units of the rounding tolerance
         double gain = state_.works_alone() ? energy.gain() : 0;
         if (absolute(gain) > exact) {
             if (!refine(solve)) return Went::too_far;
@@ -113,13 +113,13 @@ template <int D, class Real> class BlockStep {
         }
         note_lost(energy.missing());
         energy.keep_momentum();
-        // a fold's mean gradient turns the whole a little
+        // the mean gradient of a fold adds a little rotation
         if (lossless && is_free() && state_.block.ranges > 0) energy.slow_down(energy.due());
         return Went::well;
     }
 
-    /// The substep once more, implicit; if need be as if it had no springs. Where even that finds nothing, in shorter
-    /// ones: the shorter, the better Newton's model of them.
+    /// Repeats the substep by backward Euler. Without a solution the substep is divided: Newton's model is better over
+    /// a shorter time. At the deepest level springs are disabled, and `creep` is the last resort.
     void give_way(double from, double to, int depth) {
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
@@ -145,8 +145,8 @@ template <int D, class Real> class BlockStep {
         state_.store();
     }
 
-    /// One linear step towards where it is pulled, as far as lengths, angles and its energy bear it. It always comes
-    /// some of the way, so that what could not be solved for is left behind.
+    /// Fallback: a linear step towards the solution, halved until lengths and energy are tolerable. Some of the way is
+    /// always made, which leaves a state without a solution behind.
     void creep(Solve& solve, const Energy& energy, double kinetic) {
         constexpr double bearable = 1e-5;
         state_.forget_tensions();
@@ -158,20 +158,20 @@ template <int D, class Real> class BlockStep {
         state_.start_tensions();
     }
 
-    /// Velocities as they would be without links, which `settle` brings in line with them. A place that was not found
-    /// to the last digit, over a short substep, would be a wrong velocity of all that is heavy.
+    /// Velocities as without links, for `settle` to project. A position not found to the last digit, over a short
+    /// substep, would give wrong velocities to everything heavy.
     void keep_flying() {
         for (auto& node : state_.unknowns()) node.velocity += node.push * state_.substep();
     }
 
-    /// Back towards where it began, until that is so.
+    /// Halves the displacement until `bearable()`, at most 20 times.
     template <class Bearable> void retreat(Bearable&& bearable) {
         constexpr int halvings = 20;
         for (int i = 0; i < halvings && !bearable(); ++i)
             for (auto& node : state_.unknowns()) node.place = (node.place + node.start) * 0.5;
     }
 
-    /// Pinned further apart than it is long: as near to its lengths as it gets.
+    /// Step of a block pinned further apart than its length: as near to the lengths as possible.
     void be_stretched(double from, double to) {
         load(from, to);
         state_.forget_tensions();
@@ -181,7 +181,7 @@ template <int D, class Real> class BlockStep {
         run(solve, Rule::implicit, stretched_iterations);
         constexpr double most = 10;
         retreat([&] { return solve.worst_place_strain() <= maximum(most, before); });
-        contact_.lift(); // it has not converged
+        contact_.lift(); // the solve has not converged
         take_mean_velocities();
         state_.forget_tensions();
         state_.store();
@@ -192,8 +192,8 @@ template <int D, class Real> class BlockStep {
         for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * per_h;
     }
 
-    /// A figure put down stretched, or torn from its pins, is brought to its lengths without a velocity. False where
-    /// its pins are too far apart.
+    /// Brings a figure that was placed stretched, or torn from its pins, to its lengths without a velocity. False if
+    /// the pins are too far apart.
     bool pull_together(Solve& solve) {
         constexpr double crude = 1e-3;
         const double before = solve.worst_start_strain();
@@ -210,21 +210,22 @@ template <int D, class Real> class BlockStep {
         return met || after <= crude;
     }
 
-    /// Undamped, with nothing outside to take or give: then a joint bounces from its end.
+    /// True if energy has to be conserved: no damping, no work from outside. A joint then bounces from its limit.
     bool loses_nothing(const Solve& solve) const {
-        constexpr double far_outside = 2e-2; // radians: it was put there, and is brought back
+        constexpr double far_outside = 2e-2; // radians; a joint placed further out is brought back
         return state_.world.settings.damping == Real(0) && state_.works_alone() && !contact_.near() &&
                solve.bends().worst_outside() < far_outside;
     }
-    /// What came to rest on its end had little energy, which goes back into the rest of the motion.
+    /// Bounces joints from their limits. A joint that comes to rest on a limit has little energy, which goes back into
+    /// the rest of the motion.
     void bounce(Solve& solve, const Energy& energy) const {
-        constexpr double part = 1e-5, tiny = 1e-7; // of its energy, and of its weight times its length
+        constexpr double part = 1e-5, tiny = 1e-7; // fractions of the energy, and of weight times length
         const double kinetic = solve.kinetic();
         const double little = part * energy.inner() + tiny * solve.weight() * solve.reach();
         if (detail::BlockBounce<D>(solve, little).run()) energy.bring_to(minimum(kinetic, energy.due()));
     }
 
-    /// Something has come to a plane, or a joint to its end: what follows is a blow, not a swing.
+    /// True if a node has reached a plane, or a joint a limit: a blow follows, not a swing.
     bool struck(const Solve& solve) { return contact_.struck() || solve.bends().any_struck(); }
 
     bool any_tightened(bool ranges_bounce) const {
@@ -236,21 +237,21 @@ template <int D, class Real> class BlockStep {
         return false;
     }
 
-    /// Of what something from outside works on, nobody knows.
+    /// Energy is accounted only while nothing from outside does work.
     void note_lost(double energy) {
         if (state_.works_alone()) lost_ += energy;
     }
 
-    /// Returns the energy that it took.
+    /// Projects the velocities. Returns the energy lost, J.
     double settle(Solve& solve, const Energy& energy) {
         const double kinetic = solve.kinetic();
         detail::settle_block(solve, [&](double k) { contact_.rebound(k); });
-        if (!contact_.near() && state_.works_alone()) energy.slow_down(kinetic); // less but for rounding
+        if (!contact_.near() && state_.works_alone()) energy.slow_down(kinetic); // no gain, rounding aside
         return kinetic - solve.kinetic();
     }
 
-    /// Where a whip cracks, what it does along its links is no motion but the rule's own error: it goes back into what
-    /// is one. False where that is much.
+    /// Removes velocities along the links, an error of the integrator after the crack of a whip, and gives their energy
+    /// back to the allowed motion. False if the error is large.
     bool straighten(Solve& solve, const Energy& energy) {
         constexpr double much = 1.02;
         const double kinetic = solve.kinetic(), inner = energy.inner();
@@ -261,9 +262,9 @@ template <int D, class Real> class BlockStep {
     }
 };
 
-/// Blocks are handed out to threads some at a time.
+/// Number of blocks handed to a thread at a time.
 constexpr int a_part = 8;
-constexpr std::size_t worth_a_thread = 500; ///< nodes: of fewer, telling others takes longer than doing it
+constexpr std::size_t worth_a_thread = 500; ///< nodes; for fewer, starting threads takes longer than the work
 
 template <int D> int parts_of(const Blocks<D>& blocks) {
     return int((blocks.list.size() + a_part - 1) / a_part);

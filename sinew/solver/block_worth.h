@@ -2,7 +2,7 @@
 
 #include "sinew/solver/block_graph.h"
 
-/// What is worth a block: few loops of links, angles and folds, that are held in the natural way.
+/// Eligibility for a block: few loops of links, angles and folds, all with the default split and relaxation.
 namespace sinew::detail {
 
 template <int D, class Real> class BlockWorth {

@@ -2,14 +2,13 @@
 
 #include "sinew/solver/world.h"
 
-/// The parts of a step that both modes share, each in a file of its own.
+/// Phases of a step, each in a separate file.
 namespace sinew {
 
-/// Nothing is pushed harder: the largest force on the lightest particle.
+/// Largest acceleration, m/s^2: the largest force on the lightest particle.
 template <class Real> constexpr Real largest_acceleration = limit::force<Real>* limit::mass<Real>;
 
-/// force.cpp: what acts on a particle, where it is or at another place: a velocity v changes by acceleration -
-/// drag_rate v.
+/// force.cpp: forces on a particle, at the present position or another: dv/dt = acceleration - drag_rate v.
 template <int D, class Real> struct Push {
     Vec<D, Real> acceleration{};
     Real drag_rate = 0;
@@ -22,40 +21,41 @@ template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, 
 /// force.cpp: hands out the forces that strike one particle a step, into particles.force.
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
 
-/// quarantine.cpp: figures and loose particles that are not finite stand still from now on, where they last were; what
-/// is finite but beyond the stated limits is held at them. And it notes where they were before the step.
+/// quarantine.cpp: freezes figures and loose particles that are not finite, at their last finite positions; clamps
+/// finite values to the stated limits. Saves the positions before the step.
 template <int D, class Real> void hold_in_limits(World<D, Real>& world);
 
-/// tear.cpp: removes constraints strained beyond their breaking point for longer than they bear, after a step of dt;
-/// with a distance goes what both of its ends belong to.
+/// tear.cpp: removes constraints strained beyond their breaking point for longer than permitted, after a step of dt; a
+/// torn distance takes along the constraints that both ends belong to.
 template <int D, class Real> void tear(World<D, Real>& world, Real dt);
 
-/// swept.cpp: what holds for all particles of the sweep in substeps of length h; those of slots [first, last) into
-/// their columns, and back.
+/// swept.cpp: sets the constants of a sweep in substeps of length h; gathers the particles of slots [first, last) into
+/// columns, and scatters them back.
 template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h);
 template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row first, Row last);
 template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last);
 
-/// plan.cpp: works out how the sweep goes about what is in no block; anew, or what has changed of it.
+/// plan.cpp: plans the sweep of everything outside the blocks; entirely if `anew`, otherwise the changed parts.
 template <int D, class Real> void make_plan(World<D, Real>& world, bool anew);
 
-/// block_step.cpp: moves every block over a step; tensions are told as multipliers of a substep of that length.
+/// block_step.cpp: moves every block over a step; tensions are reported as multipliers of a substep of the given
+/// length.
 template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep);
 
-/// ports/find_ports.cpp: where blocks are joined to what is swept; when the sweep is planned, which of its constraints
-/// act there, and the load tethers.
+/// ports/find_ports.cpp: finds the ports between blocks and sweep; after planning, finds the swept constraints at
+/// ports, and sets the load tethers.
 template <int D, class Real> void find_ports(World<D, Real>& world);
 template <int D, class Real> void tie_ports(World<D, Real>& world);
 
-/// passive.cpp: limits of turns give a figure no energy. Finds the figures of which that can be said; notes their
-/// energy before the constraints act; takes back what those added. Room for it is made before the step.
+/// passive.cpp: angle limits must not add energy to a figure. Finds the figures for which this is guaranteed, notes
+/// their energy before the constraints act, and removes the energy added. Room for budgets is reserved before the step.
 template <int D, class Real> void make_room_for_budgets(World<D, Real>& world);
 template <int D, class Real> void find_passive(World<D, Real>& world);
 template <int D, class Real> void note_energy(World<D, Real>& world);
 template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h);
 
-/// drive.cpp: whether any limit is driven or gives way. Limits that are driven move on; lengths that were pulled harder
-/// than they hold have slipped.
+/// drive.cpp: finds out if any limit is driven or has a maximum force; advances driven limits; shifts the limits of
+/// lengths loaded up to the maximum force.
 template <int D, class Real> bool any_driven(const World<D, Real>& world);
 template <int D, class Real> void move_limits(World<D, Real>& world, Real h);
 template <int D, class Real> void slip(World<D, Real>& world, Real h);

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-/// What plain distances join: parts of a world that do not touch each other. Each becomes a sheet of the plan, or
-/// shares one with others of the same shape.
+/// Connected components of the world under simple distances. Each becomes a sheet of the plan, or shares one with
+/// others of the same shape.
 namespace sinew::detail {
 
 template <int D, class Real> class PlanParts {
@@ -17,16 +17,17 @@ template <int D, class Real> class PlanParts {
         : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), swept_(world.swept),
           plan_(world.swept.plan), room_(world.swept.room) {}
 
-    /// Of what is in no sheet that stays. Where a link leads to one, meet(slot) is called instead, and it is false.
+    /// Finds the components of the swept particles outside kept sheets. A link to a kept sheet is reported by
+    /// meet(slot) of a particle there instead, and the result is false.
     template <class Meet> bool find(Meet&& meet) {
         if (!take_plain(meet)) return false;
         join();
         sort_into_parts();
         return true;
     }
-    /// They lie in rows now.
+    /// Releases the adjacency lists.
     void forget_neighbours() { give_back(room_.first_near, room_.near, room_.at, room_.levels); }
-    /// The plan is worked out.
+    /// Releases all room of the planner.
     void forget() {
         give_back(room_.link_at, room_.left, room_.parent, room_.part_of, room_.members, room_.rank, room_.at,
                   room_.first_near, room_.near, room_.chained, room_.colour, room_.used, room_.sorted, room_.left_over,
@@ -48,7 +49,7 @@ template <int D, class Real> class PlanParts {
     Row rank(Row link, std::size_t i) const { return room_.rank[end(link, i)]; }
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
 
-    /// How many parts from this one on are like it.
+    /// Number of consecutive parts, from this one on, of the same shape.
     std::size_t count_alike(std::size_t part) const {
         std::size_t count = 1;
         while (part + count < room_.parts.size() && are_alike(part, part + count)) ++count;
@@ -77,13 +78,13 @@ template <int D, class Real> class PlanParts {
 
     std::size_t particles() const { return world_.particles.size(); }
 
-    /// Of a large world room is taken again when it is needed. Of a small one it stays: things may tear.
+    /// Releases columns in a large world. A small world keeps the room, because a tear calls for a new plan.
     template <class... Column> void give_back(Column&... columns) const {
         constexpr std::size_t small = 100'000;
         if (distances_.size() > small) ((columns = Column()), ...);
     }
 
-    /// Of the sweep, and not in a sheet that stays.
+    /// Visits the swept particles outside kept sheets.
     template <class Visit> void each_swept(Visit&& visit) const {
         const std::span<const char> in_block = world_.particles.in_block;
         for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)
@@ -91,7 +92,8 @@ template <int D, class Real> class PlanParts {
                 if (swept_.slot_of[row] == none) visit(Row(row));
     }
 
-    /// Larger limits are none, or too large for products of three of them.
+    /// True for a distance with default split and relaxation, without damping, drive or maximum force. Limits outside
+    /// the range of coordinates are left out: products of three of them would overflow.
     bool is_plain(Row link) const {
         constexpr Real far = limit::coordinate<Real>;
         return distances_.split[link] == Real(0.5) && distances_.relaxation[link] == Real(1) &&
@@ -150,8 +152,8 @@ template <int D, class Real> class PlanParts {
         }
     }
 
-    /// Particles and links by the part they are in, both in their order; parts by their first particle. Particles
-    /// without links are one part.
+    /// Sorts particles and links by component, each in row order, and components by the first particle. Particles
+    /// without links share one component.
     void sort_into_parts() {
         auto& parts = room_.parts;
         parts.clear();

@@ -2,7 +2,7 @@
 
 #include "sinew/solver/world.h"
 
-/// Writing the runs of a plan, link by link: what follows on the last one continues its run.
+/// Writes the runs of a plan link by link: a link that follows the last one continues the run.
 namespace sinew::detail {
 
 template <int D, class Real> class RunWriter {
@@ -10,13 +10,13 @@ template <int D, class Real> class RunWriter {
     explicit RunWriter(World<D, Real>& world)
         : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), plan_(world.swept.plan) {}
 
-    /// Of the sheet that is written now: whether its links are corrected along where they were.
+    /// Begins a sheet. If `swings`, links are corrected along their old directions.
     void begin_sheet(bool swings) {
         swings_ = swings;
         first_parameter_ = std::uint32_t(plan_.parameters.size());
         links_ = {};
     }
-    /// The rows of its links so far.
+    /// Rows of the links of the sheet so far.
     const Extent& links() const { return links_; }
 
     void begin_family(std::uint32_t reach = 0) {
@@ -28,7 +28,7 @@ template <int D, class Real> class RunWriter {
     }
     void break_run() { fresh_ = true; }
 
-    /// The next link of the family: it continues the run if it can.
+    /// Adds the next link of the family: continues the run if possible.
     void add(Row link, Row a, Row b) {
         links_.include(link);
         constexpr std::uint32_t most_lanes = 32; // in two packs
@@ -52,7 +52,7 @@ template <int D, class Real> class RunWriter {
         links_.include(link);
         auto parameters = std::uint32_t(plan_.parameters.size());
         if (parameters > first_parameter_ && has_parameters(link, parameters - 1))
-            --parameters; // one like the last needs no room of its own
+            --parameters; // equal to the last parameters: shared
         else
             add_parameters(link);
         plan_.runs.push_back({.a = a,
@@ -69,13 +69,13 @@ template <int D, class Real> class RunWriter {
         fresh_ = false;
     }
 
-    /// Once more, what its particles weigh.
+    /// Updates `even` after a change of masses.
     void weigh(LinkRun& run) const {
         run.even = true;
         for (std::uint32_t i = 0; i < run.count; ++i) run.even = run.even && is_even(plan_.row_of(run, i));
     }
 
-    /// The next link of a run whose rows come in no order.
+    /// Adds the next link of a run whose rows are listed one by one.
     void add_listed(Row link, Row a, Row b, bool begins) {
         links_.include(link);
         if (begins) {
@@ -111,17 +111,17 @@ template <int D, class Real> class RunWriter {
     Plan<Real>& plan_;
     bool fresh_ = true; ///< the next link begins a run
     bool swings_ = true;
-    std::uint32_t first_parameter_ = 0; ///< of the sheet
+    std::uint32_t first_parameter_ = 0; ///< first one of the sheet
     Extent links_;
 
     void add_parameters(Row link) { plan_.parameters.add(low(link), high(link), distances_.compliance[link]); }
     bool has_parameters(Row link, std::uint32_t number) const {
         return plan_.parameters.are(number, low(link), high(link), distances_.compliance[link]);
     }
-    /// A link at a port keeps its place among the others, for tethers lead over it, but holds nothing: its port solves
-    /// it after all others (ports/port_mover.h).
+    /// Lower limit, m. A link at a port stays in the plan, because tethers lead over the link, but is inactive: the
+    /// port solves the link after all others (ports/port_mover.h).
     Real low(Row link) const { return is_at_port(link) ? Real(0) : maximum(distances_.low(link), Real(0)); }
-    /// Squares and products of limits have to be finite.
+    /// Upper limit, m, small enough for finite squares and products.
     Real high(Row link) const {
         constexpr Real most = limit::coordinate<Real> * Real(100);
         return is_at_port(link) ? most : minimum(distances_.high(link), most);
@@ -132,7 +132,7 @@ template <int D, class Real> class RunWriter {
         return ports.at[end(link, 0)] != ports.none || ports.at[end(link, 1)] != ports.none;
     }
 
-    /// Its ends can move, and equally readily whatever slows them down.
+    /// True if both ends are movable and have equal inverse masses, drag aside.
     bool is_even(Row link) const {
         const auto& p = world_.particles;
         const Row a = end(link, 0), b = end(link, 1);

@@ -2,10 +2,10 @@
 
 #include "sinew/solver/plan_mesh.h"
 
-/// In which order a sheet's particles lie and its links are solved. Where they lead in few directions - a cloth, as it
-/// is built - each direction is a family: all of one direction and then all of the next leaves a quarter of the stretch
-/// of a random order, and cell by cell can grow without bound. Any other mesh is coloured. What comes many times in the
-/// same shape lies copy by copy, and each copy is solved in its own order.
+/// Order of a sheet's particles and links. Where links have few directions, as in a cloth, each direction is a family:
+/// all of one direction and then all of the next leaves a quarter of the stretch of a random order, and cell by cell
+/// can grow without bound. Any other mesh is coloured. Many copies of one small shape are interleaved, particle i of
+/// all copies before i + 1, and each copy is solved in the order of its links.
 namespace sinew::detail {
 
 template <int D, class Real> class SheetMaker {
@@ -17,7 +17,7 @@ template <int D, class Real> class SheetMaker {
 
     static constexpr std::size_t most_in_copies = 1024; ///< particles
 
-    /// Those of `parts` parts that are alike lie together where they are many and small.
+    /// Lays out `parts` parts; those of the same shape share sheets where they are many and small.
     void lay_out(std::size_t part, std::size_t parts) {
         for (const auto last = part + parts; part < last;)
             part += lay_out_alike(part, std::min(last - part, parts_.count_alike(part)));
@@ -47,7 +47,7 @@ template <int D, class Real> class SheetMaker {
 
     void lay_out(std::size_t part) {
         begin_sheet(part);
-        constexpr std::size_t few = 64; // links: in their own order
+        constexpr std::size_t few = 64; // links; fewer are solved in row order
         if (find_directions(part))
             lay_out_directions(part);
         else if (links(part).size() < few)
@@ -57,7 +57,7 @@ template <int D, class Real> class SheetMaker {
         end_sheet();
     }
 
-    /// Particle i of all copies, then i + 1: as many copies a sheet as stay in the fastest cache.
+    /// Interleaves copies, particle i of all before i + 1: as many copies in a sheet as fit the fastest cache.
     void lay_out_copies(std::size_t part, std::size_t copies) {
         constexpr std::size_t cached = 1024, least = 64, lanes = 16;
         const auto fitting = cached / members(part).size() / lanes * lanes;
@@ -95,8 +95,8 @@ template <int D, class Real> class SheetMaker {
                std::ranges::any_of(members(part), [&](Row row) { return ports.at[row] != ports.none; });
     }
 
-    /// Corrections along the links as they were keep the energy of a swing, where a sweep comes near to a solution. In
-    /// a mesh it does not, and they buy nothing (docs/step.md). Beside a port they would add energy.
+    /// Corrections along old directions keep the energy of a swing, provided that a sweep nearly converges. In a mesh a
+    /// sweep does not, and old directions gain nothing (docs/step.md); beside a port they would add energy.
     void begin_sheet(std::size_t part) {
         runs_.begin_sheet(2 * links(part).size() <= 3 * members(part).size() && !has_port(part));
         const auto begin = plan_.end();
@@ -140,7 +140,8 @@ template <int D, class Real> class SheetMaker {
 
     // --- directions -------------------------------------------------------------------------------------------------
 
-    /// The steps from one end's rank to the other's, in the order in which they come. False where they are too many.
+    /// Lists the directions, steps from one end's rank to the other's, in order of appearance. False if there are too
+    /// many.
     bool find_directions(std::size_t part) {
         constexpr std::size_t most = 24, least_each = 16;
         auto& directions = room_.directions;
@@ -164,11 +165,11 @@ template <int D, class Real> class SheetMaker {
         return a < b ? b - a : a - b;
     }
 
-    /// Neighbours in a row share links one after the other; every second of them (or fourth, where links reach
-    /// further) do not. So a row's particles lie by their number modulo that.
+    /// Neighbours in a row share links with each other; every second particle (or fourth, with longer links) does not.
+    /// Particles of a row are therefore ordered by index modulo 2 or 4.
     void lay_out_directions(std::size_t part) {
         const auto all = members(part);
-        auto& chained = room_.chained; // with the next one
+        auto& chained = room_.chained; // to the next particle of the row
         chained.assign(all.size(), 0);
         std::uint32_t classes = 1;
         for (const Row link : links(part)) {
@@ -192,8 +193,8 @@ template <int D, class Real> class SheetMaker {
         for (const auto& direction : room_.directions) add_direction(part, direction);
     }
 
-    /// The links of a direction by the slot of their first particle. Where two begin at the same, each is of a family
-    /// of its own.
+    /// Adds the links of a direction, ordered by the slot of the first particle. Links with the same first particle go
+    /// into separate families.
     void add_direction(std::size_t part, const PlanRoom::Direction& direction) {
         auto& at = room_.at;
         const auto first_band = plan_.sheets.back().first_band;

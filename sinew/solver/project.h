@@ -3,24 +3,23 @@
 #include "sinew/math/random.h"
 #include "sinew/solver/world.h"
 
-/// One constraint, solved once: the same text for every kind, dimension, precision and mode.
+/// Solution of one constraint: the same text for every kind, dimension, precision and mode.
 ///
 ///     error    the measure's distance from its limits
 ///     dlambda = -(error + alpha lambda) / (sum w g . d + alpha),   alpha = compliance / h^2
 ///     x_i    += w_i d_i dlambda
 ///
-/// (XPBD: Macklin, Mueller and Chentanez 2016; alpha = 0 is PBD: Mueller et al. 2007). g is the gradient where the
-/// particles are now, d the direction they are corrected in. What "the particles" are is up to a Mover: see step.cpp
-/// and classic.cpp.
+/// (XPBD: Macklin, Mueller and Chentanez 2016; alpha = 0 is PBD: Mueller et al. 2007). g is the gradient at the present
+/// positions, d the direction of the correction. A Mover gives access to the particles: see step.cpp and classic.cpp.
 namespace sinew::detail {
 
-/// An angle's gradient grows without bound as its legs shrink: held where its square still fits a float.
+/// Gradient, clamped so that the square fits a float: the gradient of an angle grows without bound as the legs shrink.
 template <class Kind, int D, class Real> Vec<D, Real> gentle(const Vec<D, Real>& gradient) {
     return Kind::length_power > 0 ? gradient : clamp_components(gradient, Real(1e15));
 }
 
-/// Room for one constraint's points and gradients. `each` visits its members; where the kind knows their number they
-/// are written out one by one, and the stencil lives in registers.
+/// Room for one constraint's points and gradients. `each` visits the members; for a fixed arity the loop is unrolled,
+/// and the stencil lives in registers.
 template <class Kind, int D, class Real> struct Stencil {
     Points<Kind::arity, D, Real> points, gradient, direction;
 
@@ -53,7 +52,8 @@ requires(Kind::arity == any_arity) struct Stencil<Kind, D, Real> {
     }
 };
 
-/// An angle is the same a whole turn on: the one nearest to the middle of the limits.
+/// Measure of an angle modulo a whole turn: the value nearest to the middle of the limits. Other measures are
+/// unchanged.
 template <class Kind, class Real> Real unwrap(Real measure, Real low, Real high) {
     if constexpr (Kind::period > 0) {
         constexpr Real turn = Real(Kind::period);
@@ -64,16 +64,16 @@ template <class Kind, class Real> Real unwrap(Real measure, Real low, Real high)
     }
 }
 
-/// How far a measure is outside its limits, as a fraction of the limit it broke; an angle in radians. What may have no
-/// size at all never strains.
+/// Violation of the limits as a fraction of the violated limit; in radians for an angle. A limit of zero is never
+/// strained.
 template <class Kind, class Real> Real strain(Real measure, Real low, Real high) {
     const Real unwrapped = unwrap<Kind>(measure, low, high);
     const Real nearest = clamp(unwrapped, low, high);
     return (unwrapped - nearest) * inverse_or_zero(Kind::length_power > 0 ? absolute(nearest) : Real(1));
 }
 
-/// A multiplier pushes where the measure is below its low limit, pulls above the high one and rests in between; alike
-/// for exact, at most, at least and in a range.
+/// Multiplier of a constraint with two limits: positive below the low one, negative above the high one, zero in
+/// between. The same text serves equalities, maximum and minimum lengths, and ranges.
 template <class Real> Real limited_multiplier(Real lambda, Real below, Real above, Real alpha, Real per_resistance) {
     const Real pushing = lambda - (below + alpha * lambda) * per_resistance;
     const Real pulling = lambda - (above + alpha * lambda) * per_resistance;
@@ -88,8 +88,9 @@ template <int D, class Real> Vec<D, Real> own_direction(std::uint64_t constraint
     return n == Vec<D, Real>{} ? Vec<D, Real>::axis(0) : n;
 }
 
-/// Particles in a heap (coincident, collinear) give no direction to correct in: part them a little, each constraint its
-/// own way, the same way on every machine. The light give way to the heavy, so that momentum stays what it was.
+/// Separates particles in a heap (coincident, collinear), where no direction of correction exists, by a small
+/// displacement: each constraint in directions of its own, the same on every machine. Displacements are weighted by
+/// inverse mass, so that momentum is conserved.
 template <class Mover, class Real>
 [[gnu::noinline]] void part(Mover& mover, std::span<const Row> members, Row constraint, Real rest) {
     constexpr auto share = Real(1e-3);
@@ -112,11 +113,11 @@ template <class Real> Real handicap(Real split, std::size_t member) {
     return Real(2) * (member == 0 ? split : Real(1) - split);
 }
 
-/// What pushes particles that move each other, as those of a block do (ports/port_mover.h).
+/// Mover of particles that move each other, such as the ports of a block (ports/port_mover.h).
 template <class Mover>
 concept CouplesParticles = Mover::couples;
 
-/// How readily a measure yields to its multiplier: the sum of w g . d.
+/// Response of a measure to the multiplier: the sum of w g . d.
 template <class Mover, class Stencil, class Real>
 Real resistance_of(const Mover& mover, const Stencil& stencil, std::span<const Row> members, Real split) {
     if constexpr (CouplesParticles<Mover>) {
@@ -131,7 +132,7 @@ Real resistance_of(const Mover& mover, const Stencil& stencil, std::span<const R
     }
 }
 
-/// As much of a multiplier's change as leaves the particles where the model of them means something.
+/// Change of a multiplier, limited to the trust region of a linear model.
 template <class Mover, class Stencil, class Real>
 Real trusted(const Mover& mover, const Stencil& stencil, std::span<const Row> members, Real split, Real change) {
     if constexpr (CouplesParticles<Mover>) return change * mover.trusted_share(stencil, members, split, change);
@@ -154,7 +155,7 @@ template <class Stencil> auto squared(const Stencil& stencil) {
     return sum;
 }
 
-/// False, and nothing corrected, where the gradient vanishes though the limits are not kept.
+/// Corrects one constraint. False, and nothing corrected, if the gradient vanishes while a limit is violated.
 template <class Mover, class Table, int D, class Real>
 bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     using Kind = typename Table::Kind;
@@ -174,7 +175,7 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     const Real alpha = mover.alpha(table.compliance[row]);
     const Real lambda = mover.first_iteration ? Real(0) : table.multiplier[row];
     const Real most = mover.most(table.max_force[row]);
-    Real ahead = 0; // by a damper: how far the measure will have come
+    Real ahead = 0; // predicted change of a damped measure
     if (table.lead[row] > Real(0) && alpha > Real(0)) {
         ahead = mover.ahead(stencil, members, table.lead[row], table.rate[row]);
         resistance *= Real(1) + mover.share(table.lead[row]);

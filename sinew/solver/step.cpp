@@ -32,7 +32,7 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
     ++world.steps;
 }
 
-/// What is in no block: substeps of projections.
+/// Sweep over everything outside the blocks: substeps of projections.
 
 template <int D, class Real> class Sweep {
   public:
@@ -78,7 +78,7 @@ template <int D, class Real> class Sweep {
         put_back(world_, 0, world_.swept.size());
     }
 
-    /// A substep of everything.
+    /// Runs one substep over all sheets and constraints.
     void run_substep(int number) {
         if (driven_) move_limits(world_, h_);
         auto substep = make_substep(number);
@@ -106,8 +106,8 @@ template <int D, class Real> class Sweep {
         if (driven_) slip(world_, h_);
     }
 
-    /// An iteration over all constraints: what is at ports after what is not, and before the tethers. Sheets with ports
-    /// are gone over again: most of what pulls there comes from outside them.
+    /// Runs an iteration over all constraints: ports after everything not at a port, and before the tethers. Sheets
+    /// with ports are swept again, since most of the load on them comes from outside.
     void project_all(Substep& substep) {
         const auto& ports = world_.blocks.ports;
         const int rounds = ports.list.empty() ? 1 : 2;
@@ -135,13 +135,14 @@ template <int D, class Real> class Sweep {
         substep.tie(sheet);
         for (const auto& band : bands_of(sheet)) substep.tether_in_turn(band);
     }
-    /// What holds single particles, those of blocks among them.
+    /// Constraints on single particles, including particles of blocks: pins and planes.
     void hold(Substep& substep) {
         for (const auto& band : plan_.bands) substep.pull_pins(band);
         for (const auto& band : plan_.bands) substep.keep_in_bounds(band);
     }
 
-    /// Sheets are shared out; one that would keep a thread busy after the others have done theirs, by itself.
+    /// Distributes sheets over threads; all threads together run a sheet so large that one thread would finish long
+    /// after the others.
     void run_sheets() {
         const auto& sheets = plan_.sheets;
         Workers::run(threads_, int(sheets.size()), [&](int i) {
@@ -157,7 +158,7 @@ template <int D, class Real> class Sweep {
         return bands.size() >= 8 * std::size_t(threads_) && bands.back().last - bands.front().first > most;
     }
 
-    /// Turn after turn, of a few times each, through all passes.
+    /// Runs all passes over a sheet turn after turn, a few passes to a stage.
     void run_through(const Sheet& sheet, int threads) {
         const int stages = std::min(passes_, Relay::most_stages);
         if (stages < 1) return;
@@ -170,21 +171,21 @@ template <int D, class Real> class Sweep {
         });
     }
 
-    /// The result is that of pass after pass, to the last bit: each follows the one before it as closely as what it
-    /// touches allows, so that a band is worked on while it is near. Sixteen bands at once: by fewer, threads take them
-    /// out of each other's caches more often; by more, there is less to share.
+    /// Number of bands worked on at once. The result is that of pass after pass, to the last bit: each pass follows the
+    /// one before as closely as shared particles allow, while a band is still in the cache. With fewer bands, threads
+    /// take bands out of each other's caches more often; with more, there is less to share.
     static constexpr std::uint32_t at_once = 16;
     int turns_of(const Sheet& sheet) const { return int((last_time(sheet) + at_once - 1) / at_once); }
     std::uint32_t last_time(const Sheet& sheet) const { return sheet.bands + std::uint32_t(passes_) * lag(sheet); }
 
-    /// How many bands a pass follows the one before it behind.
+    /// Number of bands by which a pass lags behind the pass before.
     std::uint32_t lag(const Sheet& sheet) const {
         const bool again = world_.restless > 0 && sheet.tethers > 0;
         return sheet.lag + (again ? world_.restless - 1 + sheet.reach : 0);
     }
 
-    /// A pass is one iteration of a substep: the first takes up and predicts, which later substeps do as those before
-    /// them end; then each family, and what holds.
+    /// Runs one turn of a pass, where a pass is one iteration of a substep. The first pass gathers and predicts; later
+    /// substeps are predicted as the substep before ends. Then each family is projected, then pins and planes.
     void run_turn(const Sheet& sheet, int turn, int pass) {
         const int iterations = world_.settings.iterations, number = pass / iterations, iteration = pass % iterations;
         const auto begun = std::uint32_t(pass) * lag(sheet), ended = begun + lag(sheet);
@@ -218,7 +219,8 @@ template <int D, class Real> class Sweep {
         }
     }
 
-    /// Twice as many bands as were swept again at once: so what spreads is met, and what rests holds up little.
+    /// Sets the repair window to twice the number of bands repaired in a row: spreading strain is met, and calm sheets
+    /// cost little.
     void note_strain() {
         constexpr std::uint32_t least = 4, most = 20;
         std::uint32_t longest = 0;

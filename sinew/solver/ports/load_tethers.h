@@ -6,7 +6,7 @@
 #include <span>
 
 /// Tethers of ports: a port of a tethered mesh is never further from the pins of the mesh than the threads reach.
-/// Tethers in the sweep would hold the port alone; as links of the block they carry all loads that hang on the port.
+/// Tethers in the sweep would hold the port alone; links of the block carry all loads that hang on the port.
 namespace sinew::detail {
 
 /// The sheet of a particle in the plan, or none.

@@ -3,7 +3,7 @@
 #include "sinew/solver/ports/port_response.h"
 #include "sinew/solver/world.h"
 
-/// One block with ports, in one substep. Before the sweep the block is solved with the impulses of the last substep at
+/// A block with ports, in one substep. Before the sweep the block is solved with the impulses of the last substep at
 /// the ports; during the sweep the ports are linear about this solution; afterwards the block takes the new impulses.
 ///
 /// Links pull along their new directions: maximum lengths form a convex set, and a projection onto a convex set adds no

@@ -2,14 +2,14 @@
 
 #include "sinew/solver/block_solve.h"
 
-/// Response of a block's ports to impulses there, its links held: W = J (M + h^2 K)^-1 J^T, the response of its
-/// factorised equations to unit impulses.
+/// Response of a block's ports to impulses there, with the links held: W = J (M + h^2 K)^-1 J^T, from the factorised
+/// equations and unit impulses.
 namespace sinew::detail {
 
 /// Selection of the links and limits held in a response.
 enum class Held {
-    as_solved, ///< all that are taut in the solution, with their geometric stiffness
-    at_least   ///< only those taut in every solution of this substep: an upper bound of the ports' mobility
+    as_solved, ///< all constraints taut in the solution, with their geometric stiffness
+    at_least   ///< only constraints taut in every solution of this substep: an upper bound of the ports' mobility
 };
 
 template <int D> class PortResponse {
