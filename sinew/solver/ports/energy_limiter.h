@@ -173,7 +173,7 @@ template <int D, class Real> class EnergyLimiter {
     }
     bool is_in(const PortGroup<D>& group, Row slot) const {
         const auto all = members(group);
-        return std::find(all.begin(), all.end(), slot) != all.end();
+        return std::binary_search(all.begin(), all.end(), slot);
     }
 
     /// Energy in the springs of a group, before or after the move.

@@ -3,6 +3,7 @@
 #include "sinew/solver/ports/load_tethers.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace sinew {
@@ -106,14 +107,11 @@ template <int D, class Real> class GroupFinder {
     World<D, Real>& world_;
     Ports<D>& ports_;
 
-    double links_ = 0, length_ = 0; ///< sums over the current group, links counted from both ends
-
     template <class Column> static std::uint32_t size(const Column& column) { return std::uint32_t(column.size()); }
 
     void reach(Row row) {
         if (std::exchange(ports_.reached[row], char(1))) return;
-        const bool moves = world_.particles.mobility[row] > Real(0);
-        (moves ? ports_.members : ports_.anchors).push_back(world_.swept.slot_of[row]);
+        (mobile(row) ? ports_.members : ports_.anchors).push_back(world_.swept.slot_of[row]);
     }
     void spread() {
         auto& group = ports_.groups.back();
@@ -121,29 +119,38 @@ template <int D, class Real> class GroupFinder {
             const Row row = world_.swept.row_of[ports_.members[next]];
             world_.blocks.bonds.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
                 visit_table(world_, kind, [&](const auto& table) {
-                    reach(group, kind, table, table.slots.row_at(slot));
+                    reach(group, kind, table, table.slots.row_at(slot), row);
                     if (kind == kind_number<Distance, D>) measure(double(table.high(table.slots.row_at(slot))));
                 });
             });
         }
     }
     void measure(double length) {
-        if (length < double(limit::coordinate<Real>)) links_ += 1, length_ += length;
+        auto& longest = ports_.groups.back().length;
+        if (length < double(limit::coordinate<Real>)) longest = maximum(longest, length);
     }
+    /// Sorted: sums over a group must not depend on the order of the search, which depends on the past of the world.
     void end_group() {
         auto& group = ports_.groups.back();
+        const auto by_row = [](const PortRow& a, const PortRow& b) {
+            return std::tie(a.kind, a.row) < std::tie(b.kind, b.row);
+        };
+        std::sort(ports_.members.begin() + group.first, ports_.members.end());
+        std::sort(ports_.anchors.begin() + group.first_anchor, ports_.anchors.end());
+        std::sort(ports_.springs.begin() + group.first_spring, ports_.springs.end(), by_row);
         group.members = size(ports_.members) - group.first;
         group.springs = size(ports_.springs) - group.first_spring;
         group.anchors = size(ports_.anchors) - group.first_anchor;
-        group.length = std::exchange(length_, 0) * inverse_or_zero(std::exchange(links_, 0));
     }
-    template <class Table> void reach(PortGroup<D>& group, int kind, const Table& table, Row constraint) {
+    bool mobile(Row row) const { return world_.particles.mobility[row] > Real(0); }
+    /// `from` is one of the mobile members; the first of them lists the constraint.
+    template <class Table> void reach(PortGroup<D>& group, int kind, const Table& table, Row constraint, Row from) {
         const auto members = table.members[constraint];
         for (const Row member : members) reach(member);
         group.driven = group.driven || table.driven[constraint] || table.gives(constraint);
-        const bool seen = std::any_of(ports_.springs.begin() + group.first_spring, ports_.springs.end(),
-                                      [&](const auto& row) { return row.kind == kind && row.row == constraint; });
-        if (table.compliance[constraint] > Real(0) && !seen)
+        const bool first =
+            std::none_of(members.begin(), members.end(), [&](Row row) { return row < from && mobile(row); });
+        if (first && table.compliance[constraint] > Real(0))
             ports_.springs.push_back({.kind = kind, .row = constraint});
     }
 };

@@ -40,7 +40,7 @@ template <int D> struct PortGroup {
     std::uint32_t first_anchor = 0, anchors = 0; ///< range of Ports::anchors
     bool driven = false;                         ///< moved by a winch or a motor
     double stored = 0;                           ///< energy in the springs at the begin of the substep
-    double length = 0;                           ///< mean link length, metres
+    double length = 0;                           ///< of the longest link, metres
     double share = 1;                            ///< factor of the velocities at the end of the substep, 0..1
     Vec<D == 2 ? 1 : 3, double> spin{};          ///< angular momentum due at the end of the substep, of a free one
 };
