@@ -226,7 +226,7 @@ TEST(Accuracy, OfTheSpinOfAFreeClothThatIsSwept) {
 template <class Type> struct AccuracyOf : ::testing::Test {};
 TYPED_TEST_SUITE(AccuracyOf, Everywhere, Names);
 
-/// What a figure reaches in some seconds at the default settings. Energy is a share of its weight times its length.
+/// Extremes of a figure in some seconds at the default settings. Energy is a share of its weight times its length.
 struct Reached {
     double energy = 0, stretch = 0;
 };

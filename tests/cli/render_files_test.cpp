@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-/// Where sinew render writes to: variants beside each other, pipes, files that are watched, disks that are full.
+/// Outputs of sinew render: variants beside each other, pipes, files that are watched, disks that are full.
 namespace sinew::cli_test {
 namespace {
 

@@ -268,7 +268,7 @@ TEST(Draw, ALookSaysWhatAFaceIsLikeAndGivesOneToDots) {
     EXPECT_EQ(drawn(scene(faced)).items.size(), plain + 3);
 }
 
-// Its front is towards z: from behind one sees the head and no face, from the side half of one.
+// The front of the body faces z: from behind one sees the head and no face, from the side half of one.
 TEST(Draw, InSpaceAFaceIsSeenFromItsFront) {
     const auto from = [](const std::string& eye) {
         return inked(drawn(R"({"sinew": 1, "dimension": 3, "view": {"size": [640, 480], "camera": {"eye": )" + eye +

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-/// What is drawn of the past.
+/// Drawings of the past: paths and curves.
 namespace sinew {
 namespace {
 

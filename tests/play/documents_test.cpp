@@ -213,7 +213,7 @@ TEST_F(Documents, AFolderIsOfferedWithItsFoldersFirst) {
 
 // --- running states --------------------------------------------------------------------------------------------------
 
-/// What a player does in three seconds: grabs, cuts, edits, undoes, restarts.
+/// Actions of a player in three seconds: grabs, cuts, edits, undoes, restarts.
 constexpr const char* busy = "size 800x600\n"
                              "0 move bob/right_hand over 0\n0.1 press\n0.2 move 600 100 over 0.4\n0.8 release\n"
                              "0.9 key g\n1.0 key g\n1.2 set figures.bob.mass=20\n"

@@ -17,7 +17,7 @@ struct SplitView : testing::Test {
         play.resize(1000, 500);
         play.toggle_split();
     }
-    /// Of each pane.
+    /// Results of tell() for each pane, in order.
     template <class Tell> auto each(Tell&& tell) {
         std::vector<decltype(tell())> all;
         play.each_pane([&] { all.push_back(tell()); });
@@ -85,7 +85,7 @@ TEST_F(SplitView, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
     EXPECT_EQ(play.session().scene().solver.mode, "physical");
 }
 
-// What was not saved before the scene was split is still to be saved, in the mode that the scene had.
+// Edits from before the split are still to be saved, in the mode that the scene had.
 TEST_F(SplitView, AnEditBeforeItIsNotLost) {
     Play edited(games::shelf, "rope");
     edited.handle(Key{"g"});

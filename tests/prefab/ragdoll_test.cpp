@@ -292,10 +292,10 @@ template <int D> double between_thighs(const Made<D, double>& made) {
     return arctangent(square_root(std::max(0.0, 1 - along * along)), along) * 180 / pi<double>;
 }
 
-/// Its feet are pulled apart with twice its weight each.
+/// The widest angle while the feet are pulled apart with twice the weight each, degrees.
 template <int D> double widest_split() {
     auto made = make<D, double>(Ragdoll{});
-    made.world.settings.damping = 1; // undamped, the steady pull whirls it about until its legs cross
+    if (D == 3) made.world.settings.damping = 1; // undamped, the steady pull whirls it about until its legs cross
     double widest = 0;
     for (int frame = 0; frame < 300; ++frame) {
         for (const double side : {-1.0, 1.0}) {

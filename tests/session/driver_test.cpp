@@ -124,7 +124,7 @@ TEST(Driver, SteersTowardsThePointerAndOvershoots) {
     EXPECT_NEAR(x, 550, 0.1);
 }
 
-// What steers is not held: a kick is felt.
+// A steered particle is not held: a kick is felt.
 TEST(Driver, AKickReachesWhatSteers) {
     const auto far = [](const std::string& kick) {
         auto session = driven_session(
