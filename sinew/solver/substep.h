@@ -203,7 +203,7 @@ template <int D, class Real> class Substep {
     void tether(const Tile& tile) {
         if (motion_.anchor_count > 0) kernels_.tether(motion_, tile.first, tile.last);
     }
-    /// Tethers in every second substep, including the last: particles fall little in between (docs/step.md).
+    /// Tethers in every second substep, including the last: particles fall little in between (docs/measured/sweep.md).
     void tether_in_turn(const Tile& tile) {
         if (tethered_) tether(tile);
     }
