@@ -281,11 +281,13 @@ namespace {
 struct Renamed {
     std::string_view from, to;
 };
-constexpr std::array<Renamed, 6> renamed_words = {{{"cuts_within", "cut_radius"},
+constexpr std::array<Renamed, 8> renamed_words = {{{"cuts_within", "cut_radius"},
+                                                   {"lead", "damping_time"},
                                                    {"over", "duration"},
                                                    {"pulls_times", "grab_gain"},
                                                    {"pulls_within", "grab_radius"},
                                                    {"snip", "remove"},
+                                                   {"toughness", "damage_limit"},
                                                    {"wheel_quickens", "wheel_time_scale"}}};
 
 } // namespace

@@ -29,6 +29,14 @@ Vec2<double> speed(const Session& session, std::string_view name) {
 
 constexpr auto two = R"("figures": [{"name": "f", "particles": {"a": {"at": [0, 0]}, "b": {"at": [10, 0]}}}], )";
 
+TEST(FormerWords, AreErrorsThatNameTheNewOnes) {
+    const auto text = told(R"({"sinew": 1, "pointer": {"pulls_within": 1, "cuts_within": 2},
+        "figures": [{"name": "a", "particles": {"b": {"at": [0, 0]}}}],
+        "events": [{"at": 1, "grab": "a/b", "to": [0, 0], "over": 2}, {"at": 1, "remove": [], "snip": []}]})");
+    for (const std::string word : {"grab_radius", "cut_radius", "duration", "remove"})
+        EXPECT_NE(text.find("renamed to \"" + word + "\""), std::string::npos) << word << " in " << text;
+}
+
 TEST(Event, HappensAgainAsOftenAsItSays) {
     auto session = play(std::string(two) + R"("events": [
         {"at": 3, "every": 10, "times": 4, "impulse": "f/a", "by": [1, 0]},

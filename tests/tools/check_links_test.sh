@@ -3,6 +3,7 @@
 set -euo pipefail
 command -v python3 >/dev/null || { echo "python3 is not installed: skipped"; exit 77; }
 tool=$PWD/tools/check_links
+d=docs # written so, the pages of this test are no mentions in this file
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 
@@ -15,21 +16,21 @@ refuses() {
     case "$said" in *"$2"*) ;; *) fail "$1: '$2' is not in: $said" ;; esac
 }
 
-page docs/far.md '# The `far` page, again' '## Twice' '## Twice'
-page tools/made '#!/bin/bash' '# writes docs/far.md'
-page README.md '# Home' 'A [page](docs/far.md), [a heading](docs/far.md#the-far-page-again), [another](docs/far.md#twice-1),' \
+page $d/far.md '# The `far` page, again' '## Twice' '## Twice'
+page tools/made '#!/bin/bash' "# writes $d/far.md"
+page README.md '# Home' "A [page]($d/far.md), [a heading]($d/far.md#the-far-page-again), [another]($d/far.md#twice-1)," \
     '[here](#home), [the web](https://nowhere.invalid/x), `tools/made`, `tools/new.h`:' '```' '[no](link.md)' '```' '`tools/new.h`:'
 sed -i 's/, `tools\/new.h`:$/,/' "$tree/README.md"
 passes "a tree whose links resolve"
 
-page bad.md '' '[gone](docs/gone.md)'
-refuses "a page that is gone" 'bad.md:2: error: no file docs/gone.md'
-page bad.md '![gone](docs/gone.svg)'
-refuses "a picture that is gone" 'bad.md:1: error: no file docs/gone.svg'
-page bad.md '[gone](docs/far.md#thrice)'
-refuses "a heading that is gone" 'no heading #thrice in docs/far.md'
+page bad.md '' "[gone]($d/gone.md)"
+refuses "a page that is gone" "bad.md:2: error: no file $d/gone.md"
+page bad.md "![gone]($d/gone.svg)"
+refuses "a picture that is gone" "bad.md:1: error: no file $d/gone.svg"
+page bad.md "[gone]($d/far.md#thrice)"
+refuses "a heading that is gone" "no heading #thrice in $d/far.md"
 page bad.md 'see `tools/gone`'
 refuses "a path that is gone" 'no file tools/gone'
 rm "$tree/bad.md"
-page tools/made '#!/bin/bash' '# writes docs/gone.md'
-refuses "a comment about a page that is gone" 'tools/made:2: error: no file docs/gone.md'
+page tools/made '#!/bin/bash' "# writes $d/gone.md"
+refuses "a comment about a page that is gone" "tools/made:2: error: no file $d/gone.md"

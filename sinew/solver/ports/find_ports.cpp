@@ -148,7 +148,7 @@ template <int D, class Real> class GroupFinder {
     template <class Table> void reach(PortGroup<D>& group, int kind, const Table& table, Row constraint, Row from) {
         const auto members = table.members[constraint];
         for (const Row member : members) reach(member);
-        group.driven = group.driven || table.driven[constraint] || table.gives(constraint);
+        group.motorized = group.motorized || table.motorized[constraint] || table.gives(constraint);
         const bool first =
             std::none_of(members.begin(), members.end(), [&](Row row) { return row < from && mobile(row); });
         if (first && table.compliance[constraint] > Real(0))
