@@ -12,8 +12,9 @@
 
 /// Blocks: parts of the world that are solved directly instead of swept: ropes, chains, trees, and figures with few
 /// loops. A block is a connected component whose equations have a sparse factorisation. Nothing outside acts on a block
-/// through constraints, so the block moves alone, with its own substeps; blocks in `hanging` are joined to the sweep by
-/// ports. Numbers are double whatever the precision of the world: a heavy weight on light links has no digits to spare.
+/// through constraints, so the block moves alone, with its own substeps; blocks in `attached_trees` are joined to the
+/// sweep by ports. Numbers are double whatever the precision of the world: a heavy weight on light links has no digits
+/// to spare.
 namespace sinew {
 
 /// A particle of a block. Equation of a node:   diagonal move + sum of entries = residual.
@@ -141,7 +142,7 @@ struct Block {
     std::uint32_t first_way = 0, ways = 0;
     std::uint32_t particle = 0;  ///< slot of one member
     std::uint32_t row_moves = 0; ///< `Blocks::row_moves` at the last look-up of rows
-    bool is_motorized = false;        ///< some limits are driven, and may do work
+    bool is_motorized = false;   ///< some limits are driven, and may do work
     bool springy = false;        ///< some constraints are compliant
     double lost = 0;             ///< energy lost in the last step, J
     std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom active
@@ -228,7 +229,7 @@ template <int D> struct Blocks {
     std::vector<std::uint32_t> pairs;      ///< entry that receives the product of a pair
 
     std::vector<SweepRun> runs; ///< constraints left to the sweep, in sweep order
-    Ports<D> ports;             ///< joints between blocks of `hanging` and the rest
+    Ports<D> ports;             ///< joints between blocks of `attached_trees` and the rest
 
     // Work space of a step.
     std::vector<std::uint32_t> pin_of, next_pin; ///< first pin of each particle, next pin of the same particle
