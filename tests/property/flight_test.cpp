@@ -1,7 +1,7 @@
 #include "sinew/solver/measure.h"
-#include "sinew/solver/step.h"
 
 #include "tests/prefab/make.h"
+#include "tests/stepped.h"
 
 #include <cmath>
 
@@ -32,7 +32,7 @@ template <int D> Vec<D, double> thrown() {
 }
 
 template <int D> struct Flight {
-    World<D, double> world;
+    test::Stepped<D, double> world;
 
     Flight(const AnyPrefab& prefab, const Vec<D, double>& velocity, double damping) {
         build(world, prefab, "it", Placement<D, double>{});
