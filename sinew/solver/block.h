@@ -12,8 +12,9 @@
 
 /// Blocks: parts of the world that are solved directly instead of swept: ropes, chains, trees, and figures with few
 /// loops. A block is a connected component whose equations have a sparse factorisation. Nothing outside acts on a block
-/// through constraints, so the block moves alone, with its own substeps; blocks in `hanging` are joined to the sweep by
-/// ports. Numbers are double whatever the precision of the world: a heavy weight on light links has no digits to spare.
+/// through constraints, so the block moves alone, with its own substeps; blocks in `attached_trees` are joined to the
+/// sweep by ports. Numbers are double whatever the precision of the world: a heavy weight on light links has no digits
+/// to spare.
 namespace sinew {
 
 /// A particle of a block. Equation of a node:   diagonal move + sum of entries = residual.
@@ -220,7 +221,7 @@ template <int D> struct Blocks {
     std::vector<std::uint32_t> pairs;      ///< entry that receives the product of a pair
 
     std::vector<SweepRun> runs; ///< constraints left to the sweep, in sweep order
-    Ports<D> ports;             ///< joints between blocks of `hanging` and the rest
+    Ports<D> ports;             ///< joints between blocks of `attached_trees` and the rest
 
     // Work space of a step.
     std::vector<std::uint32_t> pin_of, next_pin; ///< first pin of each particle, next pin of the same particle

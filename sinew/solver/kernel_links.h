@@ -53,7 +53,7 @@ struct Rules {
 };
 
 /// Distance held within [low, high] by the multiplier lambda (formulas in project.h). d is the direction of correction:
-/// the link e, or with `swings` the link at the start of the substep, unless turned by more than 8 degrees since.
+/// the link e, or with `old_gradient` the link at the start of the substep, unless turned by more than 8 degrees since.
 ///
 ///     s = (limit - length) / (|d| (w n . d/|d| + alpha)),   n = e / length
 ///     b moves by w_b s d, a by -w_a s d

@@ -12,7 +12,7 @@ template <int D, class Real> class RunWriter {
         : world_(world), solver_(solver), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           plan_(solver.sweep_state.plan) {}
 
-    /// Begins a component. If `swings`, links are corrected along their old directions.
+    /// Begins a component. With `old_gradient`, links are corrected along their old directions.
     void begin_sheet(bool old_gradient) {
         swings_ = old_gradient;
         first_parameter_ = std::uint32_t(plan_.parameters.size());

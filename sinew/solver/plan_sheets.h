@@ -98,7 +98,7 @@ template <int D, class Real> class SheetMaker {
     }
 
     /// Corrections along old directions keep the energy of a swing, provided that a sweep nearly converges. In a mesh a
-    /// sweep does not, and old directions gain nothing (docs/step.md); beside a port they would add energy.
+    /// sweep does not, and old directions gain nothing (docs/measured/sweep.md); beside a port they would add energy.
     void begin_sheet(std::size_t part) {
         runs_.begin_sheet(2 * links(part).size() <= 3 * members(part).size() && !has_port(part));
         const auto begin = plan_.end();

@@ -114,10 +114,10 @@ template <int D, class Real> class Substep {
     }
 
     /// Repair of overstretched links of a tethered component (snapping taut, a hem cracking like a whip): sweeps part
-    /// of the `restless` tiles from this one on again. The window ends one tile after the last overstretched tile and
-    /// begins four tiles before the first for each overstretched one. Every tile does so in turn, hence errors travel
-    /// as far as necessary. The colours are swept in reverse: otherwise the first would always bear the errors of all
-    /// others.
+    /// of the `repair_window` tiles from this one on again. The window ends one tile after the last overstretched tile
+    /// and begins four tiles before the first for each overstretched one. Every tile does so in turn, hence errors
+    /// travel as far as necessary. The colours are swept in reverse: otherwise the first would always bear the errors
+    /// of all others.
     void repair_overstretch(const Component& component, std::uint32_t tile) {
         const auto tiles = std::span(swept_.plan.tiles).subspan(component.first_tile, component.tiles);
         const auto end = std::min(tile + world_.repair_window, component.tiles);
@@ -203,7 +203,7 @@ template <int D, class Real> class Substep {
     void tether(const Tile& tile) {
         if (motion_.anchor_count > 0) kernels_.tether(motion_, tile.first, tile.last);
     }
-    /// Tethers in every second substep, including the last: particles fall little in between (docs/step.md).
+    /// Tethers in every second substep, including the last: particles fall little in between (docs/measured/sweep.md).
     void tether_in_turn(const Tile& tile) {
         if (tethered_) tether(tile);
     }

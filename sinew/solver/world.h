@@ -252,7 +252,8 @@ enum class PassOrder : std::uint8_t {
     walls_last       ///< move, the sweep `passes` times, then walls
 };
 
-/// Rules of classic mode, each found in some original (docs/classic.md). The last five are known bugs of the originals.
+/// Rules of classic mode, each found in some original (docs/how/classic.md). The last five are known bugs of the
+/// originals.
 template <class Real> struct ClassicRules {
     int passes = 1;
     PassOrder order = PassOrder::sweeps_last;

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-/// The accuracy that docs/step.md states, under its conditions. All bounds are the documented ones.
+/// The accuracy that docs/measured/accuracy.md states, under its conditions. All bounds are the documented ones.
 namespace sinew {
 namespace {
 

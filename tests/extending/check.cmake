@@ -1,10 +1,10 @@
-# Does what docs/extending.md says about a new kind of constraint, to a copy of the tree: writes the file, applies the
+# Does what docs/how/extending.md says about a new kind of constraint, to a copy of the tree: writes the file, applies the
 # patch, builds without optimization, runs the tests of every kind, and plays the page's scene in each precision and
 # dimension.
 include(${source}/tests/page.cmake)
 set(work ${build}/extending)
 set(tree ${work}/tree)
-set(page ${source}/docs/extending.md)
+set(page ${source}/docs/how/extending.md)
 
 file(REMOVE_RECURSE ${tree})
 file(COPY ${source}/sinew DESTINATION ${tree})

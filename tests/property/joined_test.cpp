@@ -131,7 +131,7 @@ template <int D> struct Joined {
 };
 
 /// A law with a bound for every figure, and a tighter one that all but two in a hundred keep: what the masses of some
-/// ask for no sweep can give (docs/joined.md).
+/// ask for no sweep can give (docs/measured/joined.md).
 class Law {
   public:
     Law(const char* name, double tight, double loose) : name_(name), tight_(tight), loose_(loose) {}

@@ -7,7 +7,7 @@
 #include <cmath>
 
 /// Figures that are joined by hand: loads on cloth, jelly on ropes, ragdolls with cloth. Undamped, 16 substeps; bounds
-/// are what was measured in 6 s with a little room (docs/joined.md).
+/// are what was measured in 6 s with a little room (docs/measured/joined.md).
 namespace sinew {
 namespace {
 
