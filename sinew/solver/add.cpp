@@ -137,6 +137,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         } else if (rows.size() != std::size_t(Kind::arity)) {
             return;
         }
+        if (table.size() == limit::rows) return;
         table.members.append(rows);
         complete(world, table, spec, [&](const ConstraintId& id) { added = id; });
     });
@@ -149,7 +150,8 @@ void add_distances(World<D, Real>& world, std::span<const std::array<ParticleId,
     auto& table = std::get<kind_number<Distance, D>>(world.constraints);
     const auto& slots = world.particles.slots;
     for (const auto& [a, b] : ends)
-        if (const auto from = slots.find(a), to = slots.find(b); from && to && from != to)
+        if (const auto from = slots.find(a), to = slots.find(b);
+            from && to && from != to && table.members.size() < limit::rows)
             table.members.rows.push_back({*from, *to});
     complete(world, table, spec, [&](const ConstraintId& id) { added.push_back(id); });
 }

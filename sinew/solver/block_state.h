@@ -185,8 +185,7 @@ template <int D, class Real> class BlockState {
     /// True if the tension of the last substep was nearly the largest. Not stored as a flag: a copy of the world has
     /// none.
     static bool has_slipped(const CableRow& way) {
-        constexpr double nearly = 0.999;
-        return way.gives() && absolute(way.before) >= nearly * way.most;
+        return way.gives() && absolute(way.before) >= slipping_share * way.most;
     }
 
     /// Moves the limits to the length reached.

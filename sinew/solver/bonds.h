@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/id.h"
+#include "sinew/solver/limit.h"
 
 #include <vector>
 
@@ -62,7 +63,7 @@ class ConstraintAdjacency {
   private:
     static constexpr auto none = ~std::uint32_t(0);
 
-    static constexpr int slot_bits = 28; ///< the upper bits hold the kind
+    static constexpr int slot_bits = limit::row_bits; ///< the upper bits hold the kind
 
     struct Bond {
         std::uint32_t constraint = 0;

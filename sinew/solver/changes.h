@@ -10,6 +10,7 @@ namespace sinew::detail {
 template <int D, class Real> void list_bonds(World<D, Real>& world) {
     auto& adjacency = world.blocks.adjacency;
     if (adjacency.listed()) return;
+    static_assert(Kinds<D>::size <= 1 << (32 - limit::row_bits), "a kind and a row are packed into 32 bits");
     const auto& particles = world.particles.slots;
     adjacency.reset(particles.slots());
     int kind = 0;
