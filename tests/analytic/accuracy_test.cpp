@@ -6,7 +6,7 @@
 #include <cmath>
 
 /// The accuracy that docs/step.md states, under its conditions. All bounds are the documented ones.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -335,4 +335,4 @@ TEST(Accuracy, OfTheLengthsOfARagdollThatFallsInSpace) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

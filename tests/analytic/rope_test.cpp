@@ -8,7 +8,7 @@
 #include <cmath>
 
 /// Ropes and swings against what the textbook says.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -156,4 +156,4 @@ TEST(Truth, WhatSwingsKeepsItsEnergy) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

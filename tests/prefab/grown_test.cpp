@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 /// What grows in gardens: trees and the webs between them.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 TEST(Tree, ForksAsOftenAsItsDepthSays) {
@@ -61,4 +61,4 @@ TEST(Spiderweb, ComesToRestWithEveryThreadTaut) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 Mode any_mode() {
@@ -220,4 +220,4 @@ TEST(NamesByNumber, StayWithTheirParticlesWhenOthersAreRemoved) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

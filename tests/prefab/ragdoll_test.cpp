@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr Placement<2, double> y_down{.at = {}, .turn = 0, .up = -1};
@@ -319,4 +319,4 @@ TEST(Ragdoll, DoesNotDoTheSplits) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 /// A swing whose seat stays level is a pendulum as long as its ropes: T = 2 pi sqrt(l/g) (1 + theta^2/16). Ropes that
@@ -76,4 +76,4 @@ TEST(Bridge, HangsByItsWeightFromBothBanks) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

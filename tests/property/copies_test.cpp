@@ -4,7 +4,7 @@
 
 /// A copy of a world has the same future to the last bit, whatever was done to the world before: all that decides a
 /// step is state.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -74,4 +74,4 @@ TYPED_TEST(Copies, HaveTheSameFutureWhereALengthIsDrivenToNothing) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -3,7 +3,7 @@
 #include "tests/thorough.h"
 
 /// Finite numbers in any call leave a world finite and within its limits, before and after the next step.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -86,4 +86,4 @@ TYPED_TEST(ExtremeCalls, AMotorOfNoNumberIsRefused) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

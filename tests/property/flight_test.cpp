@@ -7,7 +7,7 @@
 
 /// Free flight: a figure that nothing holds or touches has a motion of its own, and gravity and the velocity of the
 /// whole are no part of it.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr double turning = 3; ///< rad/s
@@ -136,4 +136,4 @@ TEST(FreeFlight, KeepsTheEnergyOfARagdoll) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

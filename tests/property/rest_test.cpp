@@ -8,7 +8,7 @@
 #include <cmath>
 
 /// Figures at rest move again when something works on them.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr std::size_t ground = 2;                          ///< its number among the walls
@@ -181,4 +181,4 @@ TYPED_TEST(Rest, WhatHangsComesAlongWithItsPin) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

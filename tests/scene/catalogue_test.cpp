@@ -8,7 +8,7 @@
 #include <limits>
 
 /// Every file under scenes/, in both modes and precisions.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 /// How many items have a point in the picture.
@@ -224,4 +224,4 @@ TEST(Catalogue, ASampleOfScenesToo) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 std::vector<std::filesystem::path> scene_files() {
@@ -107,4 +107,4 @@ RC_GTEST_PROP(ScenesLaw, DamageIsReadOrRefusedWithPlaces, ()) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 /// Cuts in scenes: events and pointers.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 Session cutting_session(const std::string& more, const std::string& figure) {
@@ -169,4 +169,4 @@ TEST(Cuts, WhatIsDrawnOfClothFollowsTheBladeInThePlaneAndInSpace) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

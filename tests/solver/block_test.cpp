@@ -9,7 +9,7 @@
 #include <rapidcheck.h>
 
 /// What is solved at once: ropes and trees that do not stretch and do not gain.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -389,4 +389,4 @@ TEST(Block, AnyTreeStandsAnyPose3D) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

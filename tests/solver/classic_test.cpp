@@ -1,7 +1,7 @@
 #include "tests/worlds.h"
 
 /// Classic mode reproduces the originals' rules: the first frames by hand. Lengths in pixels, time in frames, y down.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -472,4 +472,4 @@ TEST(Classic, SpeedSetBeforeTheFirstStepIsInLengthsPerTimeUnit) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

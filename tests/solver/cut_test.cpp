@@ -4,7 +4,7 @@
 #include "tests/worlds.h"
 
 /// Cutting: which links go, what goes with them, what is left of the drawing.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -161,4 +161,4 @@ TEST(Cut, APatchAndARingGoAndATipStaysAtItsEnd) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

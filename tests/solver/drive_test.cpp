@@ -5,7 +5,7 @@
 #include <cmath>
 
 /// Winches, pulleys and motors: solved at once, and in a sweep.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -191,4 +191,4 @@ TEST(Motor, TurnsToItsPoseAndRests) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

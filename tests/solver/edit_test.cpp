@@ -2,7 +2,7 @@
 
 #include <rapidcheck/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -254,4 +254,4 @@ TYPED_TEST(Edit, TeleportMovesAFigureAndItsPinsAndKeepsOrResetsItsVelocity) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -8,7 +8,7 @@
 #include <malloc.h>
 
 /// Figures come and go, and leave nothing.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -150,4 +150,4 @@ TEST(Figures, ARunningSessionLosesOneAndGoesBackToWhereItHadIt) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

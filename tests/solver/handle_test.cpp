@@ -5,7 +5,7 @@
 #include <map>
 
 /// A handle stands for what it was given out for, or for nothing.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -170,4 +170,4 @@ TEST(Handle, OfAnyKindDoNoHarmToAnyCall) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -97,4 +97,4 @@ TEST(Hanging, CutWhatStillHangsIsFoundAgain) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

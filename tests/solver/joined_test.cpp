@@ -7,7 +7,7 @@
 
 /// Figures that are joined by hand: loads on cloth, jelly on ropes, ragdolls with cloth. Undamped, 16 substeps; bounds
 /// are what was measured in 6 s with a little room (docs/joined.md).
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -154,4 +154,4 @@ TEST(JoinedFigures, DampedTheyComeToRest) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -10,7 +10,7 @@
 #include <functional>
 #include <set>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -347,4 +347,4 @@ TEST(GettingReady, TellsHowFarItIs) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -1,7 +1,7 @@
 #include "tests/worlds.h"
 
 /// What is rebuilt after a change, and what is kept.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -196,4 +196,4 @@ TEST(Rebuild, ALargeClothHasNoBlocksUntilARopeHangsFromIt) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

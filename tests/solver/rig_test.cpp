@@ -4,7 +4,7 @@
 #include "tests/worlds.h"
 
 /// What is wrong with a rig, by name.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using Plane = World<2, double>;
@@ -114,4 +114,4 @@ TEST(RigCheck, FindsNothingInTheEnginesOwnFiguresAndNoMoreThanAsked) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 /// What a cut leaves joined at a single point comes apart there.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using Plane = World<2, double>;
@@ -146,4 +146,4 @@ TEST(Split, RandomSnippetsLoseNothingElse) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -112,4 +112,4 @@ TEST(Tethers, KeepShortWhatSwingsDownAndSnapsTaut) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

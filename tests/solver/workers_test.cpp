@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 TEST(Workers, DoEveryPartOnce) {
@@ -73,4 +73,4 @@ TEST(Workers, ChangeNoBit) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE
