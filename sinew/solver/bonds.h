@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert.h"
 #include "sinew/solver/id.h"
 #include "sinew/solver/limit.h"
 
@@ -25,6 +26,7 @@ class ConstraintAdjacency {
     }
 
     void add(std::uint32_t particle, int kind, std::uint32_t constraint) {
+        SINEW_ASSERT(listed_ && particle < last_.size(), "the lists have room for the particle");
         const auto added = take();
         auto& last = last_[particle];
         all_[added] = {packed(kind, constraint), added};
@@ -35,6 +37,7 @@ class ConstraintAdjacency {
     /// False if the search would take too long.
     bool remove(std::uint32_t particle, int kind, std::uint32_t constraint) {
         constexpr int most = 256;
+        SINEW_ASSERT(last_[particle] != none, "the particle's list holds the constraint");
         auto& last = last_[particle];
         auto before = last;
         for (int i = 0; i < most; ++i, before = all_[before].next) {
@@ -51,6 +54,7 @@ class ConstraintAdjacency {
 
     /// Calls visit(kind, slot) for each constraint of a particle.
     template <class Visit> void each(std::uint32_t particle, Visit&& visit) const {
+        SINEW_ASSERT(listed_ && particle < last_.size(), "the particle has a list");
         const auto last = last_[particle];
         if (last == none) return;
         auto at = last;
@@ -75,6 +79,7 @@ class ConstraintAdjacency {
     bool listed_ = false;
 
     static std::uint32_t packed(int kind, std::uint32_t constraint) {
+        SINEW_ASSERT(constraint < limit::rows, "add_constraint() refuses more");
         return std::uint32_t(kind) << slot_bits | constraint;
     }
     std::uint32_t take() {

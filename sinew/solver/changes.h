@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert.h"
 #include "sinew/solver/world.h"
 
 /// Journal of changes between steps: the next step examines only the components of changed particles again
@@ -28,6 +29,7 @@ template <int D, class Real> void note_particle(World<D, Real>& world) {
     blocks.changed = true;
     if (blocks.stale) return;
     const auto& slots = world.particles.slots;
+    SINEW_ASSERT(world.particles.size() > 0, "a particle has been added");
     if (blocks.adjacency.listed()) blocks.adjacency.make_room(slots.slots());
     blocks.touch(slots.slot_of(Row(world.particles.size() - 1)), Touch::joined);
 }

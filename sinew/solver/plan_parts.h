@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert.h"
 #include "sinew/solver/world.h"
 
 #include <algorithm>
@@ -41,6 +42,7 @@ template <int D, class Real> class ComponentFinder {
     std::size_t size() const { return room_.parts.size(); }
 
     std::span<const Row> members(std::size_t part) const {
+        SINEW_ASSERT(part < room_.parts.size(), "the part has been found");
         return std::span(room_.members).subspan(room_.parts[part].first_member, room_.parts[part].members);
     }
     Links links(std::size_t part) const {

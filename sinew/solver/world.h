@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert.h"
 #include "sinew/constraint/kinds.h"
 #include "sinew/solver/block.h"
 #include "sinew/solver/column.h"
@@ -74,14 +75,17 @@ template <int Arity> struct Members {
     std::vector<std::array<Row, Arity>> rows;
 
     std::span<const Row> operator[](Row constraint) const {
+        SINEW_ASSERT(constraint < rows.size(), "the constraint is in the table");
         return rows[constraint];
     }
     std::span<Row> operator[](Row constraint) {
+        SINEW_ASSERT(constraint < rows.size(), "the constraint is in the table");
         return rows[constraint];
     }
     std::size_t size() const { return rows.size(); }
 
     void append(std::span<const Row> members) {
+        SINEW_ASSERT(members.size() == std::size_t(Arity), "a constraint has as many members as its kind");
         auto& row = rows.emplace_back();
         for (std::size_t i = 0; i < row.size(); ++i) row[i] = members[i];
     }
@@ -105,6 +109,7 @@ template <> struct Members<any_arity> {
         first.push_back(std::uint32_t(pool.size()));
     }
     void erase(std::span<const char> gone) {
+        SINEW_ASSERT(gone.size() == size(), "every row has a flag");
         std::uint32_t kept = 0, end = 0;
         for (Row row = 0, rows = Row(size()); row < rows; ++row) {
             const auto begin = first[row];
