@@ -2,7 +2,6 @@
 #include "sinew/solver/step.h"
 
 #include "tests/prefab/make.h"
-#include "tests/sanitized.h"
 #include "tests/thorough.h"
 
 #include <cstdio>
@@ -232,7 +231,7 @@ TEST(Ragdoll, ThrownAtWallsAtFiftyMetresASecondNeverStaysInverted) {
 }
 
 TEST(Ragdoll, InFloatNeverStaysInvertedEither) {
-    recovers(throw_crowd<float>(few_or_many(test::sanitized ? 2 : 10, 1000), 50, 5, 8));
+    recovers(throw_crowd<float>(few_or_many(10, 1000), 50, 5, 8));
 }
 
 TEST(Ragdoll, HoldsItsPosesInBothDimensionsWithoutStrain) {

@@ -77,7 +77,7 @@ TYPED_TEST_SUITE(Rest, test::Everywhere, test::Names);
 // allow.
 TYPED_TEST(Rest, WhatLiesComesWhenItIsPulled) {
     using Real = typename TypeParam::Real;
-    const int every = few_or_many(41, 1);
+    const int every = one_of(41);
     int number = 0;
     for_every_lying<TypeParam>([&](const auto& prefab) {
         const Lying<TypeParam> lying(prefab, 0.4);
@@ -110,7 +110,7 @@ template <class World> double height(const World& world) {
 // m a = F - m g + N, and a floor only pushes.
 TYPED_TEST(Rest, WhatIsPushedUpRises) {
     using Real = typename TypeParam::Real;
-    const int every = few_or_many(11, 1), steps = 15;
+    const int every = one_of(11), steps = 15;
     int number = 0;
     for_every_lying<TypeParam>([&](const auto& prefab) {
         const Lying<TypeParam> lying(prefab, 0.4);
@@ -156,7 +156,7 @@ TYPED_TEST(Rest, WhatLiesFallsWhenItsFloorIsTakenAway) {
 // A hard pin is where it is told to be, and what hangs on it comes along.
 TYPED_TEST(Rest, WhatHangsComesAlongWithItsPin) {
     using Real = typename TypeParam::Real;
-    const int every = few_or_many(17, 1);
+    const int every = one_of(17);
     int number = 0;
     for_every_lying<TypeParam>([&](const auto& prefab) {
         const Lying<TypeParam> lying(prefab, 0.4);

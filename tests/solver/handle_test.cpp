@@ -1,5 +1,4 @@
 #include "tests/random_calls.h"
-#include "tests/sanitized.h"
 #include "tests/thorough.h"
 
 #include <map>
@@ -143,7 +142,7 @@ TEST(Handle, StandsForTheSameThroughAnyHistory) {
 // Every call with any handle, stale, foreign or of a future that was undone: what the address sanitizer says is what
 // counts. Columns stay equally long.
 TEST(Handle, OfAnyKindDoNoHarmToAnyCall) {
-    const int calls = sanitized ? 200 : few_or_many(400, 1000);
+    const int calls = few_or_many(400, 1000);
     for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(8, 20)); ++seed) {
         RandomCalls<World2> one(seed), other(seed + 1000);
         auto snapshot = one.world;

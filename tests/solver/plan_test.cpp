@@ -247,7 +247,7 @@ TEST(Planned, AnyNumberOfThreadsGivesTheSameBits) {
         add_cloth(begun, {});
         hurl(begun);
         std::set<std::uint64_t> hashes;
-        for (const int threads : {1, 2, 3, 4}) {
+        for (int threads = 1; threads <= 4; threads += sanitized ? 2 : 1) {
             auto world = begun;
             world.threads = threads;
             for (int i = 0; i < 3; ++i) step(world, 1.0F / 60);
