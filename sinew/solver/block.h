@@ -3,6 +3,7 @@
 #include "sinew/math/matrix.h"
 #include "sinew/solver/bonds.h"
 #include "sinew/solver/elimination.h"
+#include "sinew/solver/limit.h"
 #include "sinew/solver/ports/ports.h"
 
 #include <array>
@@ -67,7 +68,10 @@ struct BlockDrive {
     bool slips = false; ///< the force is saturated in this iteration
     int doubts = 0;     ///< changes of `slips` in this substep
 
-    bool gives() const { return most < 1e25; }
+    bool gives() const {
+        static_assert(limit::measure<double> <= double(limit::measure<float>), "one limit serves both precisions");
+        return most < limit::measure<double>;
+    }
     /// Force to apply in an iteration, clamped to [-most, most]. A saturated force that would change sign keeps the
     /// last `tension` instead: the solve does not jump from one bound straight to the other.
     double held(double force, double tension, bool pulls_only) {

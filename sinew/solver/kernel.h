@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/solver/limit.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -57,9 +59,9 @@ template <int D, class Real> struct DistanceColumns {
 };
 
 template <class Real> struct DistancePass {
-    Real per_h2 = 0;            ///< 1 / h^2
-    Real shortest = 1;          ///< output: a length below 1e-18 of a link with a positive limit, otherwise 1
-    bool kept = false;          ///< store multipliers, for later iterations or for readers
+    Real per_h2 = 0;   ///< 1 / h^2
+    Real shortest = 1; ///< output: a length below limit::shortest_link of a link with a positive limit, otherwise 1
+    bool kept = false; ///< store multipliers, for later iterations or for readers
     bool last_substep = false;  ///< last substep: multipliers are read after the step
     bool first = true;          ///< first iteration: multipliers start at zero
     bool again = false;         ///< repair within an iteration: compliant batches are skipped

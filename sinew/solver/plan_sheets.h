@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/plan_mesh.h"
 
 /// Order of a component's particles and links. Where links have few directions, as in a cloth, each direction is a
@@ -122,6 +123,8 @@ template <int D, class Real> class SheetMaker {
         component.links = runs_.links();
         for (auto slot = component.begin.slot; slot < swept_.row_of.size(); ++slot)
             component.particles.include(swept_.row_of[slot]);
+        SINEW_ASSERT(!component.particles.empty(), "a component has particles");
+        SINEW_ASSERT(plan_.tiles.back().last == swept_.row_of.size(), "the tiles hold every slot");
         know(component.particles, particle_ids_);
         if (!component.links.empty()) know(component.links, link_ids_);
     }

@@ -1,3 +1,4 @@
+#include "sinew/assert/assert.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
 #include "sinew/solver/profile.h"
@@ -199,7 +200,10 @@ template <int D, class Real> class Sweep {
         auto substep = make_substep(number + 1), next = make_substep(number + 2);
         substep.set_anchors(component);
         substep.mover().first_iteration = iteration == 0;
-        const auto tile = [&](std::uint32_t i) -> const Tile& { return plan_.tiles[component.first_tile + i]; };
+        const auto tile = [&](std::uint32_t i) -> const Tile& {
+            SINEW_ASSERT(i < component.tiles, "the tile is in the component");
+            return plan_.tiles[component.first_tile + i];
+        };
         for (auto time = first; time < last; ++time) {
             const auto at = [&](std::uint32_t begin, auto&& work) {
                 if (time >= begin && time - begin < component.tiles) work(time - begin);

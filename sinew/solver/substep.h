@@ -53,8 +53,7 @@ template <int D, class RealT> struct SubstepMover {
             now += dot(stencil.gradient[i], stencil.gradient[i]);
             then += dot(stencil.direction[i], stencil.direction[i]);
         });
-        constexpr Real least_agreement = Real(0.99);
-        if (along < least_agreement * maximum(now, then)) stencil.direction = stencil.gradient;
+        if (along < Real(least_agreement) * maximum(now, then)) stencil.direction = stencil.gradient;
     }
 };
 
@@ -110,7 +109,7 @@ template <int D, class Real> class Substep {
                                 .again = again};
         kernels_.project(links_, pass, runs + first, runs + last);
         if (pass.overstretched && component.tethers > 0) plan.tiles[component.first_tile + tile].overstretched = true;
-        if (pass.shortest < Real(1e-18)) part_heaps(first, last);
+        if (pass.shortest < limit::shortest_link<Real>) part_heaps(first, last);
     }
 
     /// Repair of overstretched links of a tethered component (snapping taut, a hem cracking like a whip): sweeps part
@@ -340,7 +339,8 @@ template <int D, class Real> class Substep {
             for (std::uint32_t i = 0; i < swept_.plan.runs[run].count; ++i) {
                 const Row row = swept_.plan.row_of(swept_.plan.runs[run], i);
                 const auto ends = std::as_const(table.members)[row];
-                if (!(table.low(row) > Real(0)) || norm(mover_.point(ends[1]) - mover_.point(ends[0])) > Real(1e-18))
+                if (!(table.low(row) > Real(0)) ||
+                    norm(mover_.point(ends[1]) - mover_.point(ends[0])) > limit::shortest_link<Real>)
                     continue;
                 part(mover_, ends, row, clamp(Real(0), table.low(row), table.high(row)));
                 correct_row(std::span(solver_.scratch), table, row, mover_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/math/vec.h"
 #include "sinew/solver/id.h"
 #include "sinew/solver/plan.h"
@@ -33,6 +34,7 @@ template <int D, class Real> struct SweepState {
     std::uint32_t size() const { return std::uint32_t(row_of.size()); }
 
     void give_slot(Row row) {
+        SINEW_ASSERT(slot_of[row] == none, "a particle has one slot");
         slot_of[row] = size();
         row_of.push_back(row);
     }
@@ -60,7 +62,10 @@ template <int D, class Real> struct SweepState {
     }
 
     /// Stride between the components of a column.
-    std::size_t apart() const { return std::size_t(place[1] - place[0]); }
+    std::size_t apart() const {
+        SINEW_ASSERT(std::size_t(place[1] - place[0]) >= row_of.size(), "a column has room for every slot");
+        return std::size_t(place[1] - place[0]);
+    }
 
     Vec<D, Real> place_at(Row slot) const { return get(place, slot); }
     Vec<D, Real> move_at(Row slot) const { return get(move, slot); }

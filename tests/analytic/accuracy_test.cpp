@@ -7,7 +7,7 @@
 #include <cmath>
 
 /// The accuracy that docs/measured/accuracy.md states, under its conditions. All bounds are the documented ones.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -336,4 +336,4 @@ TEST(Accuracy, OfTheLengthsOfARagdollThatFallsInSpace) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

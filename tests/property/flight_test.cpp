@@ -2,12 +2,13 @@
 
 #include "tests/prefab/make.h"
 #include "tests/stepped.h"
+#include "tests/thorough.h"
 
 #include <cmath>
 
 /// Free flight: a figure that nothing holds or touches has a motion of its own, and gravity and the velocity of the
 /// whole are no part of it.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr double turning = 3; ///< rad/s
@@ -91,8 +92,8 @@ TEST(FreeFlight, WhatHappensInsideDoesNotDependOnTheVelocityOfTheWhole) {
         for (const double damping : {0.0, 0.5}) {
             Flight<D> still(prefab, Vec<D, double>{}, damping), flying(prefab, thrown<D>(), damping);
             if (still.world.particles.size() == 0) return;
-            still.fly(0.25);
-            flying.fly(0.25);
+            still.fly(lasting(0.25));
+            flying.fly(lasting(0.25));
             EXPECT_LE(parted(still.world, flying.world), 1e-8 * still.size()) << prefab.name << " in " << D << "D";
         }
     });
@@ -102,7 +103,7 @@ TEST(FreeFlight, KeepsTheSpinOfWhatIsSolvedAtOnce) {
     for_every_figure([]<int D>(const auto& prefab) {
         Flight<D> flight(prefab, thrown<D>(), 0);
         const auto begun = flight.spin();
-        flight.fly(5);
+        flight.fly(lasting(5));
         if (!flight.direct() || flight.world.particles.size() == 0) return;
         EXPECT_LE(norm(flight.spin() - begun), 1e-9 * norm(begun)) << prefab.name << " in " << D << "D";
     });
@@ -113,7 +114,7 @@ TEST(FreeFlight, KeepsTheEnergyOfWhatIsSolvedAtOnceOrTellsItLost) {
     for_every_figure([]<int D>(const auto& prefab) {
         Flight<D> flight(prefab, thrown<D>(), 0);
         const double begun = inner_energy(flight.world);
-        flight.fly(5);
+        flight.fly(lasting(5));
         if (!flight.direct() || flight.world.particles.size() == 0) return;
         const double left = inner_energy(flight.world);
         EXPECT_LE(left, (1 + 1e-5) * begun) << prefab.name << " in " << D << "D";
@@ -131,9 +132,9 @@ template <int D> double drift_of_a_ragdoll(double seconds) {
 }
 
 TEST(FreeFlight, KeepsTheEnergyOfARagdoll) {
-    EXPECT_LE(drift_of_a_ragdoll<2>(10), 1e-6);
-    EXPECT_LE(drift_of_a_ragdoll<3>(10), 1e-5);
+    EXPECT_LE(drift_of_a_ragdoll<2>(lasting(10)), 1e-6);
+    EXPECT_LE(drift_of_a_ragdoll<3>(lasting(10)), 1e-5);
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

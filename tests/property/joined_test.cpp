@@ -12,7 +12,7 @@
 /// Laws of blocks that are joined to a sweep: any figure of ropes, trees, skeletons, cloth, jelly and beads, masses
 /// over six decades, joined anywhere; hung, thrown, dragged and released. Figures without a port have tests of their
 /// own.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -255,4 +255,4 @@ TYPED_TEST(JoinedThings, ACopyStepsAsItsOriginalOnAnyNumberOfThreads) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE
