@@ -364,6 +364,7 @@ template <int D, class Real> void prepare(World<D, Real>& world) {
     Waiting::tell(0.2);
     make_plan(world, anew);
     tie_ports(world);
+    find_free_bodies(world);
     blocks.touched.clear();
     blocks.stale = blocks.changed = false;
     Waiting::tell(1);

@@ -60,7 +60,7 @@ template <int D, class Real> class TetherMaker {
     std::span<const PinnedSlot> anchors(const Sheet& sheet) const {
         auto& all = room_.anchors;
         all.clear();
-        if (!sheet.has_links() || sheet.copies) return {};
+        if (!sheet.has_links() || sheet.copies > 0) return {};
         const auto first = plan_.bands[sheet.first_band].first_pin;
         const auto last = plan_.bands[sheet.first_band + sheet.bands - 1].last_pin;
         for (auto i = first; i < last; ++i) { // the last of several pins holds the particle

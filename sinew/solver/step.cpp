@@ -1,5 +1,6 @@
 #include "sinew/solver/step.h"
 
+#include "sinew/solver/momentum_keeper.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
 #include "sinew/solver/profile.h"
@@ -37,8 +38,7 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 template <int D, class Real> class Sweep {
   public:
     Sweep(World<D, Real>& world, int substeps, Real h)
-        : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps),
-          passes_(substeps * world.settings.iterations), h_(h),
+        : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps), h_(h),
           threads_(threads_for(world.swept.size(), world.threads)),
           driven_(!(plan_.others.empty() && world.blocks.list.empty()) && any_driven(world)) {}
 
@@ -57,10 +57,11 @@ template <int D, class Real> class Sweep {
     World<D, Real>& world_;
     const Plan<Real>& plan_;
     const Kernels<D, Real>& kernels_;
-    int substeps_, passes_;
+    int substeps_;
     Real h_;
     int threads_;
     bool driven_;
+    detail::MomentumKeeper<D, Real> keeper_{world_, kernels_};
     LinkColumns<D, Real> links_{};
 
     using Substep = detail::Substep<D, Real>;
@@ -73,8 +74,11 @@ template <int D, class Real> class Sweep {
     }
 
     void run_substeps() {
+        const auto bodies = std::span(world_.swept.bodies.list);
         take_up(world_, h_, 0, world_.swept.size());
+        if (world_.swept.everyone_alike) keeper_.note(bodies, decay());
         for (int s = 1; s <= substeps_; ++s) run_substep(s);
+        if (world_.swept.everyone_alike) keeper_.restore(bodies);
         put_back(world_, 0, world_.swept.size());
     }
 
@@ -85,6 +89,8 @@ template <int D, class Real> class Sweep {
         detail::EnergyLimiter<D, Real> limiter(world_, h_);
         limiter.begin();
         for (const auto& band : plan_.bands) substep.predict(band);
+        const bool keeps = !world_.swept.everyone_alike;
+        if (keeps) keeper_.note(world_.swept.bodies.list, 1);
         note_energy(world_);
         detail::PortCoupling<D, Real> ports(world_, h_, number);
         ports.begin();
@@ -101,6 +107,7 @@ template <int D, class Real> class Sweep {
         limiter.find_gains();
         for (const auto& band : plan_.bands) substep.advance(band);
         take_back_gains(world_, h_);
+        if (keeps) keeper_.restore(world_.swept.bodies.list);
         limiter.take_gains();
         for (const auto& band : plan_.bands) substep.rebound(band);
         if (driven_) slip(world_, h_);
@@ -158,15 +165,54 @@ template <int D, class Real> class Sweep {
         return bands.size() >= 8 * std::size_t(threads_) && bands.back().last - bands.front().first > most;
     }
 
-    /// Runs all passes over a sheet turn after turn, a few passes to a stage.
+    /// Factor of velocities by damping over all substeps.
+    double decay() {
+        const double later = double(make_substep(2).keep());
+        double keep = double(make_substep(1).keep());
+        for (int number = 2; number <= substeps_; ++number) keep *= later;
+        return keep;
+    }
+
+    /// Runs all passes over a sheet. The momenta of free bodies are kept over the whole step where all forces are
+    /// alike, otherwise in each substep, between forces and constraints.
     void run_through(const Sheet& sheet, int threads) {
-        const int stages = std::min(passes_, Relay::most_stages);
+        if (sheet.bodies == 0)
+            return run_passes(sheet, threads, {.last = substeps_, .gathers = true, .predicts = true});
+        const auto bands = bands_of(sheet);
+        const auto bodies = std::span(world_.swept.bodies.list).subspan(sheet.first_body, sheet.bodies);
+        const bool alike = world_.swept.everyone_alike;
+        const int at_once = alike ? substeps_ : 1;
+        take_up(world_, h_, bands.front().first, bands.back().last);
+        for (int first = 0; first < substeps_; first += at_once) {
+            if (!alike) predict(sheet, first + 1);
+            keeper_.note(bodies, alike ? decay() : 1);
+            run_passes(sheet, threads, {.first = first, .last = first + at_once, .predicts = alike});
+            keeper_.restore(bodies);
+        }
+        put_back(world_, bands.front().first, bands.back().last);
+    }
+    void predict(const Sheet& sheet, int number) {
+        auto substep = make_substep(number);
+        for (const auto& band : bands_of(sheet)) substep.predict(band);
+    }
+
+    /// Range of substeps, counted from 0.
+    struct Passes {
+        int first = 0, last = 0;
+        bool gathers = false;  ///< particles are gathered before, and scattered afterwards
+        bool predicts = false; ///< the first substep is yet to be predicted
+    };
+
+    /// Runs some substeps over a sheet turn after turn, a few passes to a stage.
+    void run_passes(const Sheet& sheet, int threads, const Passes& range) {
+        const int passes = (range.last - range.first) * world_.settings.iterations;
+        const int stages = std::min(passes, Relay::most_stages);
         if (stages < 1) return;
-        Relay relay(stages, turns_of(sheet));
+        Relay relay(stages, turns_of(sheet, passes));
         Workers::run(threads, threads, [&](int) {
             relay.help([&](int stage, int turn) {
-                for (int pass = passes_ * stage / stages; pass < passes_ * (stage + 1) / stages; ++pass)
-                    run_turn(sheet, turn, pass);
+                for (int pass = passes * stage / stages; pass < passes * (stage + 1) / stages; ++pass)
+                    run_turn(sheet, turn, pass, range);
             });
         });
     }
@@ -175,8 +221,9 @@ template <int D, class Real> class Sweep {
     /// one before as closely as shared particles allow, while a band is still in the cache. With fewer bands, threads
     /// take bands out of each other's caches more often; with more, there is less to share.
     static constexpr std::uint32_t at_once = 16;
-    int turns_of(const Sheet& sheet) const { return int((last_time(sheet) + at_once - 1) / at_once); }
-    std::uint32_t last_time(const Sheet& sheet) const { return sheet.bands + std::uint32_t(passes_) * lag(sheet); }
+    int turns_of(const Sheet& sheet, int passes) const {
+        return int((sheet.bands + std::uint32_t(passes) * lag(sheet) + at_once - 1) / at_once);
+    }
 
     /// Number of bands by which a pass lags behind the pass before.
     std::uint32_t lag(const Sheet& sheet) const {
@@ -186,8 +233,9 @@ template <int D, class Real> class Sweep {
 
     /// Runs one turn of a pass, where a pass is one iteration of a substep. The first pass gathers and predicts; later
     /// substeps are predicted as the substep before ends. Then each family is projected, then pins and planes.
-    void run_turn(const Sheet& sheet, int turn, int pass) {
-        const int iterations = world_.settings.iterations, number = pass / iterations, iteration = pass % iterations;
+    void run_turn(const Sheet& sheet, int turn, int pass, const Passes& range) {
+        const int iterations = world_.settings.iterations, iteration = pass % iterations;
+        const int number = range.first + pass / iterations;
         const auto begun = std::uint32_t(pass) * lag(sheet), ended = begun + lag(sheet);
         const auto first = std::max(begun, std::uint32_t(turn) * at_once);
         const auto last = std::min(ended + sheet.bands, std::uint32_t(turn + 1) * at_once);
@@ -202,8 +250,8 @@ template <int D, class Real> class Sweep {
             };
             if (pass == 0)
                 at(0, [&](std::uint32_t i) {
-                    take_up(world_, h_, band(i).first, band(i).last);
-                    substep.predict(band(i));
+                    if (range.gathers) take_up(world_, h_, band(i).first, band(i).last);
+                    if (range.predicts) substep.predict(band(i));
                 });
             for (std::uint32_t f = 0; f < sheet.families; ++f)
                 at(begun + plan_.families[sheet.first_family + f].delay,
@@ -212,9 +260,9 @@ template <int D, class Real> class Sweep {
                 if (world_.restless) substep.project_again(sheet, i);
                 substep.tighten(sheet, i);
                 if (iteration + 1 < iterations) return substep.hold(band(i));
-                const bool over = number + 1 == substeps_;
+                const bool over = number + 1 == range.last;
                 substep.go_on(band(i), over ? nullptr : &next);
-                if (over) put_back(world_, band(i).first, band(i).last);
+                if (over && range.gathers) put_back(world_, band(i).first, band(i).last);
             });
         }
     }

@@ -61,6 +61,8 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h) {
         swept.any_pin_moves = swept.any_pin_moves || pin.from != pin.target;
         swept.any_pin_soft = swept.any_pin_soft || !pin.hard();
     }
+    auto& bodies = swept.bodies;
+    bodies.touched.assign(world.bounds.empty() || bodies.list.empty() ? 0 : swept.size(), 0);
     swept.largest_radius = 0;
     if (world.bounds.empty()) return;
     for (const Row row : swept.row_of)
