@@ -33,7 +33,7 @@ template <int D, class Real> class FreeBodyFinder {
     static constexpr Row none = ~Row(0), held = none;
 
     World<D, Real>& world_;
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     FreeBodies<D>& bodies_;
     std::vector<Row>& parent_; ///< by slot
@@ -121,7 +121,7 @@ template <int D, class Real> class FreeBodyFinder {
     void note_springs() {
         for (const auto& sheet : plan_.sheets) {
             const auto runs = std::span(plan_.runs).first(plan_.end_of(sheet).run).subspan(sheet.begin.run);
-            if (std::none_of(runs.begin(), runs.end(), [](const LinkRun& run) { return run.soft; })) continue;
+            if (std::none_of(runs.begin(), runs.end(), [](const LinkBatch& run) { return run.soft; })) continue;
             for (Row slot = sheet.begin.slot; slot < plan_.end_of(sheet).slot; ++slot)
                 if (auto* body = body_of(slot)) body->lossless = false;
         }

@@ -37,7 +37,7 @@ template <int D, class Real> class MomentumKeeper {
     }
 
   private:
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     const Kernels<D, Real>& kernels_;
 
     template <class Visit> void each(const FreeBody<D>& body, Visit&& visit) const {
