@@ -93,9 +93,9 @@ template <class WorldT> class RandomCalls {
         if (one_in(9)) spec.relaxation = number(0, 1);
         if (one_in(9)) spec.split = number(0, 1);
         if (one_in(9)) spec.max_force = number(0, 50);
-        if (one_in(14)) spec.lead = number(0, 0.01);
+        if (one_in(14)) spec.damping_time = number(0, 0.01);
         if (one_in(8)) spec.breaking_strain = number(0.01, 0.5);
-        if (one_in(14)) spec.toughness = number(0, 0.1);
+        if (one_in(14)) spec.damage_limit = number(0, 0.1);
         spec.figure = any_figure();
         return spec;
     }

@@ -62,7 +62,7 @@ inline double tears_beyond(double strain) {
 }
 
 /// Field shared by every prefab with a breaking strain.
-inline constexpr Field toughness_field{.name = "toughness",
+inline constexpr Field toughness_field{.name = "damage_limit",
                                        .help = "Time integral of the strain above breaking_strain needed to tear: 0.1 "
                                                "is an excess of 10 % for one second; 0 tears at once",
                                        .unit = unit::time,
@@ -177,7 +177,7 @@ template <int D, class RealT> class Builder {
                 .relaxation = Real(spec.relaxation),
                 .split = Real(spec.split),
                 .breaking_strain = Real(spec.breaking_strain),
-                .toughness = Real(spec.toughness),
+                .damage_limit = Real(spec.damage_limit),
                 .figure = figure_};
     }
 

@@ -61,7 +61,7 @@ template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {
          {.limits = exactly(pitch),
           .split = classic ? 0 : 0.5,
           .breaking_strain = tears_beyond(breaking_strain),
-          .toughness = toughness});
+          .damage_limit = damage_limit});
     if (!classic && bend_limit < pi<double> && links > 1)
         stiffen(figure, row, {.limits = between(-bend_limit, bend_limit)});
     hold_ends(figure, row, pinned);

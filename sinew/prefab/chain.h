@@ -25,7 +25,7 @@ struct Chain {
     double weight = 0;
     double bend_limit = pi<double>;
     double breaking_strain = 0;
-    double toughness = 0;
+    double damage_limit = 0;
     double thickness = 0.06;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -70,7 +70,7 @@ struct Chain {
                                           .help = "Strain at which a link tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
-        visit(self.toughness, toughness_field);
+        visit(self.damage_limit, toughness_field);
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Width of a link seen from its broad side; collision radius is half",
                                     .unit = unit::length,

@@ -89,7 +89,7 @@ template <int D, class Real> void weave(Builder<D, Real>& figure, const Grid& gr
         weave(figure, grid, thread,
               {.compliance = compliance,
                .breaking_strain = tears_beyond(cloth.breaking_strain),
-               .toughness = cloth.toughness},
+               .damage_limit = cloth.damage_limit},
               cloth.spacing, cloth.uneven);
     };
     const double side = 1 - cloth.buckling, diagonal = cloth.buckling > 0 ? 0 : 1;

@@ -39,7 +39,7 @@ struct Cloth {
     double shear_compliance = 0;
     double bend_compliance = 0.1;
     double breaking_strain = 0;
-    double toughness = 0;
+    double damage_limit = 0;
     double uneven = 0;
     bool tethers = true;
     std::string drawn = "threads";
@@ -97,7 +97,7 @@ struct Cloth {
                                           .help = "Strain at which a thread tears; 0 for never",
                                           .low = 0,
                                           .high = most});
-        visit(self.toughness, toughness_field);
+        visit(self.damage_limit, toughness_field);
         visit(
             self.uneven,
             Field{.name = "uneven",

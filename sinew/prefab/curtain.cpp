@@ -12,7 +12,7 @@ Cloth cloth_of(const Curtain& curtain) {
             .mass = curtain.mass,
             .compliance = curtain.compliance,
             .breaking_strain = curtain.breaking_strain,
-            .toughness = curtain.toughness,
+            .damage_limit = curtain.damage_limit,
             .uneven = curtain.uneven,
             .drawn = curtain.drawn,
             .thickness = curtain.thickness};

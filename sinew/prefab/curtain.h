@@ -18,7 +18,7 @@ struct Curtain {
     double mass = 2;
     double compliance = 2e-4;
     double breaking_strain = 0.3;
-    double toughness = 0.01;
+    double damage_limit = 0.01;
     double uneven = 0.8;
     std::string drawn = "fill";
     double thickness = 0.01;
@@ -48,7 +48,7 @@ struct Curtain {
                                           .help = "Strain at which a thread tears; 0 for never",
                                           .low = 0,
                                           .high = most});
-        visit(self.toughness, toughness_field);
+        visit(self.damage_limit, toughness_field);
         visit(
             self.uneven,
             Field{.name = "uneven",

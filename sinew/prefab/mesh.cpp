@@ -101,7 +101,7 @@ template <int D, class Real> void Mesh::build(Builder<D, Real>& figure) const {
     const auto repeats = repeats_of(shape, diagonals);
     figure.number_constraints("edge", std::size_t(std::count(repeats.begin(), repeats.end(), false)));
     ConstraintSpec<double> spec{
-        .compliance = compliance, .breaking_strain = tears_beyond(breaking_strain), .toughness = toughness};
+        .compliance = compliance, .breaking_strain = tears_beyond(breaking_strain), .damage_limit = damage_limit};
     each_named(shape, diagonals, [&, turn = std::size_t(0)](std::uint32_t a, std::uint32_t b) mutable {
         if (repeats[turn++]) return;
         const std::array ends{particles[a], particles[b]};

@@ -29,7 +29,7 @@ struct Mesh {
     double mass = 1;
     double compliance = 0;
     double breaking_strain = 0;
-    double toughness = 0;
+    double damage_limit = 0;
     std::string drawn = "fill";
     double thickness = 0.01;
 
@@ -74,7 +74,7 @@ struct Mesh {
                                           .help = "Strain at which an edge tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
-        visit(self.toughness, toughness_field);
+        visit(self.damage_limit, toughness_field);
         visit(self.drawn, Field{.name = "drawn", .help = "DrawItem as filled faces or as edges", .choices = drawings});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of a drawn edge; collision radius is half",

@@ -25,7 +25,7 @@ template <int D, class Real> void Rope::build(Builder<D, Real>& figure) const {
          {.limits = links == "exact" ? exactly(piece) : at_most(piece),
           .compliance = compliance,
           .breaking_strain = tears_beyond(breaking_strain),
-          .toughness = toughness});
+          .damage_limit = damage_limit});
     // Each inner joint carries the bending energy of one piece: E I / 2 angle^2 / piece.
     if (bend_stiffness > 0 && segments > 1)
         stiffen(figure, row, {.limits = exactly(0.0), .compliance = piece / bend_stiffness});

@@ -27,7 +27,7 @@ struct Rope {
     double compliance = 0;
     double bend_stiffness = 0;
     double breaking_strain = 0;
-    double toughness = 0;
+    double damage_limit = 0;
     double thickness = 0.03;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -73,7 +73,7 @@ struct Rope {
                                           .help = "Strain at which a piece tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
-        visit(self.toughness, toughness_field);
+        visit(self.damage_limit, toughness_field);
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness as drawn; collision radius is half",
                                     .unit = unit::length,

@@ -184,9 +184,9 @@ class ValueCheck {
             document_.error(between,
                             fmt::format("{} {} needs {}{} particle{}, found {}", article(kind.name), kind.name,
                                         kind.any_arity ? "at least " : "", wanted, wanted == 1 ? "" : "s", size));
-        if (section.lead > 0 && section.compliance == 0)
-            document_.error(place + "/lead",
-                            "only a constraint with a compliance has a lead: a rigid one has nothing to damp");
+        if (section.damping_time > 0 && section.compliance == 0)
+            document_.error(place + "/damping_time",
+                            "only a constraint with a compliance has a damping time: a rigid one has nothing to damp");
         if (section.drive) keys(section.drive->keys, place + "/drive/keys");
         if (std::ranges::count_if(section.between, [](const auto& name) { return name.ends_with('*'); }) > 1)
             document_.error(between, "one of the names can end in a star, not more");

@@ -55,10 +55,10 @@ struct ConstraintSection {
     double compliance = 0;
     std::optional<double> relaxation, split;
     double max_force = 0;
-    double lead = 0;
+    double damping_time = 0;
     std::optional<DriveSection> drive;
     double breaking_strain = 0;
-    double toughness = 0;
+    double damage_limit = 0;
     bool hidden = false;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -86,8 +86,8 @@ struct ConstraintSection {
                                     .low = 0,
                                     .high = 1e15});
         visit(
-            self.lead,
-            Field{.name = "lead",
+            self.damping_time,
+            Field{.name = "damping_time",
                   .help = "Damping time of a compliant constraint, which acts on the measure expected that much later",
                   .unit = unit::time,
                   .low = 0,
@@ -97,7 +97,7 @@ struct ConstraintSection {
                                           .help = "Strain at which the constraint tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
-        visit(self.toughness, toughness_field);
+        visit(self.damage_limit, toughness_field);
         visit(self.hidden, Field{.name = "hidden", .help = "Hidden support, not drawn"});
     }
 };

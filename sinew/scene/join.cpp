@@ -41,9 +41,9 @@ void join_members(World<D, Real>& world, const ConstraintSection& section, Figur
                                     .relaxation = Real(section.relaxation.value_or(1)),
                                     .split = Real(section.split.value_or(0.5)),
                                     .max_force = section.max_force > 0 ? Real(section.max_force) : limit::measure<Real>,
-                                    .lead = Real(section.lead),
+                                    .damping_time = Real(section.damping_time),
                                     .breaking_strain = Real(tears_beyond(section.breaking_strain)),
-                                    .toughness = Real(section.toughness),
+                                    .damage_limit = Real(section.damage_limit),
                                     .figure = figure};
     const auto id = add_constraint(world, kind_index<D>(section.kind), members, spec);
     if (!id || figure == no_figure) return;

@@ -137,9 +137,11 @@ void report_missing(const json::Value& object, const Field& field, const Path& p
 std::string help_with(const json::Member& member, const std::vector<std::string_view>& allowed, const Reading& in) {
     constexpr std::uint32_t file = 0;
     constexpr std::size_t most_told = 4;
-    if (member.key_span.source == file || !in.elsewhere || !nearest(member.key, allowed).empty())
-        return suggest(member.key, allowed);
-    const auto paths = in.elsewhere(member.key);
+    const auto renamed = new_name(member.key);
+    const auto word = renamed.empty() ? std::string_view(member.key) : renamed;
+    const bool is_near = std::ranges::find(allowed, word) != allowed.end() || !nearest(word, allowed).empty();
+    if (member.key_span.source == file || !in.elsewhere || is_near) return suggest(member.key, allowed);
+    const auto paths = in.elsewhere(word);
     if (paths.empty()) return suggest(member.key, allowed);
     std::string help = "did you mean ";
     for (std::size_t i = 0; i < std::min(paths.size(), most_told); ++i)

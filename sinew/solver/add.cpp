@@ -24,12 +24,12 @@ void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& sp
     table.relaxation.append(count, clamp(spec.relaxation, Real(0), Real(1)));
     table.split.append(count, clamp(spec.split, Real(0), Real(1)));
     table.max_force.append(count, clamp(spec.max_force, Real(0), most));
-    table.lead.append(count, clamp(spec.lead, Real(0), limit::step<Real>));
-    table.rate.append(count, Real(0));
-    table.driven.append(count, 0);
+    table.damping_time.append(count, clamp(spec.damping_time, Real(0), limit::step<Real>));
+    table.motor_speed.append(count, Real(0));
+    table.motorized.append(count, 0);
     table.breaking_strain.append(count, clamp(spec.breaking_strain, Real(0), most));
-    table.toughness.append(count, clamp(spec.toughness, Real(0), most));
-    table.fatigue.append(count, Real(0));
+    table.damage_limit.append(count, clamp(spec.damage_limit, Real(0), most));
+    table.damage.append(count, Real(0));
     table.figure.append(count, figure);
     table.in_block.append(count, 0);
     table.torn.append(count, 0);

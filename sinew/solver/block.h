@@ -59,10 +59,10 @@ struct BlockLimit {
 
 /// Further parts of a limit that is driven or has a maximum force.
 struct BlockDrive {
-    double most = 1e300;                  ///< maximum force, N; of an angle, torque, N m
-    double lead = 0, rate = 0;            ///< damping time, s; rate of change of the limits, per second
-    double low_begun = 0, high_begun = 0; ///< limits at the start of the step
-    bool driven = false;
+    double most = 1e300;                      ///< maximum force, N; of an angle, torque, N m
+    double damping_time = 0, motor_speed = 0; ///< damping time, s; rate of change of the limits, per second
+    double low_begun = 0, high_begun = 0;     ///< limits at the start of the step
+    bool motorized = false;
     bool slips = false; ///< the force is saturated in this iteration
     int doubts = 0;     ///< changes of `slips` in this substep
 
@@ -141,7 +141,7 @@ struct Block {
     std::uint32_t first_way = 0, ways = 0;
     std::uint32_t particle = 0;  ///< slot of one member
     std::uint32_t row_moves = 0; ///< `Blocks::row_moves` at the last look-up of rows
-    bool motored = false;        ///< some limits are driven, and may do work
+    bool is_motorized = false;        ///< some limits are driven, and may do work
     bool springy = false;        ///< some constraints are compliant
     double lost = 0;             ///< energy lost in the last step, J
     std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom active

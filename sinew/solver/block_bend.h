@@ -76,7 +76,9 @@ template <int D> class BlockBends {
     }
 
     /// True for a limit that a joint can reach, and leaves at the speed of arrival.
-    bool bounces(const AngleRow<D>& bend) const { return bounce_ && bend.one_sided() && !soft(bend) && !bend.driven; }
+    bool bounces(const AngleRow<D>& bend) const {
+        return bounce_ && bend.one_sided() && !soft(bend) && !bend.motorized;
+    }
 
     /// First-order change of the angle in the last move.
     double change(const AngleRow<D>& bend) const {
@@ -142,7 +144,7 @@ template <int D> class BlockBends {
 
     /// Rate of change of an angle, relative to the limits.
     double rate_of(const AngleRow<D>& bend) const {
-        double rate = -bend.rate;
+        double rate = -bend.motor_speed;
         for (std::size_t k = 0; k < bend.arity; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
         return rate;
     }
@@ -273,15 +275,15 @@ template <int D> class BlockBends {
         if (soft(bend)) angle = turned_on(bend, angle);
         point(bend, rule, angle);
         bend.stiffness = 0;
-        if (rule == Rule::place && bend.driven) return 0; // no time passes: a motor yields
+        if (rule == Rule::place && bend.motorized) return 0; // no time passes: a motor yields
         if (soft(bend)) {
             const double error = angle - clamp(angle, bend.low, bend.high);
             if (limp_) bend.tension = 0;
             if (error == 0 || rule == Rule::place || limp_) return 0;
             const double k = minimum(bend.taut / bend.compliance, hardest * arm2(bend));
-            bend.tension =
-                bend.held(k * (error + bend.lead * ((angle - bend.begun) / h_ - bend.rate)), bend.tension, false);
-            bend.stiffness = bend.slips ? 0 : k * (1 + bend.lead / h_);
+            bend.tension = bend.held(k * (error + bend.damping_time * ((angle - bend.begun) / h_ - bend.motor_speed)),
+                                     bend.tension, false);
+            bend.stiffness = bend.slips ? 0 : k * (1 + bend.damping_time / h_);
             add(bend, bend.tension);
             return 0;
         }

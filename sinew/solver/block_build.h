@@ -55,7 +55,7 @@ template <int D, class Real> class BlockBuilder {
         for (const Row row : elimination_.order()) add_ways(row);
         block.ways = std::uint32_t(blocks_.ways.size()) - block.first_way;
         if (attached) add_ports(block);
-        block.motored = is_motored(block);
+        block.is_motorized = is_motorized(block);
         block.ranges = ranges_of(block);
         block.springy = is_springy(block);
         block.nodes = std::uint32_t(blocks_.nodes.size()) - block.first_node;
@@ -225,7 +225,7 @@ template <int D, class Real> class BlockBuilder {
         static_cast<BlockLimit&>(added) = limit_of(table, row);
         added.low = maximum(added.low, 0.0);
         added.is_pulley = is_pulley;
-        added.driven = is_driven(table, row);
+        added.motorized = is_driven(table, row);
         added.first = std::uint32_t(blocks_.way_nodes.size());
         added.nodes = std::uint32_t(members.size());
         added.first_entry = std::uint32_t(blocks_.way_entries.size());
@@ -241,10 +241,10 @@ template <int D, class Real> class BlockBuilder {
         table.in_block.set(row, 1);
     }
 
-    bool is_motored(const Block& block) const {
+    bool is_motorized(const Block& block) const {
         const auto any = [](const auto& list, std::uint32_t first, std::uint32_t count) {
             return std::any_of(list.begin() + first, list.begin() + first + count,
-                               [](const BlockDrive& drive) { return drive.driven; });
+                               [](const BlockDrive& drive) { return drive.motorized; });
         };
         return any(blocks_.ways, block.first_way, block.ways) || any(blocks_.bends, block.first_bend, block.bends);
     }
@@ -312,7 +312,7 @@ template <int D, class Real> class BlockBuilder {
             if (!takes(angles_, bend) || !is_first(row, members)) return;
             AngleRow<D> added;
             static_cast<BlockLimit&>(added) = limit_of(angles_, bend);
-            added.driven = is_driven(angles_, bend);
+            added.motorized = is_driven(angles_, bend);
             join(added, members);
             for (std::size_t i = 0; i < 2; ++i) added.arms[i] = slack_arm(members[i], members[i + 1]);
             blocks_.bends.push_back(added);

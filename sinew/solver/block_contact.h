@@ -42,7 +42,7 @@ template <int D, class Real> class BlockContact {
     bool hold(double hardest, const SolveProgress& progress) {
         progress_ = progress;
         const auto before = std::exchange(decisions_, 0);
-        if (state_.driven())
+        if (state_.motorized())
             for (auto& node : state_.unknowns())
                 for (auto i = state_.blocks.pin_of[node.row]; i != Blocks<D>::none; i = state_.blocks.next_pin[i])
                     pull(node, world_.pins[i], hardest);
@@ -61,7 +61,7 @@ template <int D, class Real> class BlockContact {
 
     /// Scales the multipliers of pins to a substep of the given length, as pins of the sweep report them.
     void report_pins(double substep) {
-        if (!state_.driven()) return;
+        if (!state_.motorized()) return;
         const auto longer = Real(square(substep / state_.substep()));
         for (const auto& node : state_.unknowns())
             for (auto i = state_.blocks.pin_of[node.row]; i != Blocks<D>::none; i = state_.blocks.next_pin[i])

@@ -84,7 +84,7 @@ template <int D> class BlockEquations {
 
     /// True if velocities would change lengths more than a swing does in a time h, as after a blow.
     bool has_velocity_error(double h) const {
-        const double usual = block_.motored ? 1e-4 : 0.02; // motors start and stop, and must not ring
+        const double usual = block_.is_motorized ? 1e-4 : 0.02; // motors start and stop, and must not ring
         for (const auto& link : links()) {
             if (soft(link) || (link.one_sided() && link.tension == 0)) continue;
             const auto span = node(link.b).place - node(link.a).place;

@@ -53,12 +53,12 @@ template <int D, class Real> class BlockGraph {
         return table.split[row] == Real(0.5) && table.relaxation[row] == Real(1);
     }
     template <class Table> static bool is_driven(const Table& table, Row row) {
-        return table.driven[row] || table.gives(row);
+        return table.motorized[row] || table.gives(row);
     }
     /// True for a 3D angle with a positive lower limit: an unsigned angle of zero has no direction to open in. A driven
     /// lower limit may become positive.
     static bool opens(const Constraints<Angle<D>, Real>& table, Row row) {
-        const Real least = table.driven[row] ? -limit::measure<Real> : Real(0);
+        const Real least = table.motorized[row] ? -limit::measure<Real> : Real(0);
         return D == 3 && table.low(row) > least;
     }
 

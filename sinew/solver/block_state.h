@@ -22,7 +22,7 @@ template <int D, class Real> class BlockState {
         const double per = inverse_or_zero(square(last_substep));
         for (auto& bend : bends()) bend.before = -double(multiplier_of(bend)) * per * bend.unit;
         for (auto& link : links()) link.before = -double(distances_.multiplier[link.constraint]) * per / link.length;
-        if (block.ways > 0 || block.motored) find_drives(per);
+        if (block.ways > 0 || block.is_motorized) find_drives(per);
     }
 
     World<D, Real>& world;
@@ -39,15 +39,15 @@ template <int D, class Real> class BlockState {
 
     double substep() const { return h_; }
     /// True if pins or their targets may do work.
-    bool driven() const { return driven_; }
+    bool motorized() const { return motorized_; }
     /// True if only fields and planes change the energy.
-    bool works_alone() const { return !driven_ && !block.motored; }
+    bool works_alone() const { return !motorized_ && !block.is_motorized; }
 
     /// Sets the substep, between two fractions of the frame, and loads the state at the start.
     void load(double from, double to) {
         from_ = from, to_ = to, h_ = (to - from) * frame_;
-        driven_ = false;
-        if (block.motored) move_limits();
+        motorized_ = false;
+        if (block.is_motorized) move_limits();
         Decay<double> decay;
         Push<D, Real> fall; // common to particles under gravity only
         bool fall_known = false;
@@ -67,7 +67,7 @@ template <int D, class Real> class BlockState {
             node.velocity = velocity * decay.keep;
             node.push = cast<double>(push.acceleration) * decay.yield;
             node.mass = inverse_or_zero(double(particles.inverse_mass[row]) * decay.yield);
-            driven_ = driven_ || blocks.pin_of[row] != Blocks<D>::none;
+            motorized_ = motorized_ || blocks.pin_of[row] != Blocks<D>::none;
         }
         for (auto& node : fixed()) {
             node.move = node.velocity = {};
@@ -77,7 +77,7 @@ template <int D, class Real> class BlockState {
                 if (!pin.hard() || particles.quarantined[node.row]) continue;
                 node.start = goal(pin, false), node.place = goal(pin, true);
                 node.velocity = (node.place - node.start) * (1 / h_);
-                driven_ = driven_ || !(pin.from == pin.target);
+                motorized_ = motorized_ || !(pin.from == pin.target);
             }
         }
         start_tensions();
@@ -143,7 +143,7 @@ template <int D, class Real> class BlockState {
     Constraints<Pulley<D>, Real>& pulleys_;
     double frame_;
     double from_ = 0, to_ = 0, h_ = 0; ///< fractions of the frame at the ends of the substep, and its length
-    bool driven_ = false;
+    bool motorized_ = false;
 
     /// Tension at the end of the substep; zero for a limit released since.
     static double kept(const BlockLimit& limit) {
@@ -164,8 +164,8 @@ template <int D, class Real> class BlockState {
 
     template <class Table> static void find_drive(BlockDrive& drive, const Table& table, Row row) {
         drive.most = double(table.max_force[row]);
-        drive.lead = double(table.lead[row]);
-        drive.rate = double(table.rate[row]);
+        drive.damping_time = double(table.damping_time[row]);
+        drive.motor_speed = double(table.motor_speed[row]);
         drive.low_begun = double(table.low(row));
         drive.high_begun = double(table.high(row));
     }
@@ -205,12 +205,12 @@ template <int D, class Real> class BlockState {
     void move_limits() {
         const double by = to_ * frame_;
         for (auto& bend : bends()) {
-            bend.low = bend.low_begun + bend.rate * by;
-            bend.high = bend.high_begun + bend.rate * by;
+            bend.low = bend.low_begun + bend.motor_speed * by;
+            bend.high = bend.high_begun + bend.motor_speed * by;
         }
         for (auto& way : ways()) {
-            way.low = maximum(way.low_begun + way.rate * by, 0.0);
-            way.high = maximum(way.high_begun + way.rate * by, 0.0);
+            way.low = maximum(way.low_begun + way.motor_speed * by, 0.0);
+            way.high = maximum(way.high_begun + way.motor_speed * by, 0.0);
         }
     }
 };

@@ -52,7 +52,7 @@ template <int D, class Real> class BlockStep {
         return solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness(), solve.progress()); });
     }
     /// True if only force fields act from outside.
-    bool is_free() const { return state_.fixed().empty() && !state_.driven() && !contact_.near(); }
+    bool is_free() const { return state_.fixed().empty() && !state_.motorized() && !contact_.near(); }
 
     void advance(double from, double to, int depth) {
         load(from, to);
@@ -68,7 +68,7 @@ template <int D, class Real> class BlockStep {
         const auto went = swing(solve, energy, depth);
         swung_ = went == Went::well;
         if (swung_) return state_.store();
-        if (state_.driven() && !solve.run(Rule::place, many, [] {})) return solve_infeasible(from, to);
+        if (state_.motorized() && !solve.run(Rule::place, many, [] {})) return solve_infeasible(from, to);
         const bool blow = depth > 0 && went == Went::against_something;
         if (blow || (depth >= deepest && went != Went::past_an_end)) return step_backward_euler(from, to, depth);
         advance_in_pieces(from, to, depth);
@@ -257,7 +257,7 @@ template <int D, class Real> class BlockStep {
         const double kinetic = solve.kinetic(), inner = energy.inner();
         project_velocities(solve, energy);
         const bool little = inner <= much * energy.inner();
-        if (!state_.driven()) energy.bring_to(kinetic);
+        if (!state_.motorized()) energy.bring_to(kinetic);
         return little;
     }
 };

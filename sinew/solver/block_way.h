@@ -75,7 +75,7 @@ template <int D> class BlockWays {
     double worst_strain(bool at_start) const {
         double worst = 0;
         for (const auto& way : all()) {
-            if (soft(way) || way.driven) continue;
+            if (soft(way) || way.motorized) continue;
             const double length = length_of(way, at_start);
             worst = maximum(worst, absolute(length - clamp(length, way.low, way.high)) / maximum(length, 1e-6));
         }
@@ -105,7 +105,7 @@ template <int D> class BlockWays {
             if (soft(way) || way.slips || (way.one_sided() && way.tension == 0)) continue;
             point(way);
             constexpr double driven = 1e-5;
-            if (absolute(lengthening(way)) * h > (way.driven ? driven : usual) * way.high) return true;
+            if (absolute(lengthening(way)) * h > (way.motorized ? driven : usual) * way.high) return true;
         }
         return false;
     }
@@ -136,7 +136,7 @@ template <int D> class BlockWays {
     BlockNode<D>& node(const CableNode<D>& on) const { return blocks_.nodes[on.node]; }
 
     double lengthening(const CableRow& way) const {
-        double rate = -way.rate;
+        double rate = -way.motor_speed;
         for (const auto& on : nodes(way)) rate += dot(on.gradient, node(on).velocity);
         return rate;
     }
@@ -157,7 +157,7 @@ template <int D> class BlockWays {
         measure(way, rule);
         way.stiffness = 0;
         const bool stiff = !soft(way);
-        if (rule == Rule::place && (!stiff || way.driven)) return 0; // no time passes: springs and motors yield
+        if (rule == Rule::place && (!stiff || way.motorized)) return 0; // no time passes: springs and motors yield
         if (!stiff) {
             spring(way, rule, hardest);
             return 0;
@@ -183,9 +183,9 @@ template <int D> class BlockWays {
         way.tension = 0;
         if (error == 0) return;
         const double k = minimum(1 / way.compliance, hardest);
-        const double moved = (way.length - length_of(way, true)) / h_ - way.rate;
-        way.tension = way.held(k * (error + way.lead * moved), last, way.one_sided() && error > 0);
-        way.stiffness = way.slips ? 0 : k * (1 + way.lead / h_);
+        const double moved = (way.length - length_of(way, true)) / h_ - way.motor_speed;
+        way.tension = way.held(k * (error + way.damping_time * moved), last, way.one_sided() && error > 0);
+        way.stiffness = way.slips ? 0 : k * (1 + way.damping_time / h_);
         add(way, way.stiffness, way.tension);
         add_geometric(way, rule, maximum(way.tension, 0.0));
     }

@@ -24,7 +24,7 @@ template <class Table, int D, class Real> Real slipped(World<D, Real>& world, co
 }
 
 template <class Table> bool is_driven(const Table& table) {
-    return table.driven.any_of([](char driven) { return driven != 0; }) || table.any_gives();
+    return table.motorized.any_of([](char driven) { return driven != 0; }) || table.any_gives();
 }
 
 template <int D, class Real> bool is_in_block(const World<D, Real>& world, std::span<const Row> members) {
@@ -44,10 +44,10 @@ template <int D, class Real> void move_limits(World<D, Real>& world, Real h) {
     for_each_table(world, [&](auto& table) {
         constexpr bool is_length = std::decay_t<decltype(table)>::Kind::length_power == 1;
         for (Row row = 0; row < table.size(); ++row) {
-            if (table.rate[row] == Real(0)) continue;
+            if (table.motor_speed[row] == Real(0)) continue;
             const auto moved = [&](Real end) {
                 if (!is_limit(end)) return end;
-                const Real next = end + table.rate[row] * h;
+                const Real next = end + table.motor_speed[row] * h;
                 return is_length ? maximum(next, Real(0)) : next;
             };
             table.limits.change(row, moved);

@@ -73,9 +73,9 @@ template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintI
         const auto row = table.slots.find(id.id);
         if (!row) return;
         found = true;
-        if (!table.driven[*row]) detail::note_feature(world, table, *row);
-        table.driven.set(*row, 1);
-        table.rate.set(*row, clamp(rate, -limit::speed<Real>, limit::speed<Real>));
+        if (!table.motorized[*row]) detail::note_feature(world, table, *row);
+        table.motorized.set(*row, 1);
+        table.motor_speed.set(*row, clamp(rate, -limit::speed<Real>, limit::speed<Real>));
     });
     return found;
 }

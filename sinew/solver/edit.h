@@ -50,9 +50,9 @@ template <class Real> struct ConstraintSpec {
     Real relaxation = 1;                    ///< share of the error removed at once, (0, 1]
     Real split = Real(0.5);                 ///< share of the correction taken by the first member, [0, 1]
     Real max_force = std::numeric_limits<Real>::infinity(); ///< largest force, newtons (N m for angles)
-    Real lead = 0; ///< damping time of a compliant constraint, seconds: force = k (C + lead dC/dt)
+    Real damping_time = 0; ///< damping time of a compliant constraint, seconds: force = k (C + damping_time dC/dt)
     Real breaking_strain = std::numeric_limits<Real>::infinity();
-    Real toughness = 0; ///< damage limit: excess strain times time borne before tearing
+    Real damage_limit = 0; ///< damage limit: excess strain times time borne before tearing
     FigureIndex figure = no_figure;
 };
 

@@ -9,44 +9,44 @@
 namespace sinew {
 namespace {
 
-/// Connected components of the plan under all constraints. Particles of a sheet with links are joined already.
+/// Connected components of the plan under all constraints. Simple distances have joined the particles of a component of
+/// the plan.
 template <int D, class Real> class FreeBodyFinder {
   public:
     explicit FreeBodyFinder(World<D, Real>& world)
-        : world_(world), swept_(world.swept), plan_(world.swept.plan), bodies_(world.swept.bodies),
-          parent_(world.swept.room.parent), number_(world.swept.room.part_of) {}
+        : world_(world), state_(world.sweep_state), plan_(world.sweep_state.plan), bodies_(world.sweep_state.bodies),
+          parent_(world.sweep_state.room.parent), number_(world.sweep_state.room.part_of) {}
 
     void run() {
         bodies_.clear();
         begin();
         each_other([&](const auto& table, Row row) { join(table.members[row]); });
         hold();
-        for (Row slot = 0; slot < swept_.size(); ++slot)
+        for (Row slot = 0; slot < state_.size(); ++slot)
             if (auto& members = number_[first_of(slot)]; members != held) ++members;
         list_bodies();
         list_members();
         note_springs();
-        if (!bodies_.list.empty()) bodies_.touched.reserve(swept_.size());
+        if (!bodies_.list.empty()) bodies_.touched.reserve(state_.size());
     }
 
   private:
     static constexpr Row none = ~Row(0), held = none;
 
     World<D, Real>& world_;
-    SweepState<D, Real>& swept_;
+    SweepState<D, Real>& state_;
     Plan<Real>& plan_;
     FreeBodies<D>& bodies_;
     std::vector<Row>& parent_; ///< by slot
-    std::vector<Row>&
-        number_; ///< by the first slot of a component: its members, later its index in the list; or `held`
+    std::vector<Row>& number_; ///< by first slot: number of members, later index in the list; or `held`
 
     void begin() {
-        parent_.resize(swept_.size());
-        number_.assign(swept_.size(), 0);
-        for (const auto& sheet : plan_.sheets) {
-            const Row first = sheet.begin.slot, last = plan_.end_of(sheet).slot;
-            const Row components = !sheet.has_links() ? last - first : maximum(sheet.copies, 1U);
-            for (Row slot = first; slot < last; ++slot) parent_[slot] = first + (slot - first) % components;
+        parent_.resize(state_.size());
+        number_.assign(state_.size(), 0);
+        for (const auto& component : plan_.components) {
+            const Row first = component.begin.slot, last = plan_.end_of(component).slot;
+            const Row parts = !component.has_links() ? last - first : maximum(component.copies, 1U);
+            for (Row slot = first; slot < last; ++slot) parent_[slot] = first + (slot - first) % parts;
         }
     }
 
@@ -65,8 +65,8 @@ template <int D, class Real> class FreeBodyFinder {
     void join(std::span<const Row> members) {
         Row joined = none;
         for (const Row member : members) {
-            if (swept_.slot_of[member] == none) continue;
-            const Row slot = first_of(swept_.slot_of[member]), first = std::min(slot, joined);
+            if (state_.slot_of[member] == none) continue;
+            const Row slot = first_of(state_.slot_of[member]), first = std::min(slot, joined);
             if (joined != none) parent_[std::max(slot, joined)] = first;
             joined = first;
         }
@@ -80,36 +80,36 @@ template <int D, class Real> class FreeBodyFinder {
                 number_[first_of(slot)] = held;
         each_other([&](const auto& table, Row row) {
             const auto members = table.members[row];
-            const auto is_outside = [&](Row member) { return swept_.slot_of[member] == none; };
+            const auto is_outside = [&](Row member) { return state_.slot_of[member] == none; };
             if (table.split[row] == Real(0.5) && std::none_of(members.begin(), members.end(), is_outside)) return;
             for (const Row member : members)
-                if (!is_outside(member)) number_[first_of(swept_.slot_of[member])] = held;
+                if (!is_outside(member)) number_[first_of(state_.slot_of[member])] = held;
         });
     }
 
     void list_bodies() {
-        for (auto& sheet : plan_.sheets) {
-            sheet.first_body = std::uint32_t(bodies_.list.size());
-            for (Row slot = sheet.begin.slot; slot < plan_.end_of(sheet).slot; ++slot) {
+        for (auto& component : plan_.components) {
+            component.first_body = std::uint32_t(bodies_.list.size());
+            for (Row slot = component.begin.slot; slot < plan_.end_of(component).slot; ++slot) {
                 if (parent_[slot] != slot) continue;
                 const auto members = number_[slot];
                 const bool is_body = members != held && members > 1;
                 number_[slot] = is_body ? Row(bodies_.list.size()) : held;
                 if (is_body) bodies_.list.push_back({.first = slot, .members = members});
             }
-            sheet.bodies = std::uint32_t(bodies_.list.size()) - sheet.first_body;
+            component.bodies = std::uint32_t(bodies_.list.size()) - component.first_body;
         }
     }
 
     /// Lists the members of bodies that do not lie side by side.
     void list_members() {
-        for (Row slot = 0; slot < swept_.size(); ++slot)
+        for (Row slot = 0; slot < state_.size(); ++slot)
             if (auto* body = body_of(slot)) body->scattered = body->scattered || slot >= body->first + body->members;
         std::uint32_t size = 0;
         for (auto& body : bodies_.list)
             if (body.scattered) body.first = std::exchange(size, size + std::exchange(body.members, 0));
         bodies_.slots.resize(size);
-        for (Row slot = 0; slot < swept_.size(); ++slot)
+        for (Row slot = 0; slot < state_.size(); ++slot)
             if (auto* body = body_of(slot); body && body->scattered)
                 bodies_.slots[body->first + body->members++] = slot;
     }
@@ -119,16 +119,16 @@ template <int D, class Real> class FreeBodyFinder {
     }
 
     void note_springs() {
-        for (const auto& sheet : plan_.sheets) {
-            const auto runs = std::span(plan_.runs).first(plan_.end_of(sheet).run).subspan(sheet.begin.run);
-            if (std::none_of(runs.begin(), runs.end(), [](const LinkBatch& run) { return run.soft; })) continue;
-            for (Row slot = sheet.begin.slot; slot < plan_.end_of(sheet).slot; ++slot)
+        for (const auto& component : plan_.components) {
+            const auto runs = std::span(plan_.runs).first(plan_.end_of(component).run).subspan(component.begin.run);
+            if (std::none_of(runs.begin(), runs.end(), [](const LinkBatch& run) { return run.compliant; })) continue;
+            for (Row slot = component.begin.slot; slot < plan_.end_of(component).slot; ++slot)
                 if (auto* body = body_of(slot)) body->lossless = false;
         }
         each_other([&](const auto& table, Row row) {
-            if (!(table.compliance[row] > Real(0) || table.driven[row] || table.gives(row))) return;
+            if (!(table.compliance[row] > Real(0) || table.motorized[row] || table.gives(row))) return;
             for (const Row member : table.members[row])
-                if (const Row slot = swept_.slot_of[member]; slot != none)
+                if (const Row slot = state_.slot_of[member]; slot != none)
                     if (auto* body = body_of(slot)) body->lossless = false;
         });
     }

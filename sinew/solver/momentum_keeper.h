@@ -17,7 +17,8 @@ namespace sinew::detail {
 
 template <int D, class Real> class MomentumKeeper {
   public:
-    MomentumKeeper(World<D, Real>& world, const Kernels<D, Real>& kernels) : swept_(world.swept), kernels_(kernels) {}
+    MomentumKeeper(World<D, Real>& world, const Kernels<D, Real>& kernels)
+        : state_(world.sweep_state), kernels_(kernels) {}
 
     /// Notes the momenta before constraints act. `keep`: factor by which drag reduces velocities until the end.
     void note(std::span<FreeBody<D>> bodies, double keep) const {
@@ -37,35 +38,35 @@ template <int D, class Real> class MomentumKeeper {
     }
 
   private:
-    SweepState<D, Real>& swept_;
+    SweepState<D, Real>& state_;
     const Kernels<D, Real>& kernels_;
 
     template <class Visit> void each(const FreeBody<D>& body, Visit&& visit) const {
         if (body.scattered)
-            for (const Row slot : std::span(swept_.bodies.slots).subspan(body.first, body.members)) visit(slot);
+            for (const Row slot : std::span(state_.bodies.slots).subspan(body.first, body.members)) visit(slot);
         else
             for (Row slot = body.first; slot < body.first + body.members; ++slot) visit(slot);
     }
     Row first_of(const FreeBody<D>& body) const {
-        return body.scattered ? swept_.bodies.slots[body.first] : body.first;
+        return body.scattered ? state_.bodies.slots[body.first] : body.first;
     }
     bool touches(const FreeBody<D>& body) const {
         bool found = false;
-        if (!swept_.bodies.touched.empty()) each(body, [&](Row slot) { found = found || swept_.bodies.touched[slot]; });
+        if (!state_.bodies.touched.empty()) each(body, [&](Row slot) { found = found || state_.bodies.touched[slot]; });
         return found;
     }
 
     BodyColumns<D, Real> columns_of(const FreeBody<D>& body) const {
         const Row first = first_of(body);
-        return {.place = swept_.place[0],
-                .move = swept_.move[0],
-                .apart = swept_.apart(),
-                .mobility = swept_.mobility,
-                .slots = body.scattered ? swept_.bodies.slots.data() + body.first : nullptr,
+        return {.place = state_.place[0],
+                .move = state_.move[0],
+                .apart = state_.apart(),
+                .mobility = state_.mobility,
+                .slots = body.scattered ? state_.bodies.slots.data() + body.first : nullptr,
                 .first = body.first,
                 .count = body.members,
-                .origin = cast<double>(swept_.place_at(first)),
-                .drift = cast<double>(swept_.move_at(first))};
+                .origin = cast<double>(state_.place_at(first)),
+                .drift = cast<double>(state_.move_at(first))};
     }
     CentralMoments<D> moments_of(const FreeBody<D>& body) const {
         Moments<D> sums;
@@ -87,7 +88,7 @@ template <int D, class Real> class MomentumKeeper {
                                 .center = columns.origin + now.center,
                                 .drift = columns.drift + now.velocity,
                                 .loss = 1 - share,
-                                .most = furthest_move(Real(1) / swept_.per_h)});
+                                .most = furthest_move(Real(1) / state_.per_h)});
     }
 };
 

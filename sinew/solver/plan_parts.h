@@ -97,7 +97,7 @@ template <int D, class Real> class ComponentFinder {
     bool is_plain(Row link) const {
         constexpr Real far = limit::coordinate<Real>;
         return distances_.split[link] == Real(0.5) && distances_.relaxation[link] == Real(1) &&
-               !distances_.gives(link) && distances_.lead[link] == Real(0) && !distances_.driven[link] &&
+               !distances_.gives(link) && distances_.damping_time[link] == Real(0) && !distances_.motorized[link] &&
                distances_.low(link) <= far && distances_.high(link) >= Real(0);
     }
 

@@ -176,9 +176,9 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
     const Real lambda = mover.first_iteration ? Real(0) : table.multiplier[row];
     const Real most = mover.most(table.max_force[row]);
     Real ahead = 0; // predicted change of a damped measure
-    if (table.lead[row] > Real(0) && alpha > Real(0)) {
-        ahead = mover.ahead(stencil, members, table.lead[row], table.rate[row]);
-        resistance *= Real(1) + mover.share(table.lead[row]);
+    if (table.damping_time[row] > Real(0) && alpha > Real(0)) {
+        ahead = mover.ahead(stencil, members, table.damping_time[row], table.motor_speed[row]);
+        resistance *= Real(1) + mover.share(table.damping_time[row]);
     }
     const Real solved = clamp(limited_multiplier(lambda, measure - low + ahead, measure - high + ahead, alpha,
                                                  inverse_or_zero(resistance + alpha)),

@@ -79,10 +79,11 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
         digest.add(table.limits.lows(), table.limits.highs(), table.compliance, table.relaxation, table.split,
                    table.breaking_strain, table.multiplier, table.figure);
         for (Row row = 0; row < table.size(); ++row)
-            if (table.toughness[row] > 0) digest.add(row, table.toughness[row], table.fatigue[row]);
+            if (table.damage_limit[row] > 0) digest.add(row, table.damage_limit[row], table.damage[row]);
         for (Row row = 0; row < table.size(); ++row)
-            if (table.gives(row) || table.lead[row] != Real(0) || table.driven[row])
-                digest.add(row, table.max_force[row], table.lead[row], table.rate[row], table.driven[row]);
+            if (table.gives(row) || table.damping_time[row] != Real(0) || table.motorized[row])
+                digest.add(row, table.max_force[row], table.damping_time[row], table.motor_speed[row],
+                           table.motorized[row]);
     });
     for (const auto& run : world.sweep) digest.add(run.kind, run.count);
     for (const auto& pin : world.pins)

@@ -26,15 +26,15 @@ template <int D, class RealT> struct SubstepMover {
     Real weight(Row row) const { return sweep_state.mobility[sweep_state.slot_of[row]]; }
     Real alpha(Real compliance) const { return minimum(compliance * per_h * per_h, limit::measure<Real>); }
     Real most(Real max_force) const { return minimum(max_force * h * h, limit::multiplier<Real>); }
-    Real share(Real lead) const { return minimum(lead * per_h, limit::coordinate<Real>); }
-    /// lead (dC/dt - rate), at the present velocities; `rate` is the rate of the limits.
+    Real share(Real damping_time) const { return minimum(damping_time * per_h, limit::coordinate<Real>); }
+    /// damping_time (dC/dt - motor_speed), at the present velocities; `rate` is the rate of the limits.
     template <class Stencil>
-    Real ahead(const Stencil& stencil, std::span<const Row> members, Real lead, Real rate) const {
+    Real ahead(const Stencil& stencil, std::span<const Row> members, Real damping_time, Real rate) const {
         Real own = -rate;
         stencil.each([&](std::size_t i) {
             own += dot(stencil.gradient[i], sweep_state.velocity_at(sweep_state.slot_of[members[i]]));
         });
-        return own * lead;
+        return own * damping_time;
     }
     void push(Row row, const Vec<D, Real>& displacement) { push_at(sweep_state.slot_of[row], displacement); }
     void push_at(Row slot, const Vec<D, Real>& displacement) {

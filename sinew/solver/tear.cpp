@@ -18,9 +18,9 @@ template <class Table, int D, class Real> Real strain_of(World<D, Real>& world, 
 
 /// Adds the damage of a step; true when the constraint fails.
 template <class Table, class Real> bool wears_out(Table& table, Row row, Real strain_times_time) {
-    if (table.toughness[row] == Real(0)) return true;
-    table.fatigue.set(row, minimum(table.fatigue[row] + strain_times_time, limit::measure<Real>));
-    return table.fatigue[row] > table.toughness[row];
+    if (table.damage_limit[row] == Real(0)) return true;
+    table.damage.set(row, minimum(table.damage[row] + strain_times_time, limit::measure<Real>));
+    return table.damage[row] > table.damage_limit[row];
 }
 
 /// True if both ends of a distance torn in this step are among the members.

@@ -138,12 +138,13 @@ template <class KindT, class Real> struct Constraints {
     Column<Real> relaxation;      ///< share of the error removed at once, (0, 1]
     Column<Real> split;           ///< share of the correction taken by the first member, [0, 1]; 1/2 is fair
     Column<Real> max_force;       ///< largest force; from limit::measure on unlimited
-    Column<Real> lead;            ///< damping time of a compliant constraint: force = k (C + lead (dC/dt - rate))
-    Column<Real> rate;            ///< rate of the limits: a winch, a motor
-    Column<char> driven;          ///< 1 once drive() has set a rate
+    Column<Real>
+        damping_time; ///< damping time of a compliant constraint: force = k (C + damping_time (dC/dt - motor_speed))
+    Column<Real> motor_speed;     ///< rate of the limits: a winch, a motor
+    Column<char> motorized;       ///< 1 once drive() has set a rate
     Column<Real> breaking_strain; ///< strain beyond which the constraint tears; from limit::measure on never
-    Column<Real> toughness;       ///< damage limit: excess strain times time borne before tearing; 0: tears at once
-    Column<Real> fatigue;         ///< damage so far, excess strain times time
+    Column<Real> damage_limit;    ///< damage limit: excess strain times time borne before tearing; 0: tears at once
+    Column<Real> damage;          ///< damage so far, excess strain times time
     Column<FigureIndex> figure;
     Column<char> in_block; ///< scratch: solved by a direct block, not by the sweep
     Column<char> torn;     ///< scratch: to be removed at the end of the step; visited last (remove.h)
@@ -163,7 +164,7 @@ template <class KindT, class Real> struct Constraints {
     /// Allocates all the memory tearing needs.
     void expect_tears() {
         slots.remember();
-        fatigue.set_apart();
+        damage.set_apart();
         in_block.set_apart();
         torn.set_apart();
     }
@@ -175,12 +176,12 @@ template <class KindT, class Real> struct Constraints {
         visit(self.relaxation);
         visit(self.split);
         visit(self.max_force);
-        visit(self.lead);
-        visit(self.rate);
-        visit(self.driven);
+        visit(self.damping_time);
+        visit(self.motor_speed);
+        visit(self.motorized);
         visit(self.breaking_strain);
-        visit(self.toughness);
-        visit(self.fatigue);
+        visit(self.damage_limit);
+        visit(self.damage);
         visit(self.figure);
         visit(self.in_block);
         visit(self.torn);

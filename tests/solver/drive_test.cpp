@@ -178,7 +178,8 @@ TEST(Motor, HoldsAWeightBelowItsTorqueAndGivesWayAbove) {
 TEST(Motor, TurnsToItsPoseAndRests) {
     for (const auto& [direct, accuracy] : ways) {
         ConstraintId motor;
-        Arm arm(direct, {.limits = exactly(0.0), .compliance = 1e-4, .max_force = 400, .lead = 0.1, .figure = 0},
+        Arm arm(direct,
+                {.limits = exactly(0.0), .compliance = 1e-4, .max_force = 400, .damping_time = 0.1, .figure = 0},
                 &motor);
         drive(arm.world, motor, pi<double> / 4);
         run(arm.world, 1);

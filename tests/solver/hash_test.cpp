@@ -50,7 +50,7 @@ TYPED_TEST(StateHash, ChangesWithEverythingThatDecidesTheFuture) {
         +[](World& w) { std::get<0>(w.constraints).relaxation.set(0, typename World::Real(0.5)); },
         +[](World& w) { std::get<0>(w.constraints).split.set(0, typename World::Real(0.6)); },
         +[](World& w) { std::get<0>(w.constraints).breaking_strain.set(0, 1); },
-        +[](World& w) { std::get<0>(w.constraints).toughness.set(0, 1); },
+        +[](World& w) { std::get<0>(w.constraints).damage_limit.set(0, 1); },
         +[](World& w) { std::get<0>(w.constraints).members[0][0] = 3; },
         +[](World& w) { std::swap(w.sweep[0].count, w.sweep[1].count); },
         +[](World& w) { unpin(w, w.pin_slots.id_of(0)); },

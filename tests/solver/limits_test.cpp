@@ -270,7 +270,7 @@ TYPED_TEST(Limited, WithATornLinkGoWhatBothItsEndsBelongTo) {
 TYPED_TEST(Limited, AToughLinkTearsAfterStrainTimesTime) {
     Pair<TypeParam> pair;
     using Real = typename TypeParam::Real;
-    const auto tough = pair.linked(1, {.compliance = 1, .breaking_strain = Real(0.4), .toughness = Real(0.295)});
+    const auto tough = pair.linked(1, {.compliance = 1, .breaking_strain = Real(0.4), .damage_limit = Real(0.295)});
     const auto place = position_of(pair.world, pair.a).value();
     pin(pair.world, pair.a);
     const auto hand = pin(pair.world, pair.b, {.target = place + at<typename TypeParam::Vector>(2, 0)}).value();

@@ -33,7 +33,7 @@ template <int D, class Real> class EnergyLimiter {
     void find_gains() {
         constexpr double least = 0.7; // share of the velocity; above it solved positions are kept
         for (auto& group : ports_.groups) {
-            group.share = group.driven ? 1 : share_left(group);
+            group.share = group.motorized ? 1 : share_left(group);
             group.spin = due_spin(group);
             if (group.share < least && is_multiplied(group)) slow_down(group), group.share = 1;
         }

@@ -40,7 +40,7 @@ template <int D> void list_ports(Blocks<D>& blocks) {
     ports.responses.resize(responses);
 }
 
-/// Sheets whose links have come to be at ports, or are no longer, are laid out again.
+/// Components whose links have come to be at ports, or are no longer, are laid out again.
 template <int D, class Real> void mark_ports(World<D, Real>& world) {
     auto& blocks = world.blocks;
     auto& ports = blocks.ports;
@@ -148,7 +148,7 @@ template <int D, class Real> class GroupFinder {
     template <class Table> void reach(PortGroup<D>& group, int kind, const Table& table, Row constraint, Row from) {
         const auto members = table.members[constraint];
         for (const Row member : members) reach(member);
-        group.driven = group.driven || table.driven[constraint] || table.gives(constraint);
+        group.motorized = group.motorized || table.motorized[constraint] || table.gives(constraint);
         const bool first =
             std::none_of(members.begin(), members.end(), [&](Row row) { return row < from && mobile(row); });
         if (first && table.compliance[constraint] > Real(0))
