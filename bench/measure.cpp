@@ -1,8 +1,8 @@
 #include "bench/measure.h"
 
+#include "sinew/simulation.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/kernel.h"
-#include "sinew/solver/step.h"
 
 #include "bench/memory.h"
 #include "bench/textbook.h"
@@ -45,12 +45,17 @@ int turn_length(double step, double turn, int steps) {
 
 template <class Real> class EngineRun final : public Simulation {
   public:
-    explicit EngineRun(World<3, Real> world) : world_(std::move(world)) { prepare(world_); }
-    void step() override { sinew::step(world_, Real(frame)); }
-    Found place(std::size_t particle) const override { return cast<double>(world_.particles.position[particle]); }
+    EngineRun(World<3, Real> world, int threads)
+        : simulation_{std::move(world), sinew::Solver<3, Real>({.threads = threads})} {
+        simulation_.solver.prepare(simulation_.world);
+    }
+    void step() override { simulation_.step(Real(frame)); }
+    Found place(std::size_t particle) const override {
+        return cast<double>(simulation_.world.particles.position[particle]);
+    }
 
   private:
-    World<3, Real> world_;
+    sinew::Simulation<3, Real> simulation_;
 };
 
 /// Bytes of the particles' own columns.
@@ -72,9 +77,7 @@ Watch half_of(const Watch& watch, double before) {
 template <class Real> void step_a_small_one(Case chosen, int threads) {
     constexpr int small = 16;
     chosen.size = std::min(chosen.size, small);
-    auto world = world_of<Real>(chosen);
-    world.threads = threads;
-    EngineRun<Real>(std::move(world)).step();
+    EngineRun<Real>(world_of<Real>(chosen), threads).step();
 }
 
 template <class Real>
@@ -84,13 +87,11 @@ Measured measure_as(const Case& chosen, const Work& work, const Engine& engine, 
     const PeakMemory memory;
     const auto begun = Clock::now();
     auto world = world_of<Real>(chosen);
-    world.threads = engine.threads;
+    const auto particles = double(particle_bytes(world));
     const auto built = Clock::now();
-    prepare(world);
+    EngineRun<Real> run(std::move(world), engine.threads); // prepares
     measured.prepare_ms = milliseconds_since(built);
     measured.build_ms = milliseconds_since(begun);
-    const auto particles = double(particle_bytes(world));
-    EngineRun<Real> run(std::move(world));
     run.step();
     constexpr std::size_t enough = 50'000; // constraints: below, pages and the heap's reserve dominate
     if (const auto bytes = memory.risen(); bytes > 0 && work.constraints() >= enough)
@@ -169,10 +170,9 @@ Work work_of(const Case& chosen) {
 
 std::unique_ptr<Simulation> simulate(const Case& chosen, const Engine& engine, const Effort& effort) {
     const auto made = [&]<class Real>(World<3, Real> world) -> std::unique_ptr<Simulation> {
-        world.threads = engine.threads;
         world.settings.substeps = effort.substeps;
         world.settings.iterations = effort.iterations;
-        return std::make_unique<EngineRun<Real>>(std::move(world));
+        return std::make_unique<EngineRun<Real>>(std::move(world), engine.threads);
     };
     return engine.single ? made(world_of<float>(chosen)) : made(world_of<double>(chosen));
 }

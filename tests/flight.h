@@ -1,9 +1,9 @@
 #pragma once
 
 #include "sinew/solver/measure.h"
-#include "sinew/solver/step.h"
 
 #include "tests/prefab/make.h"
+#include "tests/stepped.h"
 
 /// Figures of the catalogue in free flight: thrown and turning, without pins.
 namespace sinew::test {
@@ -30,7 +30,7 @@ template <int D> Vec<D, double> thrown() {
 }
 
 template <int D, class Real = double> struct Flight {
-    World<D, Real> world;
+    Stepped<D, Real> world;
 
     Flight(const AnyPrefab& prefab, const Vec<D, double>& velocity, double damping, Direct direct = Direct::automatic) {
         build(world, prefab, "it", Placement<D, Real>{});

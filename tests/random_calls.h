@@ -248,7 +248,7 @@ template <class WorldT> class RandomCalls {
         if (what == 3) settings.damping = one_in(2) ? 0 : number(0, 0.5);
         if (what == 4) settings.classic.moves_each_pass = one_in(2);
         if (what == 5) settings.classic.order = PassOrder(below(3));
-        if (what == 6) world.threads = 1 + below(3);
+        if (what == 6) world.solver.options.threads = 1 + below(3);
     }
     void change_walls() {
         if (!world.bounds.empty() && one_in(2)) return world.bounds.pop_back();

@@ -3,9 +3,9 @@
 #include "sinew/math/random.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/measure.h"
-#include "sinew/solver/step.h"
 
 #include "tests/constants.h"
+#include "tests/stepped.h"
 
 #include <gtest/gtest.h>
 #include <string>
@@ -18,7 +18,7 @@ namespace sinew::test {
 template <int D, class RealT> struct In {
     static constexpr int dimension = D;
     using Real = RealT;
-    using World = sinew::World<D, Real>;
+    using World = test::Stepped<D, Real>;
     using Vector = Vec<D, Real>;
     static constexpr bool precise = sizeof(Real) == 8;
 };
@@ -64,9 +64,9 @@ std::vector<ParticleId> chain(World& world, int particles, typename World::Vecto
 
 /// Something of everything, moving: links of every kind of limit, soft and hard, a tearing link, pins hard, moving and
 /// soft, forces of every kind, bounds with bounce and friction. Two figures.
-template <int D, class Real> World<D, Real> menagerie(Mode mode = Mode::physical) {
+template <int D, class Real> test::Stepped<D, Real> menagerie(Mode mode = Mode::physical) {
     using Vector = Vec<D, Real>;
-    World<D, Real> world;
+    test::Stepped<D, Real> world;
     world.settings.mode = mode;
     world.settings.substeps = 4;
     world.settings.damping = Real(0.1);

@@ -46,32 +46,33 @@ double milliseconds_since(std::chrono::steady_clock::time_point before) {
 }
 
 /// Median time of a cut, milliseconds: 21 of the ropes are cut in the middle, one after the other.
-template <class Real> double time_of_a_cut(World<2, Real>& world, int links) {
+template <class Real> double time_of_a_cut(Simulation<2, Real>& simulation, int links) {
+    auto& world = simulation.world;
     constexpr int cuts = 21;
     std::vector<double> times;
     for (int i = 0; i < cuts; ++i) {
         const auto link = find_constraint(world, fmt::format("rope_{}/link_{}", i * many_ropes / cuts, links / 2));
         const auto before = std::chrono::steady_clock::now();
         cut(world, std::span<const ConstraintId>(&*link, 1));
-        prepare(world);
+        simulation.solver.prepare(world);
         times.push_back(milliseconds_since(before));
-        step(world, Real(1.0 / 60));
+        simulation.step(Real(1.0 / 60));
     }
     return median(times);
 }
 
 template <class Real> RopeResult run_rope(const RopeCase& rope, double seconds, canvas::Progress& progress) {
     double scale = 0;
-    auto world = world_of<Real>(rope, scale);
-    world.threads = rope.threads;
+    Simulation<2, Real> simulation{world_of<Real>(rope, scale), Solver<2, Real>({.threads = rope.threads})};
+    const auto& world = simulation.world;
     const double begun = energy(world).total();
     RopeResult result;
     std::vector<double> times;
     const auto steps = std::size_t(std::round(seconds * 60));
-    prepare(world);
+    simulation.solver.prepare(simulation.world);
     for (std::size_t i = 0; i < steps; ++i) {
         const auto before = std::chrono::steady_clock::now();
-        step(world, Real(1.0 / 60));
+        simulation.step(Real(1.0 / 60));
         times.push_back(milliseconds_since(before));
         result.outside = std::max(result.outside, worst_angle(world));
         result.stretch = std::max(result.stretch, stretch(world).max);
@@ -80,7 +81,7 @@ template <class Real> RopeResult run_rope(const RopeCase& rope, double seconds, 
         give_up_if_interrupted();
     }
     result.milliseconds = median(times);
-    if (rope.name == "ropes") result.cut = time_of_a_cut(world, rope.links);
+    if (rope.name == "ropes") result.cut = time_of_a_cut(simulation, rope.links);
     return result;
 }
 

@@ -152,7 +152,7 @@ class RunCommand final : public Command {
 
     int run() override {
         Run run(open_file(words.scene, words.overrides));
-        std::visit([&](auto& world) { world.threads = threads.value_or(0); }, run.session.world());
+        run.session.set_options({.threads = threads.value_or(0)});
         if (!pointer_path.empty()) run.pointer = PointerPath::read(pointer_path);
         auto trace = begin_trace(run.session);
         canvas::catch_interrupts();

@@ -1,6 +1,6 @@
 #include "apps/cli/stepping.h"
 
-#include "sinew/solver/step.h"
+#include "sinew/simulation.h"
 #include "sinew/solver/waiting.h"
 
 #include "apps/cli/console.h"
@@ -25,15 +25,16 @@ std::uint64_t steps_until(const Scene& scene, double seconds) {
 }
 
 Run::Run(Opened opened) : session(std::move(opened)) {
-    std::visit(
-        [](auto& world) {
+    const bool is_large = std::visit(
+        [](const auto& world) {
             constexpr std::size_t soon = 30'000; // particles; smaller worlds are prepared in no time
-            if (world.settings.mode == Mode::classic || world.particles.size() < soon) return;
-            canvas::Progress progress("getting ready", 100);
-            const Waiting waiting([&](double share) { progress.update(std::size_t(100 * share)); });
-            prepare(world);
+            return world.settings.mode != Mode::classic && world.particles.size() >= soon;
         },
         session.world());
+    if (!is_large) return;
+    canvas::Progress progress("getting ready", 100);
+    const Waiting waiting([&](double share) { progress.update(std::size_t(100 * share)); });
+    session.prepare();
 }
 
 void Run::step() {

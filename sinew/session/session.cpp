@@ -9,7 +9,7 @@
 #include "sinew/solver/islands.h"
 #include "sinew/solver/measure.h"
 #include "sinew/solver/split.h"
-#include "sinew/solver/step.h"
+#include "sinew/solver/solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,13 @@
 
 namespace sinew {
 namespace {
+
+/// The solver of a type of world; made anew, with the same options, where the type has changed.
+template <class WorldT> auto& solver_of(AnySolver& any) {
+    using Own = Solver<WorldT::dimension, typename WorldT::Real>;
+    if (!std::holds_alternative<Own>(any)) any = Own(std::visit([](const auto& other) { return other.options; }, any));
+    return std::get<Own>(any);
+}
 
 template <class WorldT> using VectorOf = typename WorldT::Vector;
 
@@ -61,6 +68,14 @@ void Session::run_until(double seconds) {
     while (this->seconds() < seconds - half_a_step) step();
 }
 
+void Session::set_options(const SolverOptions& options) {
+    std::visit([&]<class WorldT>(const WorldT&) { solver_.emplace<Solver<WorldT::dimension, typename WorldT::Real>>(options); }, world_);
+}
+
+void Session::prepare() {
+    std::visit([&]<class WorldT>(WorldT& world) { solver_of<WorldT>(solver_).prepare(world); }, world_);
+}
+
 void Session::step() {
     const double dt = step_length(scene_);
     happen_now();
@@ -73,7 +88,7 @@ void Session::step() {
     if (stroke_) stroke_->go(world_, stroke_to_);
     std::visit(
         [&]<class WorldT>(WorldT& world) {
-            sinew::step(world, typename WorldT::Real(dt));
+            solver_of<WorldT>(solver_).step(world, typename WorldT::Real(dt));
             if (frozen) unpin(world, *frozen);
         },
         world_);

@@ -7,6 +7,7 @@
 #include "sinew/session/stroke.h"
 #include "sinew/session/view.h"
 #include "sinew/session/winder.h"
+#include "sinew/solver/solver.h"
 
 #include <array>
 #include <cstddef>
@@ -15,6 +16,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace sinew {
@@ -39,6 +41,8 @@ struct SessionEvent {
     std::size_t islands = 0; ///< "parted": number of islands the figure now has (islands.h); else 0
 };
 
+using AnySolver = std::variant<Solver<2, float>, Solver<2, double>, Solver<3, float>, Solver<3, double>>;
+
 /// A running scene: a world, a clock, the scene's events and a pointer. Headless: the window, the command line and the
 /// web page feed a session, and draw() makes its picture.
 class Session {
@@ -48,6 +52,10 @@ class Session {
     const Scene& scene() const { return scene_; }
     const AnyWorld& world() const { return world_; }
     AnyWorld& world() { return world_; }
+    /// Goes on with a new solver, with these options. Results do not depend on solver or options.
+    void set_options(const SolverOptions& options);
+    /// Prepares the world for the first step, which otherwise does so: Solver::prepare.
+    void prepare();
 
     /// Returns to the scene's initial state.
     void restart();
@@ -157,6 +165,7 @@ class Session {
 
     Scene scene_;
     AnyWorld world_;
+    AnySolver solver_;
     Images images_;
     std::array<Point, 2> focus_; ///< two opposite corners around the initial scene
     std::vector<Due> due_;       ///< a heap

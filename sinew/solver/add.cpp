@@ -132,8 +132,6 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         using Kind = typename std::decay_t<decltype(table)>::Kind;
         if constexpr (Kind::arity == any_arity) {
             if (int(rows.size()) < Kind::least_arity) return;
-            // points, gradients and directions of the widest constraint
-            world.scratch.resize(std::max(world.scratch.size(), 3 * rows.size()));
         } else if (rows.size() != std::size_t(Kind::arity)) {
             return;
         }

@@ -140,8 +140,8 @@ struct Block {
     std::uint32_t first_bend = 0, bends = 0;
     std::uint32_t first_way = 0, ways = 0;
     std::uint32_t particle = 0;  ///< slot of one member
-    std::uint32_t row_moves = 0; ///< `Blocks::row_moves` at the last look-up of rows
-    bool is_motorized = false;        ///< some limits are driven, and may do work
+    std::uint32_t row_moves = 0; ///< `Journal::row_moves` at the last look-up of rows
+    bool is_motorized = false;   ///< some limits are driven, and may do work
     bool springy = false;        ///< some constraints are compliant
     double lost = 0;             ///< energy lost in the last step, J
     std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom active
@@ -165,13 +165,6 @@ struct Rows {
 struct SweepRun {
     int kind = 0;
     Rows rows;
-};
-
-/// Change of a particle.
-enum class Touch : char {
-    joined,   ///< new, or with other constraints
-    mobility, ///< became movable or immovable, which concerns all neighbours
-    weight
 };
 
 /// Work space for finding the blocks.
@@ -209,7 +202,6 @@ struct BlockRoom {
     }
 };
 
-/// Derived data: everything follows from the rest of the world. A copy begins empty and searches anew.
 template <int D> struct Blocks {
     static constexpr auto none = ~std::uint32_t(0);
 
@@ -233,43 +225,15 @@ template <int D> struct Blocks {
     // Work space of a step.
     std::vector<std::uint32_t> pin_of, next_pin; ///< first pin of each particle, next pin of the same particle
 
-    // Changes since the blocks were found.
-    struct Touched {
-        std::uint32_t particle = 0; ///< slot
-        Touch what = Touch::joined;
-    };
-    bool stale = true;   ///< the whole world must be searched
-    bool changed = true; ///< a part of the world must be
-    std::vector<Touched> touched;
-    std::uint32_t row_moves = 0; ///< count of the moves of rows
-    ConstraintAdjacency adjacency;
-
     Elimination elimination;
     BlockRoom room;
     std::uint32_t looks = 0;
-
-    Blocks() = default;
-    Blocks(const Blocks&) {}
-    Blocks& operator=(const Blocks&) {
-        stale = changed = true;
-        return *this;
-    }
-    Blocks(Blocks&&) = default;
-    Blocks& operator=(Blocks&&) = default;
-    ~Blocks() = default;
-
-    void touch(std::uint32_t particle, Touch what) {
-        changed = true;
-        stale = stale || touched.size() == touched.capacity();
-        if (!stale) touched.push_back({particle, what});
-    }
 
     void clear() {
         columns([](auto& column) { column.clear(); });
         list.clear();
         attached_trees.clear();
         ports.clear();
-        touched.clear();
     }
     /// Calls visit(column) for each column that grows with every block.
     template <class Visit> void columns(Visit&& visit) {
@@ -314,7 +278,6 @@ template <int D> struct Blocks {
             if (column.capacity() < column.size() + column.size() / 2 + little / 2)
                 column.reserve(2 * column.size() + little);
         });
-        touched.reserve(little + nodes.size() / 8);
         room.constraints.reserve(2 * room.constraints.size());
     }
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/block_graph.h"
+#include "sinew/solver/solver.h"
 
 #include <algorithm>
 
@@ -11,12 +12,12 @@ template <int D, class Real> class BlockBuilder {
     using Graph = BlockGraph<D, Real>;
 
   public:
-    BlockBuilder(World<D, Real>& world, const Graph& graph)
+    BlockBuilder(World<D, Real>& world, Solver<D, Real>& solver, const Graph& graph)
         : world_(world), graph_(graph), particles_(world.particles),
           distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           angles_(std::get<kind_number<Angle, D>>(world.constraints)),
           pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), constraints_(world.constraints),
-          blocks_(world.blocks), elimination_(world.blocks.elimination), room_(world.blocks.room) {}
+          blocks_(solver.blocks), elimination_(solver.blocks.elimination), room_(solver.blocks.room) {}
 
     /// Builds a block of `members`, whose `part_of` is `part`, and appends the block to `list`. False if the
     /// factorisation would not stay sparse, or if room runs out: then everything is stale. A block that `hangs` on the
@@ -35,14 +36,15 @@ template <int D, class Real> class BlockBuilder {
         }
         if (!elimination_.run(members)) return false;
         const auto each = 4 + (attached ? most_tethers : 0);
-        if (!blocks_.stale && !blocks_.has_room(each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
-            blocks_.stale = true;
+        if (!world_.journal.stale &&
+            !blocks_.has_room(each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
+            world_.journal.stale = true;
             return false;
         }
         Block block{.first_node = std::uint32_t(blocks_.nodes.size()),
                     .unknowns = std::uint32_t(members.size()),
                     .particle = particles_.slots.slot_of(members.front()),
-                    .row_moves = blocks_.row_moves};
+                    .row_moves = world_.journal.row_moves};
         for (const Row row : elimination_.order()) add_node(row);
         add_entries(block);
         block.first_link = std::uint32_t(blocks_.links.size());
@@ -167,7 +169,7 @@ template <int D, class Real> class BlockBuilder {
     }
     bool is_port(Row row) const {
         bool found = false;
-        blocks_.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+        world_.journal.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
             visit_table(world_, kind, [&](const auto& table) {
                 const Row constraint = table.slots.row_at(slot);
                 found = found || !table.in_block[constraint];

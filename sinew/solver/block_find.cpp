@@ -2,7 +2,7 @@
 #include "sinew/solver/block_glance.h"
 #include "sinew/solver/changes.h"
 #include "sinew/solver/phases.h"
-#include "sinew/solver/step.h"
+#include "sinew/solver/project.h"
 #include "sinew/solver/waiting.h"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace {
 
 template <int D, class Real> class BlockFinder {
   public:
-    explicit BlockFinder(World<D, Real>& world)
-        : world_(world), particles_(world.particles), graph_(world), worth_(graph_), builder_(world, graph_),
-          blocks_(world.blocks), room_(world.blocks.room) {}
+    BlockFinder(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), particles_(world.particles), graph_(world), worth_(graph_), builder_(world, solver, graph_),
+          blocks_(solver.blocks), room_(solver.blocks.room) {}
 
     /// Finds the blocks. True if the whole world was searched.
     bool run() {
-        if (!blocks_.stale) find_again();
-        const bool all = blocks_.stale;
+        if (!world_.journal.stale) find_again();
+        const bool all = world_.journal.stale;
         if (all) find_all();
         list_runs();
         return all;
@@ -65,7 +65,7 @@ template <int D, class Real> class BlockFinder {
         begin_look();
         blocks_.clear();
         std::fill(particles_.in_block.begin(), particles_.in_block.end(), char(0));
-        blocks_.adjacency.forget();
+        world_.journal.adjacency.forget();
         std::size_t constraints = 0;
         bool may_tear = false; // tears need the adjacency of all constraints
         for_each_table(world_, [&](auto& table) {
@@ -79,6 +79,8 @@ template <int D, class Real> class BlockFinder {
         build_parts();
         if (large) room_.constraints = decltype(room_.constraints)(); // released, and allocated again on demand
         blocks_.leave_room();
+        constexpr std::size_t little = 1024;
+        world_.journal.touched.reserve(little + blocks_.nodes.size() / 8);
     }
     void spread() {
         make_room();
@@ -90,7 +92,7 @@ template <int D, class Real> class BlockFinder {
         begin_look();
         make_room();
         const auto& slots = particles_.slots;
-        for (const auto& touched : blocks_.touched) {
+        for (const auto& touched : world_.journal.touched) {
             if (!slots.in_use(touched.particle)) continue;
             if (touched.what == Touch::weight) continue;
             const Row row = slots.row_at(touched.particle);
@@ -98,8 +100,8 @@ template <int D, class Real> class BlockFinder {
             if (mobile(row))
                 spread(row);
             else if (touched.what == Touch::mobility)
-                blocks_.adjacency.each(touched.particle,
-                                       [&](int kind, std::uint32_t slot) { spread_over(kind, slot); });
+                world_.journal.adjacency.each(touched.particle,
+                                              [&](int kind, std::uint32_t slot) { spread_over(kind, slot); });
         }
         const auto gone = [&](const Block& block) {
             if (!slots.in_use(block.particle)) return true;
@@ -123,7 +125,7 @@ template <int D, class Real> class BlockFinder {
         for (auto next = first; next < room_.members.size(); ++next) {
             const Row row = room_.members[next];
             worth_.take_stock(room_.parts.back(), row);
-            blocks_.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+            world_.journal.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
                 visit_table(world_, kind, [&](auto& table) { reach(table, kind, table.slots.row_at(slot)); });
             });
         }
@@ -254,7 +256,7 @@ template <int D, class Real> class BlockFinder {
         Part part;
         for (const auto& [figure, row] : own) {
             worth_.take_stock(part, row);
-            blocks_.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+            world_.journal.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
                 visit_table(world_, kind, [&](const auto& table) { take_stock(part, table, slot, row); });
             });
         }
@@ -276,7 +278,7 @@ template <int D, class Real> class BlockFinder {
     /// True if a constraint other than a distance acts on a particle that blocks with ports cannot hold.
     bool is_soft(Row row) const {
         bool found = false;
-        blocks_.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+        world_.journal.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
             if (kind == kind_number<Distance, D>) return;
             visit_table(world_, kind,
                         [&](const auto& table) { found = found || !graph_.is_rigid(table, table.slots.row_at(slot)); });
@@ -344,34 +346,36 @@ template <int D, class Real> class BlockFinder {
 };
 
 /// Reserves for every state within reach of tears: a tearing thread must not make a step allocate.
-template <int D, class Real> void reserve_for_tears(World<D, Real>& world) {
+template <int D, class Real> void reserve_for_tears(World<D, Real>& world, Solver<D, Real>& solver) {
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     constexpr std::size_t small = 100'000; // distances; of more, the room would be waste
     if (!distances.may_tear() || distances.size() > small) return;
-    world.blocks.reserve(world.particles.size(), distances.size(),
-                         std::get<kind_number<Angle, D>>(world.constraints).size());
+    solver.blocks.reserve(world.particles.size(), distances.size(),
+                          std::get<kind_number<Angle, D>>(world.constraints).size());
 }
 
 } // namespace
 
-template <int D, class Real> void prepare(World<D, Real>& world) {
-    auto& blocks = world.blocks;
-    if (!blocks.changed && !blocks.stale) return;
-    reserve_for_tears(world);
-    make_room_for_budgets(world);
+template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world) {
+    auto& journal = world.journal;
+    if (!identity) identity = std::make_shared<const char>();
+    if (std::exchange(journal.reader, identity) != identity) journal.stale = true;
+    if (!journal.changed && !journal.stale) return;
+    detail::make_room_for_widest(world, scratch);
+    reserve_for_tears(world, *this);
+    make_room_for_budgets(world, *this);
     Waiting::tell(0);
-    const bool anew = BlockFinder(world).run();
-    find_ports(world);
+    const bool anew = BlockFinder(world, *this).run();
+    find_ports(world, *this);
     Waiting::tell(0.2);
-    make_plan(world, anew);
-    tie_ports(world);
-    find_free_bodies(world);
-    blocks.touched.clear();
-    blocks.stale = blocks.changed = false;
+    make_plan(world, *this, anew);
+    tie_ports(world, *this);
+    find_free_bodies(world, *this);
+    journal.read();
     Waiting::tell(1);
 }
 
-#define SINEW_BLOCK_FIND(D, Real) template void prepare(World<D, Real>&);
+#define SINEW_BLOCK_FIND(D, Real) template void Solver<D, Real>::prepare(World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_BLOCK_FIND)
 
 } // namespace sinew

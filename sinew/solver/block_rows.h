@@ -1,14 +1,14 @@
 #pragma once
 
+#include "sinew/solver/block.h"
 #include "sinew/solver/world.h"
 
 namespace sinew::detail {
 
 /// Looks up the rows of a block by slots, if rows have moved since the last look-up.
-template <int D, class Real> void look_up_rows(World<D, Real>& world, Block& block) {
-    auto& blocks = world.blocks;
-    if (block.row_moves == blocks.row_moves) return;
-    block.row_moves = blocks.row_moves;
+template <int D, class Real> void look_up_rows(const World<D, Real>& world, Blocks<D>& blocks, Block& block) {
+    if (block.row_moves == world.journal.row_moves) return;
+    block.row_moves = world.journal.row_moves;
     const auto each = [](auto& column, std::uint32_t first, std::uint32_t count, auto&& visit) {
         for (auto i = first; i < first + count; ++i) visit(column[i]);
     };

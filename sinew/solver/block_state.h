@@ -14,8 +14,8 @@ template <int D, class Real> class BlockState {
   public:
     using Vector = Vec<D, double>;
 
-    BlockState(World<D, Real>& of, const Block& one, double frame, double last_substep)
-        : world(of), particles(of.particles), blocks(of.blocks), block(one),
+    BlockState(World<D, Real>& of, Blocks<D>& all, const Block& one, double frame, double last_substep)
+        : world(of), particles(of.particles), blocks(all), block(one),
           distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           angles_(std::get<kind_number<Angle, D>>(world.constraints)),
           pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), frame_(frame) {

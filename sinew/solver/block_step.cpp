@@ -14,8 +14,8 @@ using detail::Rule;
 /// fold in shorter ones, finally by backward Euler.
 template <int D, class Real> class BlockStep {
   public:
-    BlockStep(World<D, Real>& world, const Block& block, double frame, double last_substep)
-        : state_(world, block, frame, last_substep), contact_(state_), frame_(frame) {}
+    BlockStep(World<D, Real>& world, Blocks<D>& blocks, const Block& block, double frame, double last_substep)
+        : state_(world, blocks, block, frame, last_substep), contact_(state_), frame_(frame) {}
 
     void run(int substeps) {
         longest_ = frame_ / substeps;
@@ -276,8 +276,8 @@ template <int D> std::span<Block> part_of(Blocks<D>& blocks, int part) {
 
 } // namespace
 
-template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep) {
-    auto& blocks = world.blocks;
+template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, Real>& solver, Real dt, Real substep) {
+    auto& blocks = solver.blocks;
     if (blocks.list.empty()) return;
     std::fill(blocks.pin_of.begin(), blocks.pin_of.end(), Blocks<D>::none);
     for (std::uint32_t i = 0; i < world.pins.size(); ++i) {
@@ -290,19 +290,19 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Re
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : few;
     const auto move = [&](int part) {
         for (auto& block : part_of(blocks, part)) {
-            detail::look_up_rows(world, block);
-            BlockStep<D, Real> step(world, block, double(dt), double(world.last_substep));
+            detail::look_up_rows(world, blocks, block);
+            BlockStep<D, Real> step(world, blocks, block, double(dt), double(world.last_substep));
             step.run(substeps);
             step.report_tensions(double(substep));
             block.lost = step.lost();
         }
     };
-    const int threads = world.threads > 0 ? world.threads : hardware_threads();
+    const int threads = solver.options.threads > 0 ? solver.options.threads : hardware_threads();
     Workers::run(blocks.nodes.size() < worth_a_thread ? 1 : threads, parts_of(blocks), move);
     for (const auto& block : blocks.list) world.energy_lost += block.lost;
 }
 
-#define SINEW_BLOCK_STEP(D, Real) template void step_blocks(World<D, Real>&, Real, Real);
+#define SINEW_BLOCK_STEP(D, Real) template void step_blocks(World<D, Real>&, Solver<D, Real>&, Real, Real);
 SINEW_INSTANTIATE(SINEW_BLOCK_STEP)
 
 } // namespace sinew

@@ -3,12 +3,13 @@
 #include "sinew/solver/world.h"
 
 /// Journal of changes between steps: the next step examines only the components of changed particles again
-/// (block_find.cpp). Nothing is recorded while Blocks::stale, as in a new world or a copy: then everything is examined.
+/// (block_find.cpp). Particles are not recorded while Journal::stale, as in a new world or a copy: then everything is
+/// examined.
 namespace sinew::detail {
 
 /// Lists the constraints of each particle, if not listed yet. On demand, since a large world may never need the list.
 template <int D, class Real> void list_bonds(World<D, Real>& world) {
-    auto& adjacency = world.blocks.adjacency;
+    auto& adjacency = world.journal.adjacency;
     if (adjacency.listed()) return;
     const auto& particles = world.particles.slots;
     adjacency.reset(particles.slots());
@@ -23,56 +24,59 @@ template <int D, class Real> void list_bonds(World<D, Real>& world) {
 
 /// Records the addition of the last particle.
 template <int D, class Real> void note_particle(World<D, Real>& world) {
-    auto& blocks = world.blocks;
-    blocks.changed = true;
-    if (blocks.stale) return;
+    auto& journal = world.journal;
+    journal.changed = true;
     const auto& slots = world.particles.slots;
-    if (blocks.adjacency.listed()) blocks.adjacency.make_room(slots.slots());
-    blocks.touch(slots.slot_of(Row(world.particles.size() - 1)), Touch::joined);
+    if (journal.adjacency.listed()) journal.adjacency.make_room(slots.slots());
+    journal.touch(slots.slot_of(Row(world.particles.size() - 1)), Touch::joined);
 }
 
 /// Records a particle becoming movable or immovable.
 template <int D, class Real> void note_mobility(World<D, Real>& world, Row particle) {
-    world.blocks.touch(world.particles.slots.slot_of(particle), Touch::mobility);
+    world.journal.touch(world.particles.slots.slot_of(particle), Touch::mobility);
 }
 
 /// Records a change of mass, on which the plan of the sweep depends.
 template <int D, class Real> void note_weight(World<D, Real>& world, Row particle) {
-    world.blocks.touch(world.particles.slots.slot_of(particle), Touch::weight);
+    world.journal.touch(world.particles.slots.slot_of(particle), Touch::weight);
 }
 
 /// Records a particle as a new member of a constraint.
 template <int D, class Real, class Table>
 void note_member(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
-    auto& blocks = world.blocks;
-    blocks.changed = true;
-    if (blocks.stale) return;
+    auto& journal = world.journal;
+    journal.changed = true;
+    if (journal.stale && !journal.adjacency.listed()) return;
     const auto particle = world.particles.slots.slot_of(member);
-    if (blocks.adjacency.listed()) blocks.adjacency.add(particle, kind, table.slots.slot_of(row));
-    blocks.touch(particle, Touch::joined);
+    if (journal.adjacency.listed()) journal.adjacency.add(particle, kind, table.slots.slot_of(row));
+    journal.touch(particle, Touch::joined);
 }
 
 /// Records a particle as a member no longer.
 template <int D, class Real, class Table>
 void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
-    auto& blocks = world.blocks;
-    blocks.changed = true;
-    if (blocks.stale) return;
+    auto& journal = world.journal;
+    journal.changed = true;
+    if (journal.stale && !journal.adjacency.listed()) return;
     const auto particle = world.particles.slots.slot_of(member);
-    blocks.stale = blocks.adjacency.listed() && !blocks.adjacency.remove(particle, kind, table.slots.slot_of(row));
-    blocks.touch(particle, Touch::joined);
+    auto& adjacency = journal.adjacency;
+    if (adjacency.listed() && !adjacency.remove(particle, kind, table.slots.slot_of(row))) {
+        adjacency.forget();
+        journal.stale = true;
+    }
+    journal.touch(particle, Touch::joined);
 }
 
 /// Records a constraint with a new method of solution.
 template <int D, class Real, class Table> void note_feature(World<D, Real>& world, const Table& table, Row row) {
     for (const Row member : table.members[row])
-        world.blocks.touch(world.particles.slots.slot_of(member), Touch::joined);
+        world.journal.touch(world.particles.slots.slot_of(member), Touch::joined);
 }
 
 /// Records the compaction of rows, or added or removed pins.
 template <int D, class Real> void note_rows(World<D, Real>& world) {
-    world.blocks.changed = true;
-    ++world.blocks.row_moves;
+    world.journal.changed = true;
+    ++world.journal.row_moves;
 }
 
 } // namespace sinew::detail

@@ -42,8 +42,8 @@ template <class Real> ClassicRules<Real> held_in_limits(ClassicRules<Real> rules
 
 template <int D, class Real> class ClassicStep {
   public:
-    ClassicStep(World<D, Real>& world, Real dt)
-        : world_(world), p_(world.particles), rules_(held_in_limits(world.settings.classic)),
+    ClassicStep(World<D, Real>& world, Solver<D, Real>& solver, Real dt)
+        : world_(world), scratch_(solver.scratch), p_(world.particles), rules_(held_in_limits(world.settings.classic)),
           h_(clamp(minimum(dt, rules_.longest_step * world.settings.frame) * rules_.time_scale, Real(0),
                    limit::step<Real>)),
           mover_{p_} {}
@@ -67,6 +67,7 @@ template <int D, class Real> class ClassicStep {
 
   private:
     World<D, Real>& world_;
+    std::span<Vec<D, Real>> scratch_;
     Particles<D, Real>& p_;
     const ClassicRules<Real> rules_;
     Real h_;
@@ -194,7 +195,7 @@ template <int D, class Real> class ClassicStep {
             if (part_ends(table, row)) return;
         }
         table.multiplier[row] = Real(0); // each pass starts from the current points
-        detail::project_row(world_, table, row, mover_);
+        detail::project_row(scratch_, table, row, mover_);
     }
 
     /// Separates coincident ends along y, the first towards larger y: atan2(0, 0) = 0 (Flash).
@@ -285,16 +286,16 @@ template <int D, class Real> class ClassicStep {
 
 } // namespace
 
-template <int D, class Real> void classic_step(World<D, Real>& world, Real dt) {
-    if (!world.settings.classic.dropped_leftover) return ClassicStep<D, Real>(world, dt).run();
+template <int D, class Real> void classic_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
+    if (!world.settings.classic.dropped_leftover) return ClassicStep<D, Real>(world, solver, dt).run();
     constexpr Real tick_share = Real(0.96); // 16 ms of a frame
     constexpr int most_ticks = 1000;
     const Real tick = tick_share * world.settings.frame;
     const Real whole = clamp(dt * inverse_or_zero(tick) + Real(1e-4), Real(0), Real(most_ticks));
-    for (int left = int(whole); left > 0; --left) ClassicStep<D, Real>(world, tick).run();
+    for (int left = int(whole); left > 0; --left) ClassicStep<D, Real>(world, solver, tick).run();
 }
 
-#define SINEW_CLASSIC(D, Real) template void classic_step(World<D, Real>&, Real);
+#define SINEW_CLASSIC(D, Real) template void classic_step(World<D, Real>&, Solver<D, Real>&, Real);
 SINEW_INSTANTIATE(SINEW_CLASSIC)
 
 } // namespace sinew

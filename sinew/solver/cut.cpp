@@ -3,7 +3,6 @@
 #include "sinew/solver/changes.h"
 #include "sinew/solver/slice.h"
 #include "sinew/solver/split.h"
-#include "sinew/solver/step.h"
 
 #include <algorithm>
 
@@ -31,7 +30,7 @@ bool crosses(const Blade& blade, const Vec2<double>& a, const Vec2<double>& b) {
 /// Adds the dependents of a distance: constraints of other kinds with both ends among their members.
 template <int D, class Real>
 void add_what_hangs(const World<D, Real>& world, const std::array<Row, 2>& ends, std::vector<ConstraintId>& all) {
-    world.blocks.adjacency.each(world.particles.slots.slot_of(ends[0]), [&](int kind, std::uint32_t slot) {
+    world.journal.adjacency.each(world.particles.slots.slot_of(ends[0]), [&](int kind, std::uint32_t slot) {
         visit_table(world, kind, [&](const auto& table) {
             const Row row = table.slots.row_at(slot);
             const auto members = table.members[row];
@@ -63,7 +62,6 @@ Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids, const Slicer<D
     const auto& distances = std::get<link_kind>(world.constraints);
     Cut done;
     if (ids.empty()) return done;
-    if (world.blocks.stale) prepare(world); // finds the components
     detail::list_bonds(world);
     std::vector<Ends> gone;
     std::vector<ConstraintId> all(ids.begin(), ids.end());

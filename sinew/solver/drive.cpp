@@ -12,11 +12,12 @@ template <class Real> constexpr bool is_limit(Real limit) {
 }
 
 /// Slip of a length: the part of the error beyond the elongation at max_force.
-template <class Table, int D, class Real> Real slipped(World<D, Real>& world, const Table& table, Row row) {
+template <class Table, int D, class Real> Real slipped(Solver<D, Real>& solver, const Table& table, Row row) {
     const auto members = table.members[row];
-    detail::Stencil<typename Table::Kind, D, Real> stencil(world, members.size());
-    stencil.each(
-        [&](std::size_t i) { stencil.points[i] = world.sweep_state.place_at(world.sweep_state.slot_of[members[i]]); });
+    detail::Stencil<typename Table::Kind, D, Real> stencil(solver.scratch, members.size());
+    stencil.each([&](std::size_t i) {
+        stencil.points[i] = solver.sweep_state.place_at(solver.sweep_state.slot_of[members[i]]);
+    });
     const Real measure = stencil.evaluate(stencil.points, stencil.gradient);
     const Real error = measure - clamp(measure, table.low(row), table.high(row));
     const Real spring = table.max_force[row] * table.compliance[row];
@@ -55,14 +56,14 @@ template <int D, class Real> void move_limits(World<D, Real>& world, Real h) {
     });
 }
 
-template <int D, class Real> void slip(World<D, Real>& world, Real h) {
+template <int D, class Real> void slip(World<D, Real>& world, Solver<D, Real>& solver, Real h) {
     constexpr Real nearly = Real(0.999);
     for_each_table(world, [&](auto& table) {
         if constexpr (std::decay_t<decltype(table)>::Kind::length_power == 1)
             for (Row row = 0; row < table.size(); ++row) {
                 if (!table.gives(row) || is_in_block(world, std::as_const(table).members[row])) continue;
                 if (absolute(table.multiplier[row]) < nearly * table.max_force[row] * h * h) continue;
-                const Real by = slipped(world, table, row);
+                const Real by = slipped(solver, table, row);
                 const auto moved = [&](Real end) { return is_limit(end) ? maximum(end + by, Real(0)) : end; };
                 table.limits.change(row, moved);
             }
@@ -72,7 +73,7 @@ template <int D, class Real> void slip(World<D, Real>& world, Real h) {
 #define SINEW_DRIVE(D, Real)                                                                                           \
     template bool any_driven(const World<D, Real>&);                                                                   \
     template void move_limits(World<D, Real>&, Real);                                                                  \
-    template void slip(World<D, Real>&, Real);
+    template void slip(World<D, Real>&, Solver<D, Real>&, Real);
 SINEW_INSTANTIATE(SINEW_DRIVE)
 
 } // namespace sinew

@@ -13,9 +13,10 @@ namespace {
 /// the plan.
 template <int D, class Real> class FreeBodyFinder {
   public:
-    explicit FreeBodyFinder(World<D, Real>& world)
-        : world_(world), state_(world.sweep_state), plan_(world.sweep_state.plan), bodies_(world.sweep_state.bodies),
-          parent_(world.sweep_state.room.parent), number_(world.sweep_state.room.part_of) {}
+    FreeBodyFinder(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), state_(solver.sweep_state), ports_(solver.blocks.ports), plan_(solver.sweep_state.plan),
+          bodies_(solver.sweep_state.bodies), parent_(solver.sweep_state.room.parent),
+          number_(solver.sweep_state.room.part_of) {}
 
     void run() {
         bodies_.clear();
@@ -35,6 +36,7 @@ template <int D, class Real> class FreeBodyFinder {
 
     World<D, Real>& world_;
     SweepState<D, Real>& state_;
+    const Ports<D>& ports_;
     Plan<Real>& plan_;
     FreeBodies<D>& bodies_;
     std::vector<Row>& parent_; ///< by slot
@@ -75,8 +77,8 @@ template <int D, class Real> class FreeBodyFinder {
     /// Marks components with pins or ports, and those with a constraint that acts otherwise than in pairs.
     void hold() {
         for (const auto& pinned : plan_.pins) number_[first_of(pinned.slot)] = held;
-        for (const auto& group : world_.blocks.ports.groups)
-            for (const auto slot : std::span(world_.blocks.ports.members).subspan(group.first, group.members))
+        for (const auto& group : ports_.groups)
+            for (const auto slot : std::span(ports_.members).subspan(group.first, group.members))
                 number_[first_of(slot)] = held;
         each_other([&](const auto& table, Row row) {
             const auto members = table.members[row];
@@ -136,11 +138,11 @@ template <int D, class Real> class FreeBodyFinder {
 
 } // namespace
 
-template <int D, class Real> void find_free_bodies(World<D, Real>& world) {
-    FreeBodyFinder<D, Real>(world).run();
+template <int D, class Real> void find_free_bodies(World<D, Real>& world, Solver<D, Real>& solver) {
+    FreeBodyFinder<D, Real>(world, solver).run();
 }
 
-#define SINEW_FREE_BODIES(D, Real) template void find_free_bodies(World<D, Real>&);
+#define SINEW_FREE_BODIES(D, Real) template void find_free_bodies(World<D, Real>&, Solver<D, Real>&);
 SINEW_INSTANTIATE(SINEW_FREE_BODIES)
 
 } // namespace sinew

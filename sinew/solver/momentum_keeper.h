@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/kernel.h"
+#include "sinew/solver/swept.h"
 #include "sinew/solver/world.h"
 
 #include <span>
@@ -17,8 +18,7 @@ namespace sinew::detail {
 
 template <int D, class Real> class MomentumKeeper {
   public:
-    MomentumKeeper(World<D, Real>& world, const Kernels<D, Real>& kernels)
-        : state_(world.sweep_state), kernels_(kernels) {}
+    MomentumKeeper(SweepState<D, Real>& state, const Kernels<D, Real>& kernels) : state_(state), kernels_(kernels) {}
 
     /// Notes the momenta before constraints act. `keep`: factor by which drag reduces velocities until the end.
     void note(std::span<FreeBody<D>> bodies, double keep) const {

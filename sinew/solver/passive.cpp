@@ -21,8 +21,8 @@ template <int D, class Real> double inertia_of(const SweepState<D, Real>& sweep_
     return inverse_or_zero(double(sweep_state.mobility[slot]));
 }
 
-template <int D, class Real> bool find_limited(World<D, Real>& world) {
-    auto& figures = world.budgets.figures;
+template <int D, class Real> bool find_limited(World<D, Real>& world, Budgets<D>& budgets) {
+    auto& figures = budgets.figures;
     const auto count = world.figures.size();
     bool any = false;
     const auto in_block = [&](std::span<const Row> members) { // direct blocks never accept added energy
@@ -42,18 +42,18 @@ template <int D, class Real> bool find_limited(World<D, Real>& world) {
 } // namespace
 
 /// Allocates only in worlds with angles.
-template <int D, class Real> void make_room_for_budgets(World<D, Real>& world) {
+template <int D, class Real> void make_room_for_budgets(World<D, Real>& world, Solver<D, Real>& solver) {
     bool any = false;
     for_each_table(world, [&]<class Table>(const Table& table) {
         any = any || (Table::Kind::length_power == 0 && table.size() > 0);
     });
-    if (any) world.budgets.figures.resize(world.figures.size());
+    if (any) solver.budgets.figures.resize(world.figures.size());
 }
 
-template <int D, class Real> void find_passive(World<D, Real>& world) {
+template <int D, class Real> void find_passive(World<D, Real>& world, Solver<D, Real>& solver) {
     const auto& p = world.particles;
-    auto& [figures, any] = world.budgets;
-    any = find_limited(world);
+    auto& [figures, any] = solver.budgets;
+    any = find_limited(world, solver.budgets);
     if (!any) return;
     const auto is_not = [&](FigureIndex figure) {
         if (figure < figures.size()) figures[figure].passive = false;
@@ -73,11 +73,11 @@ template <int D, class Real> void find_passive(World<D, Real>& world) {
             is_not(p.figure[*row]);
 }
 
-template <int D, class Real> void note_energy(World<D, Real>& world) {
-    auto& [figures, any] = world.budgets;
+template <int D, class Real> void note_energy(World<D, Real>& world, Solver<D, Real>& solver) {
+    auto& [figures, any] = solver.budgets;
     if (!any) return;
     const auto& p = world.particles;
-    const auto& sweep_state = world.sweep_state;
+    const auto& sweep_state = solver.sweep_state;
     for (auto& budget : figures) budget.before = 0;
     for (Row slot = 0; slot < sweep_state.size(); ++slot) {
         const auto figure = p.figure[sweep_state.row_of[slot]];
@@ -90,10 +90,10 @@ template <int D, class Real> void note_energy(World<D, Real>& world) {
 
 namespace {
 
-template <int D, class Real> void add_up(World<D, Real>& world, Real h) {
+template <int D, class Real> void add_up(World<D, Real>& world, Solver<D, Real>& solver, Real h) {
     const auto& p = world.particles;
-    const auto& sweep_state = world.sweep_state;
-    auto& figures = world.budgets.figures;
+    const auto& sweep_state = solver.sweep_state;
+    auto& figures = solver.budgets.figures;
     for (auto& budget : figures) {
         budget.after = budget.mass = 0;
         budget.momentum = {};
@@ -128,17 +128,17 @@ template <int D, class Real> void add_up(World<D, Real>& world, Real h) {
 
 } // namespace
 
-template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h) {
-    auto& [figures, any] = world.budgets;
+template <int D, class Real> void take_back_gains(World<D, Real>& world, Solver<D, Real>& solver, Real h) {
+    auto& [figures, any] = solver.budgets;
     if (!any) return;
-    add_up(world, h);
+    add_up(world, solver, h);
     for (auto& budget : figures) {
         if (!budget.passive || !budget.struck || budget.after <= budget.before) continue;
         budget.drift = budget.held ? Vec<D, double>{} : budget.momentum * inverse_or_zero(budget.mass);
         const double drifting = 0.5 * budget.mass * dot(budget.drift, budget.drift);
         budget.keep = square_root(maximum(0.0, budget.before - drifting) * inverse_or_zero(budget.after - drifting));
     }
-    auto& sweep_state = world.sweep_state;
+    auto& sweep_state = solver.sweep_state;
     for (Row slot = 0; slot < sweep_state.size(); ++slot) {
         const auto figure = world.particles.figure[sweep_state.row_of[slot]];
         if (figure >= figures.size() || !(figures[figure].keep < 1)) continue;
@@ -149,10 +149,10 @@ template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h)
 }
 
 #define SINEW_PASSIVE(D, Real)                                                                                         \
-    template void make_room_for_budgets(World<D, Real>&);                                                              \
-    template void find_passive(World<D, Real>&);                                                                       \
-    template void note_energy(World<D, Real>&);                                                                        \
-    template void take_back_gains(World<D, Real>&, Real);
+    template void make_room_for_budgets(World<D, Real>&, Solver<D, Real>&);                                            \
+    template void find_passive(World<D, Real>&, Solver<D, Real>&);                                                     \
+    template void note_energy(World<D, Real>&, Solver<D, Real>&);                                                      \
+    template void take_back_gains(World<D, Real>&, Solver<D, Real>&, Real);
 SINEW_INSTANTIATE(SINEW_PASSIVE)
 
 } // namespace sinew

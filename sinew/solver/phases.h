@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/solver.h"
 #include "sinew/solver/world.h"
 
 /// Phases of a step, each in a separate file.
@@ -23,47 +24,47 @@ template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
 
 /// quarantine.cpp: freezes figures and loose particles that are not finite, at their last finite positions; clamps
 /// finite values to the stated limits. Saves the positions before the step.
-template <int D, class Real> void hold_in_limits(World<D, Real>& world);
+template <int D, class Real> void hold_in_limits(World<D, Real>& world, Solver<D, Real>& solver);
 
 /// tear.cpp: removes constraints strained beyond their breaking point for longer than permitted, after a step of dt; a
 /// torn distance takes along the constraints that both ends belong to.
-template <int D, class Real> void tear(World<D, Real>& world, Real dt);
+template <int D, class Real> void tear(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 
 /// swept.cpp: sets the constants of a sweep in substeps of length h; gathers the particles of slots [first, last) into
 /// columns, and scatters them back.
-template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h);
-template <int D, class Real> void gather(World<D, Real>& world, Real h, Row first, Row last);
-template <int D, class Real> void scatter(World<D, Real>& world, Row first, Row last);
+template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, Real>& solver, Real h);
+template <int D, class Real> void gather(World<D, Real>& world, Solver<D, Real>& solver, Real h, Row first, Row last);
+template <int D, class Real> void scatter(World<D, Real>& world, Solver<D, Real>& solver, Row first, Row last);
 
 /// plan.cpp: plans the sweep of everything outside the blocks; entirely if `anew`, otherwise the changed parts.
-template <int D, class Real> void make_plan(World<D, Real>& world, bool anew);
+template <int D, class Real> void make_plan(World<D, Real>& world, Solver<D, Real>& solver, bool anew);
 
 /// block_step.cpp: moves every block over a step; tensions are reported as multipliers of a substep of the given
 /// length.
-template <int D, class Real> void step_blocks(World<D, Real>& world, Real dt, Real substep);
+template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, Real>& solver, Real dt, Real substep);
 
 /// ports/find_ports.cpp: finds the ports between blocks and sweep; after planning, finds the swept constraints at
 /// ports, and sets the load tethers.
-template <int D, class Real> void find_ports(World<D, Real>& world);
-template <int D, class Real> void tie_ports(World<D, Real>& world);
+template <int D, class Real> void find_ports(World<D, Real>& world, Solver<D, Real>& solver);
+template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Real>& solver);
 
 /// free_bodies.cpp: after planning, finds what nothing holds.
-template <int D, class Real> void find_free_bodies(World<D, Real>& world);
+template <int D, class Real> void find_free_bodies(World<D, Real>& world, Solver<D, Real>& solver);
 
 /// passive.cpp: angle limits must not add energy to a figure. Finds the figures for which this is guaranteed, notes
 /// their energy before the constraints act, and removes the energy added. Room for budgets is reserved before the step.
-template <int D, class Real> void make_room_for_budgets(World<D, Real>& world);
-template <int D, class Real> void find_passive(World<D, Real>& world);
-template <int D, class Real> void note_energy(World<D, Real>& world);
-template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h);
+template <int D, class Real> void make_room_for_budgets(World<D, Real>& world, Solver<D, Real>& solver);
+template <int D, class Real> void find_passive(World<D, Real>& world, Solver<D, Real>& solver);
+template <int D, class Real> void note_energy(World<D, Real>& world, Solver<D, Real>& solver);
+template <int D, class Real> void take_back_gains(World<D, Real>& world, Solver<D, Real>& solver, Real h);
 
 /// drive.cpp: finds out if any limit is driven or has a maximum force; advances driven limits; shifts the limits of
 /// lengths loaded up to the maximum force.
 template <int D, class Real> bool any_driven(const World<D, Real>& world);
 template <int D, class Real> void move_limits(World<D, Real>& world, Real h);
-template <int D, class Real> void slip(World<D, Real>& world, Real h);
+template <int D, class Real> void slip(World<D, Real>& world, Solver<D, Real>& solver, Real h);
 
 /// classic.cpp: a step by the originals' rules.
-template <int D, class Real> void classic_step(World<D, Real>& world, Real dt);
+template <int D, class Real> void classic_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 
 } // namespace sinew

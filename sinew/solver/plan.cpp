@@ -11,9 +11,9 @@ namespace {
 
 template <int D, class Real> class PlanBuilder {
   public:
-    explicit PlanBuilder(World<D, Real>& world)
-        : world_(world), swept_(world.sweep_state), plan_(world.sweep_state.plan), room_(world.sweep_state.room),
-          parts_(world), sheets_(world, parts_), tethers_(world), keeper_(world) {}
+    PlanBuilder(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), swept_(solver.sweep_state), plan_(solver.sweep_state.plan), room_(solver.sweep_state.room),
+          parts_(world, solver), sheets_(world, solver, parts_), tethers_(world, solver), keeper_(world, solver) {}
 
     void run(bool anew) {
         const bool tore = std::exchange(plan_.may_tear, false);
@@ -30,7 +30,7 @@ template <int D, class Real> class PlanBuilder {
         }
         plan_.close();
         for (auto& run : plan_.runs) run.kind = kind_of(run);
-        plan_.row_moves = world_.blocks.row_moves;
+        plan_.row_moves = world_.journal.row_moves;
         list_pins();
         tethers_.run();
         plan_.parameters.prepare();
@@ -178,11 +178,11 @@ template <int D, class Real> class PlanBuilder {
 
 } // namespace
 
-template <int D, class Real> void make_plan(World<D, Real>& world, bool anew) {
-    PlanBuilder<D, Real>(world).run(anew);
+template <int D, class Real> void make_plan(World<D, Real>& world, Solver<D, Real>& solver, bool anew) {
+    PlanBuilder<D, Real>(world, solver).run(anew);
 }
 
-#define SINEW_PLAN(D, Real) template void make_plan(World<D, Real>&, bool);
+#define SINEW_PLAN(D, Real) template void make_plan(World<D, Real>&, Solver<D, Real>&, bool);
 SINEW_INSTANTIATE(SINEW_PLAN)
 
 } // namespace sinew

@@ -150,7 +150,7 @@ template <class Real> struct Plan {
     std::vector<Real> half_per_reach_square; ///< 1 / (2 reach^2) by tether and slot; 0: unlimited
     bool may_tear = true;                    ///< some constraint of the world can tear
     std::vector<SweepRun> others;            ///< constraints other than simple distances, in the order of the sweep
-    std::uint32_t row_moves = 0;             ///< Blocks::row_moves when the plan was made
+    std::uint32_t row_moves = 0;             ///< Journal::row_moves when the plan was made
 
     PlanPlace end() const {
         const auto size = [](const auto& column) { return std::uint32_t(column.size()); };

@@ -11,9 +11,10 @@ template <int D, class Real> class PlanReuse {
   public:
     static constexpr Row none = ~Row(0);
 
-    explicit PlanReuse(World<D, Real>& world)
-        : world_(world), swept_(world.sweep_state), plan_(world.sweep_state.plan),
-          kept_(world.sweep_state.room.kept), pieces_{world.sweep_state.plan, world.sweep_state.row_of}, runs_(world) {}
+    PlanReuse(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), solver_(solver), swept_(solver.sweep_state), plan_(solver.sweep_state.plan),
+          kept_(solver.sweep_state.room.kept), pieces_{solver.sweep_state.plan, solver.sweep_state.row_of},
+          runs_(world, solver) {}
 
     /// Drops every component.
     void drop_all() {
@@ -29,7 +30,7 @@ template <int D, class Real> class PlanReuse {
         plan_.open();
         kept_.assign(plan_.components.size(), 1);
         follow_rows();
-        for (const auto& touched : world_.blocks.touched) {
+        for (const auto& touched : world_.journal.touched) {
             if (!slots().in_use(touched.particle)) continue;
             const Row row = slots().row_at(touched.particle);
             const auto slot = swept_.slot_of[row];
@@ -42,8 +43,8 @@ template <int D, class Real> class PlanReuse {
             else
                 kept_[component] = heavier;
         }
-        for (const Row row : world_.blocks.room.members) drop_if_left(row);
-        for (const Row row : world_.blocks.room.hung)
+        for (const Row row : solver_.blocks.room.members) drop_if_left(row);
+        for (const Row row : solver_.blocks.room.hung)
             if (swept_.slot_of[row] != none) drop(sheet_at(swept_.slot_of[row]));
         for (std::size_t i = 0; i < kept_.size(); ++i)
             if (kept_[i] == heavier) weigh(i);
@@ -71,6 +72,7 @@ template <int D, class Real> class PlanReuse {
 
   private:
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     std::vector<char>& kept_; ///< flag by component
@@ -83,7 +85,7 @@ template <int D, class Real> class PlanReuse {
     const Slots<ParticleTag>& slots() const { return world_.particles.slots; }
 
     void follow_rows() {
-        rows_moved_ = plan_.row_moves != world_.blocks.row_moves;
+        rows_moved_ = plan_.row_moves != world_.journal.row_moves;
         if (!rows_moved_) return swept_.slot_of.resize(world_.particles.size(), none);
         swept_.slot_of.assign(world_.particles.size(), none);
         const auto& links = std::get<kind_number<Distance, D>>(world_.constraints).slots;

@@ -15,8 +15,8 @@ namespace sinew::detail {
 
 template <int D, class Real> class MeshMaker {
   public:
-    MeshMaker(World<D, Real>& world, ComponentFinder<D, Real>& parts, RunWriter<D, Real>& runs)
-        : swept_(world.sweep_state), plan_(world.sweep_state.plan), room_(world.sweep_state.room), parts_(parts),
+    MeshMaker(Solver<D, Real>& solver, ComponentFinder<D, Real>& parts, RunWriter<D, Real>& runs)
+        : swept_(solver.sweep_state), plan_(solver.sweep_state.plan), room_(solver.sweep_state.room), parts_(parts),
           runs_(runs) {}
 
     void lay_out(std::size_t part) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/solver.h"
 #include "sinew/solver/world.h"
 
 #include <algorithm>
@@ -13,9 +14,9 @@ template <int D, class Real> class ComponentFinder {
     static constexpr Row none = ~Row(0);
     using Links = std::span<const Row>;
 
-    explicit ComponentFinder(World<D, Real>& world)
-        : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), swept_(world.sweep_state),
-          plan_(world.sweep_state.plan), room_(world.sweep_state.room) {}
+    ComponentFinder(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), solver_(solver), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
+          swept_(solver.sweep_state), plan_(solver.sweep_state.plan), room_(solver.sweep_state.room) {}
 
     /// Finds the components of the swept particles outside kept components. A link to a kept component is reported by
     /// meet(slot) of a particle there instead, and the result is false.
@@ -71,6 +72,7 @@ template <int D, class Real> class ComponentFinder {
 
   private:
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     const Constraints<Distance<D>, Real>& distances_;
     SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
@@ -102,7 +104,7 @@ template <int D, class Real> class ComponentFinder {
     }
 
     bool is_at_port(int kind, Row row) const {
-        const auto& ports = world_.blocks.ports;
+        const auto& ports = solver_.blocks.ports;
         bool found = false;
         if (ports.list.empty()) return found;
         visit_table(world_, kind, [&](const auto& table) {
@@ -115,7 +117,7 @@ template <int D, class Real> class ComponentFinder {
         bool apart = true;
         room_.links.clear();
         plan_.others.clear();
-        for (const auto& run : world_.blocks.runs) {
+        for (const auto& run : solver_.blocks.runs) {
             const bool distances = run.kind == kind_number<Distance, D>;
             for (Row row = run.rows.first; row < run.rows.last; ++row) {
                 if (distances && is_plain(row)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/solver.h"
 #include "sinew/solver/world.h"
 
 /// Writes the runs of a plan link by link: a link that follows the last one continues the run.
@@ -7,9 +8,9 @@ namespace sinew::detail {
 
 template <int D, class Real> class RunWriter {
   public:
-    explicit RunWriter(World<D, Real>& world)
-        : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
-          plan_(world.sweep_state.plan) {}
+    RunWriter(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), solver_(solver), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
+          plan_(solver.sweep_state.plan) {}
 
     /// Begins a component. If `swings`, links are corrected along their old directions.
     void begin_sheet(bool old_gradient) {
@@ -108,6 +109,7 @@ template <int D, class Real> class RunWriter {
 
   private:
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     const Constraints<Distance<D>, Real>& distances_;
     Plan<Real>& plan_;
     bool fresh_ = true; ///< the next link begins a run
@@ -128,7 +130,7 @@ template <int D, class Real> class RunWriter {
         return is_at_port(link) ? most : minimum(distances_.high(link), most);
     }
     bool is_at_port(Row link) const {
-        const auto& ports = world_.blocks.ports;
+        const auto& ports = solver_.blocks.ports;
         if (ports.list.empty()) return false;
         return ports.at[end(link, 0)] != ports.none || ports.at[end(link, 1)] != ports.none;
     }

@@ -10,10 +10,11 @@ namespace sinew::detail {
 
 template <int D, class Real> class SheetMaker {
   public:
-    SheetMaker(World<D, Real>& world, ComponentFinder<D, Real>& parts)
-        : world_(world), swept_(world.sweep_state), plan_(world.sweep_state.plan), room_(world.sweep_state.room),
-          parts_(parts), runs_(world), mesh_(world, parts, runs_), particle_ids_(world.particles.slots),
-          link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {}
+    SheetMaker(World<D, Real>& world, Solver<D, Real>& solver, ComponentFinder<D, Real>& parts)
+        : world_(world), solver_(solver), swept_(solver.sweep_state), plan_(solver.sweep_state.plan),
+          room_(solver.sweep_state.room), parts_(parts), runs_(world, solver), mesh_(solver, parts, runs_),
+          particle_ids_(world.particles.slots), link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {
+    }
 
     static constexpr std::size_t most_in_copies = 1024; ///< particles
 
@@ -27,6 +28,7 @@ template <int D, class Real> class SheetMaker {
     static constexpr Row none = ~Row(0);
 
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
@@ -90,7 +92,7 @@ template <int D, class Real> class SheetMaker {
     Row slot(Row row) const { return swept_.slot_of[row]; }
 
     bool has_port(std::size_t part) const {
-        const auto& ports = world_.blocks.ports;
+        const auto& ports = solver_.blocks.ports;
         return !ports.list.empty() &&
                std::ranges::any_of(members(part), [&](Row row) { return ports.at[row] != ports.none; });
     }

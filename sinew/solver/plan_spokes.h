@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/plan.h"
 #include "sinew/solver/world.h"
 
 #include <algorithm>
@@ -18,8 +19,8 @@ template <int D, class Real> class Adjacency {
         friend bool operator==(const Spoke&, const Spoke&) = default;
     };
 
-    explicit Adjacency(const World<D, Real>& world)
-        : distances_(std::get<kind_number<Distance, D>>(world.constraints)), plan_(world.sweep_state.plan) {}
+    Adjacency(const World<D, Real>& world, const Plan<Real>& plan)
+        : distances_(std::get<kind_number<Distance, D>>(world.constraints)), plan_(plan) {}
 
     /// Lists the links of a component's particles, numbered from the component's first slot.
     void list(const Component& component, std::size_t particles) {

@@ -2,6 +2,7 @@
 
 #include "sinew/solver/nearest_first.h"
 #include "sinew/solver/plan_corners.h"
+#include "sinew/solver/solver.h"
 #include "sinew/solver/waiting.h"
 #include "sinew/solver/world.h"
 
@@ -15,9 +16,9 @@ namespace sinew::detail {
 
 template <int D, class Real> class TetherMaker {
   public:
-    explicit TetherMaker(World<D, Real>& world)
-        : world_(world), swept_(world.sweep_state), plan_(world.sweep_state.plan), room_(world.sweep_state.room),
-          spokes_(world), corners_(spokes_) {}
+    TetherMaker(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), swept_(solver.sweep_state), plan_(solver.sweep_state.plan), room_(solver.sweep_state.room),
+          spokes_(world, solver.sweep_state.plan), corners_(spokes_) {}
 
     /// Progress of preparation when this share of the components has tethers.
     static double tethered(double share) { return 0.45 + 0.55 * share; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/math/random.h"
+#include "sinew/solver/block.h"
 #include "sinew/solver/world.h"
 
 /// Solution of one constraint: the same text for every kind, dimension, precision and mode.
@@ -18,12 +19,12 @@ template <class Kind, int D, class Real> Vec<D, Real> gentle(const Vec<D, Real>&
     return Kind::length_power > 0 ? gradient : clamp_components(gradient, Real(1e15));
 }
 
-/// Room for one constraint's points and gradients. `each` visits the members; for a fixed arity the loop is unrolled,
-/// and the stencil lives in registers.
+/// Room for one constraint's points and gradients, in `scratch` where the kind has no fixed arity. `each` visits the
+/// members; for a fixed arity the loop is unrolled, and the stencil lives in registers.
 template <class Kind, int D, class Real> struct Stencil {
     Points<Kind::arity, D, Real> points, gradient, direction;
 
-    explicit Stencil(World<D, Real>&, std::size_t) {}
+    Stencil(std::span<Vec<D, Real>>, std::size_t) {}
     template <class Visit> static void each(Visit&& visit) {
         [&]<std::size_t... I>(std::index_sequence<I...>) {
             (visit(I), ...);
@@ -41,9 +42,8 @@ template <class Kind, int D, class Real>
 requires(Kind::arity == any_arity) struct Stencil<Kind, D, Real> {
     std::span<Vec<D, Real>> points, gradient, direction;
 
-    explicit Stencil(World<D, Real>& world, std::size_t n)
-        : points(std::span(world.scratch).subspan(0, n)), gradient(std::span(world.scratch).subspan(n, n)),
-          direction(std::span(world.scratch).subspan(2 * n, n)) {}
+    Stencil(std::span<Vec<D, Real>> scratch, std::size_t n)
+        : points(scratch.subspan(0, n)), gradient(scratch.subspan(n, n)), direction(scratch.subspan(2 * n, n)) {}
     template <class Visit> void each(Visit&& visit) const {
         for (std::size_t i = 0; i < points.size(); ++i) visit(i);
     }
@@ -51,6 +51,17 @@ requires(Kind::arity == any_arity) struct Stencil<Kind, D, Real> {
         return Kind::evaluate(std::span<const Vec<D, Real>>(x), gradient);
     }
 };
+
+/// Sizes the scratch of stencils for the widest constraint.
+template <int D, class Real>
+void make_room_for_widest(const World<D, Real>& world, std::vector<Vec<D, Real>>& scratch) {
+    std::size_t widest = 0;
+    for_each_table(world, [&]<class Table>(const Table& table) {
+        if constexpr (Table::Kind::arity == any_arity)
+            for (Row row = 0; row < table.size(); ++row) widest = std::max(widest, table.members[row].size());
+    });
+    if (scratch.size() < 3 * widest) scratch.resize(3 * widest);
+}
 
 /// Measure of an angle modulo a whole turn: the value nearest to the middle of the limits. Other measures are
 /// unchanged.
@@ -157,10 +168,10 @@ template <class Stencil> auto squared(const Stencil& stencil) {
 
 /// Corrects one constraint. False, and nothing corrected, if the gradient vanishes while a limit is violated.
 template <class Mover, class Table, int D, class Real>
-bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
+bool correct_row(std::span<Vec<D, Real>> scratch, Table& table, Row row, Mover& mover) {
     using Kind = typename Table::Kind;
     const auto members = std::as_const(table.members)[row];
-    Stencil<Kind, D, Real> stencil(world, members.size());
+    Stencil<Kind, D, Real> stencil(scratch, members.size());
 
     stencil.each([&](std::size_t i) { stencil.points[i] = mover.point(members[i]); });
     const Real low = table.low(row), high = table.high(row), split = table.split[row];
@@ -191,27 +202,29 @@ bool correct_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
 }
 
 template <class Mover, class Table, int D, class Real>
-void project_row(World<D, Real>& world, Table& table, Row row, Mover& mover) {
-    if (correct_row(world, table, row, mover)) [[likely]]
+void project_row(std::span<Vec<D, Real>> scratch, Table& table, Row row, Mover& mover) {
+    if (correct_row(scratch, table, row, mover)) [[likely]]
         return;
     const auto members = std::as_const(table.members)[row];
     part(mover, members, row, clamp(Real(0), table.low(row), table.high(row)));
-    correct_row(world, table, row, mover);
+    correct_row(scratch, table, row, mover);
 }
 
 /// Consecutive constraints of one kind.
-template <class Mover, int D, class Real> void project_run(World<D, Real>& world, const SweepRun& run, Mover& mover) {
+template <class Mover, int D, class Real>
+void project_run(World<D, Real>& world, std::span<Vec<D, Real>> scratch, const SweepRun& run, Mover& mover) {
     visit_table(world, run.kind, [&](auto& table) {
-        for (Row row = run.rows.first; row < run.rows.last; ++row) project_row(world, table, row, mover);
+        for (Row row = run.rows.first; row < run.rows.last; ++row) project_row(scratch, table, row, mover);
     });
 }
 
 /// Every constraint once, in the order of the world's sweep.
-template <class Mover, int D, class Real> void project_all(World<D, Real>& world, Mover& mover) {
+template <class Mover, int D, class Real>
+void project_all(World<D, Real>& world, std::span<Vec<D, Real>> scratch, Mover& mover) {
     std::array<Row, std::size_t(Kinds<D>::size)> next{};
     for (const auto& run : world.sweep) {
         auto& row = next[std::size_t(run.kind)];
-        project_run(world, {run.kind, {row, row + run.count}}, mover);
+        project_run(world, scratch, {run.kind, {row, row + run.count}}, mover);
         row += run.count;
     }
 }

@@ -35,11 +35,11 @@ template <int D, class Real> void note_previous(World<D, Real>& world, std::size
 }
 
 /// True if all particles are within the limits, the usual case; updates `previous` while in cache.
-template <int D, class Real> bool all_in_limits(World<D, Real>& world) {
+template <int D, class Real> bool all_in_limits(World<D, Real>& world, int threads) {
     constexpr std::size_t a_part = 4096;
     const std::size_t size = world.particles.size();
     std::atomic<bool> all = true;
-    Workers::run(threads_for(size, world.threads), int((size + a_part - 1) / a_part), [&](int part) {
+    Workers::run(threads_for(size, threads), int((size + a_part - 1) / a_part), [&](int part) {
         const auto first = std::size_t(part) * a_part, count = std::min(a_part, size - first);
         if (all_in_limits(world, first, count))
             note_previous(world, first, count);
@@ -97,8 +97,8 @@ template <int D, class Real> void hold(Particles<D, Real>& p) {
 
 } // namespace
 
-template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
-    if (!all_in_limits(world)) {
+template <int D, class Real> void hold_in_limits(World<D, Real>& world, Solver<D, Real>& solver) {
+    if (!all_in_limits(world, solver.options.threads)) {
         quarantine_non_finite(world);
         hold(world.particles);
         note_previous(world, 0, world.particles.size());
@@ -120,7 +120,7 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world) {
     }
 }
 
-#define SINEW_QUARANTINE(D, Real) template void hold_in_limits(World<D, Real>&);
+#define SINEW_QUARANTINE(D, Real) template void hold_in_limits(World<D, Real>&, Solver<D, Real>&);
 SINEW_INSTANTIATE(SINEW_QUARANTINE)
 
 } // namespace sinew

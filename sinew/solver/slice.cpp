@@ -152,7 +152,7 @@ template <int D, class Real> bool is_linked(const World<D, Real>& world, Particl
     if (*from == *to) return true; // a triangle's corner counts as two
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     bool linked = false;
-    world.blocks.adjacency.each(world.particles.slots.slot_of(*from), [&](int kind, std::uint32_t slot) {
+    world.journal.adjacency.each(world.particles.slots.slot_of(*from), [&](int kind, std::uint32_t slot) {
         if (kind != kind_number<Distance, D>) return;
         const auto& ends = distances.members.rows[distances.slots.row_at(slot)];
         linked = linked || ends[0] == *to || ends[1] == *to;

@@ -3,7 +3,6 @@
 #include "sinew/solver/changes.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/fans.h"
-#include "sinew/solver/step.h"
 
 #include <algorithm>
 
@@ -88,7 +87,7 @@ template <int D, class Real> class Splitter {
             for (const auto last = near.size(); next < last; ++next) {
                 const Row row = near[next];
                 seen[row] = done;
-                world_.blocks.adjacency.each(slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+                world_.journal.adjacency.each(slots.slot_of(row), [&](int kind, std::uint32_t slot) {
                     if (kind != kind_number<Distance, D>) return;
                     const Row link = distances.slots.row_at(slot);
                     const auto& ends = distances.members.rows[link];
@@ -290,7 +289,7 @@ template <int D, class Real> class Splitter {
 
 template <int D, class Real> std::size_t split(World<D, Real>& world, std::span<const Ends> gone) {
     if (gone.empty()) return 0;
-    if (world.blocks.stale) prepare(world); // finds the components
+    detail::list_bonds(world);
     return Splitter<D, Real>(world, gone).split();
 }
 

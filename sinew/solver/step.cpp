@@ -1,5 +1,3 @@
-#include "sinew/solver/step.h"
-
 #include "sinew/solver/momentum_keeper.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
@@ -13,9 +11,10 @@
 namespace sinew {
 namespace {
 
-template <int D, class Real> void begin(World<D, Real>& world) {
+template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& solver) {
     world.events.clear();
-    hold_in_limits(world);
+    if (world.settings.mode == Mode::classic) detail::make_room_for_widest(world, solver.scratch);
+    hold_in_limits(world, solver);
     apply_random_pushes(world);
 }
 
@@ -25,8 +24,8 @@ template <int D, class Real> void forget_forces(Particles<D, Real>& particles) {
         if (force != Vec<D, Real>{}) force = {};
 }
 
-template <int D, class Real> void end(World<D, Real>& world, Real dt) {
-    tear(world, dt);
+template <int D, class Real> void end(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
+    tear(world, solver, dt);
     for (auto& pin : world.pins) pin.from = pin.target;
     forget_forces(world.particles);
     world.time += double(dt);
@@ -37,15 +36,15 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 
 template <int D, class Real> class Sweep {
   public:
-    Sweep(World<D, Real>& world, int substeps, Real h)
-        : world_(world), plan_(world.sweep_state.plan), kernels_(kernels<D, Real>()), substeps_(substeps), h_(h),
-          threads_(threads_for(world.sweep_state.size(), world.threads)),
-          driven_(!(plan_.others.empty() && world.blocks.list.empty()) && any_driven(world)) {}
+    Sweep(World<D, Real>& world, Solver<D, Real>& solver, int substeps, Real h)
+        : world_(world), solver_(solver), plan_(solver.sweep_state.plan), kernels_(kernels<D, Real>()),
+          substeps_(substeps), h_(h), threads_(threads_for(solver.sweep_state.size(), solver.options.threads)),
+          driven_(!(plan_.others.empty() && solver.blocks.list.empty()) && any_driven(world)) {}
 
     void run() {
-        if (world_.sweep_state.size() == 0 && !driven_) return;
-        begin_sweep(world_, h_);
-        links_ = world_.sweep_state.link_columns(distances().multiplier.data());
+        if (solver_.sweep_state.size() == 0 && !driven_) return;
+        begin_sweep(world_, solver_, h_);
+        links_ = solver_.sweep_state.link_columns(distances().multiplier.data());
         if (all_is_plain())
             run_components();
         else
@@ -55,44 +54,45 @@ template <int D, class Real> class Sweep {
 
   private:
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     const Plan<Real>& plan_;
     const Kernels<D, Real>& kernels_;
     int substeps_;
     Real h_;
     int threads_;
     bool driven_;
-    detail::MomentumKeeper<D, Real> keeper_{world_, kernels_};
+    detail::MomentumKeeper<D, Real> keeper_{solver_.sweep_state, kernels_};
     DistanceColumns<D, Real> links_{};
 
     using Substep = detail::Substep<D, Real>;
 
     auto& distances() { return std::get<kind_number<Distance, D>>(world_.constraints); }
-    Substep make_substep(int number) { return Substep(world_, kernels_, links_, number, substeps_, h_); }
+    Substep make_substep(int number) { return Substep(world_, solver_, kernels_, links_, number, substeps_, h_); }
 
     bool all_is_plain() const {
-        return plan_.others.empty() && !driven_ && world_.blocks.attached_trees.empty() && !world_.budgets.any;
+        return plan_.others.empty() && !driven_ && solver_.blocks.attached_trees.empty() && !solver_.budgets.any;
     }
 
     void run_substeps() {
-        const auto bodies = std::span(world_.sweep_state.bodies.list);
-        gather(world_, h_, 0, world_.sweep_state.size());
-        if (world_.sweep_state.everyone_alike) keeper_.note(bodies, decay());
+        const auto bodies = std::span(solver_.sweep_state.bodies.list);
+        gather(world_, solver_, h_, 0, solver_.sweep_state.size());
+        if (solver_.sweep_state.everyone_alike) keeper_.note(bodies, decay());
         for (int s = 1; s <= substeps_; ++s) run_substep(s);
-        if (world_.sweep_state.everyone_alike) keeper_.restore(bodies);
-        scatter(world_, 0, world_.sweep_state.size());
+        if (solver_.sweep_state.everyone_alike) keeper_.restore(bodies);
+        scatter(world_, solver_, 0, solver_.sweep_state.size());
     }
 
     /// Runs one substep over all components and constraints.
     void run_substep(int number) {
         if (driven_) move_limits(world_, h_);
         auto substep = make_substep(number);
-        detail::EnergyLimiter<D, Real> limiter(world_, h_);
+        detail::EnergyLimiter<D, Real> limiter(world_, solver_, h_);
         limiter.begin();
         for (const auto& tile : plan_.tiles) substep.predict(tile);
-        const bool keeps = !world_.sweep_state.everyone_alike;
-        if (keeps) keeper_.note(world_.sweep_state.bodies.list, 1);
-        note_energy(world_);
-        detail::PortCoupling<D, Real> ports(world_, h_, number);
+        const bool keeps = !solver_.sweep_state.everyone_alike;
+        if (keeps) keeper_.note(solver_.sweep_state.bodies.list, 1);
+        note_energy(world_, solver_);
+        detail::PortCoupling<D, Real> ports(world_, solver_, h_, number);
         ports.begin();
         for (bool again = false;; again = true) {
             for (int i = 0; i < world_.settings.iterations; ++i) {
@@ -106,25 +106,26 @@ template <int D, class Real> class Sweep {
         hold(substep);
         limiter.find_gains();
         for (const auto& tile : plan_.tiles) substep.advance(tile);
-        take_back_gains(world_, h_);
-        if (keeps) keeper_.restore(world_.sweep_state.bodies.list);
+        take_back_gains(world_, solver_, h_);
+        if (keeps) keeper_.restore(solver_.sweep_state.bodies.list);
         limiter.take_gains();
         for (const auto& tile : plan_.tiles) substep.rebound(tile);
-        if (driven_) slip(world_, h_);
+        if (driven_) slip(world_, solver_, h_);
     }
 
     /// Runs an iteration over all constraints: ports after everything not at a port, and before the tethers. Components
     /// with ports are swept again, since most of the load on them comes from outside.
     void project_all(Substep& substep) {
-        const auto& ports = world_.blocks.ports;
+        const auto& ports = solver_.blocks.ports;
         const int rounds = ports.list.empty() ? 1 : 2;
         const bool first = substep.mover().first_iteration;
         for (int round = 0; round < rounds; ++round) {
             substep.mover().first_iteration = first && round == 0;
             for (std::size_t i = 0; i < plan_.components.size(); ++i)
                 if (round == 0 || ports.components[i]) project_links(substep, plan_.components[i]);
-            for (const auto& run : plan_.others) detail::project_run(world_, run, substep.mover());
-            detail::PortMover<D, Real>::project_all(world_, substep.mover());
+            for (const auto& run : plan_.others)
+                detail::project_run(world_, std::span(solver_.scratch), run, substep.mover());
+            detail::PortMover<D, Real>::project_all(world_, solver_, substep.mover());
             for (std::size_t i = 0; i < plan_.components.size(); ++i)
                 if (round == 0 || ports.components[i]) tether(substep, plan_.components[i]);
         }
@@ -161,7 +162,7 @@ template <int D, class Real> class Sweep {
 
     bool is_large(const Component& component) const {
         const auto tiles = tiles_of(component);
-        const auto most = world_.sweep_state.size() / std::uint32_t(2 * threads_);
+        const auto most = solver_.sweep_state.size() / std::uint32_t(2 * threads_);
         return tiles.size() >= 8 * std::size_t(threads_) && tiles.back().last - tiles.front().first > most;
     }
 
@@ -179,17 +180,17 @@ template <int D, class Real> class Sweep {
         if (component.bodies == 0)
             return run_passes(component, threads, {.last = substeps_, .gathers = true, .predicts = true});
         const auto tiles = tiles_of(component);
-        const auto bodies = std::span(world_.sweep_state.bodies.list).subspan(component.first_body, component.bodies);
-        const bool alike = world_.sweep_state.everyone_alike;
+        const auto bodies = std::span(solver_.sweep_state.bodies.list).subspan(component.first_body, component.bodies);
+        const bool alike = solver_.sweep_state.everyone_alike;
         const int at_once = alike ? substeps_ : 1;
-        gather(world_, h_, tiles.front().first, tiles.back().last);
+        gather(world_, solver_, h_, tiles.front().first, tiles.back().last);
         for (int first = 0; first < substeps_; first += at_once) {
             if (!alike) predict(component, first + 1);
             keeper_.note(bodies, alike ? decay() : 1);
             run_passes(component, threads, {.first = first, .last = first + at_once, .predicts = alike});
             keeper_.restore(bodies);
         }
-        scatter(world_, tiles.front().first, tiles.back().last);
+        scatter(world_, solver_, tiles.front().first, tiles.back().last);
     }
     void predict(const Component& component, int number) {
         auto substep = make_substep(number);
@@ -251,7 +252,7 @@ template <int D, class Real> class Sweep {
             };
             if (pass == 0)
                 at(0, [&](std::uint32_t i) {
-                    if (range.gathers) gather(world_, h_, tile(i).first, tile(i).last);
+                    if (range.gathers) gather(world_, solver_, h_, tile(i).first, tile(i).last);
                     if (range.predicts) substep.predict(tile(i));
                 });
             for (std::uint32_t f = 0; f < component.colors; ++f)
@@ -263,7 +264,7 @@ template <int D, class Real> class Sweep {
                 if (iteration + 1 < iterations) return substep.hold(tile(i));
                 const bool over = number + 1 == range.last;
                 substep.go_on(tile(i), over ? nullptr : &next);
-                if (over && range.gathers) scatter(world_, tile(i).first, tile(i).last);
+                if (over && range.gathers) scatter(world_, solver_, tile(i).first, tile(i).last);
             });
         }
     }
@@ -273,7 +274,7 @@ template <int D, class Real> class Sweep {
     void note_overstretch() {
         constexpr std::uint32_t least = 4, most = 20;
         std::uint32_t longest = 0;
-        for (auto& tile : world_.sweep_state.plan.tiles) {
+        for (auto& tile : solver_.sweep_state.plan.tiles) {
             longest = std::max({longest, std::uint32_t(tile.overstretched), tile.again});
             tile.overstretched = false;
             tile.again = 0;
@@ -286,36 +287,37 @@ template <int D, class Real> class Sweep {
     }
 };
 
-template <int D, class Real> void physical_step(World<D, Real>& world, Real dt, detail::Laps& laps) {
+template <int D, class Real>
+void physical_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt, detail::Laps& laps) {
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : usual_substeps;
     const Real h = dt / Real(substeps);
-    prepare(world);
-    find_passive(world);
+    solver.prepare(world);
+    find_passive(world, solver);
     laps.end(Phase::prepare);
-    step_blocks(world, dt, h);
+    step_blocks(world, solver, dt, h);
     laps.end(Phase::blocks);
-    Sweep<D, Real>(world, substeps, h).run();
+    Sweep<D, Real>(world, solver, substeps, h).run();
     world.last_step = dt;
     world.last_substep = h;
 }
 
 } // namespace
 
-template <int D, class Real> void step(World<D, Real>& world, Real dt) {
+template <int D, class Real> void Solver<D, Real>::step(World<D, Real>& world, Real dt) {
     if (!(dt >= limit::shortest_step<Real>)) return;
     dt = minimum(dt, limit::step<Real>);
     detail::Laps laps;
-    begin(world);
+    begin(world, *this);
     if (world.settings.mode == Mode::classic)
-        classic_step(world, dt);
+        classic_step(world, *this, dt);
     else
-        physical_step(world, dt, laps);
+        physical_step(world, *this, dt, laps);
     laps.end(Phase::sweep);
-    end(world, dt);
+    end(world, *this, dt);
     laps.end(Phase::finish);
 }
 
-#define SINEW_STEP(D, Real) template void step(World<D, Real>&, Real);
+#define SINEW_STEP(D, Real) template void Solver<D, Real>::step(World<D, Real>&, Real);
 SINEW_INSTANTIATE(SINEW_STEP)
 
 } // namespace sinew

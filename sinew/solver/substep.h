@@ -60,10 +60,10 @@ template <int D, class RealT> struct SubstepMover {
 
 template <int D, class Real> class Substep {
   public:
-    Substep(World<D, Real>& world, const Kernels<D, Real>& kernels, const DistanceColumns<D, Real>& links, int number,
-            int substeps, Real h)
-        : world_(world), p_(world.particles), swept_(world.sweep_state), kernels_(kernels),
-          links_(links), mover_{world.sweep_state, h}, share_(Real(number) / Real(substeps)),
+    Substep(World<D, Real>& world, Solver<D, Real>& solver, const Kernels<D, Real>& kernels,
+            const DistanceColumns<D, Real>& links, int number, int substeps, Real h)
+        : world_(world), solver_(solver), p_(world.particles), swept_(solver.sweep_state), kernels_(kernels),
+          links_(links), mover_{solver.sweep_state, h}, share_(Real(number) / Real(substeps)),
           share_of_substep_(Real(1) / Real(substeps)), number_(number), last_(number == substeps),
           tethered_((substeps - number) % 2 == 0), kick_(number == 1 ? Real(0.5) * (world.last_substep + h) : h) {
         motion_.place = swept_.place[0];
@@ -106,7 +106,7 @@ template <int D, class Real> class Substep {
         if (first == last) return;
         DistancePass<Real> pass{.per_h2 = mover_.per_h * mover_.per_h,
                                 .kept =
-                                    last_ || world_.settings.iterations > 1 || !world_.blocks.attached_trees.empty(),
+                                    last_ || world_.settings.iterations > 1 || !solver_.blocks.attached_trees.empty(),
                                 .last_substep = last_,
                                 .first = mover_.first_iteration && !again,
                                 .again = again};
@@ -265,6 +265,7 @@ template <int D, class Real> class Substep {
     using Vector = Vec<D, Real>;
 
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     Particles<D, Real>& p_;
     SweepState<D, Real>& swept_;
     const Kernels<D, Real>& kernels_;
@@ -344,7 +345,7 @@ template <int D, class Real> class Substep {
                 if (!(table.low(row) > Real(0)) || norm(mover_.point(ends[1]) - mover_.point(ends[0])) > Real(1e-18))
                     continue;
                 part(mover_, ends, row, clamp(Real(0), table.low(row), table.high(row)));
-                correct_row(world_, table, row, mover_);
+                correct_row(std::span(solver_.scratch), table, row, mover_);
             }
     }
 

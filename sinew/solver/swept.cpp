@@ -9,9 +9,9 @@ namespace sinew {
 namespace {
 
 /// True if an external force acts on a swept particle.
-template <int D, class Real> bool any_force(const World<D, Real>& world) {
+template <int D, class Real> bool any_force(const World<D, Real>& world, const SweepState<D, Real>& sweep_state) {
     const auto& p = world.particles;
-    return p.any_force && std::any_of(world.sweep_state.row_of.begin(), world.sweep_state.row_of.end(),
+    return p.any_force && std::any_of(sweep_state.row_of.begin(), sweep_state.row_of.end(),
                                       [&](Row row) { return p.force[row] != Vec<D, Real>{}; });
 }
 
@@ -43,8 +43,8 @@ Transposition<D, Real> turning(const SweepState<D, Real>& sweep_state, std::vect
 
 } // namespace
 
-template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h) {
-    auto& sweep_state = world.sweep_state;
+template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, Real>& solver, Real h) {
+    auto& sweep_state = solver.sweep_state;
     sweep_state.per_h = Real(1) / h;
     sweep_state.gravity = {};
     sweep_state.everyone_alike = true;
@@ -54,7 +54,7 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h) {
         else if (!std::holds_alternative<RandomPush<D, Real>>(force))
             sweep_state.everyone_alike = false;
     sweep_state.gravity = clamp_components(sweep_state.gravity, largest_acceleration<Real>);
-    sweep_state.any_force = any_force(world);
+    sweep_state.any_force = any_force(world, sweep_state);
     sweep_state.everyone_alike = sweep_state.everyone_alike && !sweep_state.any_force;
     sweep_state.any_pin_moves = sweep_state.any_pin_soft = false;
     for (const auto& pin : world.pins) {
@@ -69,9 +69,9 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h) {
         sweep_state.largest_radius = maximum(sweep_state.largest_radius, world.particles.radius[row]);
 }
 
-template <int D, class Real> void gather(World<D, Real>& world, Real h, Row first, Row last) {
+template <int D, class Real> void gather(World<D, Real>& world, Solver<D, Real>& solver, Real h, Row first, Row last) {
     auto& p = world.particles;
-    auto& sweep_state = world.sweep_state;
+    auto& sweep_state = solver.sweep_state;
     if (first == last) return;
     const auto& kernel = kernels<D, Real>();
     read_through(sweep_state, first, last, p.position, p.residual, p.velocity, p.mobility);
@@ -87,9 +87,9 @@ template <int D, class Real> void gather(World<D, Real>& world, Real h, Row firs
     for (Row slot = first; slot < last; ++slot) to[slot] = from[row_of[slot]];
 }
 
-template <int D, class Real> void scatter(World<D, Real>& world, Row first, Row last) {
+template <int D, class Real> void scatter(World<D, Real>& world, Solver<D, Real>& solver, Row first, Row last) {
     auto& p = world.particles;
-    auto& sweep_state = world.sweep_state;
+    auto& sweep_state = solver.sweep_state;
     const auto& kernel = kernels<D, Real>();
     kernel.to_rows(turning(sweep_state, p.position, sweep_state.place[0]), first, last);
     kernel.to_rows(turning(sweep_state, p.residual, sweep_state.residual[0]), first, last);
@@ -99,9 +99,9 @@ template <int D, class Real> void scatter(World<D, Real>& world, Row first, Row 
 }
 
 #define SINEW_SWEPT(D, Real)                                                                                           \
-    template void begin_sweep(World<D, Real>&, Real);                                                                  \
-    template void gather(World<D, Real>&, Real, Row, Row);                                                             \
-    template void scatter(World<D, Real>&, Row, Row);
+    template void begin_sweep(World<D, Real>&, Solver<D, Real>&, Real);                                                \
+    template void gather(World<D, Real>&, Solver<D, Real>&, Real, Row, Row);                                           \
+    template void scatter(World<D, Real>&, Solver<D, Real>&, Row, Row);
 SINEW_INSTANTIATE(SINEW_SWEPT)
 
 } // namespace sinew

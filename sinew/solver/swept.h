@@ -32,13 +32,6 @@ template <int D, class Real> struct SweepState {
     Plan<Real> spare; ///< components set aside while others are laid out before
     std::vector<Row> spare_rows;
 
-    SweepState() = default;
-    SweepState(const SweepState&) {}
-    SweepState& operator=(const SweepState&) { return *this; }
-    SweepState(SweepState&&) = default;
-    SweepState& operator=(SweepState&&) = default;
-    ~SweepState() = default;
-
     std::uint32_t size() const { return std::uint32_t(row_of.size()); }
 
     void give_slot(Row row) {

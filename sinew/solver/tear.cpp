@@ -7,10 +7,11 @@
 namespace sinew {
 namespace {
 
-template <class Table, int D, class Real> Real strain_of(World<D, Real>& world, const Table& table, Row row) {
+template <class Table, int D, class Real>
+Real strain_of(const World<D, Real>& world, std::span<Vec<D, Real>> scratch, const Table& table, Row row) {
     using Kind = typename Table::Kind;
     const auto members = table.members[row];
-    detail::Stencil<Kind, D, Real> stencil(world, members.size());
+    detail::Stencil<Kind, D, Real> stencil(scratch, members.size());
     stencil.each([&](std::size_t i) { stencil.points[i] = world.particles.position[members[i]]; });
     const Real measure = stencil.evaluate(stencil.points, stencil.gradient);
     return detail::strain<Kind>(measure, table.low(row), table.high(row));
@@ -34,9 +35,10 @@ template <int D, class Real> bool lost_a_link(const World<D, Real>& world, std::
     });
 }
 
-template <class Table, int D, class Real> bool tears(World<D, Real>& world, Table& table, Row row, Real dt) {
+template <class Table, int D, class Real>
+bool tears(const World<D, Real>& world, std::span<Vec<D, Real>> scratch, Table& table, Row row, Real dt) {
     if (table.breaking_strain[row] >= limit::measure<Real> || world.events.size() >= events_per_step) return false;
-    const Real beyond = absolute(strain_of(world, table, row)) - table.breaking_strain[row];
+    const Real beyond = absolute(strain_of(world, scratch, table, row)) - table.breaking_strain[row];
     return beyond > Real(0) && wears_out(table, row, beyond * dt);
 }
 
@@ -51,16 +53,16 @@ template <class Table, int D, class Real> void report(World<D, Real>& world, con
 
 } // namespace
 
-template <int D, class Real> void tear(World<D, Real>& world, Real dt) {
+template <int D, class Real> void tear(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
     static_assert(kind_number<Distance, D> == 0, "what hangs on a distance is looked at after it");
-    if (world.settings.mode == Mode::physical && !world.sweep_state.plan.may_tear) return;
+    if (world.settings.mode == Mode::physical && !solver.sweep_state.plan.may_tear) return;
     bool any_link = false, any = false;
     int kind = 0;
     for_each_table(world, [&](auto& table) {
         bool torn = false;
         for (Row row = 0; row < table.size(); ++row) {
             const bool attached = kind > 0 && any_link && lost_a_link(world, table.members[row]);
-            if (!attached && !tears(world, table, row, dt)) continue;
+            if (!attached && !tears(world, std::span(solver.scratch), table, row, dt)) continue;
             if (!attached) report(world, table, kind, row);
             table.torn.set(row, 1);
             torn = true;
@@ -72,7 +74,7 @@ template <int D, class Real> void tear(World<D, Real>& world, Real dt) {
     if (any) detail::forget_constraints(world);
 }
 
-#define SINEW_TEAR(D, Real) template void tear(World<D, Real>&, Real);
+#define SINEW_TEAR(D, Real) template void tear(World<D, Real>&, Solver<D, Real>&, Real);
 SINEW_INSTANTIATE(SINEW_TEAR)
 
 } // namespace sinew

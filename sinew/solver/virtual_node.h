@@ -52,7 +52,7 @@ template <int D, class Real> class NodeBinder {
     std::vector<Row> neighbours_of(Row row) const {
         std::vector<Row> rows;
         const auto& distances = std::get<kind_number<Distance, D>>(world_.constraints);
-        world_.blocks.adjacency.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+        world_.journal.adjacency.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
             if (kind != kind_number<Distance, D>) return;
             const Row link = distances.slots.row_at(slot);
             const auto& ends = distances.members.rows[link];

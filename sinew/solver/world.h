@@ -1,15 +1,13 @@
 #pragma once
 
 #include "sinew/constraint/kinds.h"
-#include "sinew/solver/block.h"
 #include "sinew/solver/column.h"
 #include "sinew/solver/figure.h"
 #include "sinew/solver/force.h"
 #include "sinew/solver/id.h"
 #include "sinew/solver/integrator.h"
+#include "sinew/solver/journal.h"
 #include "sinew/solver/limit_columns.h"
-#include "sinew/solver/passive.h"
-#include "sinew/solver/swept.h"
 
 #include <array>
 #include <cstdint>
@@ -317,7 +315,6 @@ template <int D, class RealT> struct World {
     ~World();
 
     Settings<Real> settings;
-    int threads = 0; ///< threads of a step; 0: the number of cores. Results do not depend on the number
     Particles<D, Real> particles;
     ConstraintTables<D, Real> constraints;
     std::vector<Run> sweep; ///< order in which the constraints are solved: as added
@@ -338,10 +335,7 @@ template <int D, class RealT> struct World {
     std::uint32_t repair_window =
         0;                     ///< repair window, tiles: overstretched links of tethered components are swept again
     std::vector<Event> events; ///< reported by the last step
-    Blocks<D> blocks;          ///< direct solver: constraints solved at once instead of in the sweep
-    SweepState<D, Real> sweep_state; ///< state and plan of the sweep
-    Budgets<D> budgets;              ///< limits on the energy added by constraints of figures
-    std::vector<Vector> scratch;     ///< points and gradients of the widest constraint
+    Journal journal;           ///< changes for the solver to follow
 };
 
 /// True for the index of a living figure.

@@ -1,6 +1,7 @@
 #include "sinew/prefab/prefabs.h"
 
 #include "tests/sanitized.h"
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 #include <cmath>
@@ -45,7 +46,7 @@ class Crossings {
 
 /// The relative error of the mean of ten periods, a pendulum of 1 m released at the amplitude.
 template <class Real> double period_error(double g, double amplitude, double rate, int substeps) {
-    World<2, Real> world;
+    test::Stepped<2, Real> world;
     world.settings.substeps = substeps;
     fall(world, g);
     const auto pivot = add_particle(world, {.mass = std::numeric_limits<Real>::infinity()});
@@ -79,7 +80,7 @@ TEST(Accuracy, OfAPendulumsPeriodByItsSwing) {
 
 /// The amplitude that an undamped spring of that angular frequency, drawn out by 1 m, has left.
 double amplitude_left(double frequency, int substeps, double seconds, Direct direct) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     world.settings.substeps = substeps;
     const auto figure = add_figure(world, "spring");
     world.figures[figure].direct = direct;
@@ -111,7 +112,7 @@ TEST(Accuracy, OfAnUndampedSpringIsBackwardEulersDecay) {
 
 /// A rigid lattice of triangles, one square cell wide and some long, that hangs from the middle of its upper edge.
 struct Lattice {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     ParticleId left{}, right{}; ///< its lowest corners
     double length = 0;
     double inertia = 0, moment = 0; ///< about the pivot
@@ -199,7 +200,7 @@ TEST(Accuracy, OfTheEnergyOfARigidLattice) {
 
 /// The share of its angular momentum that a free cloth has left, spinning in its plane.
 double spin_left(double rate, int substeps, double seconds) {
-    World<3, double> world;
+    test::Stepped<3, double> world;
     world.settings.substeps = substeps;
     build(world, Cloth{.columns = 16, .rows = 16, .pins = "none"}, "cloth");
     const auto center = center_of_mass(world);
@@ -268,7 +269,7 @@ TYPED_TEST(AccuracyOf, TheLengthOfARopeWhateverHangsOnIt) {
 template <int D, class Real> void expect_ragdoll_keeps_its_energy(double part) {
     constexpr double tall = 1.6, mass = 70;
     for (const double turn : {0.9, -0.9}) {
-        World<D, Real> world;
+        test::Stepped<D, Real> world;
         fall(world, gravity);
         build(world, Ragdoll{.height = tall, .mass = mass}, "bob", {.turn = turn});
         pin(world, *find_particle(world, "bob/left_hand"));
@@ -287,9 +288,9 @@ TEST(Accuracy, OfTheEnergyOfARagdollOnOneHandInSpace) {
 }
 
 /// A rope of 20 links of 0.1 m, so many times a link's mass in its middle, let go straight from 0.9 rad.
-World<2, double> bead_in_a_rope(double times) {
+test::Stepped<2, double> bead_in_a_rope(double times) {
     constexpr int links = 20;
-    World<2, double> world;
+    test::Stepped<2, double> world;
     fall(world, gravity);
     const auto down = at<Vec2<double>>(0.1 * std::sin(0.9), -0.1 * std::cos(0.9));
     std::vector<ParticleId> p;
@@ -318,7 +319,7 @@ TEST(Accuracy, OfTheEnergyOfAHeavyBeadInARopeWithALightTail) {
 
 /// The worst a link or a range is too long or too short, while a ragdoll falls on a floor and lies there.
 template <class Real> double stretch_of_a_fall(double damping, double turn) {
-    World<3, Real> world;
+    test::Stepped<3, Real> world;
     fall(world, gravity);
     build(world, Ragdoll{.height = 1.6, .mass = 70}, "bob", {.turn = Real(turn)});
     world.bounds.push_back({{0, 1, 0}, Real(-2), Real(0.2), Real(0.5)});

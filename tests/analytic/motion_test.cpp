@@ -1,3 +1,4 @@
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 #include <cmath>
@@ -102,7 +103,7 @@ TEST(Pendulum, PeriodConvergesToTheEllipticIntegralWithSecondOrder) {
     const double exact = pendulum_period(1, 10, 0.9);
     std::vector<double> errors;
     for (const int substeps : {1, 2, 4, 8})
-        errors.push_back(std::abs(measured_period<World<2, double>>(substeps, 60, 0.9) / exact - 1));
+        errors.push_back(std::abs(measured_period<test::Stepped<2, double>>(substeps, 60, 0.9) / exact - 1));
     for (std::size_t i = 0; i + 1 < errors.size(); ++i) {
         const double order = std::log2(errors[i] / errors[i + 1]);
         EXPECT_NEAR(order, 2, 0.25) << errors[i] << ' ' << errors[i + 1];
@@ -163,7 +164,7 @@ TYPED_TEST(Motion, AHangingWeightStretchesItsSpringByMgOverK) {
 
 // x = cos(w t) without damping: the frequency sqrt(k / m), to the scheme's (w h)^2 / 24.
 TEST(Spring, SwingsWithItsOwnFrequency) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     const auto wall = add_particle(world, {.mass = std::numeric_limits<double>::infinity()});
     const auto bob = add_particle(world, {.position = {2, 0}});
     add<Distance>(world, {wall, bob}, {.limits = exactly(1.0), .compliance = 0.01}); // w = 10

@@ -2,6 +2,7 @@
 #include "sinew/solver/measure.h"
 
 #include "tests/sanitized.h"
+#include "tests/stepped.h"
 #include "tests/thorough.h"
 #include "tests/worlds.h"
 
@@ -28,7 +29,7 @@ double catenary_parameter(double span, double length) {
 TEST(Truth, ARopeHangsInACatenary) {
     constexpr double span = 10, length = 12;
     constexpr int links = 100;
-    World<2, double> world;
+    test::Stepped<2, double> world;
     fall(world, gravity);
     world.settings.damping = 3;
     build(world,
@@ -52,7 +53,7 @@ TEST(Truth, ARopeHangsInACatenary) {
 /// Two weights on a rigid frame about a pivot; small swings take  2 pi sqrt(I / (M g d)) (1 + angle^2 / 16).
 TEST(Truth, ACompoundPendulumHasItsPeriod) {
     constexpr double angle = 0.1, offset = 0.4, near = 0.5, far = 1.5, light = 1, heavy = 2;
-    World<2, double> world;
+    test::Stepped<2, double> world;
     fall(world, gravity);
     const auto at_angle = [](double r, double turn) { return at<Place>(r * std::sin(turn), -r * std::cos(turn)); };
     // the mass of the frame is balanced so that the middle hangs straight below
@@ -95,7 +96,7 @@ TEST(Truth, TheTipOfAFoldedChainSpeedsUpAsAWhipDoes) {
     constexpr double length = 4, piece = length / links;
     for (const bool slack : {false, true})
         for (const int rate : {60, 240}) {
-            World<2, double> world;
+            test::Stepped<2, double> world;
             fall(world, gravity);
             std::vector<ParticleId> ids;
             for (int i = 0; i <= links; ++i) {
@@ -125,7 +126,7 @@ TEST(Truth, TheTipOfAFoldedChainSpeedsUpAsAWhipDoes) {
 /// Released from 0.9 rad, undamped, at the default settings: half a minute, and ten, all stay within 0.01 % of the
 /// energy of all weight falling the whole length.
 template <class Build> void expect_energy_kept(std::string_view name, double scale, Build&& put) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     fall(world, gravity);
     put(world);
     const double begun = energy(world).total();

@@ -1,8 +1,8 @@
 #include "sinew/solver/measure.h"
-#include "sinew/solver/step.h"
 
 #include "bench/cases.h"
 #include "bench/measure.h"
+#include "tests/stepped.h"
 
 #include <algorithm>
 #include <array>
@@ -73,11 +73,11 @@ TEST(Cases, RagdollsAreFifteenPointsTwentyOneSticksAndLimits) {
 
 TEST(Cases, AreSweptAsTheTextbookDoesUnlessTheyAreDirect) {
     for (const auto* name : {"ropes-3", "ragdolls-3"}) {
-        auto swept = world_of<float>(*find_case(name)),
+        test::Stepped<3, float> swept = world_of<float>(*find_case(name)),
              direct = world_of<float>(*find_case(std::string(name) + "-direct"));
         prepare(swept), prepare(direct);
-        EXPECT_TRUE(swept.blocks.nodes.empty());
-        EXPECT_FALSE(direct.blocks.nodes.empty());
+        EXPECT_TRUE(swept.solver.blocks.nodes.empty());
+        EXPECT_FALSE(direct.solver.blocks.nodes.empty());
         EXPECT_EQ(swept.settings.substeps, 10);
     }
 }

@@ -2,6 +2,7 @@
 #include "sinew/solver/edit.h"
 
 #include "tests/paths.h"
+#include "tests/stepped.h"
 #include "tests/text_of.h"
 
 #include <fstream>

@@ -1,6 +1,8 @@
 #include "sinew/picture/draw.h"
 #include "sinew/session/session.h"
 
+#include "tests/stepped.h"
+
 #include <algorithm>
 #include <gtest/gtest.h>
 

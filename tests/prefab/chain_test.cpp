@@ -1,8 +1,8 @@
 #include "sinew/math/random.h"
 #include "sinew/solver/measure.h"
-#include "sinew/solver/step.h"
 
 #include "tests/prefab/make.h"
+#include "tests/stepped.h"
 #include "tests/thorough.h"
 
 namespace sinew {

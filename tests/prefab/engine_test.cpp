@@ -1,8 +1,8 @@
 #include "sinew/scene/reader.h"
 #include "sinew/session/session.h"
-#include "sinew/solver/step.h"
 
 #include "tests/prefab/make.h"
+#include "tests/stepped.h"
 
 #include <cmath>
 

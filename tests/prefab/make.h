@@ -3,6 +3,7 @@
 #include "sinew/prefab/prefabs.h"
 
 #include "tests/constants.h"
+#include "tests/stepped.h"
 
 #include <algorithm>
 #include <functional>
@@ -13,7 +14,7 @@ namespace sinew {
 
 /// A world with one figure in it, called "it".
 template <int D, class Real> struct Made {
-    World<D, Real> world;
+    test::Stepped<D, Real> world;
     FigureIndex index = 0;
 
     const Figure& figure() const { return world.figures[index]; }
@@ -80,7 +81,7 @@ template <class Prefab> Prefab any(int dimension) {
 /// Calls check(D, Real, prefab) with every prefab in every world it exists in; each with random parameters.
 template <class Check> void for_every_prefab(Check&& check) {
     Prefabs::for_each([&]<class Prefab>(std::type_identity<Prefab>) {
-        const auto in = [&]<int D, class Real>(World<D, Real>) {
+        const auto in = [&]<int D, class Real>(test::Stepped<D, Real>) {
             if constexpr (Prefab::dimensions.include(D)) {
                 // One type for all of them: RapidCheck's machinery is compiled anew for every other type.
                 const std::function<void()> law = [&] { check.template operator()<D, Real>(any<Prefab>(D)); };
@@ -88,10 +89,10 @@ template <class Check> void for_every_prefab(Check&& check) {
                 EXPECT_TRUE(passed) << Prefab::name << " in " << D << "D";
             }
         };
-        in(World<2, float>{});
-        in(World<2, double>{});
-        in(World<3, float>{});
-        in(World<3, double>{});
+        in(test::Stepped<2, float>{});
+        in(test::Stepped<2, double>{});
+        in(test::Stepped<3, float>{});
+        in(test::Stepped<3, double>{});
     });
 }
 

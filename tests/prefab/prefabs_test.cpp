@@ -1,4 +1,5 @@
 #include "tests/prefab/make.h"
+#include "tests/stepped.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -165,7 +166,7 @@ TEST(EveryPrefab, IsFoundByItsName) {
 }
 
 TEST(EveryPrefab, IsRefusedInADimensionItDoesNotExistIn) {
-    World<3, double> world;
+    test::Stepped<3, double> world;
     EXPECT_EQ(problem_of(StickFigure{}, 3), "there is no stick_figure in 3 dimensions");
     EXPECT_EQ(build(world, AnyPrefab(StickFigure{}), "bob"), std::nullopt);
     EXPECT_TRUE(world.figures.empty());

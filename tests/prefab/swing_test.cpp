@@ -1,6 +1,5 @@
-#include "sinew/solver/step.h"
-
 #include "tests/prefab/make.h"
+#include "tests/stepped.h"
 
 #include <cmath>
 

@@ -21,10 +21,10 @@ template <class World> void destroy_what_follows(World& world) {
     std::fill(world.particles.in_block.begin(), world.particles.in_block.end(), char(1));
     for_each_table(world, [](auto& table) { table.in_block.fill(1); });
     for (auto& pin : world.pins) pin.carried = nonsense;
-    std::fill(world.scratch.begin(), world.scratch.end(), nonsense);
+    std::fill(world.solver.scratch.begin(), world.solver.scratch.end(), nonsense);
     world.events.clear();
     world.energy_lost = -5;
-    world.threads = 1;
+    world.solver.options.threads = 1;
 }
 
 TYPED_TEST(Copies, HaveTheSameFutureAfterAnyCalls) {

@@ -2,6 +2,7 @@
 #include "sinew/prefab/prefabs.h"
 #include "sinew/solver/measure.h"
 
+#include "tests/stepped.h"
 #include "tests/thorough.h"
 #include "tests/worlds.h"
 
@@ -31,7 +32,7 @@ class Dice {
 };
 
 template <int D> struct Joined {
-    using World = sinew::World<D, double>;
+    using World = test::Stepped<D, double>;
     using Vector = typename World::Vector;
 
     World world;
@@ -46,7 +47,7 @@ template <int D> struct Joined {
     }
     bool has_ports() {
         prepare(world);
-        return !world.blocks.ports.list.empty();
+        return !world.solver.blocks.ports.list.empty();
     }
 
     /// Another figure, a little beside the particle that it is joined to.
@@ -112,10 +113,10 @@ template <int D> struct Joined {
     double worst_direct_stretch() {
         const auto& table = std::get<kind_number<Distance, D>>(world.constraints);
         double worst = 0;
-        for (const auto& block : world.blocks.attached_trees)
+        for (const auto& block : world.solver.blocks.attached_trees)
             for (std::uint32_t i = 0; i < block.links - block.load_tethers; ++i) {
-                const auto ends = table.members.rows[world.blocks.links[block.first_link + i].constraint];
-                const auto row = world.blocks.links[block.first_link + i].constraint;
+                const auto ends = table.members.rows[world.solver.blocks.links[block.first_link + i].constraint];
+                const auto row = world.solver.blocks.links[block.first_link + i].constraint;
                 const double length = distance(world.particles.position[ends[0]], world.particles.position[ends[1]]);
                 worst = std::max(worst, length / table.high(row) - 1);
                 if (table.low(row) > 0) worst = std::max(worst, 1 - length / table.low(row));
@@ -245,7 +246,7 @@ TYPED_TEST(JoinedThings, ACopyStepsAsItsOriginalOnAnyNumberOfThreads) {
         pin(joined.world, joined.any_particle());
         run(joined.world, 0.2);
         auto copy = joined.world;
-        copy.threads = 3;
+        copy.solver.options.threads = 3;
         ASSERT_EQ(state_hash(copy), state_hash(joined.world)) << "seed " << seed;
         run(joined.world, 0.2);
         run(copy, 0.2);

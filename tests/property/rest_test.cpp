@@ -1,7 +1,7 @@
 #include "sinew/solver/measure.h"
-#include "sinew/solver/step.h"
 
 #include "tests/prefab/make.h"
+#include "tests/stepped.h"
 #include "tests/thorough.h"
 #include "tests/worlds.h"
 

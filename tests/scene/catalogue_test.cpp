@@ -3,6 +3,7 @@
 #include "tests/paths.h"
 #include "tests/sanitized.h"
 #include "tests/scene/scene_runs.h"
+#include "tests/stepped.h"
 
 #include <cstdlib>
 #include <limits>
@@ -86,9 +87,9 @@ TEST(Catalogue, ClassicModeHasTheOriginalsNumbers) {
     }
 }
 
-World<2, double> classic_world(const std::string& name) {
+test::Stepped<2, double> classic_world(const std::string& name) {
     auto session = open(name, "classic");
-    return session ? std::get<World<2, double>>(session->world()) : World<2, double>{};
+    return session ? std::get<World<2, double>>(session->world()) : test::Stepped<2, double>{};
 }
 
 Vec2<double> place(const World<2, double>& world, std::string_view name) {

@@ -1,6 +1,8 @@
 #include "sinew/scene/document.h"
 #include "sinew/scene/scene.h"
 
+#include "tests/stepped.h"
+
 #include <gtest/gtest.h>
 
 /// Meshes in scene files: the model is read by whoever opens the scene.

@@ -6,6 +6,7 @@
 #include "tests/scene/laws.h"
 #include "tests/scene/models.h"
 #include "tests/scene/schema_check.h"
+#include "tests/stepped.h"
 #include "tests/text_of.h"
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 #include "sinew/session/view.h"
 #include "sinew/solver/edit.h"
 
+#include "tests/stepped.h"
+
 #include <gtest/gtest.h>
 
 /// Cuts in scenes: events and pointers.

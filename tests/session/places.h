@@ -3,6 +3,8 @@
 #include "sinew/session/session.h"
 #include "sinew/solver/edit.h"
 
+#include "tests/stepped.h"
+
 #include <string_view>
 #include <variant>
 

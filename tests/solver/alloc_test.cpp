@@ -94,8 +94,8 @@ TYPED_TEST(Allocation, AStepAllocatesNothing) {
 
 TEST(Allocation, AStepOfWhatIsMeasuredAllocatesNothing) {
     for (const auto* name : {"cloth-12", "mesh-12", "ragdolls-5", "ragdolls-5-direct", "ropes-5", "ropes-5-direct"}) {
-        auto world = bench::world_of<float>(*bench::find_case(name));
-        world.threads = 1;
+        test::Stepped<3, float> world = bench::world_of<float>(*bench::find_case(name));
+        world.solver.options.threads = 1;
         prepare(world);
         const long before = allocations;
         for (int i = 0; i < 30; ++i) step(world, 1.0F / 60);

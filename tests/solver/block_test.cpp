@@ -2,6 +2,7 @@
 #include "sinew/solver/measure.h"
 
 #include "tests/sanitized.h"
+#include "tests/stepped.h"
 #include "tests/thorough.h"
 #include "tests/worlds.h"
 
@@ -14,8 +15,8 @@ namespace {
 
 using namespace test;
 
-template <class Real> World<2, Real> rope_world(int links, double weight, double angle, bool exact = false) {
-    World<2, Real> world;
+template <class Real> test::Stepped<2, Real> rope_world(int links, double weight, double angle, bool exact = false) {
+    test::Stepped<2, Real> world;
     fall(world, gravity);
     build(world,
           Rope{.length = 10,
@@ -122,7 +123,7 @@ TEST(Block, TensionIsTheWeightBelow) {
 }
 
 TEST(Block, DampingIsWhatItsExponentialSays) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     const auto ids = chain(world, 3, {{0, 0}}, {{1, 0}});
     for (const auto id : ids) set_velocity(world, id, {{3, 1}});
     world.settings.damping = 0.5;
@@ -135,7 +136,7 @@ TEST(Block, DampingIsWhatItsExponentialSays) {
 TEST(Block, ADampedSwingDiesAwayAsItsExponentialSays) {
     constexpr double angle = 0.02;
     for (const double damping : {0.02, 0.1, 0.5, 2.0}) {
-        World<2, double> world;
+        test::Stepped<2, double> world;
         fall(world, gravity);
         world.settings.damping = damping;
         const auto ids = chain(world, 2, {{0, 0}}, {{std::sin(angle), -std::cos(angle)}});
@@ -187,7 +188,7 @@ struct DoublePendulum {
 };
 
 double double_pendulum_error(int substeps) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     world.settings.substeps = substeps;
     fall(world, gravity);
     const double angle = 0.9;
@@ -209,7 +210,7 @@ TEST(Block, ADoublePendulumGoesTheWayTheEquationsSay) {
 // An edit elsewhere makes the blocks anew. Nothing of what was there moves otherwise for that, nor in a copy.
 TEST(Block, WhatIsMadeAnewGoesOnInTheSameBits) {
     for (const double damping : {0.0, 0.3}) {
-        World<2, double> world;
+        test::Stepped<2, double> world;
         fall(world, gravity);
         world.settings.damping = damping;
         world.bounds.push_back({.normal = {{0, 1}}, .offset = -1.5, .friction = 0.5});
@@ -232,7 +233,7 @@ TEST(Block, WhatIsMadeAnewGoesOnInTheSameBits) {
 
 // Forty loaded ropes on one ball: it goes last, when all that hangs on it has gone.
 TEST(Block, AHubThatManyHangOnIsSolvedAtOnce) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     fall(world, gravity);
     const auto nail = add_particle(world, {.position = at<Vec2<double>>(0, 1)});
     const auto hub = add_particle(world, {.mass = 0.01});
@@ -264,7 +265,7 @@ TEST(Block, LettingGoAddsNoEnergy) {
 // Springs between links that can go slack: a heap of them folds flat in any way, and still falls and comes to rest.
 TEST(Block, AHeapOfStiffRopeComesToRest) {
     for (const double stiffness : {0.01, 0.1, 1.0}) {
-        World<2, double> world;
+        test::Stepped<2, double> world;
         fall(world, gravity);
         world.bounds.push_back({{{0, 1}}, 0, 0, 0.4});
         build(world,
@@ -287,7 +288,7 @@ TEST(Block, AHeapOfStiffRopeComesToRest) {
 
 // Of six rods between four corners one is too many: what they hold against each other must not grow.
 TEST(Block, BracesDoNotPullAgainstEachOther) {
-    World<3, float> world;
+    test::Stepped<3, float> world;
     fall(world, gravity);
     std::vector<ParticleId> corners;
     for (const Vec<3, float> place : {Vec<3, float>{{0, 0, 0}}, {{0.4F, 0, 0}}, {{0.4F, 0.2F, 0}}, {{0, 0.2F, 0}}})
@@ -304,7 +305,7 @@ TEST(Block, BracesDoNotPullAgainstEachOther) {
 }
 
 TEST(Block, PinnedFurtherApartThanItIsLongItStretchesEvenlyAndComesBack) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     fall(world, gravity);
     const auto ids = chain(world, 11, {{0, 0}}, {{0.5, 0}});
     pin(world, ids.front());
@@ -326,9 +327,9 @@ TEST(Block, PinnedFurtherApartThanItIsLongItStretchesEvenlyAndComesBack) {
 // ----------------------------------------------------------------------------------------------------------
 
 /// A tree of links of any loads in any pose: straight, folded up, in a heap, squeezed.
-template <int D> World<D, double> any_tree(double& scale) {
+template <int D> test::Stepped<D, double> any_tree(double& scale) {
     using Vector = Vec<D, double>;
-    World<D, double> world;
+    test::Stepped<D, double> world;
     fall(world, gravity);
     const int count = *rc::gen::inRange(3, 40), pose = *rc::gen::inRange(0, 4);
     const bool loops = *rc::gen::arbitrary<bool>();

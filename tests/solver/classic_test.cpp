@@ -1,3 +1,4 @@
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 /// Classic mode reproduces the originals' rules: the first frames by hand. Lengths in pixels, time in frames, y down.
@@ -8,8 +9,8 @@ using namespace test;
 
 constexpr double tight = 1e-11; // coordinates near 500, rounded a few times a frame
 
-World<2, double> classic(ClassicRules<double> rules) {
-    World<2, double> world;
+test::Stepped<2, double> classic(ClassicRules<double> rules) {
+    test::Stepped<2, double> world;
     world.settings.mode = Mode::classic;
     world.settings.frame = 1;
     world.settings.classic = rules;
@@ -26,7 +27,7 @@ void expect_at(const World<2, double>& world, ParticleId id, double x, double y)
 }
 
 /// y down: the floor at `bottom` pushes up, towards smaller y.
-void room(World<2, double>& world, double right, double bottom) {
+void room(test::Stepped<2, double>& world, double right, double bottom) {
     world.bounds = {{{0, -1}, -bottom, 0, 0}, {{0, 1}, 0, 0, 0}, {{1, 0}, 0, 0, 0}, {{-1, 0}, -right, 0, 0}};
 }
 
@@ -331,7 +332,7 @@ TEST(Classic, WallsTurnEvenAnInwardSpeedRound) {
 
 /// Two ends of a stick of 100; the first is held by a rule and carried to (40, 0) in the next step.
 struct HeldStick {
-    World<2, double> world = classic({.keep = 0.5});
+    test::Stepped<2, double> world = classic({.keep = 0.5});
     ParticleId first = add_particle(world, {.position = {10, 0}, .previous = Vec2<double>{6, 0}});
     ParticleId second = add_particle(world, {.position = {110, 0}});
 
@@ -446,7 +447,7 @@ TEST(Classic, ProjectileLeavesAtFortyFiveDegreesOnAParabola) {
 // A projectile keeps its course through any change of mode, and that is the parabola: each takes over the mean velocity
 // of the step before, and adds what it gains from the middle of that to the middle of its own.
 TEST(Classic, ModesHandOverWithoutAJolt) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     fall(world, gravity);
     const auto p = add_particle(world, {.velocity = {3, 4}});
     for (int i = 1; i <= 60; ++i) {

@@ -1,6 +1,7 @@
 #include "sinew/solver/cut.h"
 
 #include "tests/prefab/make.h"
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 /// Cutting: which links go, what goes with them, what is left of the drawing.
@@ -9,7 +10,7 @@ namespace {
 
 using namespace test;
 
-using Plane = World<2, double>;
+using Plane = test::Stepped<2, double>;
 using Place = Vec2<double>;
 
 std::size_t links(const Plane& world) {
@@ -34,7 +35,7 @@ TYPED_TEST(Cutting, TakesTheLinksThatCrossTheBladeAndNoOther) {
 }
 
 TEST(Cut, IsWhereTheBladeIsSeenAndNotOutOfSight) {
-    World<3, double> world;
+    test::Stepped<3, double> world;
     chain(world, 4, {{0, 0, -5}}, {{1, 0, 0}});
     const Projection<3> see = [](const Vec3<double>& place) {
         return Place{{place[0] < 0.5 ? std::numeric_limits<double>::infinity() : place[0] + 100, place[1]}};

@@ -1,5 +1,6 @@
 #include "sinew/solver/measure.h"
 
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 #include <cmath>
@@ -18,17 +19,17 @@ struct Solved {
 };
 constexpr Solved ways[] = {{Direct::on, 1e-9}, {Direct::off, 2e-3}};
 
-World<2, double> made(Direct direct) {
-    World<2, double> world;
+test::Stepped<2, double> made(Direct direct) {
+    test::Stepped<2, double> world;
     fall(world, gravity);
     world.figures[add_figure(world, "figure")].direct = direct;
     return world;
 }
 
-ParticleId particle(World<2, double>& world, double x, double y, double mass = 1) {
+ParticleId particle(test::Stepped<2, double>& world, double x, double y, double mass = 1) {
     return add_particle(world, {.position = at<Place>(x, y), .mass = mass, .figure = 0});
 }
-ParticleId nail(World<2, double>& world, double x, double y) {
+ParticleId nail(test::Stepped<2, double>& world, double x, double y) {
     const auto id = particle(world, x, y);
     pin(world, id);
     return id;
@@ -40,7 +41,7 @@ double height_of(const World<2, double>& world, ParticleId id) {
 
 /// A weight on a winch by way of a hook.
 struct Hoist {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     ParticleId load;
     ConstraintId winch;
 
@@ -148,7 +149,7 @@ TEST(Pulley, ASwingOverAWheelKeepsItsEnergy) {
 
 /// An arm of 1 m, level, with 10 kg at its end: 98.1 N m.
 struct Arm {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     ParticleId load;
 
     Arm(Direct direct, const ConstraintSpec<double>& motor, ConstraintId* id = nullptr) : world(made(direct)) {

@@ -1,3 +1,4 @@
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 #include <rapidcheck/gtest.h>
@@ -66,7 +67,7 @@ TYPED_TEST(Edit, SpeakingToSomethingGoneDoesNothingAndSaysSo) {
 // A random history of additions and removals, against a plain list of what should be there.
 TEST(Edit, AnyHistoryOfAddingAndRemovingKeepsWhoIsWhoAndTheSweepsOrder) {
     EXPECT_TRUE(rc::check([] {
-        World<2, double> world;
+        test::Stepped<2, double> world;
         struct Link {
             ConstraintId id;
             double rest;

@@ -3,6 +3,7 @@
 #include "sinew/session/session.h"
 
 #include "tests/sanitized.h"
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 #include <malloc.h>
@@ -53,7 +54,7 @@ TYPED_TEST(Figures, OthersMoveOnAsIfItHadNeverBeen) {
 }
 
 TEST(Figures, OthersKeepTheirIndicesNamesAndPieces) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     const auto a = build(world, Box{}, "a"), b = build(world, Box{}, "b", {.at = {{3, 0}}}),
                c = build(world, Box{}, "c", {.at = {{6, 0}}});
     const auto gone = figure_id(world, b), kept = figure_id(world, c);
@@ -79,7 +80,7 @@ TEST(Figures, OthersKeepTheirIndicesNamesAndPieces) {
 }
 
 TEST(Figures, OfOneNameTheNextAnswersToItOnceTheFirstIsGone) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     std::vector<FigureIndex> all;
     for (int i = 0; i < 20; ++i) all.push_back(add_figure(world, "figure" + std::to_string(i % 10)));
     EXPECT_EQ(find_figure(world, "figure4"), all[4]);
@@ -95,7 +96,7 @@ std::size_t bytes_in_use() {
 
 // Boxes and ragdolls are spawned, move and go again, beside others that stay.
 TEST(Figures, AHundredThousandThatCameAndWentLeaveNoMoreThanTheFirstFew) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     fall(world, 10);
     build(world, Rope{}, "stays");
     const auto come_and_go = [&](int times) {

@@ -1,5 +1,6 @@
 #include "sinew/prefab/prefabs.h"
 
+#include "tests/stepped.h"
 #include "tests/thorough.h"
 #include "tests/worlds.h"
 
@@ -12,7 +13,7 @@ namespace sinew {
 namespace {
 
 using namespace test;
-using World2 = World<2, double>;
+using World2 = test::Stepped<2, double>;
 using Vector = Vec2<double>;
 
 struct Handles {

@@ -1,5 +1,6 @@
 #include "tests/random_calls.h"
 #include "tests/sanitized.h"
+#include "tests/stepped.h"
 #include "tests/thorough.h"
 
 #include <map>
@@ -9,7 +10,7 @@ namespace sinew {
 namespace {
 
 using namespace test;
-using World2 = World<2, double>;
+using World2 = test::Stepped<2, double>;
 
 /// A particle that can be told by its radius.
 ParticleId numbered(World2& world, double number) {

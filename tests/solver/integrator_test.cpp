@@ -1,3 +1,4 @@
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace {
 
 using namespace test;
 
-using World2 = World<2, double>;
+using World2 = test::Stepped<2, double>;
 
 constexpr Integrator every[] = {Integrator::verlet, Integrator::explicit_euler, Integrator::symplectic_euler,
                                 Integrator::velocity_verlet, Integrator::rk4};

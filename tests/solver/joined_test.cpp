@@ -1,5 +1,6 @@
 #include "sinew/prefab/prefabs.h"
 
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ using namespace test;
 
 template <int D> struct Scene {
     using Vector = Vec<D, double>;
-    World<D, double> world;
+    test::Stepped<D, double> world;
 
     Scene() {
         fall(world, gravity);

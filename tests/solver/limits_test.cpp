@@ -208,7 +208,7 @@ TYPED_TEST(Limited, ASpringBetweenSlackLinksStoresWhatItCanGiveBack) {
     add<Distance>(world, {b, c}, {.limits = at_most(Real(1))});
     add<Angle>(world, {a, b, c}, {.limits = between(-pi<Real> / 4, pi<Real> / 4), .compliance = Real(0.5)});
     prepare(world);
-    ASSERT_EQ(world.blocks.list.size(), 1U);
+    ASSERT_EQ(world.solver.blocks.list.size(), 1U);
     const double bent = square(pi<double> / 4); // a right angle; one arm is half as long as when taut
     for (int i = 0; i < 3; ++i) world.particles.previous[Row(i)] = world.particles.position[Row(i)];
     EXPECT_NEAR(energy(world).stored, 0.5 * bent / 0.5 / 4, 1e-5);

@@ -3,6 +3,7 @@
 #include "sinew/solver/waiting.h"
 
 #include "tests/sanitized.h"
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 #include <algorithm>
@@ -147,7 +148,7 @@ TYPED_TEST(Planned, EveryWidthOfLanesGivesTheSameBits) {
 TYPED_TEST(Planned, LinksSolvedTogetherShareNoParticleAndNoneIsLeftOut) {
     auto world = of_every_order<typename TypeParam::World>(true);
     prepare(world);
-    const auto& plan = world.sweep_state.plan;
+    const auto& plan = world.solver.sweep_state.plan;
     const auto& table = std::get<0>(world.constraints);
     std::vector<int> seen(table.size(), 0);
     std::size_t long_ones = 0;
@@ -160,7 +161,7 @@ TYPED_TEST(Planned, LinksSolvedTogetherShareNoParticleAndNoneIsLeftOut) {
             const Row b = run.scattered ? plan.ends_b[run.a + i] : run.b + i;
             ++seen[row];
             const auto members = std::minmax({table.members.rows[row][0], table.members.rows[row][1]});
-            EXPECT_EQ(std::minmax({world.sweep_state.row_of[a], world.sweep_state.row_of[b]}), members);
+            EXPECT_EQ(std::minmax({world.solver.sweep_state.row_of[a], world.solver.sweep_state.row_of[b]}), members);
             const auto at = run.uniform ? run.parameters : run.parameters + i;
             const auto low = std::max(table.low(row), decltype(table.low(row))(0)); // nothing is shorter
             EXPECT_TRUE(plan.parameters.are(at, low, table.high(row), table.compliance[row]));
@@ -190,7 +191,7 @@ TYPED_TEST(Planned, LinksOfAnyKindKeepTheMomentum) {
             EXPECT_LT(max_speed(world), 0.8 * speed);
             const auto rounding = 1e4 * double(std::numeric_limits<RealOf<World>>::epsilon());
             EXPECT_LT(norm(momentum(world) - before), rounding * total_mass(world)) << equal_mass << mixed;
-            for (const auto& run : world.sweep_state.plan.runs) kinds.insert(run.kind);
+            for (const auto& run : world.solver.sweep_state.plan.runs) kinds.insert(run.kind);
         }
     EXPECT_TRUE(kinds.contains(LinkKind::equality) && kinds.contains(LinkKind::equality_uneven));
 }
@@ -208,7 +209,7 @@ TYPED_TEST(Planned, LinksOfNoLengthFallAsOne) {
         for (auto& place : world.particles.position) place = {};
         for (int i = 0; i < 3; ++i) step(world, Real(1.0 / 60));
         for (const auto& place : world.particles.position) EXPECT_LT(norm(place), 0.1);
-        EXPECT_TRUE(std::ranges::any_of(world.sweep_state.plan.runs,
+        EXPECT_TRUE(std::ranges::any_of(world.solver.sweep_state.plan.runs,
                                         [](const auto& run) { return run.kind >= LinkKind::inequality; }));
     }
 }
@@ -239,7 +240,7 @@ TYPED_TEST(Planned, LinksOfAnyKindStayFinite) {
 
 TEST(Planned, AnyNumberOfThreadsGivesTheSameBits) {
     for (const auto& [shuffled, iterations] : {std::pair(false, 1), {true, 1}, {false, 3}}) {
-        World<3, float> begun;
+        test::Stepped<3, float> begun;
         fall(begun, gravity);
         begun.settings.substeps = 8 / iterations;
         begun.settings.iterations = iterations;
@@ -249,7 +250,7 @@ TEST(Planned, AnyNumberOfThreadsGivesTheSameBits) {
         std::set<std::uint64_t> hashes;
         for (const int threads : {1, 2, 3, 4}) {
             auto world = begun;
-            world.threads = threads;
+            world.solver.options.threads = threads;
             for (int i = 0; i < 3; ++i) step(world, 1.0F / 60);
             hashes.insert(state_hash(world));
             EXPECT_TRUE(world.repair_window);
@@ -261,7 +262,7 @@ TEST(Planned, AnyNumberOfThreadsGivesTheSameBits) {
 // Cell by cell, a cloth in substeps grows without bound. None of the orders that are chosen may: the energy never
 // passes that of the start by more than what one sweep leaves of the constraints.
 TEST(Planned, NoOrderGainsEnergyInTenThousandSubsteps) {
-    using Make = std::function<void(World<3, float>&)>;
+    using Make = std::function<void(test::Stepped<3, float>&)>;
     const std::vector<std::pair<const char*, Make>> orders = {
         {"directions", [](auto& world) { add_cloth(world, {.columns = 9, .rows = 9, .level = true}); }},
         {"with bends", [](auto& world) { add_cloth(world, {.columns = 9, .rows = 9, .level = true, .bends = true}); }},
@@ -273,7 +274,7 @@ TEST(Planned, NoOrderGainsEnergyInTenThousandSubsteps) {
         {"list", [](auto& world) { add_cloth(world, {.columns = 3, .rows = 3, .level = true}); }},
         {"copies", [](auto& world) { add_chains(world, 9); }}};
     for (const auto& [name, add] : orders) {
-        World<3, float> world;
+        test::Stepped<3, float> world;
         fall(world, gravity);
         world.settings.substeps = 10;
         add(world);
@@ -293,31 +294,31 @@ TEST(Planned, NoOrderGainsEnergyInTenThousandSubsteps) {
 }
 
 TEST(Tethers, FollowThePinsAndAreNotWhereThingsTearOrGive) {
-    World<3, float> world;
+    test::Stepped<3, float> world;
     add_cloth(world, {.tethers = true});
     prepare(world);
-    EXPECT_EQ(world.sweep_state.plan.tethers.size(), 2U);
+    EXPECT_EQ(world.solver.sweep_state.plan.tethers.size(), 2U);
     unpin(world, world.pin_slots.id_of(0));
     prepare(world);
-    EXPECT_EQ(world.sweep_state.plan.tethers.size(), 1U);
+    EXPECT_EQ(world.solver.sweep_state.plan.tethers.size(), 1U);
     unpin(world, world.pin_slots.id_of(0));
     prepare(world);
-    EXPECT_TRUE(world.sweep_state.plan.tethers.empty());
+    EXPECT_TRUE(world.solver.sweep_state.plan.tethers.empty());
 
-    World<3, float> tearing;
+    test::Stepped<3, float> tearing;
     add_cloth(tearing, {.tethers = true});
     add_cloth(tearing, {});
     std::get<0>(tearing.constraints).breaking_strain.set(0, 0.5F);
     prepare(tearing);
-    EXPECT_TRUE(tearing.sweep_state.plan.tethers.empty());
+    EXPECT_TRUE(tearing.solver.sweep_state.plan.tethers.empty());
 }
 
 // No way from a pin along the threads is shorter than the straight one: of a cloth at rest no tether is taut.
 TEST(Tethers, ReachAsFarAsTheThreads) {
-    World<3, double> world;
+    test::Stepped<3, double> world;
     add_cloth(world, {.tethers = true});
     prepare(world);
-    const auto& sweep_state = world.sweep_state;
+    const auto& sweep_state = world.solver.sweep_state;
     for (const auto& tether : sweep_state.plan.tethers) {
         const Row pinned = *world.particles.slots.find(world.pins[tether.pin].particle);
         for (Row slot = 0; slot < sweep_state.size(); ++slot) {
@@ -332,7 +333,7 @@ TEST(Tethers, ReachAsFarAsTheThreads) {
 }
 
 TEST(GettingReady, TellsHowFarItIs) {
-    World<3, double> world;
+    test::Stepped<3, double> world;
     add_cloth(world, {.tethers = true});
     std::vector<double> shares;
     const Waiting waiting([&](double share) { shares.push_back(share); });

@@ -1,3 +1,4 @@
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 /// What is rebuilt after a change, and what is kept.
@@ -145,12 +146,12 @@ TYPED_TEST(Rebuilt, AWorldThatIsChangedMovesAsOneBuiltSo) {
             step(fresh, typename TypeParam::Real(dt));
             step(changed, typename TypeParam::Real(dt));
             ASSERT_EQ(state_hash(fresh), state_hash(changed)) << "after change " << i << ", seed " << seed;
-            ASSERT_EQ(fresh.blocks.list.size(), changed.blocks.list.size());
-            ASSERT_EQ(fresh.blocks.attached_trees.size(), changed.blocks.attached_trees.size());
-            ASSERT_EQ(fresh.sweep_state.row_of, changed.sweep_state.row_of)
+            ASSERT_EQ(fresh.solver.blocks.list.size(), changed.solver.blocks.list.size());
+            ASSERT_EQ(fresh.solver.blocks.attached_trees.size(), changed.solver.blocks.attached_trees.size());
+            ASSERT_EQ(fresh.solver.sweep_state.row_of, changed.solver.sweep_state.row_of)
                 << "after change " << i << ", seed " << seed;
-            ASSERT_EQ(fresh.sweep_state.plan.runs.size(), changed.sweep_state.plan.runs.size());
-            ASSERT_EQ(fresh.sweep_state.plan.tethers.size(), changed.sweep_state.plan.tethers.size());
+            ASSERT_EQ(fresh.solver.sweep_state.plan.runs.size(), changed.solver.sweep_state.plan.runs.size());
+            ASSERT_EQ(fresh.solver.sweep_state.plan.tethers.size(), changed.solver.sweep_state.plan.tethers.size());
             jumble.world = std::move(changed);
         }
     }
@@ -158,22 +159,22 @@ TYPED_TEST(Rebuilt, AWorldThatIsChangedMovesAsOneBuiltSo) {
 
 // And only that: a cut among many ropes leaves the others where they are.
 TEST(Rebuild, ACutFindsNoMoreThanItsOwnRopeAgain) {
-    World<2, double> world;
+    test::Stepped<2, double> world;
     for (int i = 0; i < 20; ++i) pin(world, chain(world, 12, {{double(i), 0}}, {{0, -0.1}})[0]);
     prepare(world);
-    const auto nodes = world.blocks.nodes.size();
+    const auto nodes = world.solver.blocks.nodes.size();
     const auto& links = std::get<kind_number<Distance, 2>>(world.constraints);
     remove_constraints(world, std::vector{ConstraintId{kind_number<Distance, 2>, links.slots.id_of(60)}});
     prepare(world);
-    EXPECT_EQ(world.blocks.list.size(), 21U);
-    EXPECT_EQ(world.blocks.room.members.size(), 11U) << "its particles that move";
-    EXPECT_LE(world.blocks.nodes.size(), nodes + 12);
+    EXPECT_EQ(world.solver.blocks.list.size(), 21U);
+    EXPECT_EQ(world.solver.blocks.room.members.size(), 11U) << "its particles that move";
+    EXPECT_LE(world.solver.blocks.nodes.size(), nodes + 12);
 }
 
 // What joins each particle of a large cloth is only listed when something of it changes.
 TEST(Rebuild, ALargeClothHasNoBlocksUntilARopeHangsFromIt) {
     constexpr std::size_t side = 230; // 105,340 links
-    World<2, float> world;
+    test::Stepped<2, float> world;
     world.settings.substeps = 1;
     std::vector<ParticleId> ids;
     for (std::size_t i = 0; i < side * side; ++i)
@@ -183,15 +184,15 @@ TEST(Rebuild, ALargeClothHasNoBlocksUntilARopeHangsFromIt) {
         if (i / side + 1 < side) add<Distance>(world, {ids[i], ids[i + side]});
     }
     prepare(world);
-    EXPECT_FALSE(world.blocks.adjacency.listed());
-    EXPECT_TRUE(world.blocks.list.empty());
+    EXPECT_FALSE(world.journal.adjacency.listed());
+    EXPECT_TRUE(world.solver.blocks.list.empty());
     const auto rope = chain(world, 5, {{0, -1}}, {{0, -1}});
     add<Distance>(world, {ids[0], rope[0]});
     auto fresh = world; // a copy finds its blocks itself
     step(fresh, 0.01F);
     step(world, 0.01F);
-    EXPECT_EQ(world.blocks.attached_trees.size(), 1U);
-    EXPECT_EQ(fresh.blocks.attached_trees.size(), 1U);
+    EXPECT_EQ(world.solver.blocks.attached_trees.size(), 1U);
+    EXPECT_EQ(fresh.solver.blocks.attached_trees.size(), 1U);
     EXPECT_EQ(state_hash(world), state_hash(fresh));
 }
 

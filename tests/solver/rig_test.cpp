@@ -1,13 +1,14 @@
 #include "sinew/solver/rig.h"
 
 #include "tests/prefab/make.h"
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 /// What is wrong with a rig, by name.
 namespace sinew {
 namespace {
 
-using Plane = World<2, double>;
+using Plane = test::Stepped<2, double>;
 
 /// A figure "rig" of particles a, b, c, ... at places, whose links can be given names.
 struct Rig {

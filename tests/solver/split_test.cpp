@@ -2,6 +2,7 @@
 
 #include "tests/prefab/make.h"
 #include "tests/sanitized.h"
+#include "tests/stepped.h"
 #include "tests/worlds.h"
 
 #include <cmath>
@@ -11,7 +12,7 @@
 namespace sinew {
 namespace {
 
-using Plane = World<2, double>;
+using Plane = test::Stepped<2, double>;
 
 Made<2, double> cloth(int side, const std::string& diagonals = "none", const std::string& pins = "none") {
     return make(Cloth{.columns = side, .rows = side, .spacing = 1, .pins = pins, .diagonals = diagonals, .mass = 4});

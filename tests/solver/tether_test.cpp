@@ -2,6 +2,7 @@
 #include "sinew/prefab/cloth.h"
 #include "sinew/solver/measure.h"
 
+#include "tests/stepped.h"
 #include "tests/thorough.h"
 #include "tests/worlds.h"
 
@@ -18,11 +19,11 @@ using namespace test;
 // Of rows between two pins, a way by way of the middle is hardly longer than straight on.
 TEST(Tethers, KnowTheRowsThatSpanFromPinToPin) {
     const auto spanning = [](const char* plane, const char* pins, bool tethers) {
-        World<3, float> world;
+        test::Stepped<3, float> world;
         build(world, Cloth{.columns = 128, .rows = 128, .plane = plane, .pins = pins, .tethers = tethers}, "cloth");
         prepare(world);
         std::vector<std::size_t> rows;
-        const auto& tiles = world.sweep_state.plan.tiles;
+        const auto& tiles = world.solver.sweep_state.plan.tiles;
         for (std::size_t i = 0; i < tiles.size(); ++i)
             if (tiles[i].tightened > 0) rows.push_back(i);
         return rows;
@@ -37,11 +38,11 @@ TEST(Tethers, KnowTheRowsThatSpanFromPinToPin) {
 // One sweep of the links leaves more of a longer row undone.
 TEST(Tethers, TightenLongRowsTwice) {
     for (const auto& [columns, times] : {std::pair(64, 1U), {128, 1U}, {160, 2U}}) {
-        World<3, float> world;
+        test::Stepped<3, float> world;
         build(world, Cloth{.columns = columns, .rows = 16, .plane = "vertical", .pins = "corners"}, "cloth");
         prepare(world);
-        EXPECT_EQ(world.sweep_state.plan.tiles.front().tightened, times) << columns;
-        EXPECT_EQ(world.sweep_state.plan.tiles.back().tightened, 0U) << columns;
+        EXPECT_EQ(world.solver.sweep_state.plan.tiles.front().tightened, times) << columns;
+        EXPECT_EQ(world.solver.sweep_state.plan.tiles.back().tightened, 0U) << columns;
     }
 }
 
@@ -50,7 +51,7 @@ TEST(Tethers, HoldWhenAStepIsOver) {
     constexpr int side = 24;
     constexpr double cell = 0.03;
     for (const int substeps : {1, 2, 3, 4, 7}) {
-        World<3, float> world;
+        test::Stepped<3, float> world;
         fall(world, gravity);
         world.settings.substeps = substeps;
         const auto cloth =
@@ -74,7 +75,7 @@ TEST(Tethers, HoldWhenAStepIsOver) {
 
 // 2.3 % where nothing tightens what spans from pin to pin: its upper rows flap for good.
 TEST(Tethers, KeepShortWhatHangsFromTwoCorners) {
-    World<3, float> world;
+    test::Stepped<3, float> world;
     fall(world, gravity);
     world.settings.substeps = 10;
     build(world, Cloth{.columns = 64, .rows = 64, .spacing = 0.03, .plane = "vertical", .pins = "corners"}, "cloth");
@@ -94,7 +95,7 @@ TEST(Tethers, KeepShortWhatHangsFromTwoCorners) {
 
 // It swings down, its hem cracks after 0.7 s, and a wave of stretch runs up again (15 % where nothing is swept again).
 TEST(Tethers, KeepShortWhatSwingsDownAndSnapsTaut) {
-    World<3, float> world;
+    test::Stepped<3, float> world;
     fall(world, gravity);
     world.settings.substeps = 10;
     build(world, Cloth{.columns = 64, .rows = 64, .spacing = 0.03, .plane = "horizontal", .pins = "corners"}, "cloth");

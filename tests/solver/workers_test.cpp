@@ -1,6 +1,8 @@
 #include "sinew/sinew.h"
 #include "sinew/solver/workers.h"
 
+#include "tests/stepped.h"
+
 #include <atomic>
 #include <gtest/gtest.h>
 #include <thread>
@@ -57,8 +59,8 @@ TEST(Workers, ThatDoWorkOfTheirOwnDoIt) {
 
 /// Ropes enough to be shared out, with all kinds of loads.
 std::uint64_t hash_of_ropes(int threads) {
-    World<2, double> world;
-    world.threads = threads;
+    test::Stepped<2, double> world;
+    world.solver.options.threads = threads;
     world.forces.push_back(Gravity<2, double>{{{0, -9.81}}});
     for (int i = 0; i < 60; ++i)
         build(world, Rope{.length = 2, .segments = 12, .angle = 0.05 * i, .weight = 0.1 * i * i},

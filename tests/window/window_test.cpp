@@ -7,6 +7,7 @@
 #include "tests/canvas/scratch_folder.h"
 #include "tests/paths.h"
 #include "tests/play/game.h"
+#include "tests/stepped.h"
 
 #include <SDL.h>
 #include <array>

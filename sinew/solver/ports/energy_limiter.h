@@ -2,6 +2,7 @@
 
 #include "sinew/solver/project.h"
 #include "sinew/solver/rigid_motion.h"
+#include "sinew/solver/solver.h"
 #include "sinew/solver/world.h"
 
 #include <ranges>
@@ -19,8 +20,9 @@ namespace sinew::detail {
 
 template <int D, class Real> class EnergyLimiter {
   public:
-    EnergyLimiter(World<D, Real>& world, Real h)
-        : world_(world), swept_(world.sweep_state), ports_(world.blocks.ports), per_h_(1 / double(h)) {}
+    EnergyLimiter(World<D, Real>& world, Solver<D, Real>& solver, Real h)
+        : world_(world), scratch_(solver.scratch), swept_(solver.sweep_state), ports_(solver.blocks.ports),
+          per_h_(1 / double(h)) {}
 
     /// Notes the motion and the stored energy before a substep.
     void begin() {
@@ -49,6 +51,7 @@ template <int D, class Real> class EnergyLimiter {
   private:
     using Vector = Vec<D, double>;
     World<D, Real>& world_;
+    std::span<Vec<D, Real>> scratch_;
     SweepState<D, Real>& swept_;
     Ports<D>& ports_;
     double per_h_;
@@ -184,7 +187,7 @@ template <int D, class Real> class EnergyLimiter {
     }
     template <class Table> double stored(const Table& table, Row row, bool moved) const {
         const auto members = table.members[row];
-        Stencil<typename Table::Kind, D, Real> stencil(world_, members.size());
+        Stencil<typename Table::Kind, D, Real> stencil(scratch_, members.size());
         stencil.each([&](std::size_t i) {
             const Row slot = swept_.slot_of[members[i]];
             stencil.points[i] = swept_.place_at(slot) + (moved ? swept_.move_at(slot) : Vec<D, Real>{});

@@ -41,8 +41,8 @@ template <int D> void list_ports(Blocks<D>& blocks) {
 }
 
 /// Components whose links have come to be at ports, or are no longer, are laid out again.
-template <int D, class Real> void mark_ports(World<D, Real>& world) {
-    auto& blocks = world.blocks;
+template <int D, class Real> void mark_ports(World<D, Real>& world, Solver<D, Real>& solver) {
+    auto& blocks = solver.blocks;
     auto& ports = blocks.ports;
     const auto& slots = world.particles.slots;
     ports.at.assign(world.particles.size(), ports.none);
@@ -58,12 +58,12 @@ template <int D, class Real> void mark_ports(World<D, Real>& world) {
 
 /// Order by kind and row, independent of the history of the world. Distances come last, because their errors are
 /// visible.
-template <int D, class Real> void list_rows(World<D, Real>& world) {
-    auto& blocks = world.blocks;
+template <int D, class Real> void list_rows(World<D, Real>& world, Solver<D, Real>& solver) {
+    auto& blocks = solver.blocks;
     auto& rows = blocks.ports.rows;
     rows.clear();
     for (const auto& port : blocks.ports.list)
-        blocks.adjacency.each(blocks.nodes[port.node].slot, [&](int kind, std::uint32_t slot) {
+        world.journal.adjacency.each(blocks.nodes[port.node].slot, [&](int kind, std::uint32_t slot) {
             visit_table(world, kind, [&](const auto& table) {
                 const Row row = table.slots.row_at(slot);
                 if (!table.in_block[row]) rows.push_back({.kind = kind, .row = row});
@@ -75,25 +75,26 @@ template <int D, class Real> void list_rows(World<D, Real>& world) {
     rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
 }
 
-template <int D, class Real> void mark_sheets(World<D, Real>& world) {
-    auto& ports = world.blocks.ports;
-    const auto& plan = world.sweep_state.plan;
+template <int D, class Real> void mark_sheets(Solver<D, Real>& solver) {
+    auto& ports = solver.blocks.ports;
+    const auto& plan = solver.sweep_state.plan;
     ports.components.assign(plan.components.size(), 0);
     for (const auto& port : ports.list)
         if (const auto* component =
-                detail::sheet_at(plan, world.sweep_state.slot_of[world.blocks.nodes[port.node].row]))
+                detail::sheet_at(plan, solver.sweep_state.slot_of[solver.blocks.nodes[port.node].row]))
             ports.components[std::size_t(component - plan.components.data())] = 1;
 }
 
 /// Connected components with ports. Immovable particles do not connect.
 template <int D, class Real> class GroupFinder {
   public:
-    explicit GroupFinder(World<D, Real>& world) : world_(world), ports_(world.blocks.ports) {}
+    GroupFinder(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), solver_(solver), ports_(solver.blocks.ports) {}
 
     void run() {
         ports_.reached.assign(world_.particles.size(), 0);
         for (const auto& port : ports_.list) {
-            const Row row = world_.blocks.nodes[port.node].row;
+            const Row row = solver_.blocks.nodes[port.node].row;
             if (ports_.reached[row]) continue;
             ports_.groups.push_back({.first = size(ports_.members),
                                      .first_spring = size(ports_.springs),
@@ -106,19 +107,20 @@ template <int D, class Real> class GroupFinder {
 
   private:
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     Ports<D>& ports_;
 
     template <class Column> static std::uint32_t size(const Column& column) { return std::uint32_t(column.size()); }
 
     void reach(Row row) {
         if (std::exchange(ports_.reached[row], char(1))) return;
-        (mobile(row) ? ports_.members : ports_.anchors).push_back(world_.sweep_state.slot_of[row]);
+        (mobile(row) ? ports_.members : ports_.anchors).push_back(solver_.sweep_state.slot_of[row]);
     }
     void spread() {
         auto& group = ports_.groups.back();
         for (auto next = group.first; next < ports_.members.size(); ++next) {
-            const Row row = world_.sweep_state.row_of[ports_.members[next]];
-            world_.blocks.adjacency.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+            const Row row = solver_.sweep_state.row_of[ports_.members[next]];
+            world_.journal.adjacency.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
                 visit_table(world_, kind, [&](const auto& table) {
                     reach(group, kind, table, table.slots.row_at(slot), row);
                     if (kind == kind_number<Distance, D>) measure(double(table.high(table.slots.row_at(slot))));
@@ -158,33 +160,33 @@ template <int D, class Real> class GroupFinder {
 
 } // namespace
 
-template <int D, class Real> void find_ports(World<D, Real>& world) {
-    auto& blocks = world.blocks;
+template <int D, class Real> void find_ports(World<D, Real>& world, Solver<D, Real>& solver) {
+    auto& blocks = solver.blocks;
     const bool had_any = !blocks.ports.list.empty();
     if (blocks.attached_trees.empty() && !had_any) return;
-    for (auto& block : blocks.attached_trees) detail::look_up_rows(world, block);
+    for (auto& block : blocks.attached_trees) detail::look_up_rows(world, blocks, block);
     list_ports(blocks);
-    mark_ports(world);
+    mark_ports(world, solver);
 }
 
-template <int D, class Real> void tie_ports(World<D, Real>& world) {
-    auto& blocks = world.blocks;
+template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Real>& solver) {
+    auto& blocks = solver.blocks;
     if (blocks.attached_trees.empty()) return;
-    list_rows(world);
-    mark_sheets(world);
-    const detail::LoadTethers<D, Real> tethers(world);
+    list_rows(world, solver);
+    mark_sheets(solver);
+    const detail::LoadTethers<D, Real> tethers(world, solver);
     for (const auto& block : blocks.attached_trees)
         for (std::uint32_t p = 0; p < block.ports; ++p)
             tethers.set_anchors(std::span(blocks.links).subspan(first_tether(block, p), most_tethers));
-    GroupFinder<D, Real>(world).run();
-    blocks.ports.free_moves.resize(world.sweep_state.size());
-    blocks.ports.last_moves.resize(world.sweep_state.size());
-    blocks.ports.mobilities.resize(world.sweep_state.size());
+    GroupFinder<D, Real>(world, solver).run();
+    blocks.ports.free_moves.resize(solver.sweep_state.size());
+    blocks.ports.last_moves.resize(solver.sweep_state.size());
+    blocks.ports.mobilities.resize(solver.sweep_state.size());
 }
 
 #define SINEW_PORTS(D, Real)                                                                                           \
-    template void find_ports(World<D, Real>&);                                                                         \
-    template void tie_ports(World<D, Real>&);
+    template void find_ports(World<D, Real>&, Solver<D, Real>&);                                                       \
+    template void tie_ports(World<D, Real>&, Solver<D, Real>&);
 SINEW_INSTANTIATE(SINEW_PORTS)
 
 } // namespace sinew

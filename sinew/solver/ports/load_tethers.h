@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/solver.h"
 #include "sinew/solver/world.h"
 
 #include <algorithm>
@@ -18,12 +19,12 @@ template <class Real> const Component* sheet_at(const Plan<Real>& plan, Row slot
 
 template <int D, class Real> class LoadTethers {
   public:
-    explicit LoadTethers(World<D, Real>& world)
-        : world_(world), swept_(world.sweep_state), plan_(world.sweep_state.plan) {}
+    LoadTethers(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), solver_(solver), swept_(solver.sweep_state), plan_(solver.sweep_state.plan) {}
 
     /// Sets the load tethers of one port. Tethers without a reach hold nothing.
     void set_anchors(std::span<DistanceRow<D>> links) const {
-        auto& nodes = world_.blocks.nodes;
+        auto& nodes = solver_.blocks.nodes;
         const auto slot = swept_.slot_of[nodes[links.front().a].row];
         const auto* component = sheet_at(plan_, slot);
         for (std::uint32_t t = 0; t < links.size(); ++t) {
@@ -39,6 +40,7 @@ template <int D, class Real> class LoadTethers {
 
   private:
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     const SweepState<D, Real>& swept_;
     const Plan<Real>& plan_;
 

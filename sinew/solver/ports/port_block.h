@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/ports/port_response.h"
+#include "sinew/solver/solver.h"
 #include "sinew/solver/world.h"
 
 /// A block with ports, in one substep. Before the sweep the block is solved with the impulses of the last substep at
@@ -15,9 +16,9 @@ template <int D, class Real> class PortBlock {
   public:
     using Vector = Vec<D, double>;
 
-    PortBlock(World<D, Real>& world, Block& block, Real h)
-        : swept_(world.sweep_state), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
-          angles_(std::get<kind_number<Angle, D>>(world.constraints)), blocks_(world.blocks), block_(block),
+    PortBlock(World<D, Real>& world, Solver<D, Real>& solver, Block& block, Real h)
+        : swept_(solver.sweep_state), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
+          angles_(std::get<kind_number<Angle, D>>(world.constraints)), blocks_(solver.blocks), block_(block),
           h_(double(h)) {}
 
     std::span<Port<D>> ports() const { return std::span(blocks_.ports.list).subspan(block_.first_port, block_.ports); }

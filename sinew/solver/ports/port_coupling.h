@@ -9,8 +9,8 @@ namespace sinew::detail {
 
 template <int D, class Real> class PortCoupling {
   public:
-    PortCoupling(World<D, Real>& world, Real h, int number)
-        : world_(world), blocks_(world.blocks), swept_(world.sweep_state), h_(h), number_(number) {}
+    PortCoupling(World<D, Real>& world, Solver<D, Real>& solver, Real h, int number)
+        : world_(world), solver_(solver), blocks_(solver.blocks), swept_(solver.sweep_state), h_(h), number_(number) {}
 
     bool any() const { return !blocks_.attached_trees.empty(); }
 
@@ -54,13 +54,14 @@ template <int D, class Real> class PortCoupling {
 
   private:
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     Blocks<D>& blocks_;
     SweepState<D, Real>& swept_;
     Real h_;
     int number_;
 
     template <class Visit> void each(Visit&& visit) {
-        for (auto& block : blocks_.attached_trees) visit(block, PortBlock<D, Real>(world_, block, h_));
+        for (auto& block : blocks_.attached_trees) visit(block, PortBlock<D, Real>(world_, solver_, block, h_));
     }
 
     void note_free_moves() {
@@ -91,7 +92,7 @@ template <int D, class Real> class PortCoupling {
     template <class Table> void guess_from(const Table& table, Row row, double scale) {
         auto& ports = blocks_.ports;
         const auto members = table.members[row];
-        Stencil<typename Table::Kind, D, Real> stencil(world_, members.size());
+        Stencil<typename Table::Kind, D, Real> stencil(solver_.scratch, members.size());
         stencil.each([&](std::size_t i) { stencil.points[i] = swept_.place_at(swept_.slot_of[members[i]]); });
         stencil.evaluate(stencil.points, stencil.gradient);
         stencil.each([&](std::size_t i) {

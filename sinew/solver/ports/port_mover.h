@@ -18,17 +18,17 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
   public:
     static constexpr bool couples = true;
 
-    PortMover(World<D, Real>& world, const Base& mover)
-        : Base(mover), blocks_(world.blocks), ports_(world.blocks.ports) {}
+    PortMover(Solver<D, Real>& solver, const Base& mover)
+        : Base(mover), blocks_(solver.blocks), ports_(solver.blocks.ports) {}
 
     /// Constraints at ports come last in a pass, so that ports are left with the smallest errors. The multipliers in
     /// the tables are 0 meanwhile, because a pass of the sweep over inactive links undoes stored multipliers.
-    static void project_all(World<D, Real>& world, const Base& base) {
-        PortMover mover(world, base);
-        for (auto& row : world.blocks.ports.rows)
+    static void project_all(World<D, Real>& world, Solver<D, Real>& solver, const Base& base) {
+        PortMover mover(solver, base);
+        for (auto& row : solver.blocks.ports.rows)
             visit_table(world, row.kind, [&](auto& table) {
                 table.multiplier[row.row] = Real(row.multiplier);
-                project_row(world, table, row.row, mover);
+                project_row(std::span(solver.scratch), table, row.row, mover);
                 row.multiplier = double(std::exchange(table.multiplier[row.row], Real(0)));
             });
     }

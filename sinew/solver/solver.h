@@ -1,0 +1,49 @@
+#pragma once
+
+#include "sinew/solver/block.h"
+#include "sinew/solver/passive.h"
+#include "sinew/solver/swept.h"
+
+#include <memory>
+#include <vector>
+
+/// Everything of a simulation that follows from its world, and can be thrown away and worked out again: plans, blocks,
+/// and room to work in. A solver follows the world by the world's journal.
+namespace sinew {
+
+template <int D, class Real> struct World;
+
+struct SolverOptions {
+    int threads = 0; ///< threads of a step; 0: the number of cores. Results do not depend on the number
+};
+
+template <int D, class Real> struct Solver {
+    SolverOptions options;
+    Blocks<D> blocks;                       ///< constraints solved at once instead of in the sweep
+    SweepState<D, Real> sweep_state;        ///< plan and columns of the sweep
+    Budgets<D> budgets;                     ///< limits on the energy added by constraints of figures
+    std::vector<Vec<D, Real>> scratch;      ///< points and gradients of the widest constraint
+    std::shared_ptr<const char> identity{}; ///< a journal read by this solver carries the same
+
+    Solver() = default;
+    explicit Solver(const SolverOptions& options) : options(options) {}
+    /// A copy has the options, and works out the rest anew.
+    Solver(const Solver& other) : options(other.options) {}
+    Solver& operator=(const Solver& other) {
+        if (this != &other) *this = Solver(other.options);
+        return *this;
+    }
+    Solver(Solver&&) = default;
+    Solver& operator=(Solver&&) = default;
+    ~Solver() = default;
+
+    /// Advances a world by dt, in the world's time unit. dt is clamped to limit::step; zero, negative, NaN or below
+    /// limit::shortest_step does nothing. Events stay in world.events until the next step. Allocates nothing, except
+    /// that the first step after an edit, or of another world, does the work of `prepare`.
+    void step(World<D, Real>& world, Real dt);
+
+    /// Finds the connected components of an edited world and reserves memory for their solution; a no-op without edits.
+    void prepare(World<D, Real>& world);
+};
+
+} // namespace sinew

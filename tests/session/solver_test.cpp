@@ -1,0 +1,93 @@
+#include "sinew/math/random.h"
+#include "sinew/prefab/prefabs.h"
+#include "sinew/simulation.h"
+#include "sinew/solver/environment.h"
+#include "sinew/solver/measure.h"
+
+#include "tests/scene/scene_runs.h"
+#include "tests/thorough.h"
+
+/// A solver follows from its world: one thrown away at any time, or another beside it, changes no bit.
+namespace sinew {
+namespace {
+
+std::uint64_t hash_of(const Session& session) {
+    return std::visit([](const auto& world) { return state_hash(world); }, session.world());
+}
+
+TEST(Solvers, CanBeThrownAwayAtAnyStepOfEveryScene) {
+    const int steps = few_or_many(40, 400);
+    for (const auto& name : scene_names()) {
+        auto kept = open(name, "physical"), renewed = open(name, "physical");
+        ASSERT_TRUE(kept && renewed) << name;
+        for (int i = 0; i < steps; ++i) {
+            if (random::whole(0, 7, 3, 0, std::uint64_t(i)) == 0) renewed->set_options({.threads = 1 + i % 3});
+            kept->step();
+            renewed->step();
+            ASSERT_EQ(hash_of(*kept), hash_of(*renewed)) << name << ", step " << i;
+        }
+    }
+}
+
+Simulation<2> rope_in_wind(int threads) {
+    Simulation<2> simulation{{}, Solver<2, double>({.threads = threads})};
+    set_gravity(simulation.world, {0, -9.81});
+    add_wind(simulation.world, {.velocity = {3, 0}, .strength = 0.1});
+    add_plane(simulation.world, {.normal = {0, 2}, .offset = -2, .friction = 0.5});
+    build(simulation.world, Rope{.length = 2, .segments = 20, .weight = 5}, "rope");
+    return simulation;
+}
+
+TEST(Solvers, OfOneWorldTakeTurns) {
+    auto together = rope_in_wind(1), alone = rope_in_wind(1), other = rope_in_wind(2);
+    Solver<2, double> second({.threads = 2});
+    for (int i = 0; i < 60; ++i) {
+        alone.step(1.0 / 60);
+        other.step(1.0 / 60);
+        (i % 3 == 0 ? together.solver : second).step(together.world, 1.0 / 60);
+        if (i % 7 == 0) second.step(other.world, 1.0 / 60), alone.step(1.0 / 60); // and one solver serves two worlds
+    }
+    EXPECT_EQ(state_hash(alone.world), state_hash(other.world));
+    EXPECT_NE(state_hash(together.world), state_hash(other.world));
+    for (int i = 0; i < 9; ++i) second.step(together.world, 1.0 / 60);
+    EXPECT_EQ(state_hash(together.world), state_hash(other.world)) << "69 steps each";
+}
+
+TEST(Solvers, FollowAWorldThatIsReplaced) {
+    auto simulation = rope_in_wind(1);
+    const auto begun = simulation;
+    for (int i = 0; i < 30; ++i) simulation.step(1.0 / 60);
+    const auto hash = state_hash(simulation.world);
+    simulation.world = begun.world;
+    for (int i = 0; i < 30; ++i) simulation.step(1.0 / 60);
+    EXPECT_EQ(state_hash(simulation.world), hash);
+    World<2, double> moved = std::move(simulation.world);
+    simulation.world = begun.world;
+    simulation.world = std::move(moved);
+    EXPECT_EQ(state_hash(simulation.world), hash);
+    simulation.step(1.0 / 60);
+    simulation.world = {};
+    simulation.step(1.0 / 60);
+    EXPECT_EQ(simulation.world.steps, 1U);
+}
+
+TEST(Environment, HasGravityAirAndWallsByName) {
+    World<3, float> world;
+    set_gravity(world, {0, -1, 0});
+    set_gravity(world, {0, -9.81F, 0});
+    ASSERT_EQ(world.forces.size(), 1U);
+    EXPECT_EQ(std::get<0>(world.forces[0]).acceleration[1], -9.81F);
+    add_plane(world, {.normal = {0, 3, 4}, .offset = 10});
+    ASSERT_EQ(world.bounds.size(), 1U);
+    EXPECT_FLOAT_EQ(world.bounds[0].offset, 2);
+    EXPECT_FLOAT_EQ(norm(world.bounds[0].normal), 1);
+    add_plane(world, {.offset = 10});
+    EXPECT_EQ(world.bounds.size(), 1U) << "no direction, no plane";
+    set_bounds(world, {-1, -2, -3}, {1, 2, 3}, 0.5F, 0.25F);
+    ASSERT_EQ(world.bounds.size(), 6U);
+    EXPECT_FLOAT_EQ(world.bounds[5].offset, -3);
+    EXPECT_FLOAT_EQ(world.bounds[5].restitution, 0.5F);
+}
+
+} // namespace
+} // namespace sinew
