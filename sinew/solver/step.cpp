@@ -182,12 +182,12 @@ template <int D, class Real> class Sweep {
         const auto tiles = tiles_of(component);
         const auto bodies = std::span(solver_.sweep_state.bodies.list).subspan(component.first_body, component.bodies);
         const bool alike = solver_.sweep_state.everyone_alike;
-        const int at_once = alike ? substeps_ : 1;
+        const int number = alike ? substeps_ : 1;
         gather(world_, solver_, h_, tiles.front().first, tiles.back().last);
-        for (int first = 0; first < substeps_; first += at_once) {
+        for (int first = 0; first < substeps_; first += number) {
             if (!alike) predict(component, first + 1);
             keeper_.note(bodies, alike ? decay() : 1);
-            run_passes(component, threads, {.first = first, .last = first + at_once, .predicts = alike});
+            run_passes(component, threads, {.first = first, .last = first + number, .predicts = alike});
             keeper_.restore(bodies);
         }
         scatter(world_, solver_, tiles.front().first, tiles.back().last);
