@@ -58,8 +58,9 @@ struct Component {
     std::uint32_t first_tether = 0, tethers = 0;
     PlanPlace begin{}; ///< offsets of the component's entries
     Extent particles{}, links{};
-    bool small = false; ///< may be laid out with others of the same shape (plan_sheets.h)
-    bool copies = false;
+    bool small = false;                       ///< may be laid out with others of the same shape (plan_sheets.h)
+    std::uint32_t copies = 0;                 ///< interleaved copies of one shape; 0 for a single one
+    std::uint32_t first_body = 0, bodies = 0; ///< range of FreeBodies::list that begins here
 
     bool has_links() const { return colors > 0; }
 };

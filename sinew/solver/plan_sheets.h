@@ -69,7 +69,7 @@ template <int D, class Real> class SheetMaker {
             const auto count = std::min(each, copies - first);
             const auto begin = Row(swept_.row_of.size());
             begin_sheet(part);
-            plan_.components.back().copies = true;
+            plan_.components.back().copies = std::uint32_t(count);
             for (std::size_t i = 0; i < members(part).size(); ++i)
                 for (std::size_t copy = 0; copy < count; ++copy) swept_.give_slot(members(part + first + copy)[i]);
             plan_.tiles.push_back({begin, Row(swept_.row_of.size())});

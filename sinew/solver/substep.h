@@ -77,6 +77,8 @@ template <int D, class Real> class Substep {
     }
 
     SubstepMover<D, Real>& mover() { return mover_; }
+    /// Factor of velocities by the common damping.
+    Real keep() const { return decay_.keep; }
 
     /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
     /// middle of this one. Drag scales mobilities by the same factor as the push, so a weight at rest pulls with its
@@ -352,6 +354,7 @@ template <int D, class Real> class Substep {
         const Row row = swept_.row_of[slot];
         const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, mover_.point_at(slot));
         if (!(depth > Real(0))) return;
+        if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
         const auto move = swept_.move_at(slot);
         const Real approach = -dot(plane.normal, move);
         const auto along = move + plane.normal * approach;

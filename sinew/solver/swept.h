@@ -2,6 +2,7 @@
 
 #include "sinew/assert/assert.h"
 #include "sinew/math/vec.h"
+#include "sinew/solver/free_bodies.h"
 #include "sinew/solver/id.h"
 #include "sinew/solver/plan.h"
 
@@ -27,6 +28,7 @@ template <int D, class Real> struct SweepState {
     Real largest_radius = 0;
     bool any_pin_moves = false, any_pin_soft = false; ///< in this step
     Plan<Real> plan;
+    FreeBodies<D> bodies;
     PlanRoom room;
     Plan<Real> spare; ///< components set aside while others are laid out before
     std::vector<Row> spare_rows;
@@ -43,6 +45,7 @@ template <int D, class Real> struct SweepState {
         row_of.reserve(particles);
         slot_of.reserve(particles);
         spare_rows.reserve(particles);
+        bodies.reserve(particles);
         columns_.clear(); // reallocation moves the columns
         columns_.reserve((particles + 2048) * (3 * D + 1));
     }
