@@ -1,4 +1,5 @@
 #include "sinew/scene/layout.h"
+#include "sinew/scene/parameters.h"
 
 #include "apps/window/arrangement.h"
 #include "apps/window/sliders.h"
