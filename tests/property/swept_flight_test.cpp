@@ -2,6 +2,8 @@
 #include "tests/thorough.h"
 #include "tests/worlds.h"
 
+#include <cmath>
+
 /// Free flight of what is swept: cloth by default, and every other figure if it is asked for. An unfinished sweep takes
 /// spin, which the step gives back.
 namespace sinew::SINEW_TEST_FILE {
@@ -66,6 +68,30 @@ TYPED_TEST(SweptFlight, AClothKeepsItsEnergy) {
     const double begun = inner_energy(flight.world);
     flight.fly(seconds<TypeParam>());
     EXPECT_NEAR(inner_energy(flight.world) / begun, 1, 1e-3);
+}
+
+TYPED_TEST(SweptFlight, DampingTakesItsShareOfTheSpin) {
+    constexpr double damping = 0.5, time = 3;
+    auto flight = spinning_cloth<TypeParam>(damping);
+    const auto begun = flight.spin();
+    flight.fly(time);
+    const double left = norm(flight.spin()) / norm(begun);
+    EXPECT_NEAR(left / std::exp(-damping * time), 1,
+                TypeParam::precise ? 1e-3 : 2e-3); // the first kick is half as long
+}
+
+// A central force has no moment about its centre, wherever the particles are.
+TYPED_TEST(SweptFlight, AnAttractorLeavesTheMomentumAboutItself) {
+    constexpr int D = TypeParam::dimension;
+    using Real = typename TypeParam::Real;
+    auto flight = spinning_cloth<TypeParam>(0);
+    auto& world = flight.world;
+    const auto center = at<Vec<D, Real>>(1, 0.5);
+    world.forces = {Attractor<D, Real>{.center = center, .strength = 3}};
+    const auto about = [&] { return angular_momentum(world) - moment_of(cast<double>(center), momentum(world)); };
+    const auto begun = about();
+    flight.fly(3);
+    EXPECT_LE(norm(about() - begun), (TypeParam::precise ? 1e-9 : 1e-4) * norm(begun));
 }
 
 } // namespace
