@@ -1,0 +1,132 @@
+import { Canvas2DPainter, type Engine, type OpenOptions, type Player } from "../sinew/index.js";
+import { SceneImages } from "./engine.js";
+import { Pointer } from "./pointer.js";
+
+const longestFrame = 0.1; // seconds; a longer pause of the browser is not made up for
+const mostDense = 2; // device pixels per CSS pixel that are worth painting
+
+/** A canvas on which a player runs: the loop of frames, the size, the pointer. */
+export class Stage {
+    readonly pointer: Pointer;
+    readonly painter: Canvas2DPainter;
+    readonly context: CanvasRenderingContext2D;
+    /** Called after each frame. */
+    onframe: (milliseconds: number) => void = () => {};
+    /** Time from one frame to the next, milliseconds, smoothed. */
+    frameTime = 16.7;
+    /** Time that stepping and painting took, milliseconds, smoothed. */
+    workTime = 0;
+
+    private request = 0;
+    private last = 0;
+    private isStale = true;
+    private isVisible = true;
+
+    private constructor(readonly canvas: HTMLCanvasElement, readonly engine: Engine, readonly player: Player, private images: SceneImages) {
+        const context = canvas.getContext("2d", { alpha: false });
+        if (!context) throw new Error("This browser has no 2D canvas.");
+        this.context = context;
+        this.painter = new Canvas2DPainter(context, { font: "'Inter Variable', system-ui, sans-serif" });
+        images.giveTo(this.painter);
+        this.pointer = new Pointer(canvas, () => player, () => this.wake());
+        new ResizeObserver(() => this.resize()).observe(canvas);
+        new IntersectionObserver(([entry]) => {
+            this.isVisible = entry?.isIntersecting ?? true;
+            if (this.isVisible) this.wake();
+        }).observe(canvas);
+        document.addEventListener("visibilitychange", () => this.wake());
+        this.resize();
+    }
+
+    static async open(canvas: HTMLCanvasElement, engine: Engine, scene: string, options: OpenOptions = {}): Promise<Stage> {
+        const images = await SceneImages.of(scene);
+        return new Stage(canvas, engine, engine.play(scene, { ...images.options(), ...options }), images);
+    }
+
+    /** Opens another scene in the same player; throws SceneErrors and keeps the old one. */
+    async show(scene: string, options: OpenOptions = {}): Promise<void> {
+        const images = await SceneImages.of(scene);
+        this.player.open(scene, { ...images.options(), ...options });
+        this.images = images;
+        images.giveTo(this.painter);
+        this.resize();
+        this.wake();
+    }
+
+    /** Continues as an edited scene; throws SceneErrors. */
+    become(scene: string): void {
+        this.player.become(scene, this.images.options());
+        this.wake();
+    }
+
+    imageOptions(): OpenOptions {
+        return this.images.options();
+    }
+
+    resize(): void {
+        const density = Math.min(window.devicePixelRatio || 1, mostDense);
+        const width = Math.max(Math.round(this.canvas.clientWidth * density), 1);
+        const height = Math.max(Math.round(this.canvas.clientHeight * density), 1);
+        if (this.canvas.width !== width || this.canvas.height !== height) {
+            this.canvas.width = width;
+            this.canvas.height = height;
+        }
+        this.player.resize(width, height, density);
+        this.paint();
+        this.wake();
+    }
+
+    /** Paints at least one more frame; call after any change. */
+    wake(): void {
+        this.isStale = true;
+        if (this.request || document.hidden || !this.isVisible) return;
+        this.last = performance.now();
+        this.request = requestAnimationFrame(this.frame);
+    }
+
+    private readonly frame = (now: number): void => {
+        this.request = 0;
+        const elapsed = Math.max(now - this.last, 0);
+        const begun = performance.now();
+        this.player.advance(Math.min(elapsed / 1000, longestFrame));
+        this.paint();
+        this.workTime += (performance.now() - begun - this.workTime) * 0.1;
+        if (elapsed > 0) this.frameTime += (elapsed - this.frameTime) * 0.1;
+        this.last = now;
+        this.isStale = false;
+        this.onframe(elapsed);
+        const goesOn = this.isStale || !this.player.state().isPaused;
+        if (goesOn && !document.hidden && this.isVisible && !this.request) this.request = requestAnimationFrame(this.frame);
+    };
+
+    paint(): void {
+        this.painter.paint(this.player.draw());
+        if (this.pointer.cross) this.paintCross(this.pointer.cross);
+    }
+
+    /** The keyboard's pointer. */
+    private paintCross({ x, y, pressed }: { x: number; y: number; pressed: boolean }): void {
+        const scale = this.canvas.width / Math.max(this.canvas.clientWidth, 1);
+        const { context } = this;
+        context.setTransform(scale, 0, 0, scale, x * scale, y * scale);
+        for (const [color, width] of [["#ffffff", 5], ["#d9481f", 2]] as const) {
+            context.strokeStyle = color;
+            context.lineWidth = width;
+            context.beginPath();
+            context.arc(0, 0, pressed ? 8 : 12, 0, 7);
+            for (const [a, b] of [[1, 0], [-1, 0], [0, 1], [0, -1]] as const) {
+                context.moveTo(a * 8, b * 8);
+                context.lineTo(a * 18, b * 18);
+            }
+            context.stroke();
+        }
+        context.setTransform(1, 0, 0, 1, 0, 0);
+    }
+
+    /** Blob of the picture as it is. */
+    png(): Promise<Blob> {
+        this.paint();
+        return new Promise((resolve, reject) =>
+            this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("no picture"))), "image/png"));
+    }
+}
