@@ -15,6 +15,7 @@ foreach(folder IN ITEMS sinew apps/play bindings/c bindings/wasm)
 endforeach()
 list(APPEND all ${PROJECT_SOURCE_DIR}/canvas/beside.cpp) # put_beside: a picture of pictures
 list(FILTER all EXCLUDE REGEX "/apps/play/(files|folder|script)[.]cpp") # bindings/wasm/no_files.cpp
+list(FILTER all EXCLUDE REGEX "/kernel_avx[0-9]+[.]cpp")
 # Every step is compiled for speed; what reads scenes, builds figures and answers a pointer, for size.
 set(small ${all})
 list(FILTER small INCLUDE REGEX "/sinew/(scene|prefab|session|picture)/|/apps/|/bindings/|/canvas/")

@@ -34,12 +34,14 @@ export interface CatalogueScene {
     size: [number, number];     // of the picture that the scene asks for, pixels
     /** Values worth a slider: those the file states. */
     parameters: SceneParameter[];
-    /** Values of `mode`: has the scene settings of its own for classic mode? */
+    /** Modes ("classic") for which the file has settings of its own. Every scene runs in both modes: {overrides: {mode: "classic"}}. */
     modes: string[];
     /** The file. */
     text: string;
-    /** Names of images the scene shows ("sprites/head.png"), found beside the package under `images/`. */
-    images: string[];
+    /** Images the scene shows, by name ("sprites/head.png"): files of the package under `images/`. */
+    images: Record<string, { width: number; height: number }>;
+    /** Texts of OBJ files by name. A scene of the catalogue is thus its own options: engine.open(scene.text, scene). */
+    models: Record<string, string>;
 }
 
 /** A value of a scene that a form can show. */
@@ -60,9 +62,9 @@ export interface OpenOptions {
     name?: string;
     /** `path=value` as on the command line: ["solver.substeps=16", "mode=classic"], or an object of the same. */
     overrides?: string[] | Record<string, unknown>;
-    /** Sizes of images by the names in the scene. Other images are drawn as plain shapes. */
+    /** Sizes of images by the names in the scene. Without any, plain shapes are drawn instead. */
     images?: Record<string, { width: number; height: number }>;
-    /** Texts of OBJ files by the names in the scene. The models of the catalogue are known. */
+    /** Texts of OBJ files by the names in the scene. */
     models?: Record<string, string>;
 }
 
