@@ -21,6 +21,9 @@ export class Stage {
     private last = 0;
     private isStale = true;
     private isVisible = true;
+    private isEnded = false;
+    private readonly observers: (ResizeObserver | IntersectionObserver)[];
+    private readonly onvisibility = (): void => this.wake();
 
     private constructor(readonly canvas: HTMLCanvasElement, readonly engine: Engine, readonly player: Player, private images: SceneImages) {
         const context = canvas.getContext("2d", { alpha: false });
@@ -29,12 +32,12 @@ export class Stage {
         this.painter = new Canvas2DPainter(context, { font: "'Inter Variable', system-ui, sans-serif" });
         images.giveTo(this.painter);
         this.pointer = new Pointer(canvas, () => player, () => this.wake());
-        new ResizeObserver(() => this.resize()).observe(canvas);
-        new IntersectionObserver(([entry]) => {
-            this.isVisible = entry?.isIntersecting ?? true;
+        this.observers = [new ResizeObserver(() => this.resize()), new IntersectionObserver((entries) => {
+            this.isVisible = entries.at(-1)?.isIntersecting ?? true;
             if (this.isVisible) this.wake();
-        }).observe(canvas);
-        document.addEventListener("visibilitychange", () => this.wake());
+        })];
+        for (const observer of this.observers) observer.observe(canvas);
+        document.addEventListener("visibilitychange", this.onvisibility);
         this.resize();
     }
 
@@ -64,6 +67,7 @@ export class Stage {
     }
 
     resize(): void {
+        if (this.isEnded) return;
         const density = Math.min(window.devicePixelRatio || 1, mostDense);
         const width = Math.max(Math.round(this.canvas.clientWidth * density), 1);
         const height = Math.max(Math.round(this.canvas.clientHeight * density), 1);
@@ -79,9 +83,19 @@ export class Stage {
     /** Paints at least one more frame; call after any change. */
     wake(): void {
         this.isStale = true;
-        if (this.request || document.hidden || !this.isVisible) return;
+        if (this.request || this.isEnded || document.hidden || !this.isVisible) return;
         this.last = performance.now();
         this.request = requestAnimationFrame(this.frame);
+    }
+
+    /** Ends the loop and frees the player. */
+    dispose(): void {
+        cancelAnimationFrame(this.request);
+        this.isEnded = true;
+        for (const observer of this.observers) observer.disconnect();
+        document.removeEventListener("visibilitychange", this.onvisibility);
+        this.painter.dispose();
+        this.player.dispose();
     }
 
     private readonly frame = (now: number): void => {
