@@ -39,16 +39,16 @@ std::string of_any_figure(const std::string& path) {
     return number == std::string::npos ? path : std::string(figures) + path.substr(number);
 }
 
-const json::Value* member(const json::Value* value, std::string_view key) {
+const json::Value* stated_in(const json::Value* value, std::string_view key) {
     const auto* object = value ? value->as<json::Object>() : nullptr;
     const auto* found = object ? json::find(*object, key) : nullptr;
     return found ? &found->value : nullptr;
 }
 
 /// Collects the fields of records, with the values of a scene.
-class Collector {
+class ParameterCollector {
   public:
-    Collector(const Units& units, int dimension, std::string_view mode, json::Array& found)
+    ParameterCollector(const Units& units, int dimension, std::string_view mode, json::Array& found)
         : units_(units), dimension_(dimension), mode_(mode), found_(found) {}
 
     void record(const Layout& layout, const json::Value* value, const std::string& path) {
@@ -64,7 +64,7 @@ class Collector {
 
     void field(const Layout& part, const json::Value* value, const std::string& path) {
         const auto name = std::string(part.field.name);
-        const auto* own = member(value, name);
+        const auto* own = stated_in(value, name);
         const auto here = path.empty() ? name : path + "." + name;
         if (!acts_in(mode_, here)) return;
         if (part.type == Type::choice) return alternative(part, value, path);
@@ -77,7 +77,7 @@ class Collector {
 
     /// The fields of the alternative that the object names.
     void alternative(const Layout& part, const json::Value* value, const std::string& path) {
-        const auto* said = member(value, part.field.name);
+        const auto* said = stated_in(value, part.field.name);
         const auto* name = said ? said->as<std::string>() : nullptr;
         for (const auto& one : part.parts)
             if (name && one.name == *name) record(one, value, path);
@@ -179,10 +179,10 @@ json::Array parameters_of(const Scene& scene, std::size_t most_figures) {
     const auto document = to_json(scene);
     const auto units = scene.measures();
     json::Array found;
-    Collector collector(units, scene.dimension, scene.solver.mode, found);
+    ParameterCollector collector(units, scene.dimension, scene.solver.mode, found);
     for (const auto* section : {"world", "solver"})
-        collector.record(section_layout(section), member(&document, section), section);
-    const auto* own = member(&document, "figures");
+        collector.record(section_layout(section), stated_in(&document, section), section);
+    const auto* own = stated_in(&document, "figures");
     if (const auto* figures = own ? own->as<json::Array>() : nullptr)
         for (std::size_t i = 0; i < std::min(figures->size(), most_figures); ++i)
             collector.record(figure_layout(), &(*figures)[i], "figures." + std::to_string(i));
@@ -192,7 +192,7 @@ json::Array parameters_of(const Scene& scene, std::size_t most_figures) {
 json::Array parameters_of(const Layout& prefab) {
     json::Array found;
     const Units metres;
-    Collector(metres, 2, "physical", found).record(prefab, nullptr, "");
+    ParameterCollector(metres, 2, "physical", found).record(prefab, nullptr, "");
     return found;
 }
 
