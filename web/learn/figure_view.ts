@@ -1,6 +1,6 @@
-import type { Engine } from "../sinew/index.js";
 import { writeAddress } from "../shared/address.js";
 import { el, number } from "../shared/dom.js";
+import type { Loaded } from "../shared/engine.js";
 import { icon } from "../shared/icons.js";
 import { Stage } from "../shared/stage.js";
 import { theme } from "../shared/theme.js";
@@ -22,7 +22,7 @@ export class FigureView {
     private stage: Stage | null = null;
     private readAt = 0;
 
-    constructor(private readonly engine: Engine, private readonly lesson: Lesson) {
+    constructor(private readonly loaded: Loaded, private readonly lesson: Lesson) {
         const { figure } = lesson, { slider } = figure;
         this.canvas = el("canvas", { tabindex: 0, role: "application", "aria-label": `Figure: ${lesson.title}. Arrow keys move a pointer, Enter presses and lets go.` });
         this.range = el("input", { type: "range", id: "slider", ...ends(slider), value: shown(slider, slider.value), oninput: () => this.changed() });
@@ -40,9 +40,9 @@ export class FigureView {
         this.showLines();
     }
 
-    async begin(): Promise<void> {
-        const { figure } = this.lesson;
-        this.stage = await Stage.open(this.canvas, this.engine, this.text());
+    begin(): void {
+        const { figure } = this.lesson, { engine, assets } = this.loaded;
+        this.stage = Stage.open(this.canvas, engine, assets, this.text());
         this.stage.player.setTheme(theme());
         if (figure.split) this.stage.player.do("split");
         this.stage.onframe = () => this.afterFrame();

@@ -47,8 +47,9 @@ function cover(): void {
 async function show(lesson: Lesson): Promise<void> {
     const index = lessons.indexOf(lesson), before = lessons[index - 1], next = lessons[index + 1];
     document.title = `${lesson.title} – Sinew lessons`;
-    const { engine } = await loading;
-    const shown = (view = new FigureView(engine, lesson));
+    const loaded = await loading;
+    if (location.hash.slice(1) !== lesson.id) return;
+    const shown = (view = new FigureView(loaded, lesson));
     page.replaceChildren(
         el("p", { class: "number" }, `Lesson ${index + 1} of ${lessons.length}`),
         el("h1", {}, lesson.title),
@@ -58,7 +59,7 @@ async function show(lesson: Lesson): Promise<void> {
         el("nav", { class: "turn", "aria-label": "Neighbours" },
             before && el("a", { class: "button", href: `#${before.id}` }, `← ${before.title}`),
             next ? el("a", { class: "button on", href: `#${next.id}` }, `${next.title} →`) : el("a", { class: "button on", href: "../" }, "To the playground →")));
-    await shown.begin();
+    shown.begin();
 }
 
 async function follow(): Promise<void> {

@@ -1,6 +1,7 @@
 import { SceneErrors, type CatalogueScene, type Engine } from "../sinew/index.js";
 import { readAddress, type Address } from "../shared/address.js";
 import { announce, byId, debounced, el, words } from "../shared/dom.js";
+import type { Assets } from "../shared/engine.js";
 import { Stage } from "../shared/stage.js";
 import { applyTheme, setTheme, theme } from "../shared/theme.js";
 import { Films } from "./films.js";
@@ -38,7 +39,7 @@ export class App {
     private lastMessage = "";
     private refreshedAt = 0;
 
-    constructor(readonly engine: Engine, readonly scenes: CatalogueScene[]) {
+    constructor(readonly engine: Engine, readonly scenes: CatalogueScene[], private readonly assets: Assets) {
         this.gallery = new Gallery(scenes);
         this.help = helpDialog(engine);
         new Menu([
@@ -88,27 +89,27 @@ export class App {
         if (text === undefined && !known) throw new Error(`No scene is called "${scene}".`);
         const own = text ?? known!.text;
         const about = text === undefined ? known! : aboutOf(own);
-        await this.show({ name: known?.name ?? "shared scene", text: own, isOfCatalogue: text === undefined, pairs, about: about.about, source: about.source });
+        this.show({ name: known?.name ?? "shared scene", text: own, isOfCatalogue: text === undefined, pairs, about: about.about, source: about.source });
     }
 
     /** Opens a scene from a text that is not in the address: a file, the clipboard. */
     async openText(text: string, name: string): Promise<void> {
         try {
-            await this.show({ name: name.replace(/\.json$/, ""), text, isOfCatalogue: false, pairs: [], ...aboutOf(text) });
+            this.show({ name: name.replace(/\.json$/, ""), text, isOfCatalogue: false, pairs: [], ...aboutOf(text) });
             await this.writeAddress();
         } catch (error) {
             announce(messageOf(error));
         }
     }
 
-    private async show(opened: Opened): Promise<void> {
+    private show(opened: Opened): void {
         this.gallery.show(false);
         byId("player").hidden = false;
         document.body.classList.add("playing");
         const options = { name: `${opened.name}.json`, overrides: opened.pairs };
         try {
-            if (this.stage) await this.stage.show(opened.text, options);
-            else this.begin(await Stage.open(byId<HTMLCanvasElement>("stage"), this.engine, opened.text, options));
+            if (this.stage) this.stage.show(opened.text, options);
+            else this.begin(Stage.open(byId<HTMLCanvasElement>("stage"), this.engine, this.assets, opened.text, options));
         } catch (error) {
             if (!this.stage) this.showGallery();
             throw error;
@@ -119,6 +120,7 @@ export class App {
         this.applyTheme();
         this.stage!.player.pause(false);
         this.panel!.text.opened(opened.text);
+        this.rescan();
         this.panel!.introduce(opened.name, opened.about, opened.source, this.mode);
         this.refresh();
         this.hint();
@@ -138,15 +140,20 @@ export class App {
         stage.onframe = () => this.afterFrame();
     }
 
-    get mode(): string {
-        const stated = this.stage?.player.parameters().find(({ path }) => path === "solver.mode")?.value;
-        return stated === "classic" ? "classic" : "physical";
+    mode = "physical";
+
+    /** Reads the scene again, after a change of it. */
+    private rescan(): void {
+        const parameters = this.stage!.player.parameters();
+        this.mode = parameters.find(({ path }) => path === "solver.mode")?.value === "classic" ? "classic" : "physical";
+        this.panel!.showParameters(parameters);
     }
 
     private setMode(mode: string): void {
         const player = this.stage!.player, isSplit = player.state().panes > 1;
         if ((mode === "both") !== isSplit) player.do("split");
         if (mode !== "both" && mode !== this.mode) player.do("mode");
+        this.rescan();
         this.panel?.introduce(this.opened!.name, this.opened!.about, this.opened!.source, this.mode);
         this.changed();
     }
@@ -166,7 +173,9 @@ export class App {
 
     /** Something was done to the player: bars, text and address follow. */
     changed(): void {
-        this.stage?.wake();
+        if (!this.stage) return;
+        this.stage.wake();
+        this.rescan();
         this.refresh();
         this.settled();
     }

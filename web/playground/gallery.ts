@@ -19,10 +19,9 @@ export class Gallery {
     private readonly search = el("input", { type: "search", placeholder: "search scenes", "aria-label": "Search scenes", oninput: () => this.filter() });
     private readonly none = el("p", { class: "none", hidden: true }, "nothing is called so");
     private readonly cards = new Map<HTMLElement, string>();
-    private readonly thumbnails: Thumbnails;
+    private readonly thumbnails = new Thumbnails();
 
     constructor(scenes: CatalogueScene[]) {
-        this.thumbnails = new Thumbnails(scenes);
         this.root.append(
             el("div", { class: "hero" },
                 el("h1", {}, "Things of points and strings"),

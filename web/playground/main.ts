@@ -10,8 +10,8 @@ applyTheme();
 workOffline("./sw.js");
 
 try {
-    const { engine, scenes } = await loadEngine();
-    const app = new App(engine, scenes);
+    const { engine, scenes, assets } = await loadEngine();
+    const app = new App(engine, scenes, assets);
     Object.assign(window, { sinew: app }); // for the browser's console
     await app.follow(location.hash);
 } catch (error) {

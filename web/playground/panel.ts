@@ -1,4 +1,4 @@
-import type { Engine, PlayerState } from "../sinew/index.js";
+import type { Engine, PlayerState, SceneParameter } from "../sinew/index.js";
 import { byId, debounced, el, number, words } from "../shared/dom.js";
 import { icon } from "../shared/icons.js";
 import type { Stage } from "../shared/stage.js";
@@ -44,7 +44,7 @@ export class Panel {
         this.look = segments("Theme", [
             { value: "light", word: "light", tip: "dark on light" },
             { value: "dark", word: "dark", tip: "light on dark" }], (value) => (setTheme(value === "dark" ? "dark" : "light"), actions.themeChanged()));
-        this.form = new ParameterForm((path, value, goesOn) => this.setParameter(path, value, goesOn));
+        this.form = new ParameterForm((path, value, goesOn) => this.setParameter(path, value, goesOn), () => actions.changed());
         this.text = new TextTab(engine, stage, actions.textChanged);
         this.pages.parameters = el("div", {}, this.prefab, this.overlayChips(), this.form.root);
         this.pages.text = this.text.root;
@@ -141,8 +141,12 @@ export class Panel {
         for (const [name, chip] of this.overlays) chip.setAttribute("aria-pressed", String(state.overlays.includes(name)));
         this.prefab.hidden = state.tool !== "spawn";
         if (state.tool === "spawn" && !this.prefab.hasChildNodes()) this.fillPrefab();
-        const visible = this.root.offsetParent !== null;
-        if (visible && this.tab === "parameters") this.form.show(this.stage.player.parameters());
+    }
+
+    showParameters(parameters: SceneParameter[]): void {
+        const document = readable(this.stage.player.sceneText());
+        const figures = (document.figures ?? []).map(({ name, prefab }, i) => name ?? prefab ?? String(i));
+        this.form.show(parameters, (path) => states(document, path.split(".")), figures);
     }
 
     /** Choice of what the spawn tool puts in. */
@@ -191,4 +195,19 @@ export class Panel {
         else byId("stage").focus({ preventScroll: true });
         this.actions.changed();
     }
+}
+
+interface SceneDocument {
+    figures?: { name?: string; prefab?: string }[];
+}
+
+function readable(text: string): SceneDocument {
+    return JSON.parse(text) as SceneDocument;
+}
+
+/** True if a document has a value at a path. */
+function states(document: unknown, path: string[]): boolean {
+    const [first, ...rest] = path;
+    if (first === undefined) return document !== undefined;
+    return typeof document === "object" && document !== null && states((document as Record<string, unknown>)[first], rest);
 }

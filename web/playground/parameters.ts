@@ -7,27 +7,38 @@ export type SetParameter = (path: string, value: unknown, goesOn: boolean) => vo
 export class ParameterForm {
     readonly root = el("div", { class: "parameters" });
     private shown = "";
+    private figures: string[] = [];
+    private readonly all = el("input", { type: "checkbox", id: "all-parameters", onchange: () => this.again() });
 
-    constructor(private readonly set: SetParameter) {}
+    constructor(private readonly set: SetParameter, private readonly again: () => void) {}
 
-    /** Builds the form again only where the scene has other values than shown, and never under a hand. */
-    show(parameters: SceneParameter[]): void {
+    /** Shows the values that the scene states, or all; builds the form again only where there are others than shown, and
+     * never under a hand. `figures`: names by number. */
+    show(everything: SceneParameter[], stated: (path: string) => boolean, figures: string[]): void {
+        this.figures = figures;
+        const parameters = this.all.checked ? everything : everything.filter(({ path }) => stated(path));
         const now = JSON.stringify(parameters);
         if (now === this.shown || this.root.matches(":active, :focus-within") && this.sameFields(now)) return;
         this.shown = now;
         const groups = new Map<string, SceneParameter[]>();
         for (const one of parameters) {
-            const group = groupOf(one.path);
+            const group = this.groupOf(one.path);
             groups.set(group, [...(groups.get(group) ?? []), one]);
         }
         this.root.replaceChildren(...[...groups].map(([name, fields]) =>
-            el("fieldset", {}, el("legend", {}, words(name)), ...fields.map((one) => this.field(one)))));
-        if (parameters.length === 0) this.root.append(el("p", { class: "faint" }, "This scene states no numbers to change."));
+            el("fieldset", {}, el("legend", {}, words(name)), ...fields.map((one) => this.field(one)))),
+            el("label", { class: "all", for: this.all.id }, this.all, "values that the scene leaves out, too"));
     }
 
     private sameFields(now: string): boolean {
         const paths = (json: string): string => json === "" ? "" : (JSON.parse(json) as SceneParameter[]).map((one) => one.path).join();
         return paths(now) === paths(this.shown);
+    }
+
+    /** "figures.0.height" belongs to bob, "world.gravity" to the world. */
+    private groupOf(path: string): string {
+        const [first = "", second = ""] = path.split(".");
+        return first === "figures" ? this.figures[Number(second)] ?? second : first;
     }
 
     private field(parameter: SceneParameter): HTMLElement {
@@ -38,7 +49,7 @@ export class ParameterForm {
 
     private control(parameter: SceneParameter): HTMLElement {
         const { path, value, type, choices, help, name } = parameter;
-        const tip = { title: help, "aria-label": `${words(groupOf(path))} ${words(name)}` };
+        const tip = { title: help, "aria-label": `${words(this.groupOf(path))} ${words(name)}` };
         if (type === "truth") {
             const box = el("input", { ...tip, type: "checkbox", onchange: () => this.set(path, box.checked, false) });
             box.checked = value === true;
@@ -67,7 +78,7 @@ export class ParameterForm {
         const [low, high] = rangeOf(parameter, size);
         const whole = parameter.type === "integer";
         const step = whole ? 1 : niceStep((high - low) / 200);
-        const label = `${words(groupOf(parameter.path))} ${words(parameter.name)}`;
+        const label = `${words(this.groupOf(parameter.path))} ${words(parameter.name)}`;
         const range = el("input", { type: "range", min: low, max: high, step, value: parameter.value as number, "aria-label": label, title: parameter.help });
         const text = el("input", { type: "number", step: "any", value: number(parameter.value as number), "aria-label": `${label}, exact`, min: parameter.low, max: parameter.high });
         const shade = (): void => range.style.setProperty("--share", `${(100 * (Number(range.value) - low)) / (high - low)}%`);
@@ -91,11 +102,6 @@ export class ParameterForm {
     }
 }
 
-/** "figures.bob.height" belongs to bob, "world.gravity" to the world. */
-function groupOf(path: string): string {
-    const [first = "", second = ""] = path.split(".");
-    return first === "figures" ? second : first;
-}
 
 /** Ends of a slider: the declared range where it is narrow, else around the value of `size`. */
 function rangeOf({ low, high, type, value }: SceneParameter, size: number): [number, number] {

@@ -24,7 +24,7 @@ function pairsTo(engine: Engine, stage: Stage, opened: Opened, now: string): str
 
 function open(engine: Engine, stage: Stage, opened: Opened, overrides: string[]): { text: string; parameters: SceneParameter[] } | null {
     try {
-        const simulation = engine.open(opened.text, { ...stage.imageOptions(), overrides });
+        const simulation = engine.open(opened.text, { ...stage.optionsOf(opened.text), overrides });
         const found = { text: simulation.sceneText(), parameters: simulation.parameters() };
         simulation.dispose();
         return found;

@@ -1,18 +1,15 @@
-import type { CatalogueScene } from "../sinew/index.js";
 import type { Order } from "./thumbnails.worker.js";
 
 /** Live pictures of scenes, stepped and painted by a worker, so that the page never waits for them. */
 export class Thumbnails {
     private readonly worker = new Worker(new URL("./thumbnails.worker.ts", import.meta.url), { type: "module" });
     private readonly names = new Map<Element, string>();
-    private readonly texts: Map<string, CatalogueScene>;
     private readonly given = new Set<string>();
     private readonly observer = new IntersectionObserver((entries) => {
         for (const entry of entries) this.see(entry.target as HTMLCanvasElement, entry.isIntersecting);
     }, { rootMargin: "80px" });
 
-    constructor(scenes: CatalogueScene[]) {
-        this.texts = new Map(scenes.map((scene) => [scene.name, scene]));
+    constructor() {
         this.worker.addEventListener("message", ({ data }: MessageEvent<{ drawn: string }>) => {
             for (const [canvas, name] of this.names) if (name === data.drawn) canvas.classList.add("drawn");
         });
@@ -25,14 +22,13 @@ export class Thumbnails {
 
     private see(canvas: HTMLCanvasElement, visible: boolean): void {
         const name = this.names.get(canvas) ?? "";
-        const scene = this.texts.get(name);
-        if (visible && scene && !this.given.has(name)) {
+        if (visible && !this.given.has(name)) {
             this.given.add(name);
             const density = Math.min(devicePixelRatio || 1, 2);
             canvas.width = Math.max(Math.round(canvas.clientWidth * density), 1);
             canvas.height = Math.max(Math.round(canvas.clientHeight * density), 1);
             const surface = canvas.transferControlToOffscreen();
-            this.send({ order: "open", name, text: scene.text, seconds: scene.seconds, canvas: surface }, [surface]);
+            this.send({ order: "open", name, canvas: surface }, [surface]);
         }
         if (this.given.has(name)) this.send({ order: "see", name, visible });
     }

@@ -1,21 +1,21 @@
-import { Canvas2DPainter, type Simulation } from "../sinew/index.js";
-import { loadEngine, SceneImages } from "../shared/engine.js";
+import { Canvas2DPainter, type CatalogueScene, type Simulation } from "../sinew/index.js";
+import { loadEngine } from "../shared/engine.js";
 
 export type Order =
-    | { order: "open"; name: string; text: string; seconds: number; canvas: OffscreenCanvas }
+    | { order: "open"; name: string; canvas: OffscreenCanvas }
     | { order: "see"; name: string; visible: boolean }
     | { order: "prefer"; name: string }
     | { order: "run"; on: boolean; theme: string; still: boolean };
 
 /** One live picture. */
 interface Thumbnail {
-    text: string;
-    seconds: number;
+    name: string;
     canvas: OffscreenCanvas;
     painter: Canvas2DPainter;
     simulation: Simulation | null;
     theme: string;
     visible: boolean;
+    scene: CatalogueScene | null;
     /** Simulated seconds since the start. */
     time: number;
     drawnAt: number;
@@ -28,7 +28,7 @@ const slice = 9; // milliseconds of work before the worker listens again
 const tick = 16;
 
 const thumbnails = new Map<string, Thumbnail>();
-const engine = loadEngine().then((loaded) => loaded.engine);
+const loading = loadEngine();
 let isRunning = false, isStill = false, isQueued = false, theme = "light", preferred = "";
 
 self.addEventListener("message", ({ data }: MessageEvent<Order>) => {
@@ -42,11 +42,11 @@ self.addEventListener("message", ({ data }: MessageEvent<Order>) => {
     queue();
 });
 
-function open({ name, text, seconds, canvas }: Order & { order: "open" }): void {
+function open({ name, canvas }: Order & { order: "open" }): void {
     const context = canvas.getContext("2d", { alpha: false });
     if (!context) return;
     const painter = new Canvas2DPainter(context, { font: "system-ui, sans-serif" });
-    thumbnails.set(name, { text, seconds, canvas, painter, simulation: null, theme: "", visible: true, time: 0, drawnAt: 0, cost: 1 });
+    thumbnails.set(name, { name, canvas, painter, scene: null, simulation: null, theme: "", visible: true, time: 0, drawnAt: 0, cost: 1 });
 }
 
 function queue(): void {
@@ -90,10 +90,12 @@ async function advanceOne(): Promise<boolean> {
 }
 
 async function start(one: Thumbnail): Promise<void> {
-    const images = await SceneImages.of(one.text);
-    images.giveTo(one.painter);
+    const { engine, scenes, assets } = await loading;
+    one.scene ??= scenes.find(({ name }) => name === one.name) ?? null;
+    if (!one.scene) return;
+    await assets.giveTo(one.painter, one.scene.text);
     one.simulation?.dispose();
-    one.simulation = (await engine).open(one.text, { ...images.options(), overrides: theme === "dark" ? ["view.theme=dark"] : [] });
+    one.simulation = engine.open(one.scene.text, { ...assets.optionsOf(one.scene.text), overrides: theme === "dark" ? ["view.theme=dark"] : [] });
     one.theme = theme;
     one.time = Math.max(one.time, begins);
     one.simulation.runUntil(one.time);
@@ -101,10 +103,10 @@ async function start(one: Thumbnail): Promise<void> {
 }
 
 function advance(one: Thumbnail, seconds: number): void {
-    const { simulation } = one;
-    if (!simulation) return;
+    const { simulation, scene } = one;
+    if (!simulation || !scene) return;
     one.time += seconds;
-    if (one.time > one.seconds) {
+    if (one.time > scene.seconds) {
         simulation.restart();
         one.time = 0;
     }

@@ -1,46 +1,50 @@
 import { catalogue, load, type CatalogueScene, type Engine, type OpenOptions, type Painter } from "../sinew/index.js";
 
-const addresses = import.meta.glob<string>("../sinew/images/**/*.png", { query: "?url", import: "default", eager: true });
-const images = new Map(Object.entries(addresses).map(([path, address]) => [path.replace("../sinew/images/", ""), address]));
-
-export interface Loaded {
-    engine: Engine;
-    scenes: CatalogueScene[];
-}
-
-export async function loadEngine(): Promise<Loaded> {
-    const [engine, scenes] = await Promise.all([load(), catalogue()]);
-    return { engine, scenes };
-}
-
+const files = import.meta.glob<string>("../sinew/images/**/*.png", { query: "?url", import: "default", eager: true });
+const addresses = new Map(Object.entries(files).map(([path, address]) => [path.replace("../sinew/images/", ""), address]));
 const bitmaps = new Map<string, Promise<ImageBitmap>>();
 
 function bitmap(name: string): Promise<ImageBitmap> | undefined {
-    const address = images.get(name);
+    const address = addresses.get(name);
     if (!address) return undefined;
     let found = bitmaps.get(name);
     if (!found) bitmaps.set(name, (found = fetch(address).then((answer) => answer.blob()).then((blob) => createImageBitmap(blob))));
     return found;
 }
 
-/** Images that a scene's text names and the package has, with their sizes for the engine. */
-export class SceneImages {
-    readonly bitmaps = new Map<string, ImageBitmap>();
+/** Images and models of the catalogue, for any scene that names them. */
+export class Assets {
+    private readonly images: Map<string, { width: number; height: number }>;
+    private readonly models: Map<string, string>;
 
-    static async of(text: string): Promise<SceneImages> {
-        const found = new SceneImages();
-        for (const name of images.keys()) {
-            const pending = text.includes(`"${name}"`) ? bitmap(name) : undefined;
-            if (pending) found.bitmaps.set(name, await pending);
-        }
-        return found;
+    constructor(scenes: CatalogueScene[]) {
+        this.images = new Map(scenes.flatMap((scene) => Object.entries(scene.images)));
+        this.models = new Map(scenes.flatMap((scene) => Object.entries(scene.models)));
     }
 
-    options(): Pick<OpenOptions, "images"> {
-        return { images: Object.fromEntries([...this.bitmaps].map(([name, { width, height }]) => [name, { width, height }])) };
+    optionsOf(text: string): Pick<OpenOptions, "images" | "models"> {
+        const named = <Value>(all: Map<string, Value>): Record<string, Value> =>
+            Object.fromEntries([...all].filter(([name]) => text.includes(`"${name}"`)));
+        return { images: named(this.images), models: named(this.models) };
     }
 
-    giveTo(painter: Painter): void {
-        for (const [name, image] of this.bitmaps) painter.setImage(name, image);
+    /** Loads the images that a text names. */
+    async giveTo(painter: Painter, text: string): Promise<void> {
+        const names = Object.keys(this.optionsOf(text).images ?? {});
+        await Promise.all(names.map(async (name) => {
+            const image = await bitmap(name);
+            if (image) painter.setImage(name, image);
+        }));
     }
+}
+
+export interface Loaded {
+    engine: Engine;
+    scenes: CatalogueScene[];
+    assets: Assets;
+}
+
+export async function loadEngine(): Promise<Loaded> {
+    const [engine, scenes] = await Promise.all([load(), catalogue()]);
+    return { engine, scenes, assets: new Assets(scenes) };
 }

@@ -1,5 +1,5 @@
 import { Canvas2DPainter, type Engine, type OpenOptions, type Player } from "../sinew/index.js";
-import { SceneImages } from "./engine.js";
+import type { Assets } from "./engine.js";
 import { Pointer } from "./pointer.js";
 
 const longestFrame = 0.1; // seconds; a longer pause of the browser is not made up for
@@ -25,12 +25,12 @@ export class Stage {
     private readonly observers: (ResizeObserver | IntersectionObserver)[];
     private readonly onvisibility = (): void => this.wake();
 
-    private constructor(readonly canvas: HTMLCanvasElement, readonly engine: Engine, readonly player: Player, private images: SceneImages) {
+    private constructor(readonly canvas: HTMLCanvasElement, readonly engine: Engine, readonly player: Player, private readonly assets: Assets, text: string) {
         const context = canvas.getContext("2d", { alpha: false });
         if (!context) throw new Error("This browser has no 2D canvas.");
         this.context = context;
         this.painter = new Canvas2DPainter(context, { font: "'Inter Variable', system-ui, sans-serif" });
-        images.giveTo(this.painter);
+        this.loadImages(text);
         this.pointer = new Pointer(canvas, () => player, () => this.wake());
         this.observers = [new ResizeObserver(() => this.resize()), new IntersectionObserver((entries) => {
             this.isVisible = entries.at(-1)?.isIntersecting ?? true;
@@ -41,29 +41,31 @@ export class Stage {
         this.resize();
     }
 
-    static async open(canvas: HTMLCanvasElement, engine: Engine, scene: string, options: OpenOptions = {}): Promise<Stage> {
-        const images = await SceneImages.of(scene);
-        return new Stage(canvas, engine, engine.play(scene, { ...images.options(), ...options }), images);
+    static open(canvas: HTMLCanvasElement, engine: Engine, assets: Assets, scene: string, options: OpenOptions = {}): Stage {
+        const player = engine.play(scene, { ...assets.optionsOf(scene), ...options });
+        return new Stage(canvas, engine, player, assets, scene);
     }
 
     /** Opens another scene in the same player; throws SceneErrors and keeps the old one. */
-    async show(scene: string, options: OpenOptions = {}): Promise<void> {
-        const images = await SceneImages.of(scene);
-        this.player.open(scene, { ...images.options(), ...options });
-        this.images = images;
-        images.giveTo(this.painter);
+    show(scene: string, options: OpenOptions = {}): void {
+        this.player.open(scene, { ...this.assets.optionsOf(scene), ...options });
+        this.loadImages(scene);
         this.resize();
-        this.wake();
     }
 
     /** Continues as an edited scene; throws SceneErrors. */
     become(scene: string): void {
-        this.player.become(scene, this.images.options());
+        this.player.become(scene, this.assets.optionsOf(scene));
+        this.loadImages(scene);
         this.wake();
     }
 
-    imageOptions(): OpenOptions {
-        return this.images.options();
+    optionsOf(scene: string): OpenOptions {
+        return this.assets.optionsOf(scene);
+    }
+
+    private loadImages(scene: string): void {
+        void this.assets.giveTo(this.painter, scene).then(() => this.wake());
     }
 
     resize(): void {
