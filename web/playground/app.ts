@@ -117,6 +117,7 @@ export class App {
         this.opened = opened;
         document.title = `${words(opened.name)} – Sinew`;
         byId("stage").setAttribute("aria-label", `The scene: ${words(opened.name)}`);
+        byId("scene").dataset.name = words(opened.name);
         this.applyTheme();
         this.stage!.player.pause(false);
         this.panel!.text.opened(opened.text);

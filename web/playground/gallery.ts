@@ -24,8 +24,8 @@ export class Gallery {
     constructor(scenes: CatalogueScene[]) {
         this.root.append(
             el("div", { class: "hero" },
-                el("h1", {}, "Things of points and strings"),
-                el("p", {}, "Pick one, then drag it, throw it, cut it, and change what it is made of. ",
+                el("h1", {}, "Ropes, cloth, ragdolls: drag anything"),
+                el("p", {}, "Pick one. Drag it, throw it, cut it, and change what it is made of. ",
                     el("a", { href: "./learn/" }, "How does it work?"))),
             el("div", { class: "search", role: "search" }, this.search),
             ...[...new Set(scenes.map((scene) => scene.category))].map((category) => this.section(category, scenes)),

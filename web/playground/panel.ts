@@ -48,7 +48,7 @@ export class Panel {
         this.text = new TextTab(engine, stage, actions.textChanged);
         this.pages.parameters = el("div", {}, this.prefab, this.overlayChips(), this.form.root);
         this.pages.text = this.text.root;
-        this.pages.statistics = el("div", {}, this.facts, this.graphs.energy.root, this.graphs.stretch.root);
+        this.pages.statistics = el("div", { tabindex: 0 }, this.facts, this.graphs.energy.root, this.graphs.stretch.root);
         this.root.append(
             el("button", { class: "quiet close", type: "button", "aria-label": "Close the panel", onclick: () => this.open(false) }, icon("close")),
             el("div", { class: "head" }, this.title, this.about, el("div", { class: "switches" }, this.mode.root, this.look.root)),
