@@ -52,7 +52,7 @@ test("a phone shows the scene, its bars and, on request, the panel; nothing is w
         await page.locator("#side").waitFor({ state: "hidden" });
         for (const button of await page.locator("#time button:visible, #tools button").all()) {
             const { width, height } = await button.boundingBox();
-            assert.ok(width >= 40 && height >= 40, "large enough for a finger");
+            assert.ok(width >= 40 && height >= 40, `${await button.getAttribute("title")} is too small for a finger: ${width} x ${height}`);
         }
     }));
 
