@@ -49,4 +49,4 @@ endforeach()
 # A last -O0 keeps clang from running any wasm-opt of the machine.
 target_link_options(sinew_wasm PRIVATE -mexec-model=reactor -Wl,--strip-all -Wl,--gc-sections -Wl,-z,stack-size=1048576
     ${exports} -O0)
-set_target_properties(sinew_wasm PROPERTIES OUTPUT_NAME sinew RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+set_target_properties(sinew_wasm PROPERTIES OUTPUT_NAME sinew SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)

@@ -58,6 +58,8 @@ template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world,
         return view_of(particles.figure);
     case SINEW_CONSTRAINT_ENDS:
         return ends_of(world, simulation.rows);
+    case SINEW_MOBILITY:
+        return view_of(particles.mobility);
     default:
         return std::nullopt;
     }

@@ -170,7 +170,8 @@ typedef enum sinew_column {
     SINEW_INVERSE_MASS = 3, /* one real a row; 0: immovable */
     SINEW_RADIUS = 4,
     SINEW_FIGURE = 5,       /* uint32_t, index of the figure; ~0 for loose particles */
-    SINEW_CONSTRAINT_ENDS = 6 /* uint32_t, two rows for each distance */
+    SINEW_CONSTRAINT_ENDS = 6, /* uint32_t, two rows for each distance */
+    SINEW_MOBILITY = 7      /* inverse mass that the constraints see: 0 while pinned */
 } sinew_column;
 
 /* Memory of the simulation, not a copy: valid until the next call that steps or changes it. In WebAssembly any call may

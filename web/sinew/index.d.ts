@@ -178,6 +178,8 @@ export interface Simulation {
     readonly previous: Reals;
     readonly velocities: Reals;
     readonly inverseMasses: Reals;
+    /** Inverse masses as the constraints see them: 0 while pinned. */
+    readonly mobilities: Reals;
     readonly radii: Reals;
     readonly figureIndices: Uint32Array;
     /** Rows of the ends of every distance, two each. */

@@ -2,7 +2,7 @@ import { valueText } from "./engine.js";
 import { Picture } from "./picture.js";
 
 /** Numbers of sinew_column in bindings/c/sinew.h. */
-const column = { position: 0, previous: 1, velocity: 2, inverseMass: 3, radius: 4, figure: 5, ends: 6 };
+const column = { position: 0, previous: 1, velocity: 2, inverseMass: 3, radius: 4, figure: 5, ends: 6, mobility: 7 };
 
 /** A running scene without a pointer, or the scene of a player for reading. */
 export class Simulation {
@@ -91,6 +91,7 @@ export class Simulation {
     get previous() { return this.column(column.previous); }
     get velocities() { return this.column(column.velocity); }
     get inverseMasses() { return this.column(column.inverseMass); }
+    get mobilities() { return this.column(column.mobility); }
     get radii() { return this.column(column.radius); }
     get figureIndices() { return this.column(column.figure); }
     get ends() { return this.column(column.ends); }

@@ -25,6 +25,7 @@ test("columns are views of the state", () => {
     const simulation = engine.open(pendulum, { overrides: ["precision=double"] });
     assert.deepEqual([...simulation.positions], [0, 0, 1, 0]);
     assert.deepEqual([...simulation.inverseMasses], [1, 1]);
+    assert.deepEqual([...simulation.mobilities], [0, 1]);
     assert.deepEqual([...simulation.ends], [0, 1]);
     assert.deepEqual([...simulation.figureIndices], [0, 0]);
     assert.equal(simulation.positions.buffer, engine.memory.buffer);
