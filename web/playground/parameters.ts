@@ -106,11 +106,10 @@ export class ParameterForm {
 /** Ends of a slider: the declared range where it is narrow, else around the value of `size`. */
 function rangeOf({ low, high, type, value }: SceneParameter, size: number): [number, number] {
     const declared: [number, number] = [low ?? -Infinity, high ?? Infinity];
-    if (declared[1] - declared[0] <= 1000 && declared[1] - declared[0] > 0) {
-        const wide = declared[1] - declared[0] > 100 && type === "integer" && size <= 16;
-        return wide ? [declared[0], 64] : declared;
-    }
-    const reach = size > 0 ? roundUp(size * 3) : 1;
+    const width = declared[1] - declared[0];
+    const isNarrow = width > 0 && width <= 1000 && (size === 0 ? width <= 200 : width <= 20 * size);
+    if (isNarrow) return declared;
+    const reach = size > 0 ? roundUp(size * 3) : type === "integer" ? 64 : 1;
     const isSigned = type === "point" || (typeof value === "number" && value < 0);
     return [Math.max(declared[0], isSigned ? -reach : 0), Math.min(declared[1], reach)];
 }
