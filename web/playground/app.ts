@@ -189,7 +189,7 @@ export class App {
     private refresh(): void {
         const state = this.stage!.player.state();
         this.toolbar!.show(state);
-        this.timebar!.show(state, this.stage!.player.simulation.rate);
+        this.timebar!.show(state, this.stage!.player.simulation.report().seconds);
         this.panel!.show(state, this.mode);
         if (state.message && state.message !== this.lastMessage) announce(state.message);
         this.lastMessage = state.message;

@@ -24,8 +24,8 @@ interface Thumbnail {
 }
 
 const begins = 1.2; // seconds: the first picture of a scene, when something has happened already
-const slice = 9; // milliseconds of work before the worker listens again
-const tick = 16;
+const slice = 8; // milliseconds of work before the page gets its turn
+const tick = 33; // milliseconds between slices
 
 const thumbnails = new Map<string, Thumbnail>();
 const loading = loadEngine();

@@ -44,7 +44,8 @@ export class TimeBar {
         rove(this.root);
     }
 
-    show(state: PlayerState, rate: number): void {
+    /** `seconds`: simulated, since the scene's start. */
+    show(state: PlayerState, seconds: number): void {
         const playing = !state.isPaused;
         if (playing !== this.isPlaying) {
             this.isPlaying = playing;
@@ -53,7 +54,6 @@ export class TimeBar {
             this.pause.setAttribute("aria-label", tip);
             this.pause.replaceChildren(icon(playing ? "pause" : "play"));
         }
-        const seconds = state.step / rate;
         this.clock.value = `${Math.floor(seconds / 60)}:${(seconds % 60).toFixed(2).padStart(5, "0")}`;
         if (!this.isScrubbing) {
             this.timeline.min = String(state.firstStep);
