@@ -91,6 +91,12 @@ export class SinewError extends Error {
     status: number;             // a sinew_status of bindings/c/sinew.h
 }
 
+/** Values of SinewError.status. */
+export const status: {
+    readonly ok: 0; readonly badHandle: 1; readonly badId: 2; readonly badScene: 3; readonly badArgument: 4;
+    readonly notFound: 5; readonly readOnly: 6; readonly full: 7;
+};
+
 // --- engine -------------------------------------------------------------------------------------------------------
 
 export interface Engine {

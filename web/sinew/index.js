@@ -1,6 +1,6 @@
 // The package's entry: see index.d.ts for what there is, and README.md for how to begin.
 import { Engine, abi } from "./engine.js";
-import { SceneErrors, SinewError } from "./errors.js";
+import { SceneErrors, SinewError, status } from "./errors.js";
 import { Canvas2DPainter } from "./painters/canvas2d.js";
 import { WebGL2Painter } from "./painters/webgl2.js";
 import { PictureCopy, Shape } from "./picture.js";
@@ -36,5 +36,5 @@ export async function catalogue() {
     return (await import("./catalogue.js")).scenes;
 }
 
-export { abi, Canvas2DPainter, PictureCopy, SceneErrors, Shape, SinewError, WebGL2Painter };
+export { abi, Canvas2DPainter, PictureCopy, SceneErrors, Shape, SinewError, status, WebGL2Painter };
 export default { load, abi, catalogue, Canvas2DPainter };

@@ -13,6 +13,12 @@ function countingContext() {
     });
 }
 
+// Node has no canvas: tinted images go nowhere.
+globalThis.OffscreenCanvas ??= class {
+    constructor(width, height) { Object.assign(this, { width, height }); }
+    getContext() { return countingContext(); }
+};
+
 test("a picture lists what is seen", () => {
     const simulation = engine.open(pendulum);
     const picture = simulation.draw(400, 400);

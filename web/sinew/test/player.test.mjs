@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { catalogue, SceneErrors, SinewError } from "../index.js";
+import { catalogue, SceneErrors, Shape, SinewError } from "../index.js";
 import { engine, pendulum } from "./engine_for_tests.mjs";
 
 const ragdoll = (await catalogue()).find(({ name }) => name === "ragdoll");
@@ -141,17 +141,14 @@ test("a player's simulation is for reading", () => {
 
 test("the wheel enlarges about the pointer, and all can be seen again", () => {
     const player = playing();
-    const extent = () => {
-        const xs = [...player.draw().points].filter((_, i) => i % 2 === 0);
-        return Math.max(...xs) - Math.min(...xs);
-    };
+    const rodEnd = () => [...player.draw()].findLast(({ shape, points }) => shape === Shape.polyline && points.length === 4).points[2];
     player.pause();
-    const before = extent();
+    const before = rodEnd();
     player.pointerMove(200, 200);
     player.wheel(3);
-    assert.ok(Math.abs(extent() / before - 1.15 ** 3) < 0.25);
+    assert.ok(Math.abs((rodEnd() - 200) / (before - 200) - 1.15 ** 3) < 0.01);
     player.do("see_all");
-    assert.ok(Math.abs(extent() - before) < 1);
+    assert.ok(Math.abs(rodEnd() - before) < 0.01);
 });
 
 test("keys of the window act; those of files do nothing", () => {

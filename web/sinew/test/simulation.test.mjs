@@ -99,13 +99,13 @@ test("a hand takes hold, carries and lets go", () => {
     const simulation = engine.open(pendulum, { overrides: ["precision=double"] });
     assert.equal(simulation.grab([3, 3], 0.1), false);
     assert.equal(simulation.grab([1.02, 0.01], 0.1), true);
-    simulation.drag([0, 1]);
+    simulation.drag([0.6, 0.8]);
     simulation.runUntil(1);
     const [x, y] = simulation.stateOf("pendulum/bob").position;
-    assert.ok(Math.hypot(x, y - 1) < 0.05, `${x}, ${y}`);
+    assert.ok(Math.hypot(x - 0.6, y - 0.8) < 0.05, `${x}, ${y}`);
     simulation.letGo();
-    simulation.runUntil(3);
-    assert.ok(simulation.stateOf("pendulum/bob").position[1] < 0.999);
+    simulation.runUntil(1.7);
+    assert.ok(simulation.stateOf("pendulum/bob").position[1] < 0);
 });
 
 test("a cut parts and is told", () => {
@@ -113,7 +113,6 @@ test("a cut parts and is told", () => {
     assert.equal(simulation.cut([0.5, -1], [0.5, 1]), 1);
     assert.equal(simulation.constraintCount, 0);
     assert.ok(simulation.events().some(({ what, where }) => what === "cut" && where === "pendulum"));
-    assert.match(simulation.sceneText(), /snip/);
 });
 
 test("a copy goes on to the same state, an edited one to another", () => {
@@ -134,8 +133,8 @@ test("parameters have values, ranges and units, and can be set while it runs", (
     assert.deepEqual([gravity.value, gravity.type, gravity.unit], [[0, -10], "point", "m/s^2"]);
     const precision = simulation.parameters().find(({ path }) => path === "solver.precision");
     assert.deepEqual(precision.choices, ["float", "double"]);
-    const damping = simulation.parameters().find(({ path }) => path === "world.damping");
-    assert.deepEqual([damping.type, damping.low], ["number", 0]);
+    const substeps = simulation.parameters().find(({ path }) => path === "solver.substeps");
+    assert.deepEqual([substeps.type, substeps.low, substeps.high], ["integer", 0, 1000]);
     simulation.step(30);
     const before = simulation.stateOf("pendulum/bob").position;
     simulation.set("world.gravity", [0, 0]);

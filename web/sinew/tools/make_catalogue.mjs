@@ -22,7 +22,7 @@ function sizeOfPng(bytes) {
 }
 
 async function imagesOf(document) {
-    const names = under(document, "image").map((image) => (typeof image === "string" ? image : image.file));
+    const names = under(document, "image").filter(Boolean).map((image) => (typeof image === "string" ? image : image.file));
     const sizes = {};
     for (const name of new Set(names)) {
         const target = path.join(packageFolder, "images", name);
