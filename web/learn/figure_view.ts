@@ -122,7 +122,8 @@ const shown = ({ logarithmic }: Slider, value: number): number => (logarithmic ?
 
 function meant({ logarithmic, step, low, high }: Slider, position: number): number {
     if (!logarithmic) return position;
-    return Math.min(Math.max(Number((Math.round(10 ** position / step) * step).toFixed(6)), low), high);
+    const twoDigits = Number((10 ** position).toPrecision(2));
+    return Math.min(Math.max(Number((Math.round(twoDigits / step) * step).toFixed(6)), low), high);
 }
 
 function ends(slider: Slider): { min: number; max: number; step: number } {

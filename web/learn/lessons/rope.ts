@@ -4,14 +4,15 @@ export const rope: Lesson = {
     id: "rope",
     title: "Ropes that do not stretch",
     before: [
-        `On the left the tutorials' rope, with ten passes a frame. On the right Sinew's. Each carries the weight that you choose, on a rope of one kilogram.`,
+        `On the left the tutorials' rope, with ten passes a frame. On the right Sinew's, a rope of one kilogram with the weight that you choose. (The tutorials have no
+         masses: on the left all points weigh the same.)`,
     ],
     figure: {
         scene: (value) => ({
             ...pixels,
-            view: { size: [640, 400], center: [320, 190], height: 420 },
+            view: { size: [340, 400], center: [320, 180], height: 360 },
             world: { gravity: [0, 900], damping: 0.1 },
-            figures: [{ prefab: "rope", name: "rope", at: [320, 20], length: 240, segments: 30, angle: 65, links: "exact", mass: 1, weight: value, thickness: 7,
+            figures: [{ prefab: "rope", name: "rope", at: [320, 20], length: 240, segments: 30, angle: 34, links: "exact", mass: 1, weight: value, thickness: 7,
                 looks: { rope: { color: "#8a5a32" }, weight: { color: "#3d4352", width: 56 } } }],
             modes: { classic: { world: { damping: 0.999 }, solver: { passes: 10 }, figures: { rope: { weight: 1 } } } },
         }),
