@@ -34,7 +34,7 @@ test("the example of the README runs and prints what it says", { skip: !hasNpm }
     assert.equal(execFileSync("node", ["example.js"], { cwd: folder, encoding: "utf8" }), printed);
 });
 
-// The goal is 250 KB; docs/web.md tells what weighs how much.
+// The goal is 250 KB; docs/how/web.md tells what weighs how much.
 test("the module does not grow", () => {
     const { length } = brotliCompressSync(moduleBytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } });
     assert.ok(length <= 920 * 1024, `${length} bytes`);
