@@ -1,4 +1,4 @@
-#include "sinew/assert.h"
+#include "sinew/assert/assert.h"
 #include "sinew/solver/edit.h"
 
 #include <gtest/gtest.h>

@@ -73,6 +73,7 @@ template <int D, class V> using MomentSums = std::array<MomentPacks<D, V>, sums_
 template <int D, class V, bool whole, class Real>
 void add_moments(MomentSums<D, V>& sums, const BodyColumns<D, Real>& body, std::size_t first, std::size_t last) {
     constexpr double no_mass = std::numeric_limits<double>::infinity();
+    constexpr double least_mobility = 1 / immovable_mass;
     const BodyReader<V, whole> reader{body.slots, body.first, body.count};
     for (std::size_t at = first; at < last; at += sums_at_once)
         for (std::size_t p = 0; p < sums.size(); ++p) {
@@ -84,7 +85,8 @@ void add_moments(MomentSums<D, V>& sums, const BodyColumns<D, Real>& body, std::
                 place[k] = reader.get(body.place + column, i, body.origin[k]) - body.origin[k];
                 move[k] = reader.get(body.move + column, i, body.drift[k]) - body.drift[k];
             }
-            sums[p].add(1.0 / reader.get(body.mobility, i, no_mass), place, move);
+            sums[p].add(1.0 / lane::most(reader.get(body.mobility, i, no_mass), spread<V>(least_mobility)), place,
+                        move);
         }
 }
 

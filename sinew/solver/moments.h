@@ -7,6 +7,9 @@ namespace sinew {
 
 template <int D> inline constexpr int spins = D == 2 ? 1 : 3; ///< components of an angular momentum
 
+/// Mass in the sums of a particle that does not move; above all masses that do.
+inline constexpr double immovable_mass = 1e30;
+
 template <class T> Vec<1, T> moment(const Vec<2, T>& arm, const Vec<2, T>& force) {
     return {{cross(arm, force)}};
 }
@@ -47,18 +50,22 @@ template <int D> struct CentralMoments {
 
     /// Angular velocity of a rigid body with this spin. A body whose particles lie in a line does not turn about it.
     Vec<1, double> rate_of(const Vec<1, double>& wanted) const {
-        return {{wanted[0] * inverse_or_zero(second.column[0][0] + second.column[1][1])}};
+        return clamp_components(wanted * inverse_or_zero(second.column[0][0] + second.column[1][1]), most);
     }
     Vec<3, double> rate_of(const Vec<3, double>& wanted) const {
         constexpr double little = 1e-9; // added to the inertia, about a line the only one
-        auto inertia = Matrix<3, double>::diagonal((1 + little) * trace());
-        inertia -= second;
+        const double per_trace = inverse_or_zero(trace());
+        auto inertia = Matrix<3, double>::diagonal(1 + little);
+        for (std::size_t i = 0; i < 3; ++i) inertia.column[i] -= second.column[i] * per_trace;
         const auto inverted = inverse(inertia);
-        const auto rate = inverted * wanted;
-        return rate + inverted * (wanted - spin_at(rate));
+        const auto scaled = clamp_components(wanted * per_trace, most);
+        const auto rate = inverted * scaled;
+        return rate + inverted * (scaled - spin_at(rate) * per_trace);
     }
 
   private:
+    static constexpr double most = 1e60; ///< bound of rates, beyond sense: sums of them stay finite
+
     double trace() const {
         double sum = 0;
         for (int i = 0; i < D; ++i) sum += second.column[std::size_t(i)][i];

@@ -24,7 +24,7 @@ template <int D, class Real> class MomentumKeeper {
     void note(std::span<FreeBody<D>> bodies, double keep) const {
         for (auto& body : bodies) {
             const auto before = moments_of(body);
-            body.held = !is_finite(before.mass) || !is_finite(before.spin) || !is_finite(before.square);
+            body.held = before.mass >= immovable_mass;
             const double per_mass = inverse_or_zero(before.mass);
             body.spin = before.spin * (keep * per_mass);
             body.square = before.square * (square(keep) * per_mass);
@@ -82,7 +82,8 @@ template <int D, class Real> class MomentumKeeper {
         const double left = maximum(body.square * now.mass - rotation, 0.0);
         const double share = body.lossless && inner > left ? square_root(left * inverse_or_zero(inner)) : 1;
         const auto change = rate_due - rate * share;
-        if (!is_finite(change) || !is_finite(share)) return;
+        constexpr double most_turned = 1; // radians a substep; faster, no rotation is what was meant
+        if (!(norm(change) <= most_turned)) return;
         const auto columns = columns_of(body);
         kernels_.turn(columns, {.rate = change,
                                 .center = columns.origin + now.center,
