@@ -1,6 +1,7 @@
+#include "sinew/solver/edit.h"
+
 #include "sinew/constraint/kind_table.h"
 #include "sinew/session/pick.h"
-#include "sinew/solver/edit.h"
 
 #include "bindings/c/simulation.h"
 
@@ -61,7 +62,8 @@ View own_view(const Session& session) {
 
 extern "C" {
 
-// --- particles and constraints -----------------------------------------------------------------------------------------
+// --- particles and constraints
+// -----------------------------------------------------------------------------------------
 
 sinew_status sinew_add_particle(sinew_simulation simulation, const sinew_particle_spec* spec,
                                 sinew_particle* particle) {
@@ -108,7 +110,8 @@ sinew_status sinew_remove_constraint(sinew_simulation simulation, sinew_constrai
     });
 }
 
-// --- state of a particle -----------------------------------------------------------------------------------------------
+// --- state of a particle
+// -----------------------------------------------------------------------------------------------
 
 sinew_status sinew_set_position(sinew_simulation simulation, sinew_particle particle, sinew_point position) {
     if (!is_finite(position)) return not_finite();
@@ -145,7 +148,8 @@ sinew_status sinew_apply_impulse(sinew_simulation simulation, sinew_particle par
     });
 }
 
-// --- pins --------------------------------------------------------------------------------------------------------------
+// --- pins
+// --------------------------------------------------------------------------------------------------------------
 
 sinew_status sinew_pin_particle(sinew_simulation simulation, sinew_particle particle, sinew_pin* pin) {
     if (!pin) return null_argument();
@@ -167,7 +171,8 @@ sinew_status sinew_unpin(sinew_simulation simulation, sinew_pin pin) {
     return in_world(simulation, [&](auto& world) { return found(unpin(world, id_of<PinTag>(pin)), "pin"); });
 }
 
-// --- pointer -----------------------------------------------------------------------------------------------------------
+// --- pointer
+// -----------------------------------------------------------------------------------------------------------
 
 sinew_status sinew_grab(sinew_simulation simulation, sinew_point at, double radius) {
     if (!is_finite(at) || !(radius >= 0)) return not_finite();

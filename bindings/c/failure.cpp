@@ -90,8 +90,14 @@ sinew_status sinew_diagnostic_at(size_t index, sinew_diagnostic* diagnostic) {
     if (!diagnostic) return null_argument();
     if (index >= last().diagnostics.size()) return fail(SINEW_NOT_FOUND, "there are fewer diagnostics");
     const auto& kept = last().diagnostics[index];
-    *diagnostic = {kept.source.c_str(), kept.path.c_str(), kept.message.c_str(), kept.help.c_str(), kept.text.c_str(),
-                   std::uint32_t(kept.place.line), std::uint32_t(kept.place.column), std::uint32_t(kept.length),
+    *diagnostic = {kept.source.c_str(),
+                   kept.path.c_str(),
+                   kept.message.c_str(),
+                   kept.help.c_str(),
+                   kept.text.c_str(),
+                   std::uint32_t(kept.place.line),
+                   std::uint32_t(kept.place.column),
+                   std::uint32_t(kept.length),
                    kept.is_override};
     return SINEW_OK;
 }

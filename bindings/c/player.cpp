@@ -13,12 +13,12 @@ namespace sinew::c {
 namespace {
 
 constexpr std::size_t most_events = 1000;
-constexpr std::array of_host = {std::string_view("new"),       std::string_view("open"),    std::string_view("save"),
-                                std::string_view("save_as"),   std::string_view("copy"),    std::string_view("paste"),
-                                std::string_view("screenshot"), std::string_view("film"),   std::string_view("panel"),
-                                std::string_view("settings"),  std::string_view("help"),    std::string_view("close"),
-                                std::string_view("free_running"), std::string_view("previous_scene"),
-                                std::string_view("next_scene")};
+constexpr std::array of_host = {
+    std::string_view("new"),          std::string_view("open"),           std::string_view("save"),
+    std::string_view("save_as"),      std::string_view("copy"),           std::string_view("paste"),
+    std::string_view("screenshot"),   std::string_view("film"),           std::string_view("panel"),
+    std::string_view("settings"),     std::string_view("help"),           std::string_view("close"),
+    std::string_view("free_running"), std::string_view("previous_scene"), std::string_view("next_scene")};
 
 /// A shelf with one scene. A split view and a change of mode open it again in the other mode.
 play::Shelf shelf_of(const std::shared_ptr<const SceneFile>& file) {
@@ -135,8 +135,12 @@ std::string name_of_picked(const play::Play& play, const std::optional<Picked>& 
 void fill(Player& player, sinew_player_state& state) {
     auto& play = *player.play;
     const auto& tape = play.tape();
-    player.texts = {play.tool,     play.shown_theme(), name_of_picked(play, play.hovered),
-                    name_of_picked(play, play.selected), play.message, tape.undo_name(),
+    player.texts = {play.tool,
+                    play.shown_theme(),
+                    name_of_picked(play, play.hovered),
+                    name_of_picked(play, play.selected),
+                    play.message,
+                    tape.undo_name(),
                     tape.redo_name()};
     const auto text = [&](std::size_t i) { return player.texts[i].c_str(); };
     state = {double(tape.now()),
@@ -220,7 +224,8 @@ sinew_status sinew_player_simulation(sinew_player player, uint32_t pane, sinew_s
     });
 }
 
-// --- time and picture --------------------------------------------------------------------------------------------------
+// --- time and picture
+// --------------------------------------------------------------------------------------------------
 
 sinew_status sinew_player_resize(sinew_player player, uint32_t width, uint32_t height, double density) {
     constexpr std::uint32_t longest = 16384; // pixels
@@ -263,7 +268,8 @@ sinew_status sinew_player_picture_image(sinew_player player, uint32_t index, con
     });
 }
 
-// --- input -------------------------------------------------------------------------------------------------------------
+// --- input
+// -------------------------------------------------------------------------------------------------------------
 
 sinew_status sinew_player_pointer(sinew_player player, double x, double y) {
     if (!std::isfinite(x) || !std::isfinite(y)) return fail(SINEW_BAD_ARGUMENT, "a position is not finite");
@@ -332,7 +338,8 @@ sinew_status sinew_player_key(sinew_player player, const char* name, uint32_t is
     });
 }
 
-// --- actions -----------------------------------------------------------------------------------------------------------
+// --- actions
+// -----------------------------------------------------------------------------------------------------------
 
 sinew_status sinew_player_do(sinew_player player, const char* action) {
     if (!action) return null_argument();

@@ -67,8 +67,8 @@ template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world,
 
 template <class WorldT> sinew_particle_state state_of(const WorldT& world, Row row) {
     const auto& particles = world.particles;
-    sinew_particle_state state{{}, {}, double(particles.inverse_mass[row]), double(particles.radius[row]),
-                               particles.figure[row]};
+    sinew_particle_state state{
+        {}, {}, double(particles.inverse_mass[row]), double(particles.radius[row]), particles.figure[row]};
     for (int i = 0; i < WorldT::dimension; ++i) {
         state.position[i] = double(particles.position[row][i]);
         state.velocity[i] = double(particles.velocity[row][i]);
@@ -125,8 +125,8 @@ sinew_status sinew_get_report(sinew_simulation simulation, sinew_report* report)
     if (!report) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         const auto now = session.report();
-        *report = {now.seconds, double(now.steps), now.kinetic,      now.potential,   now.stored, now.energy_lost,
-                   now.stretch_max, now.stretch_mean, now.max_speed};
+        *report = {now.seconds,     double(now.steps), now.kinetic,      now.potential, now.stored,
+                   now.energy_lost, now.stretch_max,   now.stretch_mean, now.max_speed};
         return SINEW_OK;
     });
 }

@@ -49,8 +49,7 @@ template <class Work> sinew_status read(sinew_simulation handle, const Work& wor
 template <class Work> sinew_status change(sinew_simulation handle, const Work& work) {
     auto* simulation = simulations().find(handle.id);
     if (!simulation || !simulation->session()) return bad_handle();
-    if (!simulation->own)
-        return fail(SINEW_READ_ONLY, "the simulation belongs to a player, which alone may change it");
+    if (!simulation->own) return fail(SINEW_READ_ONLY, "the simulation belongs to a player, which alone may change it");
     return work(*simulation->own);
 }
 

@@ -12,8 +12,8 @@
  * Functions return a sinew_status; results come through pointers, which may not be null unless the comment says so, and
  * are written only on SINEW_OK. sinew_message() has the reason of the thread's last failure.
  *
- * Text is UTF-8 and ends with a zero byte. A `const char*` or a view handed out stays valid until the next call with the
- * same object (text without an object: until the next call of the same function in the same thread).
+ * Text is UTF-8 and ends with a zero byte. A `const char*` or a view handed out stays valid until the next call with
+ * the same object (text without an object: until the next call of the same function in the same thread).
  *
  * An object may be used by one thread at a time; different objects by different threads. The WebAssembly module has one
  * thread.
@@ -64,14 +64,14 @@ SINEW_API const char* sinew_message(void);
 
 /* An error in a scene, for its author. Valid until the next scene is read in this thread. */
 typedef struct sinew_diagnostic {
-    const char* source;  /* name of the file, or "<command line>" of an override */
-    const char* path;    /* JSON pointer: "/figures/0/mass" */
-    const char* message; /* "unknown property \"masss\"" */
-    const char* help;    /* "did you mean \"mass\"?"; may be empty */
-    const char* text;    /* the error as the command prints it, with the line and a mark below it */
-    uint32_t line;       /* from 1 */
-    uint32_t column;     /* from 1, in characters */
-    uint32_t length;     /* characters */
+    const char* source;   /* name of the file, or "<command line>" of an override */
+    const char* path;     /* JSON pointer: "/figures/0/mass" */
+    const char* message;  /* "unknown property \"masss\"" */
+    const char* help;     /* "did you mean \"mass\"?"; may be empty */
+    const char* text;     /* the error as the command prints it, with the line and a mark below it */
+    uint32_t line;        /* from 1 */
+    uint32_t column;      /* from 1, in characters */
+    uint32_t length;      /* characters */
     uint32_t is_override; /* 1: the error is in an override, and line and column count in it */
 } sinew_diagnostic;
 
@@ -79,16 +79,20 @@ typedef struct sinew_diagnostic {
 SINEW_API size_t sinew_diagnostic_count(void);
 SINEW_API sinew_status sinew_diagnostic_at(size_t index, sinew_diagnostic* diagnostic);
 
-/* --- scenes -------------------------------------------------------------------------------------------------------- */
+/* --- scenes ------------------------------------------------------------------------------------------------------ */
 
-typedef struct sinew_simulation { uint32_t id; } sinew_simulation;
-typedef struct sinew_player { uint32_t id; } sinew_player;
+typedef struct sinew_simulation {
+    uint32_t id;
+} sinew_simulation;
+typedef struct sinew_player {
+    uint32_t id;
+} sinew_player;
 
 /* Files that a scene names. The library reads no file. */
 typedef struct sinew_image_file {
-    const char* name;    /* as in the scene: "sprites/head.png" */
-    uint32_t width;      /* pixels */
-    uint32_t height;     /* pixels */
+    const char* name; /* as in the scene: "sprites/head.png" */
+    uint32_t width;   /* pixels */
+    uint32_t height;  /* pixels */
 } sinew_image_file;
 typedef struct sinew_model_file {
     const char* name; /* as in the scene: "models/sail.obj" */
@@ -97,10 +101,10 @@ typedef struct sinew_model_file {
 
 /* Everything but the text of a scene. All zero is a good start. */
 typedef struct sinew_open_options {
-    const char* name;                 /* of the file, for messages; null: "scene.json" */
-    const char* const* overrides;     /* "path=value" as on the command line: "solver.substeps=16", "mode=classic" */
+    const char* name;             /* of the file, for messages; null: "scene.json" */
+    const char* const* overrides; /* "path=value" as on the command line: "solver.substeps=16", "mode=classic" */
     size_t override_count;
-    const sinew_image_file* images;   /* their sizes; the caller paints them. Others are drawn as plain shapes */
+    const sinew_image_file* images; /* their sizes; the caller paints them. Others are drawn as plain shapes */
     size_t image_count;
     const sinew_model_file* models;
     size_t model_count;
@@ -118,11 +122,11 @@ SINEW_API sinew_status sinew_close(sinew_simulation simulation);
  * "kinds" (of constraints, in 2D and 3D), "overlays", "tools", "actions" (of a player, with their keys). */
 SINEW_API sinew_status sinew_describe(const char* topic, const char** json);
 
-/* Number of bytes the engine's objects occupy is the caller's matter; the module's heap for texts and arrays: */
+/* Memory for texts and arrays, which the page writes into a module. */
 SINEW_API void* sinew_allocate(size_t bytes); /* 8-aligned; null where memory ends */
 SINEW_API void sinew_free(void* memory);      /* null is allowed */
 
-/* --- time ---------------------------------------------------------------------------------------------------------- */
+/* --- time -------------------------------------------------------------------------------------------------------- */
 
 SINEW_API sinew_status sinew_restart(sinew_simulation simulation);
 /* Takes `count` steps of the scene's rate, with the scene's events. */
@@ -130,23 +134,23 @@ SINEW_API sinew_status sinew_step(sinew_simulation simulation, uint32_t count);
 /* Steps until `seconds` of simulated time have passed since the start, to within half a step. */
 SINEW_API sinew_status sinew_run_until(sinew_simulation simulation, double seconds);
 
-/* --- reading ------------------------------------------------------------------------------------------------------- */
+/* --- reading ----------------------------------------------------------------------------------------------------- */
 
 typedef struct sinew_info {
-    uint32_t dimension;       /* 2 or 3 */
-    uint32_t real_bytes;      /* 4: float, 8: double */
-    uint32_t particles;       /* rows of the columns */
+    uint32_t dimension;  /* 2 or 3 */
+    uint32_t real_bytes; /* 4: float, 8: double */
+    uint32_t particles;  /* rows of the columns */
     uint32_t constraints;
-    uint32_t figures;         /* indices 0 to figures - 1; some may be unused */
-    uint32_t is_classic;      /* 1: mode "classic" */
-    uint32_t y_is_down;       /* 1: y points down, as on screens */
-    uint32_t read_only;       /* 1: belongs to a player */
-    double rate;              /* steps per second */
-    double seconds;           /* how long the scene is worth watching */
-    double per_metre;         /* units of length in a metre */
+    uint32_t figures;    /* indices 0 to figures - 1; some may be unused */
+    uint32_t is_classic; /* 1: mode "classic" */
+    uint32_t y_is_down;  /* 1: y points down, as on screens */
+    uint32_t read_only;  /* 1: belongs to a player */
+    double rate;         /* steps per second */
+    double seconds;      /* how long the scene is worth watching */
+    double per_metre;    /* units of length in a metre */
     double per_kilogram;
-    double per_second;        /* units of time in a second: 60 if the scene counts frames */
-    uint32_t view_width;      /* size of the picture that the scene asks for, pixels */
+    double per_second;   /* units of time in a second: 60 if the scene counts frames */
+    uint32_t view_width; /* size of the picture that the scene asks for, pixels */
     uint32_t view_height;
 } sinew_info;
 SINEW_API sinew_status sinew_get_info(sinew_simulation simulation, sinew_info* info);
@@ -164,14 +168,14 @@ SINEW_API sinew_status sinew_get_report(sinew_simulation simulation, sinew_repor
 SINEW_API sinew_status sinew_state_hash(sinew_simulation simulation, uint64_t* hash);
 
 typedef enum sinew_column {
-    SINEW_POSITION = 0,     /* `dimension` reals a row */
-    SINEW_PREVIOUS = 1,     /* one step ago */
+    SINEW_POSITION = 0, /* `dimension` reals a row */
+    SINEW_PREVIOUS = 1, /* one step ago */
     SINEW_VELOCITY = 2,
     SINEW_INVERSE_MASS = 3, /* one real a row; 0: immovable */
     SINEW_RADIUS = 4,
-    SINEW_FIGURE = 5,       /* uint32_t, index of the figure; ~0 for loose particles */
+    SINEW_FIGURE = 5,          /* uint32_t, index of the figure; ~0 for loose particles */
     SINEW_CONSTRAINT_ENDS = 6, /* uint32_t, two rows for each distance */
-    SINEW_MOBILITY = 7      /* inverse mass that the constraints see: 0 while pinned */
+    SINEW_MOBILITY = 7         /* inverse mass that the constraints see: 0 while pinned */
 } sinew_column;
 
 /* Memory of the simulation, not a copy: valid until the next call that steps or changes it. In WebAssembly any call may
@@ -179,7 +183,7 @@ typedef enum sinew_column {
 typedef struct sinew_view {
     const void* data;
     uint32_t rows;
-    uint32_t components;  /* numbers a row */
+    uint32_t components;   /* numbers a row */
     uint32_t number_bytes; /* 4 or 8 */
     uint32_t is_integer;   /* 1: uint32_t, 0: float or double */
 } sinew_view;
@@ -195,7 +199,8 @@ SINEW_API sinew_status sinew_particle_at(sinew_simulation simulation, uint32_t r
 SINEW_API sinew_status sinew_row_of(sinew_simulation simulation, sinew_particle particle, uint32_t* row);
 /* "bob/right_hand" */
 SINEW_API sinew_status sinew_find_particle(sinew_simulation simulation, const char* name, sinew_particle* particle);
-SINEW_API sinew_status sinew_find_constraint(sinew_simulation simulation, const char* name, sinew_constraint* constraint);
+SINEW_API sinew_status sinew_find_constraint(sinew_simulation simulation, const char* name,
+                                             sinew_constraint* constraint);
 /* Empty if the particle has no name. */
 SINEW_API sinew_status sinew_particle_name(sinew_simulation simulation, sinew_particle particle, const char** name);
 
@@ -204,7 +209,7 @@ typedef struct sinew_particle_state {
     double velocity[3];
     double inverse_mass; /* 0: immovable */
     double radius;
-    uint32_t figure;     /* ~0: none */
+    uint32_t figure; /* ~0: none */
 } sinew_particle_state;
 SINEW_API sinew_status sinew_get_particle(sinew_simulation simulation, sinew_particle particle,
                                           sinew_particle_state* state);
@@ -232,16 +237,16 @@ typedef struct sinew_figure {
 SINEW_API sinew_status sinew_figure_at(sinew_simulation simulation, uint32_t index, sinew_figure* figure);
 
 typedef struct sinew_event {
-    double seconds;   /* simulated time */
-    const char* what; /* "torn", "parted", "quarantined", or the name of a scene event */
+    double seconds;    /* simulated time */
+    const char* what;  /* "torn", "parted", "quarantined", or the name of a scene event */
     const char* where; /* figure or particle; may be empty */
-    uint32_t islands; /* "parted": number of islands of the figure; else 0 */
+    uint32_t islands;  /* "parted": number of islands of the figure; else 0 */
 } sinew_event;
 /* Events since the start; at most 10,000 are kept. */
 SINEW_API sinew_status sinew_event_count(sinew_simulation simulation, uint32_t* count);
 SINEW_API sinew_status sinew_event_at(sinew_simulation simulation, uint32_t index, sinew_event* event);
 
-/* --- the scene of a simulation -------------------------------------------------------------------------------------- */
+/* --- the scene of a simulation ----------------------------------------------------------------------------------- */
 
 /* The scene as a file states it, with all edits; cut constraints are in an event at the start. */
 SINEW_API sinew_status sinew_scene_text(sinew_simulation simulation, const char** json);
@@ -251,13 +256,15 @@ SINEW_API sinew_status sinew_parameters(sinew_simulation simulation, const char*
 /* Sets one value of the running scene by an override "path=value"; figures that it does not concern go on unchanged. */
 SINEW_API sinew_status sinew_set(sinew_simulation simulation, const char* override_pair);
 
-/* --- edits --------------------------------------------------------------------------------------------------------- */
+/* --- edits ------------------------------------------------------------------------------------------------------- */
 
-typedef struct sinew_point { double x, y, z; } sinew_point;
+typedef struct sinew_point {
+    double x, y, z;
+} sinew_point;
 
 typedef struct sinew_particle_spec {
     sinew_point position, velocity;
-    double mass;   /* above 0; INFINITY: immovable */
+    double mass; /* above 0; INFINITY: immovable */
     double radius;
 } sinew_particle_spec;
 SINEW_API sinew_status sinew_add_particle(sinew_simulation simulation, const sinew_particle_spec* spec,
@@ -289,7 +296,7 @@ SINEW_API sinew_status sinew_pin_particle(sinew_simulation simulation, sinew_par
 SINEW_API sinew_status sinew_move_pin(sinew_simulation simulation, sinew_pin pin, sinew_point target);
 SINEW_API sinew_status sinew_unpin(sinew_simulation simulation, sinew_pin pin);
 
-/* --- pointer ------------------------------------------------------------------------------------------------------- */
+/* --- pointer ----------------------------------------------------------------------------------------------------- */
 
 /* Grabs the nearest particle within `radius` (the scene's unit of length), or a point between several, as a pointer
  * does: with a force of 100 times gravity at most. SINEW_NOT_FOUND if nothing movable is there. 2D. */
@@ -301,27 +308,29 @@ SINEW_API sinew_status sinew_drag(sinew_simulation simulation, sinew_point to);
 SINEW_API sinew_status sinew_let_go(sinew_simulation simulation);
 /* Position of the pointer, for pins that follow it. */
 SINEW_API sinew_status sinew_point_at(sinew_simulation simulation, sinew_point at);
-/* Cuts every distance that crosses the line, as seen in the scene's own view; `count` (may be null) is the number cut. */
+/* Cuts every distance that crosses the line, as seen in the scene's own view; `count` (may be null) is the number cut.
+ */
 SINEW_API sinew_status sinew_cut(sinew_simulation simulation, sinew_point from, sinew_point to, uint32_t* count);
 
-/* --- picture ------------------------------------------------------------------------------------------------------- */
+/* --- picture ----------------------------------------------------------------------------------------------------- */
 
 typedef enum sinew_shape {
     SINEW_POLYLINE = 0, /* `count` points joined by a stroke of `width` pixels, round caps and joins */
     SINEW_LOOP = 1,     /* the same, closed */
     SINEW_DISC = 2,     /* a point, filled, `width` pixels in diameter */
     SINEW_POLYGON = 3,  /* `count` points, filled (even-odd) */
-    SINEW_IMAGE = 4,    /* an image mapped onto a grid of points, rows of `across`; `color` is blended over opaque pixels */
-    SINEW_TEXT = 5,     /* a line of text centred on one point, letters `width` pixels high */
-    SINEW_PANE = 6      /* the rectangle between two corners, filled; later items are clipped to it */
+    SINEW_IMAGE =
+        4,          /* an image mapped onto a grid of points, rows of `across`; `color` is blended over opaque pixels */
+    SINEW_TEXT = 5, /* a line of text centred on one point, letters `width` pixels high */
+    SINEW_PANE = 6  /* the rectangle between two corners, filled; later items are clipped to it */
 } sinew_shape;
 
 typedef struct sinew_item {
-    uint32_t shape; /* a sinew_shape */
-    uint32_t first; /* index of the first point */
-    uint32_t count; /* of points */
-    float width;    /* pixels */
-    float color[4]; /* red, green, blue, alpha: sRGB, straight alpha, 0 to 1 */
+    uint32_t shape;  /* a sinew_shape */
+    uint32_t first;  /* index of the first point */
+    uint32_t count;  /* of points */
+    float width;     /* pixels */
+    float color[4];  /* red, green, blue, alpha: sRGB, straight alpha, 0 to 1 */
     uint32_t number; /* index of the image, or of the text */
     uint32_t across; /* points in a row of an image's grid */
 } sinew_item;
@@ -331,7 +340,7 @@ typedef struct sinew_item {
 typedef struct sinew_picture {
     uint32_t width, height; /* pixels */
     float background[4];
-    const float* points;    /* two floats a point */
+    const float* points; /* two floats a point */
     uint32_t point_count;
     const sinew_item* items;
     uint32_t item_count;
@@ -351,7 +360,7 @@ SINEW_API sinew_status sinew_unproject(sinew_simulation simulation, uint32_t wid
 SINEW_API sinew_status sinew_project(sinew_simulation simulation, uint32_t width, uint32_t height, sinew_point position,
                                      double* x, double* y);
 
-/* --- player -------------------------------------------------------------------------------------------------------- */
+/* --- player ------------------------------------------------------------------------------------------------------ */
 
 /* Opens a scene in a player, running, with a picture of the size that the scene asks for. `options` may be null. */
 SINEW_API sinew_status sinew_play(const char* scene, const sinew_open_options* options, sinew_player* player);
@@ -412,7 +421,7 @@ SINEW_API sinew_status sinew_player_theme(sinew_player player, const char* theme
 typedef struct sinew_player_state {
     double step, first_step, end_step; /* of the timeline: now, earliest and latest that can be restored */
     double time_scale;
-    double share;        /* of the step in progress, 0 to 1 */
+    double share; /* of the step in progress, 0 to 1 */
     uint32_t is_paused;
     uint32_t panes;      /* 1, or 2 in a split view */
     uint32_t is_edited;  /* differs from the scene that was opened */

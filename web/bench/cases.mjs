@@ -27,7 +27,8 @@ export const cases = [cloth(64), cloth(128), rope, ragdolls];
 
 /** Points, sticks and settings of a simulation at its start. */
 export function workOf(simulation) {
-    const { positions, mobilities, inverseMasses, ends } = simulation;
+    const [positions, mobilities, inverseMasses, ends] =
+        ["positions", "mobilities", "inverseMasses", "ends"].map((column) => simulation[column].slice());
     const points = Array.from(mobilities, (mobility, i) => ({
         x: positions[2 * i], y: positions[2 * i + 1], mass: 1 / inverseMasses[i], isPinned: mobility === 0,
     }));
