@@ -34,6 +34,7 @@ export function filmVideo(stage: Stage): Film {
 
 const gifSide = 480; // pixels of the longer side
 const gifPeriod = 50; // milliseconds between frames; viewers know multiples of ten
+const mostWaiting = 2; // frames; where the encoder is slower, frames are left out
 
 /** Films the canvas as an animated GIF, which a worker encodes meanwhile. */
 export function filmGif(stage: Stage): Film {
@@ -43,17 +44,24 @@ export function filmGif(stage: Stage): Film {
     small.width = Math.max(Math.round(stage.canvas.width * scale), 1);
     small.height = Math.max(Math.round(stage.canvas.height * scale), 1);
     const context = small.getContext("2d", { willReadFrequently: true })!;
+    let waiting = 0, takenAt = performance.now() - gifPeriod;
+    worker.addEventListener("message", () => --waiting);
     const take = (): void => {
+        if (waiting >= mostWaiting) return;
+        const now = performance.now(), delay = Math.max(Math.round((now - takenAt) / 10) * 10, 20);
+        takenAt = now;
+        ++waiting;
         context.drawImage(stage.canvas, 0, 0, small.width, small.height);
         const { data } = context.getImageData(0, 0, small.width, small.height);
-        worker.postMessage({ pixels: data.buffer, width: small.width, height: small.height, delay: gifPeriod }, [data.buffer]);
+        worker.postMessage({ pixels: data.buffer, width: small.width, height: small.height, delay }, [data.buffer]);
     };
     take();
     const timer = setInterval(take, gifPeriod);
     return {
         end: () => new Promise((resolve) => {
             clearInterval(timer);
-            worker.addEventListener("message", ({ data }: MessageEvent<ArrayBuffer>) => {
+            worker.addEventListener("message", ({ data }: MessageEvent<ArrayBuffer | "frame">) => {
+                if (data === "frame") return;
                 worker.terminate();
                 resolve({ blob: new Blob([data], { type: "image/gif" }), ending: "gif" });
             });

@@ -19,4 +19,5 @@ self.addEventListener("message", ({ data }: MessageEvent<Frame | "end">) => {
     const pixels = new Uint8ClampedArray(data.pixels);
     const palette = quantize(pixels, 128);
     encoder.writeFrame(applyPalette(pixels, palette), data.width, data.height, { palette, delay: data.delay });
+    self.postMessage("frame");
 });

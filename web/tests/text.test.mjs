@@ -19,7 +19,7 @@ async function replace(page, from, to) {
     await page.locator(".cm-content").click();
     await page.keyboard.press("Control+Home");
     await page.keyboard.press("Control+f");
-    await page.locator(".cm-search input[name=search]").fill(from);
+    await page.locator(".cm-search input[name=search]").pressSequentially(from); // the panel listens to keys
     await page.keyboard.press("Enter");
     await page.keyboard.press("Escape");
     await page.keyboard.insertText(to);
@@ -123,7 +123,7 @@ test("a film is recorded as GIF and as WebM", () =>
             await page.locator("summary", { hasText: "save" }).click();
             await page.getByRole("button", { name }).click();
             await page.waitForTimeout(900);
-            const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "recording" }).click()]);
+            const [download] = await Promise.all([page.waitForEvent("download", { timeout: 90_000 }), page.getByRole("button", { name: "recording" }).click()]);
             assert.equal((await readFile(await download.path())).subarray(0, begins.length).toString("latin1"), begins);
         }
     }));
