@@ -66,11 +66,11 @@ class Graph {
 export class Graphs {
     readonly energy = new Graph("energy", [
         { name: "all", color: "--text", value: ({ kinetic, potential, stored }) => kinetic + potential + stored },
-        { name: "kinetic", color: "--accent", value: (report) => report.kinetic },
+        { name: "kinetic", color: "--accent-text", value: (report) => report.kinetic },
         { name: "potential", color: "--cool", value: (report) => report.potential },
         { name: "stored", color: "--good", value: (report) => report.stored }], number);
     readonly stretch = new Graph("stretch", [
-        { name: "largest", color: "--accent", value: (report) => report.stretchMax * 100 },
+        { name: "largest", color: "--accent-text", value: (report) => report.stretchMax * 100 },
         { name: "mean", color: "--cool", value: (report) => report.stretchMean * 100 }], (high) => `${number(high)} %`);
     private sampledAt = 0;
     private step = -1;

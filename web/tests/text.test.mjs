@@ -79,7 +79,7 @@ test("a slider's change is in the address, which leads back to the same scene", 
 test("a scene of one's own fits in the address", () =>
     site.on(desktop, "#scene=rope", async (page) => {
         await openEditor(page);
-        await replace(page, '"name": "line"', '"name": "täu ☂"');
+        await replace(page, "with an iron ball", "mit eiserner Kugel ☂");
         await page.waitForFunction(() => location.hash.startsWith("#z="), null, { timeout: 10_000 });
         const [text, hash] = await page.evaluate(() => [window.sinew.stage.player.sceneText(), location.hash]);
         assert.ok(hash.length < 2500, `${hash.length} characters`);
