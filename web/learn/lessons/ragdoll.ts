@@ -1,7 +1,7 @@
 import type { Lesson } from "../lesson.js";
 
 const muscle = (a: string, b: string, c: string, rest: number, strength: number): object =>
-    ({ kind: "angle", between: [`bob/${a}`, `bob/${b}`, `bob/${c}`], rest, compliance: 0.0002, lead: 0.12, max_force: strength });
+    ({ kind: "angle", between: [`bob/${a}`, `bob/${b}`, `bob/${c}`], rest, compliance: 0.0002, damping_time: 0.12, max_force: strength });
 
 export const ragdoll: Lesson = {
     id: "ragdoll",
