@@ -1,5 +1,6 @@
 #include "sinew/solver/step.h"
 
+#include "sinew/solver/colliders.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
 #include "sinew/solver/profile.h"
@@ -16,6 +17,7 @@ template <int D, class Real> void begin(World<D, Real>& world) {
     world.events.clear();
     hold_in_limits(world);
     apply_random_pushes(world);
+    begin_contacts(world);
 }
 
 template <int D, class Real> void forget_forces(Particles<D, Real>& particles) {
@@ -25,6 +27,7 @@ template <int D, class Real> void forget_forces(Particles<D, Real>& particles) {
 }
 
 template <int D, class Real> void end(World<D, Real>& world, Real dt) {
+    end_contacts(world);
     tear(world, dt);
     for (auto& pin : world.pins) pin.from = pin.target;
     forget_forces(world.particles);

@@ -62,7 +62,7 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h) {
         swept.any_pin_soft = swept.any_pin_soft || !pin.hard();
     }
     swept.largest_radius = 0;
-    if (world.bounds.empty()) return;
+    if (!has_walls(world)) return;
     for (const Row row : swept.row_of)
         swept.largest_radius = maximum(swept.largest_radius, world.particles.radius[row]);
 }
