@@ -21,9 +21,9 @@ std::optional<double> whole(std::string_view text) {
 
 } // namespace
 
-std::span<const Family> families() {
+std::span<const LinkColor> families() {
 #define SINEW_CALL(name) family::name(),
-    static const std::vector<Family> all{SINEW_FAMILIES(SINEW_CALL)};
+    static const std::vector<LinkColor> all{SINEW_FAMILIES(SINEW_CALL)};
 #undef SINEW_CALL
     return all;
 }

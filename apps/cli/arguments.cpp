@@ -34,7 +34,8 @@ std::string option_help(const CLI::App& parser, std::string_view word) {
 void refuse_unknown_options(const CLI::App& parser) {
     for (const auto& word : parser.remaining())
         if (word != "--")
-            misused(fmt::format("{} has no option {}", parser.get_name(), printable(word)), option_help(parser, word));
+            usage_error(fmt::format("{} has no option {}", parser.get_name(), printable(word)),
+                        option_help(parser, word));
 }
 
 /// Suggestion for an unexpected word.
@@ -78,12 +79,12 @@ Words sorted(const std::vector<std::string>& words) {
 SceneWords scene_of(const CLI::App& parser, Words words) {
     const auto& plain = words.plain;
     if (plain.empty())
-        misused(
+        usage_error(
             fmt::format("{}: no scene given", parser.get_name()),
             fmt::format("sinew {} SCENE, where SCENE is a file or a name that `sinew list` tells", parser.get_name()));
     if (plain.size() > 1)
-        misused(fmt::format("{} is neither an option nor key=value", in_quotes(plain[1])),
-                stray_help(parser, plain[1], plain.size() > 2 ? &plain[2] : nullptr));
+        usage_error(fmt::format("{} is neither an option nor key=value", in_quotes(plain[1])),
+                    stray_help(parser, plain[1], plain.size() > 2 ? &plain[2] : nullptr));
     return {plain[0], std::move(words.overrides)};
 }
 
@@ -102,8 +103,8 @@ void declare_in_range(CLI::App& parser, const std::string& names, std::optional<
     declare_taken(parser, names, placeholder, help, [=, &target](const std::string& text) {
         target = number_of<Number>(text);
         if (!target || !(*target >= range.low && *target <= range.high))
-            misused(fmt::format("{}: expected {} {}, found {}", long_name(names), kind, range_text(range),
-                                in_quotes(text)));
+            usage_error(fmt::format("{}: expected {} {}, found {}", long_name(names), kind, range_text(range),
+                                    in_quotes(text)));
     });
 }
 
@@ -124,7 +125,7 @@ bool parse(Command& command, std::span<const std::string> arguments) {
     } catch (const CLI::CallForHelp&) {
         return false;
     } catch (const CLI::ParseError& error) {
-        misused(error.what(), fmt::format("see `sinew help {}`", parser.get_name()));
+        usage_error(error.what(), fmt::format("see `sinew help {}`", parser.get_name()));
     }
     refuse_unknown_options(parser);
     return true;
@@ -168,7 +169,7 @@ void declare_flag(CLI::App& parser, const std::string& names, bool& target, cons
 void declare_text(CLI::App& parser, const std::string& names, std::string& target, const std::string& placeholder,
                   const std::string& help) {
     declare_taken(parser, names, placeholder, help, [=, &target](const std::string& text) {
-        if (text.empty()) misused(fmt::format("{}: expected {}, found nothing", long_name(names), placeholder));
+        if (text.empty()) usage_error(fmt::format("{}: expected {}, found nothing", long_name(names), placeholder));
         target = text;
     });
 }
@@ -190,8 +191,8 @@ void declare_pair(CLI::App& parser, const std::string& names, std::optional<std:
         const auto first = number_of<int>(std::string_view(text).substr(0, cross));
         const auto second = number_of<int>(std::string_view(text).substr(std::min(cross + 1, text.size())));
         if (!first || !second || *first < 1 || *second < 1)
-            misused(fmt::format("{}: expected {}, two whole numbers, found {}", long_name(names), placeholder,
-                                in_quotes(text)));
+            usage_error(fmt::format("{}: expected {}, two whole numbers, found {}", long_name(names), placeholder,
+                                    in_quotes(text)));
         target = {*first, *second};
     });
 }

@@ -19,7 +19,7 @@ namespace sinew::cli {
 class Command;
 
 /// Sets the members of a command from the arguments after the command's name. Returns false if help was requested, and
-/// the command is not to be run. Throws GiveUp on wrong usage.
+/// the command is not to be run. Throws CommandError on wrong usage.
 bool parse(Command& command, std::span<const std::string> arguments);
 
 /// Table of a command's options: a row with name and description each.

@@ -48,7 +48,7 @@ class BenchCommand final : public Command {
     }
 
     int run() override {
-        if (!words.overrides.empty()) misused("bench: what is measured?", "sinew bench cloth-256");
+        if (!words.overrides.empty()) usage_error("bench: what is measured?", "sinew bench cloth-256");
         check_word("--start", options.start, {"hang", "level"});
         check_word("--precision", options.precision, {"float", "double"});
         canvas::catch_interrupts();
@@ -70,7 +70,7 @@ class BenchCommand final : public Command {
         std::vector<bench::Case> chosen;
         for (const auto& word : names) {
             auto found = bench::find_case(word);
-            if (!found) misused(fmt::format("bench: there is no case {}", word), "sinew bench --help");
+            if (!found) usage_error(fmt::format("bench: there is no case {}", word), "sinew bench --help");
             chosen.push_back(std::move(*found));
         }
         return chosen;
@@ -78,7 +78,7 @@ class BenchCommand final : public Command {
 
     static void check_word(std::string_view option, const std::string& word, std::array<std::string_view, 2> allowed) {
         if (!word.empty() && word != allowed[0] && word != allowed[1])
-            misused(fmt::format("bench: {} is {} or {}, found {}", option, allowed[0], allowed[1], word));
+            usage_error(fmt::format("bench: {} is {} or {}, found {}", option, allowed[0], allowed[1], word));
     }
 
     Words words;

@@ -140,7 +140,7 @@ std::vector<RopeCase> cases_of(const BenchOptions& options) {
 void bench_ropes(const BenchOptions& options) {
     if (!options.only.empty() && options.only != "rope" &&
         std::ranges::find(rope_cases, options.only, &RopeExample::name) == rope_cases.end())
-        misused(fmt::format("bench: there is no case {}", options.only), "sinew bench --help");
+        usage_error(fmt::format("bench: there is no case {}", options.only), "sinew bench --help");
     std::vector<std::vector<std::string>> rows{
         {"case", "links", "weight", "start", "precision", "ms a step", "stretch", "degrees", "energy gain"}};
     for (const auto& rope : cases_of(options)) {

@@ -15,7 +15,7 @@ std::string stretch_text(double fraction);
 /// The rows as a table for the terminal, or in Markdown; the first row holds the titles.
 std::string bench_table(const std::vector<std::vector<std::string>>& rows, const BenchOptions& options);
 
-/// Throws GiveUp if the file cannot be written.
+/// Throws CommandError if the file cannot be written.
 void write_plot(const std::string& path, const bench::Plot& plot);
 
 } // namespace sinew::cli

@@ -39,7 +39,7 @@ class CheckCommand final : public Command {
     void declare(CLI::App& parser) override { declare_words(parser, words); }
 
     int run() override {
-        if (words.plain.empty()) misused("check: no scene given", "sinew check FILE...");
+        if (words.plain.empty()) usage_error("check: no scene given", "sinew check FILE...");
         bool good = true;
         for (const auto& word : words.plain) good &= check(word);
         return good ? done : bad_input;
@@ -49,7 +49,7 @@ class CheckCommand final : public Command {
         try {
             print(fmt::format("{}: ok ({})\n", word, counts_text(open_file(word, words.overrides))));
             return true;
-        } catch (const GiveUp& end) {
+        } catch (const CommandError& end) {
             print_error(end.message);
             return false;
         }

@@ -33,7 +33,7 @@ class Command {
     virtual Manual manual() const = 0;
     /// Declares options on an empty parser.
     virtual void declare(CLI::App& parser) = 0;
-    /// Runs the command once the options are read. Returns the exit code; throws GiveUp.
+    /// Runs the command once the options are read. Returns the exit code; throws CommandError.
     virtual int run() = 0;
 };
 

@@ -62,11 +62,11 @@ std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& 
 } // namespace
 
 void refuse(std::string_view where, std::string_view message, std::string_view help) {
-    throw GiveUp{bad_input, error_text(where, message, help)};
+    throw CommandError{bad_input, error_text(where, message, help)};
 }
 
-void misused(std::string_view message, std::string_view help) {
-    throw GiveUp{wrong_usage, error_text("sinew", message, help)};
+void usage_error(std::string_view message, std::string_view help) {
+    throw CommandError{wrong_usage, error_text("sinew", message, help)};
 }
 
 std::string error_text(std::string_view where, std::string_view message, std::string_view help) {

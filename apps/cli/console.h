@@ -9,15 +9,15 @@
 namespace sinew::cli {
 
 /// Exception that ends the command with a message on standard error.
-struct GiveUp {
+struct CommandError {
     int code = 0; ///< an ExitCode
     std::string message;
 };
 
-/// Throws GiveUp with bad_input. `where`: subject of the message, a file or the command.
+/// Throws CommandError with bad_input. `where`: subject of the message, a file or the command.
 [[noreturn]] void refuse(std::string_view where, std::string_view message, std::string_view help = {});
-/// Throws GiveUp with wrong_usage.
-[[noreturn]] void misused(std::string_view message, std::string_view help = {});
+/// Throws CommandError with wrong_usage.
+[[noreturn]] void usage_error(std::string_view message, std::string_view help = {});
 
 /// Message in the format of a scene file's diagnostics:
 ///

@@ -71,7 +71,7 @@ const Topic& topic_called(const std::vector<Topic>& topics, const std::string& w
         if (word == topic.path || word == topic.name()) return topic;
         names.push_back(topic.name());
     }
-    misused(fmt::format("no topic is called {}", in_quotes(word)), suggest(word, std::move(names)));
+    usage_error(fmt::format("no topic is called {}", in_quotes(word)), suggest(word, std::move(names)));
 }
 
 std::string overview(const std::vector<Topic>& topics) {
@@ -106,8 +106,8 @@ class DescribeCommand final : public Command {
     int run() override {
         const Layouts shapes;
         const auto topics = topics_of(shapes);
-        if (schema && markdown) misused("describe: --schema or --markdown, not both");
-        if (!words.overrides.empty()) misused("describe changes no values");
+        if (schema && markdown) usage_error("describe: --schema or --markdown, not both");
+        if (!words.overrides.empty()) usage_error("describe changes no values");
         if (words.plain.empty()) print(overview(topics));
         for (const auto& word : words.plain) print(text_of(topic_called(topics, word), &shapes.scene));
         return done;

@@ -93,7 +93,7 @@ class GalleryCommand final : public Command {
     }
 
     int run() override {
-        if (!words_.overrides.empty()) misused("gallery changes no values");
+        if (!words_.overrides.empty()) usage_error("gallery changes no values");
         auto names = words_.plain.empty() ? catalogue_names() : words_.plain;
         if (names.empty()) refuse("sinew", "the catalogue is empty");
         canvas::catch_interrupts();

@@ -26,7 +26,7 @@ IndexEntry entry_of(const std::string& name) {
             entry.about = fmt::format("broken: see `sinew check {}`", entry.file);
         const auto* category = text("/category");
         if (category && std::ranges::count(Scene::categories, *category) > 0) entry.category = *category;
-    } catch (const GiveUp&) {
+    } catch (const CommandError&) {
         entry.about = "cannot be read";
     }
     return entry;

@@ -104,9 +104,9 @@ class ListCommand final : public Command {
 
     int run() override {
         for (const auto& word : words.plain)
-            misused(fmt::format("list takes no word such as {}", word), fmt::format("sinew describe {}", word));
-        if (!words.overrides.empty()) misused("list changes no values");
-        if (as_json && as_markdown) misused("list: --json or --markdown, not both");
+            usage_error(fmt::format("list takes no word such as {}", word), fmt::format("sinew describe {}", word));
+        if (!words.overrides.empty()) usage_error("list changes no values");
+        if (as_json && as_markdown) usage_error("list: --json or --markdown, not both");
         if (as_markdown)
             print(markdown());
         else if (as_json)

@@ -47,8 +47,9 @@ std::unique_ptr<Command> command_of(const std::string& word) {
     for (auto& command : all_commands())
         if (command->manual().name == word) return std::move(command);
     if (word.starts_with("-"))
-        misused(fmt::format("no option {} here", printable(word)), "options follow the command: sinew COMMAND OPTIONS");
-    misused(fmt::format("there is no command {}", in_quotes(word)), command_help(word));
+        usage_error(fmt::format("no option {} here", printable(word)),
+                    "options follow the command: sinew COMMAND OPTIONS");
+    usage_error(fmt::format("there is no command {}", in_quotes(word)), command_help(word));
 }
 
 int run_command(Command& command, Arguments arguments) {
@@ -83,7 +84,7 @@ void give_back_at_once() {
 int run_or_explain(Arguments arguments) {
     try {
         return run(arguments);
-    } catch (const GiveUp& end) {
+    } catch (const CommandError& end) {
         print_error(end.message);
         return end.code;
     } catch (const std::bad_alloc&) {

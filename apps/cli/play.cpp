@@ -41,7 +41,7 @@ play::Fetched fetch(const std::string& word, std::span<const Override> overrides
         play::Fetched fetched{open_file(word, overrides), "", {}};
         fetched.path = scene_path(word);
         return fetched;
-    } catch (const GiveUp& problem) {
+    } catch (const CommandError& problem) {
         return {std::nullopt, plain(problem.message), {}};
     }
 }
@@ -49,13 +49,13 @@ play::Fetched fetch(const std::string& word, std::span<const Override> overrides
 play::Fetched read(const std::string& text, const std::string& name, const std::filesystem::path& beside) {
     try {
         return {open_text(text, name, beside.parent_path()), "", {}};
-    } catch (const GiveUp& problem) {
+    } catch (const CommandError& problem) {
         return {std::nullopt, plain(problem.message), {}};
     }
 }
 
-play::Shelf shelf() {
-    play::Shelf shelf{{}, {}, fetch, read};
+play::SceneLibrary shelf() {
+    play::SceneLibrary shelf{{}, {}, fetch, read};
     for (auto& entry : catalogue_index()) {
         shelf.names.push_back(std::move(entry.name));
         shelf.categories.push_back(std::move(entry.category));
@@ -94,14 +94,14 @@ class PlayCommand final : public Command {
 
     int run() override {
         if (words.plain.size() > 1)
-            misused(fmt::format("{} is neither an option nor key=value", in_quotes(words.plain[1])),
-                    "one scene is played at a time");
+            usage_error(fmt::format("{} is neither an option nor key=value", in_quotes(words.plain[1])),
+                        "one scene is played at a time");
         const auto script = script_path.empty() ? std::nullopt : std::optional(read_script());
         if (!script) refuse_without_window();
         const auto scene = words.plain.empty() ? std::string("ragdoll") : words.plain[0];
         canvas::catch_interrupts();
         Play game(shelf(), scene, words.overrides);
-        if (!game.ready()) throw GiveUp{bad_input, game.problem()};
+        if (!game.ready()) throw CommandError{bad_input, game.problem()};
         if (as_json) game.listener = [&](const play::Told& told) { print_told(game, told); };
         return script ? play_script(*script, game) : play_window(game);
     }
@@ -116,7 +116,7 @@ class PlayCommand final : public Command {
         const auto problem = play::run_script(script, game, [](double) { give_up_if_interrupted(); });
         if (!problem.empty()) refuse(script_path, problem);
         game.tell("end", {{"hash", game.hash()}});
-        if (!game.problem().empty()) throw GiveUp{bad_input, game.problem()};
+        if (!game.problem().empty()) throw CommandError{bad_input, game.problem()};
         return done;
     }
 

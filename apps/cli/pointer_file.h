@@ -19,7 +19,7 @@ struct PointerSample {
 
 class PointerPath {
   public:
-    /// Throws GiveUp with the number of a line other than TIME, X, Y, BUTTON.
+    /// Throws CommandError with the number of a line other than TIME, X, Y, BUTTON.
     static PointerPath read(const std::filesystem::path& path);
 
     /// Moves the session's pointer to the position at the end of the next step, and presses or releases. A press grabs

@@ -29,7 +29,7 @@ OverlaySet overlay_of(const std::string& list) {
         if (found == overlays.end()) {
             std::vector<std::string_view> names;
             for (const auto& overlay : overlays) names.push_back(overlay.name);
-            misused(fmt::format("there is no overlay called {}", in_quotes(word)), suggest(word, std::move(names)));
+            usage_error(fmt::format("there is no overlay called {}", in_quotes(word)), suggest(word, std::move(names)));
         }
         set.set(std::size_t(found - overlays.begin()));
         begin = end + 1;
@@ -101,9 +101,10 @@ class RenderCommand final : public Command {
     }
 
     void check_output() const {
-        if (watch && (path == "-" || words.scene == "-")) misused("--watch needs files, not standard input or output");
+        if (watch && (path == "-" || words.scene == "-"))
+            usage_error("--watch needs files, not standard input or output");
         if (path != "-" && !format.empty())
-            misused("--format is for standard output", "of a file the extension says what is written");
+            usage_error("--format is for standard output", "of a file the extension says what is written");
         if (path == "-" && isatty(STDOUT_FILENO))
             refuse("sinew", "standard output is a terminal", "lead it into a file or a pipe: ... -o - > picture.png");
     }
@@ -146,7 +147,7 @@ class RenderCommand final : public Command {
             read.add(scene);
             try {
                 print(draw_into_file(&read));
-            } catch (const GiveUp& problem) {
+            } catch (const CommandError& problem) {
                 if (canvas::interrupted()) break;
                 if (problem.code != bad_input) throw;
                 print_error(problem.message);

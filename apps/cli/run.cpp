@@ -172,7 +172,7 @@ class RunCommand final : public Command {
 
     std::optional<Trace> begin_trace(const Session& session) const {
         if (!trace_path.empty()) return Trace(trace_path, names, session);
-        if (every || !names.empty()) misused("--every and --of are of a trace", "--trace FILE writes one");
+        if (every || !names.empty()) usage_error("--every and --of are of a trace", "--trace FILE writes one");
         return std::nullopt;
     }
 

@@ -137,7 +137,7 @@ Opened open_in(const fs::path& folder, Document document, WatchedFiles* read = n
     };
     if (auto opened = open_scene(document, read_image, read_obj_file)) return std::move(*opened);
     const PrintStyle style{.color = has_color(stderr), .most = std::size_t(document.limits.errors)};
-    throw GiveUp{bad_input, to_text(document.diagnostics, style)};
+    throw CommandError{bad_input, to_text(document.diagnostics, style)};
 }
 
 } // namespace

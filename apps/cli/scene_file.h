@@ -12,8 +12,8 @@
 namespace sinew::cli {
 
 /// Finds, reads and builds a scene. `word`: path of a file, name in the catalogue, or - for standard input, which is
-/// read once and cached. Throws GiveUp with all diagnostics. `read` collects the scene's file, images and models, even
-/// if missing.
+/// read once and cached. Throws CommandError with all diagnostics. `read` collects the scene's file, images and models,
+/// even if missing.
 Opened open_file(const std::string& word, std::span<const Override> overrides = {}, WatchedFiles* read = nullptr);
 
 /// Builds a scene from text, called `name` in messages; images and models are looked up in `folder`.
@@ -22,10 +22,10 @@ Opened open_text(const std::string& text, const std::string& name, const std::fi
 /// The file as read, unchecked; errors are in the document's diagnostics.
 Document open_document(const std::string& word, std::span<const Override> overrides = {});
 
-/// Path of the scene's file; empty for standard input. Throws GiveUp if no scene has the name.
+/// Path of the scene's file; empty for standard input. Throws CommandError if no scene has the name.
 std::filesystem::path scene_path(const std::string& word);
 
-/// Reads a text file of at most `most` bytes. Throws GiveUp.
+/// Reads a text file of at most `most` bytes. Throws CommandError.
 std::string read_text(const std::filesystem::path& path, std::size_t most);
 
 /// Base name of files made from the scene: "ragdoll", "mine", "scene".

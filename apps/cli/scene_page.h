@@ -22,7 +22,7 @@ struct ScenePage {
     std::vector<Parameter> parameters; ///< world, solver, first figure of each prefab, first pin of each driver
 };
 
-/// Throws GiveUp if the scene is broken.
+/// Throws CommandError if the scene is broken.
 ScenePage page_of(const std::string& name);
 
 } // namespace sinew::cli

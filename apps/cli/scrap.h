@@ -15,7 +15,7 @@ namespace sinew::cli {
 class Scrap {
   public:
     /// Creates the file in the folder of `beside`, with the extension `ending`, called `called` in messages. Throws
-    /// GiveUp.
+    /// CommandError.
     Scrap(const std::filesystem::path& beside, std::string_view ending, std::string called);
 
     const std::filesystem::path& path() const { return file_.path(); }
@@ -27,7 +27,7 @@ class Scrap {
     canvas::PartialFile file_;
 };
 
-/// Throws GiveUp on a failure; a failure caused by an interruption is reported as an interruption.
+/// Throws CommandError on a failure; a failure caused by an interruption is reported as an interruption.
 void settle(const canvas::Failure& failure);
 
 } // namespace sinew::cli

@@ -38,11 +38,11 @@ struct Shooting {
     std::array<int, 2> written{}; ///< pixels of a frame in the file, with padding
 };
 
-/// Begins the file at `path`, called `called` in messages. Throws GiveUp.
+/// Begins the file at `path`, called `called` in messages. Throws CommandError.
 Shooting begin_file(const std::filesystem::path& path, const std::string& called, const Wishes& wishes,
                     const Stage& stage);
 
-/// Draws and writes all frames, with a progress bar. Throws GiveUp.
+/// Draws and writes all frames, with a progress bar. Throws CommandError.
 void write_frames(Shooting& shooting, Stage& stage, OverlaySet overlay, const std::string& label);
 
 /// "a.mp4: 30 frames of 64x48 from 0 to 0.5 s, 4 kB"

@@ -62,12 +62,12 @@ std::vector<std::string> variants_in(const std::string& list) {
         if (is_mode(variant)) continue;
         const auto modes = std::vector<std::string_view>(SolverSection::modes.begin(), SolverSection::modes.end());
         if (variant.find('=') == std::string::npos || variant.starts_with('='))
-            misused(fmt::format("--beside: {} is neither a mode nor key=value", in_quotes(variant)),
-                    suggest(variant, modes));
+            usage_error(fmt::format("--beside: {} is neither a mode nor key=value", in_quotes(variant)),
+                        suggest(variant, modes));
     }
     if (variants.size() < 2 || variants.size() > most_variants)
-        misused(fmt::format("--beside takes 2 to {} variants, found {}", most_variants, variants.size()),
-                "such as --beside classic,physical");
+        usage_error(fmt::format("--beside takes 2 to {} variants, found {}", most_variants, variants.size()),
+                    "such as --beside classic,physical");
     return variants;
 }
 

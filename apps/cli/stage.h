@@ -18,7 +18,7 @@ namespace sinew::cli {
 class Stage {
   public:
     /// Variants are modes or key=value, applied after the shared overrides; without variants the scene stands alone.
-    /// Files read are noted in `read`. Throws GiveUp.
+    /// Files read are noted in `read`. Throws CommandError.
     Stage(const SceneWords& words, std::span<const std::string> variants, WatchedFiles* read = nullptr);
 
     /// Gives every variant a copy of the pointer's path.
@@ -46,7 +46,7 @@ class Stage {
     std::vector<Picture> pictures_; ///< per variant; empty without variants
 };
 
-/// Variants in a list like "classic,physical" or "solver.substeps=4,solver.substeps=16". Throws GiveUp.
+/// Variants in a list like "classic,physical" or "solver.substeps=4,solver.substeps=16". Throws CommandError.
 std::vector<std::string> variants_in(const std::string& list);
 
 } // namespace sinew::cli

@@ -54,7 +54,7 @@ void Run::advance(std::uint64_t steps, canvas::Progress& progress, std::uint64_t
 }
 
 void give_up_if_interrupted() {
-    if (canvas::interrupted()) throw GiveUp{canvas::interrupt_exit_code(), "sinew: interrupted\n"};
+    if (canvas::interrupted()) throw CommandError{canvas::interrupt_exit_code(), "sinew: interrupted\n"};
 }
 
 } // namespace sinew::cli

@@ -21,7 +21,7 @@ class Run {
     /// Prepares a large world at once, with a progress bar.
     explicit Run(Opened opened);
 
-    /// Steps until `steps` are taken in all. Throws GiveUp after Ctrl-C.
+    /// Steps until `steps` are taken in all. Throws CommandError after Ctrl-C.
     void advance(std::uint64_t steps);
     /// As above, with a progress bar at `others` plus the steps taken.
     void advance(std::uint64_t steps, canvas::Progress& progress, std::uint64_t others = 0);
@@ -37,7 +37,7 @@ class Run {
     void step();
 };
 
-/// Throws GiveUp if Ctrl-C was pressed.
+/// Throws CommandError if Ctrl-C was pressed.
 void give_up_if_interrupted();
 
 } // namespace sinew::cli

@@ -14,19 +14,20 @@ namespace sinew::cli {
 class Trace {
   public:
     /// `path`: a table if the name ends in .csv, otherwise a JSON object per row; - is standard output. `names`:
-    /// particles (figure/name), stems (figure/stem_*) or figures, separated by commas; empty means all. Throws GiveUp.
+    /// particles (figure/name), stems (figure/stem_*) or figures, separated by commas; empty means all. Throws
+    /// CommandError.
     Trace(const std::string& path, const std::string& names, const Session& session);
 
     /// Writes a row for each remaining particle.
     void write(const Session& session);
-    /// Throws GiveUp if a row could not be written.
+    /// Throws CommandError if a row could not be written.
     void close();
 
   private:
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    struct Traced {
+    struct ProjectedPiece {
         ParticleId particle;
         std::string name; ///< quoted for the file's format
     };
@@ -35,7 +36,7 @@ class Trace {
     std::unique_ptr<std::FILE, Close> file_; ///< null for standard output
     bool is_table_ = false;
     bool all_ = false; ///< true: particles added by tearing cloth are traced too
-    std::vector<Traced> traced_;
+    std::vector<ProjectedPiece> traced_;
     std::string text_; ///< rows of the present frame
 
     void choose(const std::string& names, const Session& session);

@@ -7,7 +7,7 @@ namespace sinew::play {
 namespace {
 
 /// True if `later`, at the same step, overrides `earlier`.
-bool replaces(const Deed& later, const Deed& earlier) {
+bool replaces(const Action& later, const Action& earlier) {
     return later.index() == earlier.index() &&
            (std::holds_alternative<Drag>(later) || std::holds_alternative<PointAt>(later));
 }
@@ -20,13 +20,13 @@ void ActionLog::plant(const Session& session) {
     now_ = {root, 0};
 }
 
-void ActionLog::note(const Deed& deed, const Session& session) {
+void ActionLog::note(const Action& deed, const Session& session) {
     if (const auto* back = std::get_if<Return>(&deed)) return go_to(back->at);
     if (const auto* point = std::get_if<PointAt>(&deed)) pointer_ = *point;
     if (std::holds_alternative<Restart>(deed)) {
         plant(session);
         if (!pointer_.place) return;
-        return note(Deed(PointAt(pointer_)), session);
+        return note(Action(PointAt(pointer_)), session);
     }
     const bool is_newest = now_.last + 1 == nodes_.size();
     if (is_newest && nodes_.back().step == now_.step && replaces(deed, nodes_.back().deed)) {

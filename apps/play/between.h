@@ -10,7 +10,7 @@
 namespace sinew::play {
 
 /// Interpolates particle positions between the last two steps, for motion that looks even at any display rate.
-class Between {
+class Interpolator {
   public:
     /// Stores the positions; called before each step.
     void remember(const AnyWorld& world) {

@@ -5,7 +5,7 @@
 namespace sinew::play {
 namespace {
 
-struct Doer {
+struct EventApplier {
     Session& session;
 
     void operator()(const PointAt& deed) const { session.point_at(deed.place); }
@@ -51,8 +51,8 @@ std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> part
     return rows;
 }
 
-void carry_out(const Deed& deed, Session& session) {
-    std::visit(Doer{session}, deed);
+void carry_out(const Action& deed, Session& session) {
+    std::visit(EventApplier{session}, deed);
 }
 
 } // namespace sinew::play

@@ -63,7 +63,7 @@ struct Tweak {
     std::optional<double> mass;
 };
 
-using Deed = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart, Quicken, Tweak>;
+using Action = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart, Quicken, Tweak>;
 
 /// Id of the particle in a row; an invalid id where the row does not exist.
 ParticleId id_at(const AnyWorld& world, Row row);
@@ -71,6 +71,6 @@ ParticleId id_at(const AnyWorld& world, Row row);
 /// Current rows of particles; the largest Row for a missing particle.
 std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> particles);
 
-void carry_out(const Deed& deed, Session& session);
+void carry_out(const Action& deed, Session& session);
 
 } // namespace sinew::play

@@ -40,7 +40,7 @@ void Play::change(const std::function<void(Scene&)>& change, const std::string& 
 }
 
 /// In other panes the edit applies to the particle of the same name.
-void Play::edit(Deed deed, std::string name) {
+void Play::edit(Action deed, std::string name) {
     const auto& world = session().world();
     const auto under_pointer = active_;
     each_pane([&] {

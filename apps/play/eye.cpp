@@ -42,11 +42,11 @@ std::array<Vec2<double>, 2> extent_of(const AnyWorld& world) {
 
 } // namespace
 
-Look Eye::look(const Session& session) const {
+Look CameraController::look(const Session& session) const {
     return {moved_ ? *moved_ : session.scene().view, session.focus(), width_, height_};
 }
 
-ViewSection& Eye::hold(const Session& session) {
+ViewSection& CameraController::hold(const Session& session) {
     if (moved_) return *moved_;
     const auto seen = view(session);
     moved_ = session.scene().view;
@@ -57,7 +57,7 @@ ViewSection& Eye::hold(const Session& session) {
     return *moved_;
 }
 
-void Eye::pan(const Session& session, Vec2<double> by) {
+void CameraController::pan(const Session& session, Vec2<double> by) {
     auto& section = hold(session);
     const auto seen = view(session);
     if (session.scene().dimension == 2) {
@@ -73,7 +73,7 @@ void Eye::pan(const Session& session, Vec2<double> by) {
     camera.target += offset;
 }
 
-void Eye::zoom(const Session& session, Vec2<double> about, double factor) {
+void CameraController::zoom(const Session& session, Vec2<double> about, double factor) {
     if (!(factor > 0) || !std::isfinite(factor)) return;
     auto& section = hold(session);
     if (session.scene().dimension == 3) {
@@ -89,7 +89,7 @@ void Eye::zoom(const Session& session, Vec2<double> about, double factor) {
     for (int i = 0; i < 2; ++i) (*section.center)[i] += offset[i];
 }
 
-void Eye::orbit(const Session& session, Vec2<double> by) {
+void CameraController::orbit(const Session& session, Vec2<double> by) {
     if (session.scene().dimension == 2) return pan(session, by);
     constexpr double a_pixel = 0.006; // radians per pixel
     constexpr double steepest = 0.985;
@@ -103,13 +103,13 @@ void Eye::orbit(const Session& session, Vec2<double> by) {
     camera.eye = camera.target + away;
 }
 
-void Eye::switch_projection(const Session& session) {
+void CameraController::switch_projection(const Session& session) {
     if (session.scene().dimension == 2) return;
     auto& projection = hold(session).camera.projection;
     projection = projection == "perspective" ? "orthographic" : "perspective";
 }
 
-void Eye::home(const Session& session) {
+void CameraController::home(const Session& session) {
     moved_.reset();
     if (session.scene().dimension == 3) return;
     const auto seen = view(session);

@@ -5,7 +5,7 @@
 namespace sinew::play {
 
 /// Camera controller: the view of the scene until the player moves it.
-class Eye {
+class CameraController {
   public:
     /// Size of the picture, pixels.
     void resize(int width, int height) { width_ = width, height_ = height; }

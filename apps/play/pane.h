@@ -9,8 +9,8 @@ namespace sinew::play {
 
 /// A session in its part of the picture. A split view has two panes side by side, which step together.
 struct Pane {
-    Tape tape;
-    Eye eye;
+    Timeline tape;
+    CameraController eye;
     std::size_t told = 0; ///< number of the session's events reported so far
 };
 

@@ -43,7 +43,7 @@ std::vector<std::unique_ptr<Tool>> all_tools() {
     return all;
 }
 
-Play::Play(Shelf shelf, std::string scene, std::vector<Override> overrides)
+Play::Play(SceneLibrary shelf, std::string scene, std::vector<Override> overrides)
     : shelf_(std::move(shelf)), tools_(all_tools()) {
     open_now(scene, std::move(overrides));
 }
@@ -59,7 +59,7 @@ void Play::begin(Fetched fetched) {
     path_ = beside_ = std::move(fetched.path);
     written_ = time_written(path_);
     std::vector<Pane> panes;
-    panes.push_back({Tape(Session(std::move(*fetched.opened))), {}});
+    panes.push_back({Timeline(Session(std::move(*fetched.opened))), {}});
     begin(std::move(panes));
 }
 

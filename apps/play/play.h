@@ -33,7 +33,7 @@ struct Told {
 class Play {
   public:
     /// Opens the scene; on failure problem() gives the reason and ready() is false.
-    Play(Shelf shelf, std::string scene, std::vector<Override> overrides = {});
+    Play(SceneLibrary shelf, std::string scene, std::vector<Override> overrides = {});
     Play(const Play&) = delete;
     Play& operator=(const Play&) = delete;
     ~Play();
@@ -57,12 +57,12 @@ class Play {
     // --- for panels ----------------------------------------------------------------------------------------------
 
     const Session& session() const { return pane().tape.session(); }
-    const Tape& tape() const { return pane().tape; }
-    Tape& tape() { return pane().tape; }
+    const Timeline& tape() const { return pane().tape; }
+    Timeline& tape() { return pane().tape; }
     Clock& clock() { return *clock_; }
-    Eye& eye() { return pane().eye; }
+    CameraController& eye() { return pane().eye; }
     View view() const { return pane().eye.view(session()); }
-    const Shelf& shelf() const { return shelf_; }
+    const SceneLibrary& shelf() const { return shelf_; }
     const std::string& scene_name() const { return name_; }
     bool is_edited() const { return ready() && tape().edits() != saved_edits_; }
 
@@ -76,7 +76,7 @@ class Play {
     /// Continues as a changed scene; can be undone.
     void change(const std::function<void(Scene&)>& change, const std::string& name);
     /// Any other edit of the running session; can be undone.
-    void edit(Deed deed, std::string name);
+    void edit(Action deed, std::string name);
     /// Adds a figure, given as in a file, to the scene.
     bool add_figure(json::Object figure, const std::string& name);
     /// Sets one value of the scene by its path, as on the command line; false after reporting an invalid value.
@@ -216,7 +216,7 @@ class Play {
     void take_pictures(const Picture& picture);
     Tool& current_tool();
 
-    Shelf shelf_;
+    SceneLibrary shelf_;
     std::string name_, problem_;
     std::vector<Override> overrides_;
     std::filesystem::path path_;   ///< the scene's own file; empty if none

@@ -33,24 +33,24 @@ struct Save {
 struct Load {
     const std::function<std::optional<Opened>(const json::Value& scene)>& open;
 
-    std::optional<Deed> operator()(const SavedPointer& action) const { return PointAt{action.place}; }
-    std::optional<Deed> operator()(const SavedGrab& action) const {
+    std::optional<Action> operator()(const SavedPointer& action) const { return PointAt{action.place}; }
+    std::optional<Action> operator()(const SavedGrab& action) const {
         Grab grab{.members = {}, .place = action.place};
         for (const auto row : action.members) grab.members.push_back(Row(row));
         return grab;
     }
-    std::optional<Deed> operator()(const SavedDrag& action) const { return Drag{action.place}; }
-    std::optional<Deed> operator()(const SavedRelease&) const { return LetGo{}; }
-    std::optional<Deed> operator()(const SavedCut& action) const {
+    std::optional<Action> operator()(const SavedDrag& action) const { return Drag{action.place}; }
+    std::optional<Action> operator()(const SavedRelease&) const { return LetGo{}; }
+    std::optional<Action> operator()(const SavedCut& action) const {
         return Slash{action.line, {action.view, action.focus, action.picture[0], action.picture[1]}};
     }
-    std::optional<Deed> operator()(const SavedEdit& action) const {
+    std::optional<Action> operator()(const SavedEdit& action) const {
         auto opened = open(action.scene);
         if (!opened) return std::nullopt;
         return Become{std::make_shared<const Scene>(std::move(opened->scene))};
     }
-    std::optional<Deed> operator()(const SavedQuicken& action) const { return Quicken{action.by}; }
-    std::optional<Deed> operator()(const SavedTweak& action) const {
+    std::optional<Action> operator()(const SavedQuicken& action) const { return Quicken{action.by}; }
+    std::optional<Action> operator()(const SavedTweak& action) const {
         return Tweak{Row(action.particle), action.position, action.velocity, action.mass};
     }
 };
@@ -61,8 +61,8 @@ SavedAction saved(const LoggedAction& action) {
     return {std::int64_t(action.step), std::visit(Save{}, action.deed)};
 }
 
-std::optional<Deed> deed_of(const SavedAction& action,
-                            const std::function<std::optional<Opened>(const json::Value& scene)>& open) {
+std::optional<Action> deed_of(const SavedAction& action,
+                              const std::function<std::optional<Opened>(const json::Value& scene)>& open) {
     return std::visit(Load{open}, action.action);
 }
 

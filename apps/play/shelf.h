@@ -20,7 +20,7 @@ struct Fetched {
 };
 
 /// The source of scenes.
-struct Shelf {
+struct SceneLibrary {
     std::vector<std::string> names;      ///< scenes of the catalogue, in display order
     std::vector<std::string> categories; ///< category of each name; empty if unknown
     std::function<Fetched(const std::string& word, std::span<const Override> overrides)> fetch;

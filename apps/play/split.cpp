@@ -67,7 +67,7 @@ void Play::toggle_split() {
             fetched = shelf_.fetch(name_, overrides);
         }
         if (!fetched.opened) return report_problem(std::move(fetched.problem));
-        panes.push_back({Tape(Session(std::move(*fetched.opened))), {}});
+        panes.push_back({Timeline(Session(std::move(*fetched.opened))), {}});
     }
     if (panes[0].tape.session().scene().solver.rate != panes[1].tape.session().scene().solver.rate)
         return report_problem("classic and physical mode of this scene take steps of other lengths");

@@ -69,7 +69,7 @@ bool is_state(const std::string& text) {
     return text.substr(0, head).find("\"sinew_state\"") != std::string::npos;
 }
 
-Restoration::Restoration(const std::string& text, const std::string& name, const Shelf& shelf) : name_(name) {
+Restoration::Restoration(const std::string& text, const std::string& name, const SceneLibrary& shelf) : name_(name) {
     auto document = load(text, name);
     StateFile file;
     Reading reading{.diagnostics = document.diagnostics, .dimension = dimension_of(document.root)};
@@ -119,14 +119,14 @@ void Restoration::advance(const std::function<bool()>& enough) {
     }
 }
 
-std::optional<Tape> Restoration::finish() {
+std::optional<Timeline> Restoration::finish() {
     if (!problem_.empty()) return std::nullopt;
     if (const auto hash = hash_of(*session_); hash != hash_) {
         problem_ = concat(name_, ": its actions lead to the state ", hash, ", not to ", in_quotes(hash_),
                           " that was saved: it was changed, or comes from another version of Sinew");
         return std::nullopt;
     }
-    return Tape(std::move(*session_), std::move(*log_));
+    return Timeline(std::move(*session_), std::move(*log_));
 }
 
 } // namespace sinew::play

@@ -23,7 +23,7 @@ bool is_state(const std::string& text);
 class Restoration {
   public:
     /// Parses a file's text; on failure problem() gives the reason.
-    Restoration(const std::string& text, const std::string& name, const Shelf& shelf);
+    Restoration(const std::string& text, const std::string& name, const SceneLibrary& shelf);
 
     const std::string& problem() const { return problem_; }
     bool done() const { return !problem_.empty() || (session_ && taken_ >= steps_ && next_ == actions_.size()); }
@@ -34,7 +34,7 @@ class Restoration {
     const std::string& from() const { return from_; }
 
     /// The restored session, once done; nothing if the hash differs (problem() gives the reason).
-    std::optional<Tape> finish();
+    std::optional<Timeline> finish();
 
   private:
     void act_now();

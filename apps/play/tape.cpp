@@ -32,7 +32,7 @@ std::uint64_t steps_in(double seconds, const Session& session) {
 }
 
 /// A new position replaces an earlier one at the same step.
-template <class Moved, class Dones> bool replace_last(Dones& done, std::uint64_t step, Deed& deed) {
+template <class Moved, class Dones> bool replace_last(Dones& done, std::uint64_t step, Action& deed) {
     if (!std::holds_alternative<Moved>(deed) || done.empty()) return false;
     auto& last = done.back();
     if (last.step != step || !std::holds_alternative<Moved>(last.deed)) return false;
@@ -41,24 +41,24 @@ template <class Moved, class Dones> bool replace_last(Dones& done, std::uint64_t
 }
 
 /// True if the state jumps, so that positions before and after must not be interpolated.
-bool leaps(const Deed& deed) {
+bool leaps(const Action& deed) {
     return std::holds_alternative<Become>(deed) || std::holds_alternative<Return>(deed) ||
            std::holds_alternative<Restart>(deed);
 }
 
 } // namespace
 
-Tape::Tape(Session session)
+Timeline::Timeline(Session session)
     : session_(std::move(session)), log_(session_), spacing_(steps_in(between_marks, session_)) {
     mark();
 }
 
-Tape::Tape(Session session, ActionLog log)
+Timeline::Timeline(Session session, ActionLog log)
     : session_(std::move(session)), log_(std::move(log)), spacing_(steps_in(between_marks, session_)) {
     mark();
 }
 
-void Tape::step() {
+void Timeline::step() {
     between_.remember(session_.world());
     session_.step();
     log_.step();
@@ -70,23 +70,23 @@ void Tape::step() {
     arrive();
 }
 
-void Tape::apply(const Deed& deed) {
+void Timeline::apply(const Action& deed) {
     carry_out(deed, session_);
     log_.note(deed, session_);
     if (leaps(deed)) between_.forget();
 }
 
-Return Tape::return_here() const {
+Return Timeline::return_here() const {
     return {std::make_shared<const Session>(session_), log_.now()};
 }
 
-void Tape::arrive() {
+void Timeline::arrive() {
     const auto here = std::lower_bound(done_.begin(), done_.end(), now_,
                                        [](const Done& done, std::uint64_t step) { return done.step < step; });
     for (auto done = here; done != done_.end() && done->step == now_; ++done) apply(done->deed);
 }
 
-void Tape::go_to(std::uint64_t step) {
+void Timeline::go_to(std::uint64_t step) {
     step = std::clamp(step, first(), end());
     if (step >= now_ && step < now_ + spacing_) {
         while (now_ < step) this->step();
@@ -103,28 +103,28 @@ void Tape::go_to(std::uint64_t step) {
     while (now_ < step) this->step();
 }
 
-void Tape::draw(Picture& picture, OverlaySet overlay, const View& view, double share, const std::string& theme) {
+void Timeline::draw(Picture& picture, OverlaySet overlay, const View& view, double share, const std::string& theme) {
     const auto own = session_.scene().view.theme;
     if (!theme.empty()) session_.set_theme(theme);
     between_.show(session_.world(), share, [&] { sinew::draw(session_, view, picture, overlay); });
     session_.set_theme(own);
 }
 
-void Tape::act(Deed deed) {
+void Timeline::act(Action deed) {
     forget_the_future();
     apply(deed);
     if (!replace_last<Drag>(done_, now_, deed) && !replace_last<PointAt>(done_, now_, deed))
         done_.push_back({now_, std::move(deed)});
 }
 
-void Tape::forget_the_future() {
+void Timeline::forget_the_future() {
     while (!done_.empty() && done_.back().step > now_) done_.pop_back();
     while (marks_.size() > 1 && marks_.back().step > now_) marks_.pop_back();
     end_ = now_;
 }
 
 /// Adds a snapshot; drops snapshots older than `remembered`, with the actions before the first one left.
-void Tape::mark() {
+void Timeline::mark() {
     marks_.push_back({now_, session_, log_.now()});
     const auto kept = steps_in(remembered, session_);
     while (marks_.size() > 1 && marks_[1].step + kept <= now_) marks_.pop_front();
@@ -137,7 +137,7 @@ void Tape::mark() {
     marks_ = std::move(every_second);
 }
 
-void Tape::edit(Deed deed, std::string name, bool goes_on) {
+void Timeline::edit(Action deed, std::string name, bool goes_on) {
     if (goes_on && undone_ == 0 && !edits_.empty() && edits_.back().name == name) {
         auto& last = edits_.back();
         last.again = deed;
@@ -158,24 +158,24 @@ void Tape::edit(Deed deed, std::string name, bool goes_on) {
     if (edits_.size() > most_edits) edits_.pop_front();
 }
 
-void Tape::finish_edit() {
+void Timeline::finish_edit() {
     if (!edits_.empty()) edits_.back().again = return_here();
 }
 
-void Tape::forget_edit() {
+void Timeline::forget_edit() {
     if (edits_.empty()) return;
     edits_.pop_back();
     --edits_made_;
 }
 
-bool Tape::undo() {
+bool Timeline::undo() {
     if (undone_ == edits_.size()) return false;
     --edits_made_;
     act(edits_[edits_.size() - 1 - undone_++].back);
     return true;
 }
 
-bool Tape::redo() {
+bool Timeline::redo() {
     if (undone_ == 0) return false;
     ++edits_made_;
     act(edits_[edits_.size() - undone_--].again);

@@ -17,11 +17,11 @@ namespace sinew::play {
 /// replaying the actions since the nearest earlier snapshot.
 ///
 /// Steps are counted from the start of the timeline and only grow: restart and undo are actions like others.
-class Tape {
+class Timeline {
   public:
-    explicit Tape(Session session);
+    explicit Timeline(Session session);
     /// Continues from a session with a past: `log` leads to the present state.
-    Tape(Session session, ActionLog log);
+    Timeline(Session session, ActionLog log);
 
     const Session& session() const { return session_; }
     /// All actions from the start of a scene to now.
@@ -41,12 +41,12 @@ class Tape {
     void draw(Picture& picture, OverlaySet overlay, const View& view, double share, const std::string& theme = "");
 
     /// Carries out an action now. Recorded actions after now are dropped.
-    void act(Deed deed);
+    void act(Action deed);
 
     /// Carries out an undoable action. Undo of a scene edit (Become) restores the scene alone; undo of any
     /// other edit, such as a cut, restores the state before the edit and drops all later actions. `goes_on` merges an
     /// edit with the preceding one of the same name, as while a slider is dragged.
-    void edit(Deed deed, std::string name, bool goes_on = false);
+    void edit(Action deed, std::string name, bool goes_on = false);
     /// Moves the end of the last edit to now: redo leads here.
     void finish_edit();
     /// Drops the last edit, which changed nothing.
@@ -67,14 +67,14 @@ class Tape {
     };
     struct Done {
         std::uint64_t step = 0;
-        Deed deed;
+        Action deed;
     };
     struct Edit {
         std::string name;
-        Deed back, again;
+        Action back, again;
     };
 
-    void apply(const Deed& deed);
+    void apply(const Action& deed);
     Return return_here() const;
     void arrive();
     void mark();
@@ -82,7 +82,7 @@ class Tape {
 
     Session session_;
     ActionLog log_;
-    Between between_;
+    Interpolator between_;
     std::uint64_t now_ = 0, end_ = 0;
     std::uint64_t spacing_ = 0; ///< steps between marks
     std::deque<Mark> marks_;

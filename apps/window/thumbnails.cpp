@@ -14,7 +14,7 @@ namespace sinew::window {
 namespace {
 
 /// Draws the scene after a fifth of its time, at most 4 s, or as far as 0.3 s of work lead.
-std::vector<std::byte> draw(const play::Shelf& shelf, const std::string& name, const std::string& theme) {
+std::vector<std::byte> draw(const play::SceneLibrary& shelf, const std::string& name, const std::string& theme) {
     const std::vector<Override> overrides = {{"view.theme=" + theme, "the panel"}};
     auto fetched = shelf.fetch(name, overrides);
     if (!fetched.opened) return {};
@@ -60,7 +60,7 @@ void Thumbnails::work(const std::stop_token& stop) {
 
 std::uint32_t Thumbnails::of(const std::string& name, const std::string& theme) {
     if (!thread_.joinable()) thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
-    std::vector<Drawn> drawn;
+    std::vector<DrawItem> drawn;
     const auto key = name + '\n' + theme;
     {
         const std::lock_guard lock(mutex_);

@@ -17,7 +17,7 @@ class Thumbnails {
   public:
     static constexpr int width = 192, height = 144; ///< pixels
 
-    explicit Thumbnails(const play::Shelf& shelf) : shelf_(shelf) {}
+    explicit Thumbnails(const play::SceneLibrary& shelf) : shelf_(shelf) {}
     ~Thumbnails();
 
     /// OpenGL texture of a scene in a theme, requested at the first call; 0 until drawn.
@@ -26,19 +26,19 @@ class Thumbnails {
     void forget() { textures_.clear(); }
 
   private:
-    struct Drawn {
+    struct DrawItem {
         std::string key;
         std::vector<std::byte> pixels;
     };
 
     void work(const std::stop_token& stop);
 
-    const play::Shelf& shelf_;
+    const play::SceneLibrary& shelf_;
     std::map<std::string, std::uint32_t> textures_; ///< by name and theme; 0: not drawn yet
     std::mutex mutex_;
     std::condition_variable_any wanted_changed_;
     std::vector<std::pair<std::string, std::string>> wanted_;
-    std::vector<Drawn> drawn_;
+    std::vector<DrawItem> drawn_;
     std::jthread thread_;
 };
 

@@ -13,7 +13,7 @@ constexpr float longest_part = 4;
 
 /// Width of a band as a function of the arc length's fraction in [0, 1], pixels.
 struct Thickness {
-    const Traced& piece;
+    const ProjectedPiece& piece;
     std::span<const double> profile;
     float thicker = 0;
 
@@ -45,7 +45,7 @@ bool is_inside(Vec2<float> point, std::span<const Vec2<float>> outline) {
 
 } // namespace
 
-void Brush::paint(const Traced& piece, const Style& style, float thicker, const Color& color) {
+void PieceRenderer::paint(const ProjectedPiece& piece, const Style& style, float thicker, const Color& color) {
     const auto& points = piece.points;
     const float width = piece.width + thicker;
     switch (piece.mark) {
@@ -82,7 +82,7 @@ void Brush::paint(const Traced& piece, const Style& style, float thicker, const 
     }
 }
 
-void Brush::paint_tapered(const Traced& piece, float thicker, const Color& color) {
+void PieceRenderer::paint_tapered(const ProjectedPiece& piece, float thicker, const Color& color) {
     const Thickness width{piece, {}, thicker};
     const auto last = float(piece.points.size() - 1);
     for (std::size_t i = 0; i + 1 < piece.points.size(); ++i) {
@@ -92,7 +92,8 @@ void Brush::paint_tapered(const Traced& piece, float thicker, const Color& color
 }
 
 /// A single polyline where the width is constant, otherwise a row of tapered pieces that overlap in discs.
-void Brush::paint_band(const Traced& piece, std::span<const double> profile, float thicker, const Color& color) {
+void PieceRenderer::paint_band(const ProjectedPiece& piece, std::span<const double> profile, float thicker,
+                               const Color& color) {
     limb_along(piece.points, bends_);
     lay_out(bends_, 1, longest_part * unit_, spine_);
     const Thickness width{piece, profile, thicker};
@@ -104,8 +105,8 @@ void Brush::paint_band(const Traced& piece, std::span<const double> profile, flo
     }
 }
 
-void Brush::paint_image(const Traced& piece, const ImageLook& look, std::span<const double> profile,
-                        std::uint32_t number, float larger, const Color& over) {
+void PieceRenderer::paint_image(const ProjectedPiece& piece, const ImageLook& look, std::span<const double> profile,
+                                std::uint32_t number, float larger, const Color& over) {
     const auto& points = piece.points;
     const Vec2<float> as_wide{{piece.width, piece.width / aspect(number)}};
     switch (piece.mark) {
@@ -140,8 +141,9 @@ void Brush::paint_image(const Traced& piece, const ImageLook& look, std::span<co
     }
 }
 
-void Brush::paint_sprite(const Traced& piece, const ImageLook& look, std::uint32_t number, Vec2<float> middle,
-                         Vec2<float> along, Vec2<float> usual_size, float larger, const Color& over) {
+void PieceRenderer::paint_sprite(const ProjectedPiece& piece, const ImageLook& look, std::uint32_t number,
+                                 Vec2<float> middle, Vec2<float> along, Vec2<float> usual_size, float larger,
+                                 const Color& over) {
     if (along == Vec2<float>{}) along = {{1, 0}};
     auto size = usual_size;
     if (look.size) size = {{float((*look.size)[0]) * piece.scale, float((*look.size)[1]) * piece.scale}};
@@ -157,14 +159,14 @@ void Brush::paint_sprite(const Traced& piece, const ImageLook& look, std::uint32
 
 /// A limb takes the image once, with the image's top on the left-hand side; a rope repeats the image a whole number of
 /// times.
-void Brush::paint_strip(const Traced& piece, const ImageLook& look, std::span<const double> profile,
-                        std::uint32_t number, float larger, const Color& over) {
+void PieceRenderer::paint_strip(const ProjectedPiece& piece, const ImageLook& look, std::span<const double> profile,
+                                std::uint32_t number, float larger, const Color& over) {
     const bool once = piece.mark == Mark::limb;
     if (once)
         limb_along(piece.points, bends_);
     else
         rope_through(piece.points, bends_);
-    Traced thick = piece;
+    ProjectedPiece thick = piece;
     if (look.size) thick.width = thick.end_width = float(absolute((*look.size)[1])) * piece.scale;
     lay_out(bends_, 1, longest_part * unit_, spine_);
     if (spine_.size() == 0) return;
@@ -188,7 +190,7 @@ void Brush::paint_strip(const Traced& piece, const ImageLook& look, std::span<co
 }
 
 /// The image mapped bilinearly onto four corners, which go round from the image's top left.
-void Brush::paint_quad(std::span<const Vec2<float>> corners, std::uint32_t number, const Color& over) {
+void PieceRenderer::paint_quad(std::span<const Vec2<float>> corners, std::uint32_t number, const Color& over) {
     constexpr float finest = 16; // nominal pixels
     float side = 0;
     for (std::size_t i = 0; i < 4; ++i) side = maximum(side, distance(corners[i], corners[(i + 1) % 4]));
@@ -204,7 +206,7 @@ void Brush::paint_quad(std::span<const Vec2<float>> corners, std::uint32_t numbe
     picture_.add_image(number, shape_, std::uint32_t(parts + 1), over);
 }
 
-bool Brush::covers(const Traced& piece, Vec2<float> pixel) {
+bool PieceRenderer::covers(const ProjectedPiece& piece, Vec2<float> pixel) {
     constexpr float least_reach = 4; // nominal pixels, the radius around thinner pieces
     const float reach = maximum(piece.width / 2, least_reach * unit_);
     const auto& points = piece.points;
@@ -224,7 +226,7 @@ bool Brush::covers(const Traced& piece, Vec2<float> pixel) {
     return piece.mark == Mark::loop && distance_to_segment(pixel, line.back(), line.front()) <= reach;
 }
 
-float Brush::aspect(std::uint32_t number) const {
+float PieceRenderer::aspect(std::uint32_t number) const {
     const auto& image = *picture_.images[number];
     return float(image.width) / float(image.height);
 }

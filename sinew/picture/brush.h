@@ -8,7 +8,7 @@
 namespace sinew {
 
 /// A piece projected to pixels.
-struct Traced {
+struct ProjectedPiece {
     Mark mark = Mark::stroke;
     Pixels points;       ///< projected positions of the particles
     float scale = 1;     ///< pixels per unit of length
@@ -17,35 +17,35 @@ struct Traced {
 };
 
 /// True if an image on this piece is only moved, turned and scaled, never bent along a curve.
-inline bool is_rigid(const Traced& piece) {
+inline bool is_rigid(const ProjectedPiece& piece) {
     return piece.mark == Mark::dot || piece.mark == Mark::tip || piece.mark == Mark::ring ||
            (piece.mark == Mark::stroke && piece.points.size() == 2);
 }
 
 /// Converts projected pieces to shapes of a picture.
-class Brush {
+class PieceRenderer {
   public:
     /// Keeps a reference to the picture. `unit`: pixels per nominal pixel.
-    Brush(Picture& picture, float unit) : picture_(picture), unit_(unit) {}
+    PieceRenderer(Picture& picture, float unit) : picture_(picture), unit_(unit) {}
 
     /// Paints the piece in one colour, widened by `thicker` pixels.
-    void paint(const Traced& piece, const Style& style, float thicker, const Color& color);
+    void paint(const ProjectedPiece& piece, const Style& style, float thicker, const Color& color);
 
     /// Paints an image in place of the piece, enlarged by `larger` pixels, and blends `over` onto the image's opaque
     /// pixels.
-    void paint_image(const Traced& piece, const ImageLook& look, std::span<const double> profile, std::uint32_t number,
-                     float larger, const Color& over);
+    void paint_image(const ProjectedPiece& piece, const ImageLook& look, std::span<const double> profile,
+                     std::uint32_t number, float larger, const Color& over);
 
     /// True if the pixel lies on the piece, or within 4 nominal pixels of a piece thinner than 8.
-    bool covers(const Traced& piece, Vec2<float> pixel);
+    bool covers(const ProjectedPiece& piece, Vec2<float> pixel);
 
   private:
-    void paint_band(const Traced& piece, std::span<const double> profile, float thicker, const Color& color);
-    void paint_tapered(const Traced& piece, float thicker, const Color& color);
-    void paint_sprite(const Traced& piece, const ImageLook& look, std::uint32_t number, Vec2<float> middle,
+    void paint_band(const ProjectedPiece& piece, std::span<const double> profile, float thicker, const Color& color);
+    void paint_tapered(const ProjectedPiece& piece, float thicker, const Color& color);
+    void paint_sprite(const ProjectedPiece& piece, const ImageLook& look, std::uint32_t number, Vec2<float> middle,
                       Vec2<float> along, Vec2<float> usual_size, float larger, const Color& over);
-    void paint_strip(const Traced& piece, const ImageLook& look, std::span<const double> profile, std::uint32_t number,
-                     float larger, const Color& over);
+    void paint_strip(const ProjectedPiece& piece, const ImageLook& look, std::span<const double> profile,
+                     std::uint32_t number, float larger, const Color& over);
     void paint_quad(std::span<const Vec2<float>> corners, std::uint32_t number, const Color& over);
     float aspect(std::uint32_t number) const;
 

@@ -60,9 +60,9 @@ template <class WorldT> class Drawer {
     const Theme& theme_;
     const Light light_;
     const float unit_; // pixels per nominal pixel
-    Brush brush_;
+    PieceRenderer brush_;
     DrawOrder<WorldT> order_;
-    Traced traced_;
+    ProjectedPiece traced_;
     ClothPainter<WorldT> cloth_;
 
     static Vec3<double> in_space(const Vec<D, typename WorldT::Real>& place) {
@@ -131,7 +131,7 @@ template <class WorldT> class Drawer {
     // --- figures -------------------------------------------------------------------------------------------------
 
     void figure(const Figure& figure, std::size_t index) {
-        Wardrobe wardrobe(scene_, theme_, index, figure.name);
+        StyleResolver wardrobe(scene_, theme_, index, figure.name);
         const auto& order = order_.of(
             figure, [&](const Piece& piece) { return wardrobe.of(piece.part).hidden.value_or(piece.hidden); },
             [&](const Piece& piece) { return depth_of(piece); });
@@ -188,15 +188,15 @@ template <class WorldT> class Drawer {
     /// Shading of a thick line in space as a cylinder: dark below, bright towards the light.
     void shade_tube(const Style& style, const Color& color) {
         constexpr float least = 8;
-        struct Band {
+        struct Tile {
             float width, shift; ///< fractions of the tube's width
             Color color;
         };
-        const Traced tube = traced_;
+        const ProjectedPiece tube = traced_;
         if (minimum(tube.width, tube.end_width) < least * unit_) return;
         const Color pale{1, 1, 1, 1};
-        for (const auto& band : {Band{1, 0, mix(color, theme_.ink, 0.3F)}, Band{0.78F, 0.09F, color},
-                                 Band{0.34F, 0.19F, mix(color, pale, 0.16F)}}) {
+        for (const auto& band : {Tile{1, 0, mix(color, theme_.ink, 0.3F)}, Tile{0.78F, 0.09F, color},
+                                 Tile{0.34F, 0.19F, mix(color, pale, 0.16F)}}) {
             traced_.width = tube.width * band.width;
             traced_.end_width = tube.end_width * band.width;
             for (std::size_t i = 0; i < tube.points.size(); ++i)
@@ -240,7 +240,7 @@ template <class WorldT> class Drawer {
         if (D == 3 && !scene_.world.bounds) return;
         for (std::size_t layer = 0; layer < penumbra.size(); ++layer)
             for (std::size_t i = 0; i < world_.figures.size(); ++i) {
-                Wardrobe wardrobe(scene_, theme_, i, world_.figures[i].name);
+                StyleResolver wardrobe(scene_, theme_, i, world_.figures[i].name);
                 const float depth = float(layer + 1) / float(penumbra.size());
                 for (const auto& piece : world_.figures[i].pieces) {
                     const auto& style = wardrobe.of(piece.part);

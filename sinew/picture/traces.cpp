@@ -48,7 +48,7 @@ class TraceDrawer {
         const auto slash = std::min(trace.of.find('/'), trace.of.size());
         const auto name = trace.of.substr(0, slash), part = trace.of.substr(std::min(slash + 1, trace.of.size()));
         const auto found = std::ranges::find(scene_.figures, name, [](const auto& figure) { return name_of(figure); });
-        return Wardrobe(scene_, theme_, std::size_t(found - scene_.figures.begin()), name).of(part).color;
+        return StyleResolver(scene_, theme_, std::size_t(found - scene_.figures.begin()), name).of(part).color;
     }
 
     /// A polyline that fades towards the oldest sample.

@@ -29,12 +29,12 @@ bool is_part_of(const std::string& key, const std::string& figure, const std::st
 
 } // namespace
 
-Wardrobe::Wardrobe(const Scene& scene, const Theme& theme, std::size_t figure, const std::string& name)
+StyleResolver::StyleResolver(const Scene& scene, const Theme& theme, std::size_t figure, const std::string& name)
     : scene_(scene), theme_(theme), figure_(figure), name_(name) {
     if (figure < scene.figures.size() && name_of(scene.figures[figure]) == name) section_ = &scene.figures[figure];
 }
 
-Style Wardrobe::plain(const std::string& part) const {
+Style StyleResolver::plain(const std::string& part) const {
     Style style;
     const auto* material = theme_.material_of(part);
     style.color = material ? *material : theme_.color_of(figure_);
@@ -43,7 +43,7 @@ Style Wardrobe::plain(const std::string& part) const {
     return style;
 }
 
-const Style& Wardrobe::of(const std::string& part) {
+const Style& StyleResolver::of(const std::string& part) {
     if (part == last_part_ && dressed_) return last_;
     last_ = plain(part);
     for (const auto& [key, look] : scene_.looks)

@@ -23,10 +23,10 @@ struct Style {
 
 /// Resolves the looks of one figure's parts. Later ones override: the theme; the scene's looks of the part, then of the
 /// figure; the figure's own look "all", then of the part; the scene's look "figure/part".
-class Wardrobe {
+class StyleResolver {
   public:
     /// Keeps references to scene, theme and name.
-    Wardrobe(const Scene& scene, const Theme& theme, std::size_t figure, const std::string& name);
+    StyleResolver(const Scene& scene, const Theme& theme, std::size_t figure, const std::string& name);
 
     /// Valid until the next call.
     const Style& of(const std::string& part);

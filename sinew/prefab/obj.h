@@ -36,9 +36,9 @@ struct ObjLimits {
     std::size_t corners = 8'000'000;
 };
 
-/// Reads the `v` and `f` lines of a Wavefront OBJ file. Corners are `v`, `v/vt`, `v//vn` or `v/vt/vn`, counted from 1,
-/// or backwards from the last with a minus. Normals, texture coordinates, names, groups, materials, lines and points
-/// are ignored. Curves and all other keywords are errors. Points that no face uses are kept.
+/// Reads the `v` and `f` lines of a Wavefront OBJ file. UnfoldedTriangles are `v`, `v/vt`, `v//vn` or `v/vt/vn`,
+/// counted from 1, or backwards from the last with a minus. Normals, texture coordinates, names, groups, materials,
+/// lines and points are ignored. Curves and all other keywords are errors. Points that no face uses are kept.
 std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits = {});
 
 /// Writes the model as an OBJ file. Reading the file back gives identical bits.

@@ -11,9 +11,9 @@ namespace sinew {
 namespace {
 
 /// Builds the world of a scene, section by section.
-template <int D, class Real> class Maker {
+template <int D, class Real> class WorldBuilder {
   public:
-    explicit Maker(const Scene& scene) : scene_(scene) {}
+    explicit WorldBuilder(const Scene& scene) : scene_(scene) {}
 
     World<D, Real> make() {
         settings();
@@ -244,11 +244,11 @@ Hold hold_rule(const Scene& scene) {
 AnyWorld instantiate(const Scene& scene) {
     const bool single = scene.solver.precision == "float";
     if (scene.dimension == 2) {
-        if (single) return Maker<2, float>(scene).make();
-        return Maker<2, double>(scene).make();
+        if (single) return WorldBuilder<2, float>(scene).make();
+        return WorldBuilder<2, double>(scene).make();
     }
-    if (single) return Maker<3, float>(scene).make();
-    return Maker<3, double>(scene).make();
+    if (single) return WorldBuilder<3, float>(scene).make();
+    return WorldBuilder<3, double>(scene).make();
 }
 
 } // namespace sinew

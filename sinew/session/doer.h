@@ -24,7 +24,7 @@ Vec<D, Real> kick_of(const KickEvent& kick, const Scene& scene, std::size_t numb
 
 /// Applies an event to a world. Returns the name of the figure, particle or constraint concerned; empty if nothing
 /// happened or the event has no place.
-template <class WorldT> struct Doer {
+template <class WorldT> struct EventApplier {
     using Real = typename WorldT::Real;
     static constexpr int D = WorldT::dimension;
     WorldT& world;

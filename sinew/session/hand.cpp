@@ -52,10 +52,10 @@ std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> me
 
 } // namespace
 
-std::optional<Hand> Hand::take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
-                               double acceleration, double reach, Hold hold) {
+std::optional<PointerGrab> PointerGrab::take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
+                                             double acceleration, double reach, Hold hold) {
     return std::visit(
-        [&]<class WorldT>(WorldT& any) -> std::optional<Hand> {
+        [&]<class WorldT>(WorldT& any) -> std::optional<PointerGrab> {
             using Real = typename WorldT::Real;
             bool movable = false;
             for (const auto id : members) {
@@ -64,7 +64,7 @@ std::optional<Hand> Hand::take(AnyWorld& world, std::span<const ParticleId> memb
                 movable = movable || any.particles.mobility[*row] > Real(0);
             }
             if (!movable) return std::nullopt;
-            Hand hand{.members = {members.begin(), members.end()}, .target = place};
+            PointerGrab hand{.members = {members.begin(), members.end()}, .target = place};
             const double mass = lifted_mass(any, *row_of(any, members.front()));
             const auto others = near(any, members, place, reach);
             const PinSpec<WorldT::dimension, Real> grip{
@@ -84,7 +84,7 @@ std::optional<Hand> Hand::take(AnyWorld& world, std::span<const ParticleId> memb
         world);
 }
 
-void Hand::carry(AnyWorld& world) const {
+void PointerGrab::carry(AnyWorld& world) const {
     std::visit(
         [&]<class WorldT>(WorldT& any) {
             using Real = typename WorldT::Real;
@@ -102,7 +102,7 @@ void Hand::carry(AnyWorld& world) const {
         world);
 }
 
-void Hand::let_go(AnyWorld& world) const {
+void PointerGrab::let_go(AnyWorld& world) const {
     std::visit(
         [&](auto& any) {
             unpin(any, pin);

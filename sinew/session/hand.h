@@ -11,7 +11,7 @@ namespace sinew {
 
 /// A pointer's grab: a pin of limited force on one particle, or on a handle, a light particle joined by distances to
 /// several particles. A grab with a radius also pins the particles of the same figure nearby.
-struct Hand {
+struct PointerGrab {
     /// Acceleration limit of everything lifted, metres per second squared: 100 times gravity. A larger limit follows
     /// the pointer more closely but tears and jams the figure.
     static constexpr double strength = 1000;
@@ -29,8 +29,8 @@ struct Hand {
 
     /// Pins the members at `place`. Empty if a member has been removed or none can move. `acceleration` and `reach` in
     /// the world's units; `hold`: rule of classic mode.
-    static std::optional<Hand> take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
-                                    double acceleration, double reach = 0, Hold hold = Hold::fixed);
+    static std::optional<PointerGrab> take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
+                                           double acceleration, double reach = 0, Hold hold = Hold::fixed);
 
     /// Sets the targets of the pins; a target behind a plane is projected onto the plane.
     void carry(AnyWorld& world) const;

@@ -24,8 +24,9 @@ bool Session::grab(std::span<const ParticleId> members, const Point& place) {
         return true;
     }
     const auto units = scene_.measures();
-    hand_ = Hand::take(world_, members, place, Hand::strength * units.per_metre / square(units.per_second),
-                       scene_.pointer.pulls_within, hold_rule(scene_));
+    hand_ =
+        PointerGrab::take(world_, members, place, PointerGrab::strength * units.per_metre / square(units.per_second),
+                          scene_.pointer.pulls_within, hold_rule(scene_));
     return hand_.has_value();
 }
 
@@ -53,7 +54,7 @@ void Session::quicken(double by) {
 void Session::become(Scene scene) {
     let_go();
     auto fresh = instantiate(scene);
-    transplant(scene_, world_, scene, fresh);
+    migrate_state(scene_, world_, scene, fresh);
     const AnyWorld old = std::exchange(world_, std::move(fresh));
     scene_ = std::move(scene);
     skip_past_events();

@@ -153,7 +153,7 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
                 } else if constexpr (std::is_same_v<Event, CutEvent>) {
                     if (cut(happening.line, happening.within) > 0) return; // already noted
                 } else {
-                    where = Doer<WorldT>{world, scene_, before}(happening);
+                    where = EventApplier<WorldT>{world, scene_, before}(happening);
                     if (std::is_same_v<Event, JoinEvent> && where.empty()) return;
                 }
                 note(std::string(Event::name), where);

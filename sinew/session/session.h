@@ -32,7 +32,7 @@ struct Report {
 };
 
 /// Entry of a session's log.
-struct Happening {
+struct SessionEvent {
     double seconds = 0;
     std::string what;        ///< "torn", "parted", "quarantined", or the name of a scene event ("grab")
     std::string where;       ///< name of the figure or particle in the scene; may be empty
@@ -70,7 +70,7 @@ class Session {
     void drag(const Point& place);
     void let_go();
     /// The pointer's grab, or null.
-    const Hand* hand() const { return hand_ ? &*hand_ : nullptr; }
+    const PointerGrab* hand() const { return hand_ ? &*hand_ : nullptr; }
     /// True if the pointer holds particles or strokes them (classic mode).
     bool holds() const { return hand_ || stroke_; }
 
@@ -91,7 +91,7 @@ class Session {
 
     Report report() const;
     /// Log of the session, at most `most_happenings` entries; later ones are only counted.
-    const std::vector<Happening>& happenings() const { return happenings_; }
+    const std::vector<SessionEvent>& happenings() const { return happenings_; }
     std::size_t happening_count() const { return happening_count_; }
     static constexpr std::size_t most_happenings = 10000;
 
@@ -161,9 +161,9 @@ class Session {
     std::array<Point, 2> focus_; ///< two opposite corners around the initial scene
     std::vector<Due> due_;       ///< a heap
     std::vector<Driven> driven_;
-    Winder winder_;
+    Motors winder_;
     std::optional<Point> pointer_;
-    std::optional<Hand> hand_;
+    std::optional<PointerGrab> hand_;
     std::optional<Stroke> stroke_; ///< the pointer's, in place of hand_
     Point stroke_to_{};
     bool taken_over_ = false; ///< after the pointer's first grab, until a restart: grab events are ignored
@@ -171,7 +171,7 @@ class Session {
     std::vector<Blowing> blowing_;
     History history_;
     std::vector<std::size_t> islands_; ///< per figure, as last noted
-    std::vector<Happening> happenings_;
+    std::vector<SessionEvent> happenings_;
     std::size_t happening_count_ = 0;
 };
 

@@ -81,7 +81,7 @@ template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, co
     fresh.steps = old.steps;
     fresh.last_step = old.last_step;
     fresh.last_substep = old.last_substep;
-    fresh.restless = old.restless;
+    fresh.repair_window = old.repair_window;
     std::vector<ParticleId> gone;
     std::vector<ConstraintId> cut;
     for (std::size_t i = 0; i < fresh.figures.size(); ++i) {
@@ -98,7 +98,7 @@ template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, co
 
 } // namespace
 
-void transplant(const Scene& scene, const AnyWorld& world, const Scene& edited, AnyWorld& fresh) {
+void migrate_state(const Scene& scene, const AnyWorld& world, const Scene& edited, AnyWorld& fresh) {
     std::visit(
         [&]<class WorldT>(WorldT& into) {
             if (const auto* from = std::get_if<WorldT>(&world)) carry_all(scene, *from, edited, into);

@@ -45,7 +45,7 @@ std::optional<double> strength_at(const DriveSection& drive, double time) {
 
 } // namespace
 
-const ConstraintSection& Winder::section_of(const Scene& scene, const Driven& driven) {
+const ConstraintSection& Motors::section_of(const Scene& scene, const Driven& driven) {
     if (driven.figure == no_figure_of_scene) return scene.constraints[driven.section];
     return std::get<ByHand>(scene.figures[driven.figure].made).constraints[driven.section];
 }
@@ -69,7 +69,7 @@ std::size_t made_by(const WorldT& world, const ConstraintSection& section, const
                                      [&](ParticleId id) { return std::ranges::find(single, id) == single.end(); }));
 }
 
-void Winder::find(const Scene& scene, const AnyWorld& any) {
+void Motors::find(const Scene& scene, const AnyWorld& any) {
     driven_.clear();
     std::visit(
         [&]<class WorldT>(const WorldT& world) {
@@ -101,7 +101,7 @@ void Winder::find(const Scene& scene, const AnyWorld& any) {
         any);
 }
 
-void Winder::run(const Scene& scene, AnyWorld& any) const {
+void Motors::run(const Scene& scene, AnyWorld& any) const {
     std::visit(
         [&]<class WorldT>(WorldT& world) {
             using Real = typename WorldT::Real;

@@ -7,7 +7,7 @@
 namespace sinew {
 
 /// Winches and motors of a scene: constraints with driven limits.
-class Winder {
+class Motors {
   public:
     /// Finds the driven constraints in a freshly built world.
     void find(const Scene& scene, const AnyWorld& world);

@@ -25,8 +25,8 @@ template <int D> struct BlockNode {
     Vec<D, double> place{};    ///< position at the end of the substep, m
     Vec<D, double> velocity{}; ///< at the start of the substep, drag taken off; in the end the new velocity, m/s
     Vec<D, double> push{};     ///< acceleration by all force fields, m/s^2
-    Vec<D, double> aim{};      ///< position without constraints, m; in settle_block the velocity before, m/s
-    double inertia = 0;        ///< stiffness towards `aim`: mass / h^2, twice as much in a midpoint step, kg/s^2
+    Vec<D, double> aim{}; ///< position without constraints, m; in project_block_velocities the velocity before, m/s
+    double inertia = 0;   ///< stiffness towards `aim`: mass / h^2, twice as much in a midpoint step, kg/s^2
     Matrix<D, double> diagonal{};
     Vec<D, double> residual{}, move{};
 };
@@ -45,7 +45,7 @@ struct BlockLimit {
     bool slackened = false; ///< released in a solve of this substep; only in a block with ports
 
     bool one_sided() const { return low < high; }
-    void come_to_a_limit(double above, double below, double margin) {
+    void activate(double above, double below, double margin) {
         if (!(above > margin || below < -margin)) return;
         side = above > margin ? 1 : -1;
         ++flips;
@@ -80,13 +80,13 @@ struct BlockDrive {
 };
 
 /// A cable over several nodes: a pulley, or a distance that is driven or has a maximum force.
-struct BlockWay : BlockLimit, BlockDrive {
+struct CableRow : BlockLimit, BlockDrive {
     bool is_pulley = false;
     std::uint32_t first = 0, nodes = 0; ///< range in way_nodes
     std::uint32_t first_entry = 0;      ///< in way_entries, one for each pair of nodes
     double length = 0;                  ///< at the positions of this iteration, m
 };
-template <int D> struct BlockWayNode {
+template <int D> struct CableNode {
     std::uint32_t node = 0;
     Vec<D, double> start{};    ///< leg to the next node at the start of the substep, m
     Vec<D, double> gradient{}; ///< gradient of the length
@@ -94,7 +94,7 @@ template <int D> struct BlockWayNode {
 };
 
 /// A distance between two nodes.
-template <int D> struct BlockLink : BlockLimit {
+template <int D> struct DistanceRow : BlockLimit {
     std::uint32_t a = 0, b = 0; ///< nodes
     std::uint32_t entry = 0;    ///< index in the matrix; none if an end is fixed
     double length = 0;          ///< limit used for scaling, m
@@ -109,7 +109,7 @@ template <int D> struct BlockLink : BlockLimit {
 
 /// A limit of a joint: the angle at the middle one of three nodes, or in 3D a fold: the volume of a tetrahedron as a
 /// fraction of the largest volume allowed.
-template <int D> struct BlockBend : BlockLimit, BlockDrive {
+template <int D> struct AngleRow : BlockLimit, BlockDrive {
     static constexpr std::size_t most_nodes = D == 2 ? 3 : 4, most_pairs = most_nodes * (most_nodes - 1) / 2;
 
     double unit = 1;  ///< volume of a fold that counts as 1, m^3
@@ -193,7 +193,7 @@ struct BlockRoom {
     std::vector<std::uint32_t> met;      ///< per particle: number of the last search that reached the particle
     std::vector<Row> part_of;            ///< per particle: the block, named by one of the block's particles
     std::vector<Row> node_of;            ///< per particle: index of the node
-    std::vector<Row> bonds, parent, peeled, tree;
+    std::vector<Row> adjacency, parent, peeled, tree;
     std::vector<std::pair<Row, Row>> trees; ///< particles of pieces, each after the first of the piece
     std::vector<Row> hung;                  ///< direct particles of pieces that became blocks
     std::vector<char> direct;               ///< per particle: in a tree, or in a figure that alone would be a block
@@ -214,12 +214,13 @@ template <int D> struct Blocks {
     static constexpr auto none = ~std::uint32_t(0);
 
     std::vector<Block> list;
-    std::vector<Block> hanging; ///< trees attached to swept particles, each solved as one constraint of the sweep
+    std::vector<Block>
+        attached_trees; ///< trees attached to swept particles, each solved as one constraint of the sweep
     std::vector<BlockNode<D>> nodes;
-    std::vector<BlockLink<D>> links;
-    std::vector<BlockBend<D>> bends;
-    std::vector<BlockWay> ways;
-    std::vector<BlockWayNode<D>> way_nodes;
+    std::vector<DistanceRow<D>> links;
+    std::vector<AngleRow<D>> bends;
+    std::vector<CableRow> ways;
+    std::vector<CableNode<D>> way_nodes;
     std::vector<std::uint32_t> way_entries;
     std::vector<std::uint32_t> first_entry; ///< first of a node's entries; one element more than nodes
     std::vector<BlockEntry<D>> entries;
@@ -241,7 +242,7 @@ template <int D> struct Blocks {
     bool changed = true; ///< a part of the world must be
     std::vector<Touched> touched;
     std::uint32_t row_moves = 0; ///< count of the moves of rows
-    Bonds bonds;
+    ConstraintAdjacency adjacency;
 
     Elimination elimination;
     BlockRoom room;
@@ -266,7 +267,7 @@ template <int D> struct Blocks {
     void clear() {
         columns([](auto& column) { column.clear(); });
         list.clear();
-        hanging.clear();
+        attached_trees.clear();
         ports.clear();
         touched.clear();
     }
@@ -286,7 +287,7 @@ template <int D> struct Blocks {
 
     /// Reserves for every state that so many particles and constraints can reach by tearing.
     void reserve(std::size_t particles, std::size_t distances, std::size_t angles) {
-        for (auto* blocks : {&list, &hanging}) blocks->reserve(particles / 2 + 1);
+        for (auto* blocks : {&list, &attached_trees}) blocks->reserve(particles / 2 + 1);
         const auto most_nodes = 2 * (3 * particles + distances + 2 * angles);
         const auto most_entries = 8 * distances + 16 * angles + 1024;
         nodes.reserve(most_nodes);

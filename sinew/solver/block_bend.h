@@ -13,7 +13,7 @@ template <int D> class BlockBends {
   public:
     BlockBends(Blocks<D>& blocks, const Block& block, double substep) : blocks_(blocks), block_(block), h_(substep) {}
 
-    std::span<BlockBend<D>> all() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
+    std::span<AngleRow<D>> all() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
 
     /// Chooses the active limits at the start of the substep. If limits `bounce` (block_bounce.h), only limits on which
     /// a joint rests are active.
@@ -71,21 +71,21 @@ template <int D> class BlockBends {
     }
 
     /// Excess over the active limit, positive outside.
-    static double beyond(const BlockBend<D>& bend, double angle) {
+    static double beyond(const AngleRow<D>& bend, double angle) {
         return bend.side > 0 ? angle - bend.high : bend.low - angle;
     }
 
     /// True for a limit that a joint can reach, and leaves at the speed of arrival.
-    bool bounces(const BlockBend<D>& bend) const { return bounce_ && bend.one_sided() && !soft(bend) && !bend.driven; }
+    bool bounces(const AngleRow<D>& bend) const { return bounce_ && bend.one_sided() && !soft(bend) && !bend.driven; }
 
     /// First-order change of the angle in the last move.
-    double change(const BlockBend<D>& bend) const {
+    double change(const AngleRow<D>& bend) const {
         double turn = 0;
         for (std::size_t k = 0; k < bend.arity; ++k) turn += dot(bend.gradient[k], node(bend.nodes[k]).move);
         return turn;
     }
 
-    double angle_of(const BlockBend<D>& bend, bool at_start) const {
+    double angle_of(const AngleRow<D>& bend, bool at_start) const {
         const auto place = [&](std::size_t k) {
             const auto& at = node(bend.nodes[k]);
             return at_start ? at.start : at.place;
@@ -98,14 +98,14 @@ template <int D> class BlockBends {
         return unwrap<Angle<D>>(Angle<D>::evaluate(points).value, bend.low, bend.high);
     }
 
-    double stored(const BlockBend<D>& bend, bool at_start) const {
+    double stored(const AngleRow<D>& bend, bool at_start) const {
         if (!soft(bend)) return 0;
         const double angle = angle_of(bend, at_start);
         return 0.5 * tautness(bend, at_start) * square(angle - clamp(angle, bend.low, bend.high)) / bend.compliance;
     }
 
     /// Disables springs from now on, or enables them.
-    void go_limp(bool limp) { limp_ = limp; }
+    void disable_springs(bool limp) { limp_ = limp; }
 
     /// Largest violation of a rigid limit at the start of the substep.
     double worst_outside() const {
@@ -136,24 +136,24 @@ template <int D> class BlockBends {
         return worst;
     }
 
-    static bool soft(const BlockBend<D>& bend) { return bend.compliance > 0; }
+    static bool soft(const AngleRow<D>& bend) { return bend.compliance > 0; }
 
     // --- velocities
 
     /// Rate of change of an angle, relative to the limits.
-    double rate_of(const BlockBend<D>& bend) const {
+    double rate_of(const AngleRow<D>& bend) const {
         double rate = -bend.rate;
         for (std::size_t k = 0; k < bend.arity; ++k) rate += dot(bend.gradient[k], node(bend.nodes[k]).velocity);
         return rate;
     }
-    double rate_at_end(BlockBend<D>& bend) const {
+    double rate_at_end(AngleRow<D>& bend) const {
         measure(bend);
         return rate_of(bend);
     }
     void begin_settling() {
         for (auto& bend : all()) bend.pull = 0, measure(bend), bend.along = bend.gradient;
     }
-    void settle(double stiffness) {
+    void project_velocities(double stiffness) {
         for (auto& bend : all()) {
             const double rate = rate_of(bend);
             const double k = stiffness * arm2(bend);
@@ -179,7 +179,7 @@ template <int D> class BlockBends {
 
     /// Fraction of a spring's stiffness that acts, 0..1: springs bend taut arms only, since an arm of no length could
     /// be turned by nothing.
-    double tautness(const BlockBend<D>& bend, bool at_start) const {
+    double tautness(const AngleRow<D>& bend, bool at_start) const {
         double share = 1;
         for (std::size_t i = 0; i < 2; ++i) {
             if (bend.arms[i] == 0) continue;
@@ -191,11 +191,11 @@ template <int D> class BlockBends {
     }
 
     /// Angle of a spring, continued past half a turn within a substep, where the torque must not change sign.
-    static double turned_on(const BlockBend<D>& bend, double angle) {
+    static double turned_on(const AngleRow<D>& bend, double angle) {
         return bend.begun + unwrap<Angle<D>>(angle - bend.begun, 0.0, 0.0);
     }
 
-    double measure(BlockBend<D>& bend) const {
+    double measure(AngleRow<D>& bend) const {
         if constexpr (D == 3)
             if (bend.is_fold()) return measure_fold(bend);
         const Points<3, D, double> points{node(bend.nodes[0]).place, node(bend.nodes[1]).place,
@@ -205,7 +205,7 @@ template <int D> class BlockBends {
         return unwrap<Angle<D>>(evaluated.value, bend.low, bend.high);
     }
 
-    double measure_fold(BlockBend<D>& bend) const requires(D == 3) {
+    double measure_fold(AngleRow<D>& bend) const requires(D == 3) {
         const auto place = [&](std::size_t k) { return node(bend.nodes[k]).place; };
         const auto evaluated = Volume<3>::evaluate(Points<4, 3, double>{place(0), place(1), place(2), place(3)});
         for (std::size_t k = 0; k < 4; ++k) bend.gradient[k] = evaluated.gradient[k] * (1 / bend.unit);
@@ -215,7 +215,7 @@ template <int D> class BlockBends {
     /// Discrete gradient of a volume: the mean over the substep, exact since a volume is linear in each edge u, v, w:
     ///
     ///     du = (2 v0 x w0 + v0 x w1 + v1 x w0 + 2 v1 x w1) / 36
-    void point_fold(BlockBend<D>& bend) const requires(D == 3) {
+    void point_fold(AngleRow<D>& bend) const requires(D == 3) {
         const auto& a = node(bend.nodes[0]);
         const auto mean = [&](std::size_t i, std::size_t j) {
             const auto &b = node(bend.nodes[i]), &c = node(bend.nodes[j]);
@@ -233,7 +233,7 @@ template <int D> class BlockBends {
     ///     (-sin m, cos m)  (t/2) / (r sin(t/2))
     ///
     /// In space u x v has no sign, and u . v alone will do.
-    void point(BlockBend<D>& bend, Rule rule, double angle) const {
+    void point(AngleRow<D>& bend, Rule rule, double angle) const {
         bend.along = bend.gradient;
         if (rule != Rule::swing || soft(bend)) return;
         if constexpr (D == 3)
@@ -260,7 +260,7 @@ template <int D> class BlockBends {
     }
 
     /// Squared lever arm of an angle, m^2: makes an angle as stiff as a link of that length.
-    static double arm2(const BlockBend<D>& bend) {
+    static double arm2(const AngleRow<D>& bend) {
         double steepest = 0;
         for (std::size_t k = 0; k < bend.arity; ++k)
             steepest = maximum(steepest, dot(bend.gradient[k], bend.gradient[k]));
@@ -268,7 +268,7 @@ template <int D> class BlockBends {
     }
 
     /// Adds one angle to the equations; returns the violation of a limit.
-    double assemble(BlockBend<D>& bend, Rule rule, double hardest, double margin) {
+    double assemble(AngleRow<D>& bend, Rule rule, double hardest, double margin) {
         double angle = measure(bend);
         if (soft(bend)) angle = turned_on(bend, angle);
         point(bend, rule, angle);
@@ -285,7 +285,7 @@ template <int D> class BlockBends {
             add(bend, bend.tension);
             return 0;
         }
-        if (bend.side == 0 && !bounces(bend)) bend.come_to_a_limit(angle - bend.high, angle - bend.low, margin);
+        if (bend.side == 0 && !bounces(bend)) bend.activate(angle - bend.high, angle - bend.low, margin);
         if (bend.side == 0) return 0;
         const double error = bend.side * (beyond(bend, angle) - bend.give);
         bend.stiffness = hardest * arm2(bend);
@@ -295,7 +295,7 @@ template <int D> class BlockBends {
         return bend.slips ? 0 : absolute(error);
     }
 
-    void add(const BlockBend<D>& bend, double torque) {
+    void add(const AngleRow<D>& bend, double torque) {
         for (std::size_t i = 0, pair = 0; i < bend.arity; ++i) {
             auto& at = node(bend.nodes[i]);
             at.residual -= bend.along[i] * torque;

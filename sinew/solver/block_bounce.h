@@ -38,14 +38,14 @@ template <int D> class BlockBounce {
         }
         for (auto& link : block_.links()) {
             link.strikes = link.side == 0 && block_.bounces(link) && strikes(link, landing);
-            if (link.strikes) link.tension = link.side; // makes the link resist in settle_block
+            if (link.strikes) link.tension = link.side; // makes the link resist in project_block_velocities
             any = any || link.strikes;
         }
         if (!any) return false;
         const auto nodes = block_.unknowns();
         const double kinetic = block_.kinetic();
         constexpr int rounds = 12; // enough to find which of many limits are loaded
-        settle_block(
+        project_block_velocities(
             block_, [](double) {}, rounds); // keeps the old velocities in `aim`
         const bool rests = landing && kinetic - block_.kinetic() <= little_;
         for (auto& bend : bends_.all()) {
@@ -65,7 +65,7 @@ template <int D> class BlockBounce {
         return true;
     }
 
-    bool strikes(BlockLink<D>& link, bool landing) const {
+    bool strikes(DistanceRow<D>& link, bool landing) const {
         const auto &a = block_.node(link.a), &b = block_.node(link.b);
         const auto span = b.place - a.place;
         const auto side_of = [&](double length) { return length > link.high ? 1 : length < link.low ? -1 : 0; };
@@ -76,7 +76,7 @@ template <int D> class BlockBounce {
         return false;
     }
 
-    bool strikes(BlockBend<D>& bend, bool landing) {
+    bool strikes(AngleRow<D>& bend, bool landing) {
         const double angle = bends_.angle_of(bend, false);
         bend.side = angle > bend.high ? 1 : angle < bend.low ? -1 : 0;
         const bool comes_back = bend.side != 0 && bends_.beyond(bend, bend.begun) >= 0;

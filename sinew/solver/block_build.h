@@ -21,8 +21,8 @@ template <int D, class Real> class BlockBuilder {
     /// Builds a block of `members`, whose `part_of` is `part`, and appends the block to `list`. False if the
     /// factorisation would not stay sparse, or if room runs out: then everything is stale. A block that `hangs` on the
     /// rest of the world takes rigid constraints only.
-    bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool hangs) {
-        part_ = part, hangs_ = hangs;
+    bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool attached) {
+        part_ = part, hangs_ = attached;
         neighbours_ = 0;
         elimination_.begin_graph();
         for (const Row row : members) {
@@ -34,7 +34,7 @@ template <int D, class Real> class BlockBuilder {
             elimination_.end_row(row);
         }
         if (!elimination_.run(members)) return false;
-        const auto each = 4 + (hangs ? most_tethers : 0);
+        const auto each = 4 + (attached ? most_tethers : 0);
         if (!blocks_.stale && !blocks_.has_room(each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
             blocks_.stale = true;
             return false;
@@ -54,7 +54,7 @@ template <int D, class Real> class BlockBuilder {
         block.first_way = std::uint32_t(blocks_.ways.size());
         for (const Row row : elimination_.order()) add_ways(row);
         block.ways = std::uint32_t(blocks_.ways.size()) - block.first_way;
-        if (hangs) add_ports(block);
+        if (attached) add_ports(block);
         block.motored = is_motored(block);
         block.ranges = ranges_of(block);
         block.springy = is_springy(block);
@@ -138,7 +138,7 @@ template <int D, class Real> class BlockBuilder {
             if (!takes(distances_, link) || is_driven(distances_, link)) return;
             if (inner && elimination_.position(other) < elimination_.position(row)) return;
             const auto a = room_.node_of[row], b = node_for(other);
-            BlockLink<D> added;
+            DistanceRow<D> added;
             static_cast<BlockLimit&>(added) = limit_of(distances_, link);
             added.low = maximum(added.low, 0.0);
             added.a = a, added.b = b;
@@ -167,7 +167,7 @@ template <int D, class Real> class BlockBuilder {
     }
     bool is_port(Row row) const {
         bool found = false;
-        blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+        blocks_.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
             visit_table(world_, kind, [&](const auto& table) {
                 const Row constraint = table.slots.row_at(slot);
                 found = found || !table.in_block[constraint];
@@ -177,7 +177,7 @@ template <int D, class Real> class BlockBuilder {
     }
     void add_load_tether(std::uint32_t node) {
         constexpr double far = 1e12;
-        BlockLink<D> tether;
+        DistanceRow<D> tether;
         tether.slot = no_row;
         tether.high = far;
         tether.a = node;
@@ -221,7 +221,7 @@ template <int D, class Real> class BlockBuilder {
 
     template <class Table> void add_way(Table& table, Row row, bool is_pulley) {
         const auto members = std::as_const(table).members[row];
-        BlockWay added;
+        CableRow added;
         static_cast<BlockLimit&>(added) = limit_of(table, row);
         added.low = maximum(added.low, 0.0);
         added.is_pulley = is_pulley;
@@ -252,7 +252,7 @@ template <int D, class Real> class BlockBuilder {
     std::uint32_t ranges_of(const Block& block) const {
         const auto first = blocks_.links.begin() + block.first_link;
         return std::uint32_t(
-            std::count_if(first, first + block.links, [](const BlockLink<D>& link) { return link.is_range(); }));
+            std::count_if(first, first + block.links, [](const DistanceRow<D>& link) { return link.is_range(); }));
     }
 
     bool is_springy(const Block& block) const {
@@ -277,7 +277,7 @@ template <int D, class Real> class BlockBuilder {
     }
 
     /// Sets the nodes of a bend, and the matrix entries of all pairs.
-    void join(BlockBend<D>& bend, std::span<const Row> members) {
+    void join(AngleRow<D>& bend, std::span<const Row> members) {
         bend.arity = members.size();
         for (std::size_t i = 0; i < members.size(); ++i) bend.nodes[i] = node_for(members[i]);
         for (std::size_t i = 0, pair = 0; i < members.size(); ++i)
@@ -293,7 +293,7 @@ template <int D, class Real> class BlockBuilder {
             graph_.each(volumes, row, [&](Row fold) {
                 const auto members = std::as_const(volumes).members[fold];
                 if (!takes(volumes, fold) || !is_first(row, members)) return;
-                BlockBend<D> added;
+                AngleRow<D> added;
                 static_cast<BlockLimit&>(added) = limit_of(volumes, fold);
                 added.unit = Graph::fold_unit(volumes, fold);
                 added.low_begun = added.low /= added.unit;
@@ -310,7 +310,7 @@ template <int D, class Real> class BlockBuilder {
         graph_.each(angles_, row, [&](Row bend) {
             const auto members = std::as_const(angles_).members[bend];
             if (!takes(angles_, bend) || !is_first(row, members)) return;
-            BlockBend<D> added;
+            AngleRow<D> added;
             static_cast<BlockLimit&>(added) = limit_of(angles_, bend);
             added.driven = is_driven(angles_, bend);
             join(added, members);

@@ -25,7 +25,9 @@ template <int D> class BlockEquations {
     std::span<BlockNode<D>> unknowns() const {
         return std::span(blocks_.nodes).subspan(block_.first_node, block_.unknowns);
     }
-    std::span<BlockLink<D>> links() const { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
+    std::span<DistanceRow<D>> links() const {
+        return std::span(blocks_.links).subspan(block_.first_link, block_.links);
+    }
     BlockBends<D>& bends() { return bends_; }
     const BlockBends<D>& bends() const { return bends_; }
     BlockWays<D>& ways() { return ways_; }
@@ -39,17 +41,18 @@ template <int D> class BlockEquations {
     /// Penalty stiffness of a rigid link of length 1.
     double stiffness() const { return stiffness_; }
     /// True for a spring; stiffer than the penalty counts as rigid.
-    bool soft(const BlockLink<D>& link) const { return link.compliance * stiffness_ > 1; }
+    bool soft(const DistanceRow<D>& link) const { return link.compliance * stiffness_ > 1; }
 
     /// True for a joint's range that a link can leave, and comes back from at the speed of arrival.
-    bool bounces(const BlockLink<D>& link) const { return ranges_bounce_ && link.is_range() && !soft(link); }
+    bool bounces(const DistanceRow<D>& link) const { return ranges_bounce_ && link.is_range() && !soft(link); }
 
     void clear_entries() {
         const auto begin = blocks_.first_entry[block_.first_node];
         const auto end = blocks_.first_entry[block_.first_node + block_.unknowns];
         for (auto e = begin; e < end; ++e) blocks_.entries[e].lower = blocks_.entries[e].upper = {};
     }
-    [[gnu::always_inline]] void add(const BlockLink<D>& link, const Matrix<D, double>& stiffness, const Vector& force) {
+    [[gnu::always_inline]] void add(const DistanceRow<D>& link, const Matrix<D, double>& stiffness,
+                                    const Vector& force) {
         auto &a = node(link.a), &b = node(link.b);
         a.diagonal += stiffness;
         b.diagonal += stiffness;
@@ -80,7 +83,7 @@ template <int D> class BlockEquations {
     static const Vector& place_of(const BlockNode<D>& node) { return node.place; }
 
     /// True if velocities would change lengths more than a swing does in a time h, as after a blow.
-    bool jolted(double h) const {
+    bool has_velocity_error(double h) const {
         const double usual = block_.motored ? 1e-4 : 0.02; // motors start and stop, and must not ring
         for (const auto& link : links()) {
             if (soft(link) || (link.one_sided() && link.tension == 0)) continue;
@@ -88,7 +91,7 @@ template <int D> class BlockEquations {
             const double rate = dot(span, node(link.b).velocity - node(link.a).velocity);
             if (absolute(rate) * h > usual * square(link.length)) return true;
         }
-        return ways_.jolted(usual, h);
+        return ways_.has_velocity_error(usual, h);
     }
 
     /// Kinetic energy, half the sum of m v^2.
@@ -98,7 +101,7 @@ template <int D> class BlockEquations {
         return sum;
     }
 
-    double stored(const BlockLink<D>& link, const Vector& span) const {
+    double stored(const DistanceRow<D>& link, const Vector& span) const {
         if (!soft(link)) return 0;
         const double length = norm(span);
         return 0.5 * square(length - clamp(length, link.low, link.high)) / link.compliance;

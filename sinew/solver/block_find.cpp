@@ -13,9 +13,9 @@
 namespace sinew {
 namespace {
 
-template <int D, class Real> class Finder {
+template <int D, class Real> class BlockFinder {
   public:
-    explicit Finder(World<D, Real>& world)
+    explicit BlockFinder(World<D, Real>& world)
         : world_(world), particles_(world.particles), graph_(world), worth_(graph_), builder_(world, graph_),
           blocks_(world.blocks), room_(world.blocks.room) {}
 
@@ -34,7 +34,7 @@ template <int D, class Real> class Finder {
     World<D, Real>& world_;
     Particles<D, Real>& particles_;
     detail::BlockGraph<D, Real> graph_;
-    detail::BlockWorth<D, Real> worth_;
+    detail::BlockEligibility<D, Real> worth_;
     detail::BlockBuilder<D, Real> builder_;
     Blocks<D>& blocks_;
     BlockRoom& room_;
@@ -46,7 +46,7 @@ template <int D, class Real> class Finder {
     void make_room() {
         detail::list_bonds(world_);
         const auto count = particles_.size();
-        for (auto* column : {&room_.part_of, &room_.node_of, &room_.bonds, &room_.parent}) column->resize(count);
+        for (auto* column : {&room_.part_of, &room_.node_of, &room_.adjacency, &room_.parent}) column->resize(count);
         room_.direct.resize(count);
         room_.met.resize(count, 0);
         blocks_.pin_of.resize(count);
@@ -65,7 +65,7 @@ template <int D, class Real> class Finder {
         begin_look();
         blocks_.clear();
         std::fill(particles_.in_block.begin(), particles_.in_block.end(), char(0));
-        blocks_.bonds.forget();
+        blocks_.adjacency.forget();
         std::size_t constraints = 0;
         bool may_tear = false; // tears need the adjacency of all constraints
         for_each_table(world_, [&](auto& table) {
@@ -75,7 +75,7 @@ template <int D, class Real> class Finder {
         });
         constexpr std::size_t small = 100'000;
         const bool large = constraints > small;
-        if (!large || may_tear || !detail::BlockGlance(world_, graph_).sees_no_blocks()) spread();
+        if (!large || may_tear || !detail::BlockEligibilityScan(world_, graph_).sees_no_blocks()) spread();
         build_parts();
         if (large) room_.constraints = decltype(room_.constraints)(); // released, and allocated again on demand
         blocks_.leave_room();
@@ -98,7 +98,8 @@ template <int D, class Real> class Finder {
             if (mobile(row))
                 spread(row);
             else if (touched.what == Touch::mobility)
-                blocks_.bonds.each(touched.particle, [&](int kind, std::uint32_t slot) { spread_over(kind, slot); });
+                blocks_.adjacency.each(touched.particle,
+                                       [&](int kind, std::uint32_t slot) { spread_over(kind, slot); });
         }
         const auto gone = [&](const Block& block) {
             if (!slots.in_use(block.particle)) return true;
@@ -106,7 +107,7 @@ template <int D, class Real> class Finder {
             return !mobile(row) || room_.met[row] == blocks_.looks;
         };
         std::erase_if(blocks_.list, gone);
-        std::erase_if(blocks_.hanging, gone);
+        std::erase_if(blocks_.attached_trees, gone);
         blocks_.first_entry.pop_back();
         build_parts();
     }
@@ -122,7 +123,7 @@ template <int D, class Real> class Finder {
         for (auto next = first; next < room_.members.size(); ++next) {
             const Row row = room_.members[next];
             worth_.take_stock(room_.parts.back(), row);
-            blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+            blocks_.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
                 visit_table(world_, kind, [&](auto& table) { reach(table, kind, table.slots.row_at(slot)); });
             });
         }
@@ -171,15 +172,15 @@ template <int D, class Real> class Finder {
         }
         blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
     }
-    bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool hangs) {
+    bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool attached) {
         for (const Row row : members) room_.part_of[row] = part;
-        return builder_.build(members, part, list, hangs);
+        return builder_.build(members, part, list, attached);
     }
 
     // --- trees and figures attached to a component with too many loops: ropes on a cloth, a ragdoll in a hammock ---
 
-    /// Turns trees, and figures eligible for a block, into blocks with ports (ports/ports.h). Swept particles at the
-    /// other end of a link become nodes, too: all pieces attached to one particle form one block.
+    /// Turns trees, and figures eligible for a block, into blocks with ports (ports/ports.h). SweepState particles at
+    /// the other end of a link become nodes, too: all pieces attached to one particle form one block.
     void hang_pieces(const Part& part) {
         const auto members = members_of(part);
         peel(members);
@@ -209,7 +210,7 @@ template <int D, class Real> class Finder {
         const auto& all = room_.tree;
         const auto joints =
             std::size_t(std::count_if(all.begin(), all.end(), [&](Row row) { return !room_.direct[row]; }));
-        if (all.size() < 2 || joints > most_joints || !build(all, root, blocks_.hanging, true)) return;
+        if (all.size() < 2 || joints > most_joints || !build(all, root, blocks_.attached_trees, true)) return;
         for (const Row row : all)
             if (room_.direct[row]) room_.hung.push_back(row);
     }
@@ -253,7 +254,7 @@ template <int D, class Real> class Finder {
         Part part;
         for (const auto& [figure, row] : own) {
             worth_.take_stock(part, row);
-            blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+            blocks_.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
                 visit_table(world_, kind, [&](const auto& table) { take_stock(part, table, slot, row); });
             });
         }
@@ -275,7 +276,7 @@ template <int D, class Real> class Finder {
     /// True if a constraint other than a distance acts on a particle that blocks with ports cannot hold.
     bool is_soft(Row row) const {
         bool found = false;
-        blocks_.bonds.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+        blocks_.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
             if (kind == kind_number<Distance, D>) return;
             visit_table(world_, kind,
                         [&](const auto& table) { found = found || !graph_.is_rigid(table, table.slots.row_at(slot)); });
@@ -285,28 +286,28 @@ template <int D, class Real> class Finder {
 
     /// Removes leaves until none is left; all removed particles form trees.
     void peel(std::span<const Row> members) {
-        auto& bonds = room_.bonds; // number of links to movable neighbours not yet removed
+        auto& adjacency = room_.adjacency; // number of links to movable neighbours not yet removed
         auto& peeled = room_.peeled;
         peeled.clear();
         constexpr Row never = 1 << 20; // more than a particle has links
         for (const Row row : members) {
             room_.parent[row] = no_row;
-            bonds[row] = 0;
+            adjacency[row] = 0;
             graph_.each(graph_.distances(), row, [&](Row link) {
                 const Row other = graph_.other_end(link, row);
-                if (mobile(other)) bonds[row] += graph_.may_hang(link) ? 1 : never;
+                if (mobile(other)) adjacency[row] += graph_.may_hang(link) ? 1 : never;
             });
-            if (is_soft(row)) bonds[row] += never;
-            if (bonds[row] == 1) peeled.push_back(row);
+            if (is_soft(row)) adjacency[row] += never;
+            if (adjacency[row] == 1) peeled.push_back(row);
         }
         std::size_t kept = 0;
         for (std::size_t i = 0; i < peeled.size(); ++i) { // grows on the way
             const Row row = peeled[i];
-            if (bonds[row] != 1) continue; // the last of a tree
+            if (adjacency[row] != 1) continue; // the last of a tree
             const Row parent = neighbour_left(row);
             room_.parent[row] = parent;
-            bonds[row] = 0;
-            if (--bonds[parent] == 1) peeled.push_back(parent);
+            adjacency[row] = 0;
+            if (--adjacency[parent] == 1) peeled.push_back(parent);
             peeled[kept++] = row;
         }
         peeled.resize(kept);
@@ -359,7 +360,7 @@ template <int D, class Real> void prepare(World<D, Real>& world) {
     reserve_for_tears(world);
     make_room_for_budgets(world);
     Waiting::tell(0);
-    const bool anew = Finder(world).run();
+    const bool anew = BlockFinder(world).run();
     find_ports(world);
     Waiting::tell(0.2);
     make_plan(world, anew);

@@ -9,9 +9,9 @@
 /// trees. Then the constraints of each particle need not be listed.
 namespace sinew::detail {
 
-template <int D, class Real> class BlockGlance {
+template <int D, class Real> class BlockEligibilityScan {
   public:
-    BlockGlance(const World<D, Real>& world, const BlockGraph<D, Real>& graph)
+    BlockEligibilityScan(const World<D, Real>& world, const BlockGraph<D, Real>& graph)
         : world_(world), graph_(graph), worth_(graph) {}
 
     bool sees_no_blocks() const { return !any_end() && !any_worthwhile(); }
@@ -19,7 +19,7 @@ template <int D, class Real> class BlockGlance {
   private:
     const World<D, Real>& world_;
     const BlockGraph<D, Real>& graph_;
-    BlockWorth<D, Real> worth_;
+    BlockEligibility<D, Real> worth_;
 
     std::size_t particles() const { return world_.particles.size(); }
 
@@ -27,15 +27,15 @@ template <int D, class Real> class BlockGlance {
     bool any_end() const {
         constexpr unsigned char many = 2;
         const auto& links = graph_.distances();
-        std::vector<unsigned char> bonds(particles());
+        std::vector<unsigned char> adjacency(particles());
         for (Row link = 0; link < links.size(); ++link) {
             const Row a = graph_.end(link, 0), b = graph_.end(link, 1);
-            if (bonds[a] == many && bonds[b] == many) continue;
+            if (adjacency[a] == many && adjacency[b] == many) continue;
             if (!graph_.mobile(a) || !graph_.mobile(b)) continue;
             const bool is_first = graph_.may_hang(link);
-            for (const Row end : {a, b}) bonds[end] = is_first && bonds[end] == 0 ? 1 : many;
+            for (const Row end : {a, b}) adjacency[end] = is_first && adjacency[end] == 0 ? 1 : many;
         }
-        return std::find(bonds.begin(), bonds.end(), 1) != bonds.end();
+        return std::find(adjacency.begin(), adjacency.end(), 1) != adjacency.end();
     }
 
     bool any_worthwhile() const {

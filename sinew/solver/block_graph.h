@@ -36,7 +36,7 @@ template <int D, class Real> class BlockGraph {
     /// Calls visit(row) for each constraint of a particle of the kind of `table`, in order.
     template <class Table, class Visit> void each(const Table& table, Row particle, Visit&& visit) const {
         constexpr int wanted = Kinds<D>::template index_of<typename Table::Kind>;
-        world_.blocks.bonds.each(particles_.slots.slot_of(particle), [&](int kind, std::uint32_t slot) {
+        world_.blocks.adjacency.each(particles_.slots.slot_of(particle), [&](int kind, std::uint32_t slot) {
             if (kind == wanted) visit(table.slots.row_at(slot));
         });
     }

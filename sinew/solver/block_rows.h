@@ -23,12 +23,12 @@ template <int D, class Real> void look_up_rows(World<D, Real>& world, Block& blo
     each(blocks.nodes, block.first_node, block.nodes,
          [&](BlockNode<D>& node) { node.row = world.particles.slots.row_at(node.slot); });
     each(blocks.links, block.first_link, block.links, row_in(distances));
-    each(blocks.bends, block.first_bend, block.bends, [&](BlockBend<D>& bend) {
+    each(blocks.bends, block.first_bend, block.bends, [&](AngleRow<D>& bend) {
         if constexpr (D == 3)
             if (bend.is_fold()) return row_in(std::get<kind_number<Volume, D>>(world.constraints))(bend);
         row_in(angles)(bend);
     });
-    each(blocks.ways, block.first_way, block.ways, [&](BlockWay& way) {
+    each(blocks.ways, block.first_way, block.ways, [&](CableRow& way) {
         way.constraint = way.is_pulley ? pulleys.slots.row_at(way.slot) : distances.slots.row_at(way.slot);
     });
 }

@@ -7,7 +7,7 @@ namespace sinew::detail {
 /// Projects the velocities of a block onto the motions that the constraints allow (n . v = 0 for each active one), with
 /// the least change of momentum: `rounds` solves of an augmented Lagrangian. One-sided limits take part only while
 /// loaded. `hold(stiffness)` adds external terms, such as planes, to the equations.
-template <int D, class Hold> void settle_block(BlockEquations<D>& block, Hold&& hold, int rounds = 3) {
+template <int D, class Hold> void project_block_velocities(BlockEquations<D>& block, Hold&& hold, int rounds = 3) {
     constexpr double relative = 1e3;
     const auto at = [&](std::uint32_t i) -> BlockNode<D>& { return block.node(i); };
     const double hardest = relative * block.total_mass();
@@ -32,8 +32,8 @@ template <int D, class Hold> void settle_block(BlockEquations<D>& block, Hold&& 
             link.pull = pull;
             block.add(link, outer(link.along * k, link.along), link.along * pull);
         }
-        block.bends().settle(hardest);
-        block.ways().settle(hardest);
+        block.bends().project_velocities(hardest);
+        block.ways().project_velocities(hardest);
         hold(hardest);
         block.solve();
         for (auto& node : block.unknowns()) node.velocity += node.move;

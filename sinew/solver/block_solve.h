@@ -29,13 +29,13 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     const SolveProgress& progress() const { return progress_; }
 
     /// Treats links as very stiff springs from now on: lengths that cannot all be kept share the error.
-    void be_elastic() { elastic_ = true; }
+    void use_penalty() { elastic_ = true; }
 
     /// Lets joints swing past their limits from now on, and bounce afterwards (block_bounce.h).
-    void let_bounce() { bounce_ = true; }
+    void allow_overshoot() { bounce_ = true; }
 
     /// Chooses the active limits at the start of the substep.
-    void choose_sides(Rule rule) {
+    void choose_active_limits(Rule rule) {
         reach_ = 0;
         Base::ranges_bounce_ = bounce_ && rule == Rule::swing;
         for (auto& link : links()) {
@@ -176,13 +176,13 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             node.inertia = node.mass * per_h_ * per_h_ * (rule == Rule::swing ? 2 : 1);
             node.aim = node.start + flight(rule, node) + node.push * (share * h_ * h_);
         }
-        choose_sides(rule);
+        choose_active_limits(rule);
         slight_ = 1e-6 * Base::weight() * inverse_or_zero(reach_) * double(block_.links + block_.ways);
     }
 
     /// Active limit at the start of the substep. A link within the margin of a limit counts as taut: a falling rope
     /// would otherwise tighten link by link.
-    void choose_side(BlockLink<D>& link) const {
+    void choose_side(DistanceRow<D>& link) const {
         link.flips = 0;
         link.give = 0;
         if (bounces(link)) return rest_on_end(link);
@@ -193,7 +193,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     }
 
     /// For a bouncing link: only the limit on which the link rests is active, offset by the present excess.
-    static void rest_on_end(BlockLink<D>& link) {
+    static void rest_on_end(DistanceRow<D>& link) {
         constexpr double hardly_short = 1e-6;
         const double length2 = dot(link.start, link.start), margin = hardly_short * square(link.length);
         const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
@@ -220,7 +220,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             const double k = hardest * link.per_length2;
             const double length2 = dot(now, now);
             const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
-            if (link.side == 0 && !bounces(link)) link.come_to_a_limit(above, below, good_enough * square(link.length));
+            if (link.side == 0 && !bounces(link)) link.activate(above, below, good_enough * square(link.length));
             const double error = (link.side > 0 ? above : link.side < 0 ? below : 0) - link.give;
             worst = maximum(worst, absolute(error) * link.per_length2);
             link.pull = link.side != 0 ? link.tension + k * error : 0;
@@ -254,7 +254,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     }
 
     /// A compliant link: the force follows from the length, without a multiplier.
-    void spring(Rule rule, BlockLink<D>& link, const Vector& now) {
+    void spring(Rule rule, DistanceRow<D>& link, const Vector& now) {
         const double length = norm(now), per_length = inverse_or_zero(length);
         const double error = length - clamp(length, link.low, link.high);
         link.stiffness = 0;

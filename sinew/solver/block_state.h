@@ -33,9 +33,9 @@ template <int D, class Real> class BlockState {
     std::span<BlockNode<D>> nodes() const { return std::span(blocks.nodes).subspan(block.first_node, block.nodes); }
     std::span<BlockNode<D>> unknowns() const { return nodes().first(block.unknowns); }
     std::span<BlockNode<D>> fixed() const { return nodes().subspan(block.unknowns); }
-    std::span<BlockLink<D>> links() const { return std::span(blocks.links).subspan(block.first_link, block.links); }
-    std::span<BlockBend<D>> bends() const { return std::span(blocks.bends).subspan(block.first_bend, block.bends); }
-    std::span<BlockWay> ways() const { return std::span(blocks.ways).subspan(block.first_way, block.ways); }
+    std::span<DistanceRow<D>> links() const { return std::span(blocks.links).subspan(block.first_link, block.links); }
+    std::span<AngleRow<D>> bends() const { return std::span(blocks.bends).subspan(block.first_bend, block.bends); }
+    std::span<CableRow> ways() const { return std::span(blocks.ways).subspan(block.first_way, block.ways); }
 
     double substep() const { return h_; }
     /// Fractions of the frame at the ends of the substep.
@@ -157,11 +157,11 @@ template <int D, class Real> class BlockState {
 
     // --- winches and motors
 
-    Real& multiplier_of(const BlockWay& way) {
+    Real& multiplier_of(const CableRow& way) {
         return way.is_pulley ? pulleys_.multiplier[way.constraint] : distances_.multiplier[way.constraint];
     }
 
-    Real& multiplier_of(const BlockBend<D>& bend) {
+    Real& multiplier_of(const AngleRow<D>& bend) {
         if constexpr (D == 3)
             if (bend.is_fold()) return std::get<kind_number<Volume, D>>(world.constraints).multiplier[bend.constraint];
         return angles_.multiplier[bend.constraint];
@@ -189,13 +189,13 @@ template <int D, class Real> class BlockState {
 
     /// True if the tension of the last substep was nearly the largest. Not stored as a flag: a copy of the world has
     /// none.
-    static bool has_slipped(const BlockWay& way) {
+    static bool has_slipped(const CableRow& way) {
         constexpr double nearly = 0.999;
         return way.gives() && absolute(way.before) >= nearly * way.most;
     }
 
     /// Moves the limits to the length reached.
-    void slip(BlockWay& way) {
+    void slip(CableRow& way) {
         const double length = BlockWays<D>(blocks, block, h_).length_of(way, false);
         const double error = length - clamp(length, way.low, way.high), spring = way.most * way.compliance;
         const double by = error - clamp(error, -spring, spring);

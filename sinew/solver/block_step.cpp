@@ -59,18 +59,18 @@ template <int D, class Real> class BlockStep {
         Solve solve(state_.blocks, state_.block, state_.substep());
         Energy energy(solve, is_free());
         if (!swung_) {
-            if (!pull_together(solve)) return be_stretched(from, to);
-            if (solve.jolted(longest_)) {
-                solve.choose_sides(Rule::implicit);
-                note_lost(settle(solve, energy));
+            if (!project_positions(solve)) return solve_infeasible(from, to);
+            if (solve.has_velocity_error(longest_)) {
+                solve.choose_active_limits(Rule::implicit);
+                note_lost(project_velocities(solve, energy));
             }
         }
         const auto went = swing(solve, energy, depth);
         swung_ = went == Went::well;
         if (swung_) return state_.store();
-        if (state_.driven() && !solve.run(Rule::place, many, [] {})) return be_stretched(from, to);
+        if (state_.driven() && !solve.run(Rule::place, many, [] {})) return solve_infeasible(from, to);
         const bool blow = depth > 0 && went == Went::against_something;
-        if (blow || (depth >= deepest && went != Went::past_an_end)) return give_way(from, to, depth);
+        if (blow || (depth >= deepest && went != Went::past_an_end)) return step_backward_euler(from, to, depth);
         advance_in_pieces(from, to, depth);
     }
     void advance_in_pieces(double from, double to, int depth) {
@@ -88,7 +88,7 @@ template <int D, class Real> class BlockStep {
         constexpr int few = 8;             // iterations: where more are needed, shorter substeps are cheaper
         constexpr double overshoot = 2e-3; // radians beyond a joint's limit, or a fraction of half a range's length
         const bool lossless = loses_nothing(solve);
-        if (lossless) solve.let_bounce();
+        if (lossless) solve.allow_overshoot();
         const bool found = run(solve, Rule::swing, few);
         if (struck(solve)) return Went::against_something;
         if (!found) return Went::too_far;
@@ -105,10 +105,10 @@ template <int D, class Real> class BlockStep {
         if (gain > 1) energy.slow_down(energy.due());
         bounce(solve, energy);
         if (any_tightened(lossless)) {
-            note_lost(settle(solve, energy));
-        } else if (solve.jolted(longest_)) {
+            note_lost(project_velocities(solve, energy));
+        } else if (solve.has_velocity_error(longest_)) {
             const double kinetic = solve.kinetic();
-            if (!straighten(solve, energy) && !shortest) return Went::too_far;
+            if (!remove_velocity_drift(solve, energy) && !shortest) return Went::too_far;
             note_lost(kinetic - solve.kinetic());
         }
         note_lost(energy.missing());
@@ -120,17 +120,17 @@ template <int D, class Real> class BlockStep {
 
     /// Repeats the substep by backward Euler. Without a solution the substep is divided: Newton's model is better over
     /// a shorter time. At the deepest level springs are disabled, and `creep` is the last resort.
-    void give_way(double from, double to, int depth) {
+    void step_backward_euler(double from, double to, int depth) {
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
         const Energy energy(solve, is_free());
-        pull_together(solve);
+        project_positions(solve);
         const double kinetic = solve.kinetic();
         bool found = run(solve, Rule::implicit, many);
         if (!found && depth < deepest) return advance_in_pieces(from, to, depth);
         if (!found && state_.block.springy) {
             state_.start_tensions();
-            solve.bends().go_limp(true);
+            solve.bends().disable_springs(true);
             found = run(solve, Rule::implicit, many) && kinetic + energy.work() >= 0;
         }
         if (!found) creep(solve, energy, kinetic);
@@ -138,7 +138,7 @@ template <int D, class Real> class BlockStep {
             take_mean_velocities();
         else
             keep_flying();
-        settle(solve, energy);
+        project_velocities(solve, energy);
         energy.keep_momentum();
         if (state_.works_alone()) energy.slow_down(kinetic + energy.work());
         note_lost(kinetic + energy.work() - solve.kinetic());
@@ -150,8 +150,8 @@ template <int D, class Real> class BlockStep {
     void creep(Solve& solve, const Energy& energy, double kinetic) {
         constexpr double bearable = 1e-5;
         state_.forget_tensions();
-        solve.bends().go_limp(false);
-        solve.be_elastic();
+        solve.bends().disable_springs(false);
+        solve.use_penalty();
         run(solve, Rule::implicit, 1);
         const double most = maximum(bearable, solve.worst_start_strain());
         retreat([&] { return solve.worst_place_strain() <= most && kinetic + energy.work() >= 0; });
@@ -172,12 +172,12 @@ template <int D, class Real> class BlockStep {
     }
 
     /// Step of a block pinned further apart than its length: as near to the lengths as possible.
-    void be_stretched(double from, double to) {
+    void solve_infeasible(double from, double to) {
         load(from, to);
         state_.forget_tensions();
         Solve solve(state_.blocks, state_.block, state_.substep());
         const double before = solve.worst_start_strain();
-        solve.be_elastic();
+        solve.use_penalty();
         run(solve, Rule::implicit, stretched_iterations);
         constexpr double most = 10;
         retreat([&] { return solve.worst_place_strain() <= maximum(most, before); });
@@ -194,7 +194,7 @@ template <int D, class Real> class BlockStep {
 
     /// Brings a figure that was placed stretched, or torn from its pins, to its lengths without a velocity. False if
     /// the pins are too far apart.
-    bool pull_together(Solve& solve) {
+    bool project_positions(Solve& solve) {
         constexpr double crude = 1e-3;
         const double before = solve.worst_start_strain();
         if (before <= crude) return true;
@@ -243,19 +243,19 @@ template <int D, class Real> class BlockStep {
     }
 
     /// Projects the velocities. Returns the energy lost, J.
-    double settle(Solve& solve, const Energy& energy) {
+    double project_velocities(Solve& solve, const Energy& energy) {
         const double kinetic = solve.kinetic();
-        detail::settle_block(solve, [&](double k) { contact_.rebound(k); });
+        detail::project_block_velocities(solve, [&](double k) { contact_.rebound(k); });
         if (!contact_.near() && state_.works_alone()) energy.slow_down(kinetic); // no gain, rounding aside
         return kinetic - solve.kinetic();
     }
 
     /// Removes velocities along the links, an error of the integrator after the crack of a whip, and gives their energy
     /// back to the allowed motion. False if the error is large.
-    bool straighten(Solve& solve, const Energy& energy) {
+    bool remove_velocity_drift(Solve& solve, const Energy& energy) {
         constexpr double much = 1.02;
         const double kinetic = solve.kinetic(), inner = energy.inner();
-        settle(solve, energy);
+        project_velocities(solve, energy);
         const bool little = inner <= much * energy.inner();
         if (!state_.driven()) energy.bring_to(kinetic);
         return little;

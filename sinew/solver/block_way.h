@@ -15,8 +15,8 @@ template <int D> class BlockWays {
 
     BlockWays(Blocks<D>& blocks, const Block& block, double substep) : blocks_(blocks), block_(block), h_(substep) {}
 
-    std::span<BlockWay> all() const { return std::span(blocks_.ways).subspan(block_.first_way, block_.ways); }
-    std::span<BlockWayNode<D>> nodes(const BlockWay& way) const {
+    std::span<CableRow> all() const { return std::span(blocks_.ways).subspan(block_.first_way, block_.ways); }
+    std::span<CableNode<D>> nodes(const CableRow& way) const {
         return std::span(blocks_.way_nodes).subspan(way.first, way.nodes);
     }
 
@@ -51,13 +51,13 @@ template <int D> class BlockWays {
     }
 
     /// Change of a cable's length by the last move, to first order.
-    double change(const BlockWay& way) const {
+    double change(const CableRow& way) const {
         double sum = 0;
         for (const auto& on : nodes(way)) sum += dot(on.gradient, node(on).move);
         return sum;
     }
 
-    double length_of(const BlockWay& way, bool at_start) const {
+    double length_of(const CableRow& way, bool at_start) const {
         double sum = 0;
         const auto on = nodes(way);
         const auto place = [&](std::size_t i) { return at_start ? node(on[i]).start : node(on[i]).place; };
@@ -65,7 +65,7 @@ template <int D> class BlockWays {
         return sum;
     }
 
-    double stored(const BlockWay& way, bool at_start) const {
+    double stored(const CableRow& way, bool at_start) const {
         if (!soft(way)) return 0;
         const double length = length_of(way, at_start);
         return 0.5 * square(length - clamp(length, way.low, way.high)) / way.compliance;
@@ -100,7 +100,7 @@ template <int D> class BlockWays {
     // --- velocities
 
     /// True if the velocities would change lengths otherwise than the limits, in a time h.
-    bool jolted(double usual, double h) const {
+    bool has_velocity_error(double usual, double h) const {
         for (const auto& way : all()) {
             if (soft(way) || way.slips || (way.one_sided() && way.tension == 0)) continue;
             point(way);
@@ -112,7 +112,7 @@ template <int D> class BlockWays {
     void begin_settling() {
         for (auto& way : all()) way.pull = 0, point(way);
     }
-    void settle(double k) {
+    void project_velocities(double k) {
         for (auto& way : all()) {
             const double pull = way.pull + k * lengthening(way);
             const bool tightened = way.before == 0 && way.tension != 0; // no bounce
@@ -126,23 +126,23 @@ template <int D> class BlockWays {
             if (way.stiffness > 0) way.pull += way.stiffness * change(way);
     }
 
-    static bool soft(const BlockWay& way) { return way.compliance > 0; }
+    static bool soft(const CableRow& way) { return way.compliance > 0; }
 
   private:
     Blocks<D>& blocks_;
     const Block& block_;
     double h_;
 
-    BlockNode<D>& node(const BlockWayNode<D>& on) const { return blocks_.nodes[on.node]; }
+    BlockNode<D>& node(const CableNode<D>& on) const { return blocks_.nodes[on.node]; }
 
-    double lengthening(const BlockWay& way) const {
+    double lengthening(const CableRow& way) const {
         double rate = -way.rate;
         for (const auto& on : nodes(way)) rate += dot(on.gradient, node(on).velocity);
         return rate;
     }
 
     /// Gradient of the length at the present positions.
-    void point(const BlockWay& way) const {
+    void point(const CableRow& way) const {
         const auto on = nodes(way);
         for (auto& at : on) at.gradient = {};
         for (std::size_t i = 0; i + 1 < on.size(); ++i) {
@@ -153,7 +153,7 @@ template <int D> class BlockWays {
         for (auto& at : on) at.along = at.gradient;
     }
 
-    double assemble(BlockWay& way, Rule rule, double hardest, bool elastic, double margin) {
+    double assemble(CableRow& way, Rule rule, double hardest, bool elastic, double margin) {
         measure(way, rule);
         way.stiffness = 0;
         const bool stiff = !soft(way);
@@ -177,7 +177,7 @@ template <int D> class BlockWays {
         return way.slips ? 0 : absolute(error) / maximum(way.length, 1e-6);
     }
 
-    void spring(BlockWay& way, Rule rule, double hardest) {
+    void spring(CableRow& way, Rule rule, double hardest) {
         const double error = way.length - clamp(way.length, way.low, way.high);
         const double last = way.tension;
         way.tension = 0;
@@ -191,7 +191,7 @@ template <int D> class BlockWays {
     }
 
     /// Length, gradient, and directions of pull.
-    void measure(BlockWay& way, Rule rule) {
+    void measure(CableRow& way, Rule rule) {
         const auto on = nodes(way);
         for (auto& at : on) at.gradient = at.along = {};
         way.length = 0;
@@ -209,7 +209,7 @@ template <int D> class BlockWays {
         }
     }
 
-    void add(const BlockWay& way, double stiffness, double pull) {
+    void add(const CableRow& way, double stiffness, double pull) {
         const auto on = nodes(way);
         auto entry = way.first_entry;
         for (std::size_t i = 0; i < on.size(); ++i) {
@@ -228,7 +228,7 @@ template <int D> class BlockWays {
     }
 
     /// Geometric stiffness: a leg under tension resists rotation.
-    void add_geometric(const BlockWay& way, Rule rule, double tension) {
+    void add_geometric(const CableRow& way, Rule rule, double tension) {
         const auto on = nodes(way);
         auto entry = way.first_entry;
         for (std::size_t i = 0; i + 1 < on.size(); entry += std::uint32_t(on.size() - 1 - i), ++i) {

@@ -5,12 +5,12 @@
 /// Eligibility for a block: few loops of links, angles and folds, all with the default split and relaxation.
 namespace sinew::detail {
 
-template <int D, class Real> class BlockWorth {
+template <int D, class Real> class BlockEligibility {
   public:
     using Part = BlockRoom::Part;
     using Graph = BlockGraph<D, Real>;
 
-    explicit BlockWorth(const Graph& graph) : graph_(graph) {}
+    explicit BlockEligibility(const Graph& graph) : graph_(graph) {}
 
     /// Counts a particle of a part.
     void take_stock(Part& part, Row particle) const {

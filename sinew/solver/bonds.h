@@ -7,7 +7,7 @@
 /// Constraints of each particle, in the order of addition. By id slots, which do not change when rows move.
 namespace sinew {
 
-class Bonds {
+class ConstraintAdjacency {
   public:
     /// Clears the lists, for a number of particles.
     void reset(std::size_t particles) {

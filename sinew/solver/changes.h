@@ -8,15 +8,15 @@ namespace sinew::detail {
 
 /// Lists the constraints of each particle, if not listed yet. On demand, since a large world may never need the list.
 template <int D, class Real> void list_bonds(World<D, Real>& world) {
-    auto& bonds = world.blocks.bonds;
-    if (bonds.listed()) return;
+    auto& adjacency = world.blocks.adjacency;
+    if (adjacency.listed()) return;
     const auto& particles = world.particles.slots;
-    bonds.reset(particles.slots());
+    adjacency.reset(particles.slots());
     int kind = 0;
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
             for (const Row member : table.members[row])
-                bonds.add(particles.slot_of(member), kind, table.slots.slot_of(row));
+                adjacency.add(particles.slot_of(member), kind, table.slots.slot_of(row));
         ++kind;
     });
 }
@@ -27,7 +27,7 @@ template <int D, class Real> void note_particle(World<D, Real>& world) {
     blocks.changed = true;
     if (blocks.stale) return;
     const auto& slots = world.particles.slots;
-    if (blocks.bonds.listed()) blocks.bonds.make_room(slots.slots());
+    if (blocks.adjacency.listed()) blocks.adjacency.make_room(slots.slots());
     blocks.touch(slots.slot_of(Row(world.particles.size() - 1)), Touch::joined);
 }
 
@@ -48,7 +48,7 @@ void note_member(World<D, Real>& world, const Table& table, int kind, Row row, R
     blocks.changed = true;
     if (blocks.stale) return;
     const auto particle = world.particles.slots.slot_of(member);
-    if (blocks.bonds.listed()) blocks.bonds.add(particle, kind, table.slots.slot_of(row));
+    if (blocks.adjacency.listed()) blocks.adjacency.add(particle, kind, table.slots.slot_of(row));
     blocks.touch(particle, Touch::joined);
 }
 
@@ -59,7 +59,7 @@ void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row r
     blocks.changed = true;
     if (blocks.stale) return;
     const auto particle = world.particles.slots.slot_of(member);
-    blocks.stale = blocks.bonds.listed() && !blocks.bonds.remove(particle, kind, table.slots.slot_of(row));
+    blocks.stale = blocks.adjacency.listed() && !blocks.adjacency.remove(particle, kind, table.slots.slot_of(row));
     blocks.touch(particle, Touch::joined);
 }
 

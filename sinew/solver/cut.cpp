@@ -31,7 +31,7 @@ bool crosses(const Blade& blade, const Vec2<double>& a, const Vec2<double>& b) {
 /// Adds the dependents of a distance: constraints of other kinds with both ends among their members.
 template <int D, class Real>
 void add_what_hangs(const World<D, Real>& world, const std::array<Row, 2>& ends, std::vector<ConstraintId>& all) {
-    world.blocks.bonds.each(world.particles.slots.slot_of(ends[0]), [&](int kind, std::uint32_t slot) {
+    world.blocks.adjacency.each(world.particles.slots.slot_of(ends[0]), [&](int kind, std::uint32_t slot) {
         visit_table(world, kind, [&](const auto& table) {
             const Row row = table.slots.row_at(slot);
             const auto members = table.members[row];

@@ -15,7 +15,8 @@ template <class Real> constexpr bool is_limit(Real limit) {
 template <class Table, int D, class Real> Real slipped(World<D, Real>& world, const Table& table, Row row) {
     const auto members = table.members[row];
     detail::Stencil<typename Table::Kind, D, Real> stencil(world, members.size());
-    stencil.each([&](std::size_t i) { stencil.points[i] = world.swept.place_at(world.swept.slot_of[members[i]]); });
+    stencil.each(
+        [&](std::size_t i) { stencil.points[i] = world.sweep_state.place_at(world.sweep_state.slot_of[members[i]]); });
     const Real measure = stencil.evaluate(stencil.points, stencil.gradient);
     const Real error = measure - clamp(measure, table.low(row), table.high(row));
     const Real spring = table.max_force[row] * table.compliance[row];

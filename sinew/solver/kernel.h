@@ -14,36 +14,36 @@ template <class Real> inline constexpr Real most_per_square = Real(1e30);
 /// per link, `_uneven` has ends of unequal or zero mobility.
 enum class LinkKind : unsigned char {
     other,
-    exact,
-    exact_each,
-    exact_uneven,
-    swinging, ///< equality, corrected along the links at the start of the substep
-    swinging_each,
-    swinging_uneven,
-    ranging, ///< inequality: two limits
-    ranging_each,
-    ranging_uneven
+    equality,
+    equality_each,
+    equality_uneven,
+    old_gradient, ///< equality, corrected along the links at the start of the substep
+    old_gradient_each,
+    old_gradient_uneven,
+    inequality, ///< inequality: two limits
+    inequality_each,
+    inequality_uneven
 };
 
 /// Batch of simple distances solved together: between slots a and b, a + 1 and b + 1, ... Any 32 consecutive links (two
 /// packs of 16) are disjoint.
-struct LinkRun {
-    std::uint32_t a = 0, b = 0; ///< first slots in Swept; scattered: a is an offset in the lists of ends
+struct LinkBatch {
+    std::uint32_t a = 0, b = 0; ///< first slots in SweepState; scattered: a is an offset in the lists of ends
     std::uint32_t count = 0;
     std::uint32_t row = 0;      ///< first row in the table of distances; with row_step 0 an offset in the list of rows
     std::uint32_t row_step = 0; ///< from link to link; 0: rows are listed
     std::uint32_t parameters = 0; ///< index of the first low, high and compliance
     bool uniform = false;         ///< a single set of parameters
-    bool soft = false;            ///< some links are compliant
-    bool exact = true;            ///< all links are equalities
-    bool swings = false;          ///< corrected along the links at the start of the substep
-    bool even = true;             ///< both ends of every link have the same nonzero mobility
+    bool compliant = false;       ///< some links are compliant
+    bool equality = true;         ///< all links are equalities
+    bool old_gradient = false;    ///< corrected along the links at the start of the substep
+    bool equal_mass = true;       ///< both ends of every link have the same nonzero mobility
     bool scattered = false;
     LinkKind kind = LinkKind::other;
 };
 
 /// Columns of the particles (swept.h) and of the plan (plan.h).
-template <int D, class Real> struct LinkColumns {
+template <int D, class Real> struct DistanceColumns {
     const Real* place;
     Real* move;
     std::size_t apart; ///< stride between components
@@ -56,14 +56,14 @@ template <int D, class Real> struct LinkColumns {
     Real* multiplier;                     ///< by row
 };
 
-template <class Real> struct LinkPass {
-    Real per_h2 = 0;       ///< 1 / h^2
-    Real shortest = 1;     ///< output: a length below 1e-18 of a link with a positive limit, otherwise 1
-    bool kept = false;     ///< store multipliers, for later iterations or for readers
-    bool told = false;     ///< last substep: multipliers are read after the step
-    bool first = true;     ///< first iteration: multipliers start at zero
-    bool again = false;    ///< repair within an iteration: compliant batches are skipped
-    bool strained = false; ///< output: some rigid link was over 2 % too long
+template <class Real> struct DistancePass {
+    Real per_h2 = 0;            ///< 1 / h^2
+    Real shortest = 1;          ///< output: a length below 1e-18 of a link with a positive limit, otherwise 1
+    bool kept = false;          ///< store multipliers, for later iterations or for readers
+    bool last_substep = false;  ///< last substep: multipliers are read after the step
+    bool first = true;          ///< first iteration: multipliers start at zero
+    bool again = false;         ///< repair within an iteration: compliant batches are skipped
+    bool overstretched = false; ///< output: some rigid link was over 2 % too long
 };
 
 /// Anchor of long-range attachments: an upper limit on each particle's distance from a point.
@@ -86,7 +86,7 @@ template <int D, class Real> struct Motion {
 };
 
 /// Transposition between vectors by row and columns of components by slot.
-template <int D, class Real> struct Turning {
+template <int D, class Real> struct Transposition {
     Real* rows; ///< D numbers each
     Real* columns;
     std::size_t apart;           ///< stride between components
@@ -101,7 +101,8 @@ template <int D, class Real> using Moving = void (*)(const Motion<D, Real>&, std
 
 template <int D, class Real> struct Kernels {
     /// Solves a range of batches in order.
-    void (*project)(const LinkColumns<D, Real>&, LinkPass<Real>&, const LinkRun* first, const LinkRun* last);
+    void (*project)(const DistanceColumns<D, Real>&, DistancePass<Real>&, const LinkBatch* first,
+                    const LinkBatch* last);
     /// Pulls particles back within reach of the anchors.
     Moving<D, Real> tether;
     /// place <- place + move, the rounding error kept in the residual (Kahan 1965).
@@ -113,8 +114,8 @@ template <int D, class Real> struct Kernels {
     /// Minimum of normal . (place + move).
     Real (*lowest)(const Motion<D, Real>&, const Real* normal, std::uint32_t first, std::uint32_t last);
     /// Transposes slots [first, last).
-    void (*to_columns)(const Turning<D, Real>&, std::uint32_t first, std::uint32_t last);
-    void (*to_rows)(const Turning<D, Real>&, std::uint32_t first, std::uint32_t last);
+    void (*to_columns)(const Transposition<D, Real>&, std::uint32_t first, std::uint32_t last);
+    void (*to_rows)(const Transposition<D, Real>&, std::uint32_t first, std::uint32_t last);
     /// True if all numbers are within [-limit, limit], or [0, limit]; NaN is not.
     bool (*all_within)(const Real* numbers, std::size_t count, Real limit);
     bool (*all_within_and_positive)(const Real* numbers, std::size_t count, Real limit);

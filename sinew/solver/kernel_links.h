@@ -46,10 +46,10 @@ template <class V> struct Limits { V low, high, alpha; };
 
 /// Variant of batches to compile a kernel for.
 struct Rules {
-    bool kept = true;   ///< multipliers are stored
-    bool soft = true;   ///< some links are compliant
-    bool range = true;  ///< some links are inequalities
-    bool swings = true; ///< corrected along the link at the start of the substep, where possible
+    bool kept = true;         ///< multipliers are stored
+    bool compliant = true;    ///< some links are compliant
+    bool range = true;        ///< some links are inequalities
+    bool old_gradient = true; ///< corrected along the link at the start of the substep, where possible
 };
 
 /// Distance held within [low, high] by the multiplier lambda (formulas in project.h). d is the direction of correction:
@@ -58,9 +58,9 @@ struct Rules {
 ///     s = (limit - length) / (|d| (w n . d/|d| + alpha)),   n = e / length
 ///     b moves by w_b s d, a by -w_a s d
 template <int D, class Real, Rules rules, class Ends> struct Projection {
-    const LinkColumns<D, Real>& columns;
-    LinkPass<Real>& pass;
-    const LinkRun& run;
+    const DistanceColumns<D, Real>& columns;
+    DistancePass<Real>& pass;
+    const LinkBatch& run;
 
     /// Solves the links from number i on: a full pack with `all`, otherwise `count`.
     template <class V, bool all>
@@ -77,11 +77,11 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
         }
         V d2 = e2, d_e = e2;
-        if constexpr (rules.swings) {
+        if constexpr (rules.old_gradient) {
             d2 = d_e = zero;
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d2 = d2 + d[k] * d[k], d_e = d_e + d[k] * e[k];
-            const Real agreement = run.swings ? Real(0.99 * 0.99) : Real(2); // 2: never agree
+            const Real agreement = run.old_gradient ? Real(0.99 * 0.99) : Real(2); // 2: never agree
             const auto agree = d_e * most(d_e, zero) > agreement * (e2 * d2);
             d2 = agree ? d2 : e2, d_e = agree ? d_e : e2;
 #pragma GCC unroll 3
@@ -90,18 +90,18 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d[k] = e[k];
         }
-        if (!run.soft) look_at<V, all>(e2, rules.range || rules.kept ? limits.high : limits.low, count);
+        if (!run.compliant) look_at<V, all>(e2, rules.range || rules.kept ? limits.high : limits.low, count);
         const V w_a = a.template get<V>(columns.mobility, count), w_b = b.template get<V>(columns.mobility, count);
         V resistance = (w_a + w_b) * d_e, length{}, d_length{};
-        if constexpr (rules.soft || rules.kept) d_length = root(d2);
+        if constexpr (rules.compliant || rules.kept) d_length = root(d2);
         if constexpr (rules.range || rules.kept) length = root(e2);
-        if constexpr (rules.soft) resistance = resistance + limits.alpha * (length * d_length);
+        if constexpr (rules.compliant) resistance = resistance + limits.alpha * (length * d_length);
         // zero length or mobility gives zero resistance: the products below are then zero
         constexpr Real least_resistance = sizeof(Real) == 4 ? Real(1e-26) : Real(1e-200);
         const V per = Real(1) / most(resistance, spread<V>(least_resistance));
         if constexpr (rules.kept) {
             const V lambda = multipliers<V, all>(i, count);
-            const V slack = rules.soft ? limits.alpha * lambda : zero;
+            const V slack = rules.compliant ? limits.alpha * lambda : zero;
             const V gain = w_a + w_b > zero ? length * per * d_length : zero;
             const V pushing = lambda + (limits.low - length - slack) * gain;
             const V pulling = lambda + (limits.high - length - slack) * gain;
@@ -135,8 +135,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     template <class V, bool all>
     [[gnu::always_inline]] void look_at(const V& square, const V& longest, int count) const {
         const V meant = all ? square : first_lanes(square, count, Real(0));
-        if (any(meant > longest * longest * strained<Real>)) [[unlikely]]
-            pass.strained = true;
+        if (any(meant > longest * longest * overstretched<Real>)) [[unlikely]]
+            pass.overstretched = true;
     }
 
     template <class V, bool all>
@@ -182,8 +182,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         constexpr Real stiffest = Real(1e26);
         Limits<V> limits{get(columns.low + at), V{}, V{}};
         if constexpr (rules.range || rules.kept) limits.high = get(columns.high + at);
-        if constexpr (rules.soft)
-            if (run.soft) limits.alpha = least(spread<V>(stiffest), get(columns.compliance + at) * pass.per_h2);
+        if constexpr (rules.compliant)
+            if (run.compliant) limits.alpha = least(spread<V>(stiffest), get(columns.compliance + at) * pass.per_h2);
         return limits;
     }
 
@@ -205,29 +205,30 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
 
 /// Solves a batch of any kind. Not inlined: needs more registers than the common kinds.
 template <int D, class Real>
-[[gnu::noinline]] void project_run(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, const LinkRun& run) {
-    if (run.soft && pass.again) return;
+[[gnu::noinline]] void project_run(const DistanceColumns<D, Real>& columns, DistancePass<Real>& pass,
+                                   const LinkBatch& run) {
+    if (run.compliant && pass.again) return;
     constexpr Rules all{}, unyielding{true, false, false, false};
     constexpr Rules unkept{.kept = false}, simple{false, false, false, false}, rigid{false, false, true, true};
     if (run.scattered && pass.kept)
         Projection<D, Real, all, Scattered>{columns, pass, run}.all();
-    else if (run.scattered && (run.soft || !run.exact || run.swings))
+    else if (run.scattered && (run.compliant || !run.equality || run.old_gradient))
         Projection<D, Real, unkept, Scattered>{columns, pass, run}.all();
     else if (run.scattered)
         Projection<D, Real, simple, Scattered>{columns, pass, run}.all();
-    else if (pass.kept && !run.soft && !run.swings)
+    else if (pass.kept && !run.compliant && !run.old_gradient)
         Projection<D, Real, unyielding, SideBySide>{columns, pass, run}.all();
     else if (pass.kept)
         Projection<D, Real, all, SideBySide>{columns, pass, run}.all();
-    else if (run.soft)
+    else if (run.compliant)
         Projection<D, Real, unkept, SideBySide>{columns, pass, run}.all();
     else
         Projection<D, Real, rigid, SideBySide>{columns, pass, run}.all();
 }
 
 template <int D, class Real>
-void project_runs(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass, const LinkRun* first,
-                  const LinkRun* last) {
+void project_runs(const DistanceColumns<D, Real>& columns, DistancePass<Real>& pass, const LinkBatch* first,
+                  const LinkBatch* last) {
     for (;; ++first) {
         first = project_kinds(columns, pass, first, last);
         if (first == last) return;

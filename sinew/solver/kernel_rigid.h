@@ -20,24 +20,24 @@ template <class Real> inline constexpr Real strongest = Real(1e25);
 
 /// Variant of rigid links to compile a kernel for.
 struct Rigid {
-    bool exact = true;   ///< all links are equalities
-    bool kept = false;   ///< multipliers are stored
-    bool swings = false; ///< corrected along the links at the start of the substep (kernel_links.h)
-    bool even = true;    ///< both ends of every link have the same nonzero mobility
+    bool equality = true;      ///< all links are equalities
+    bool kept = false;         ///< multipliers are stored
+    bool old_gradient = false; ///< corrected along the links at the start of the substep (kernel_links.h)
+    bool equal_mass = true;    ///< both ends of every link have the same nonzero mobility
 };
 
 template <int D, class Real, Rigid rules> struct RigidLinks {
     using V = Pack<Real, widest<Real>>;
     static constexpr std::size_t width = std::size_t(widest<Real>);
 
-    const LinkColumns<D, Real>& columns;
-    LinkPass<Real>& pass;
-    const LinkRun& run;
+    const DistanceColumns<D, Real>& columns;
+    DistancePass<Real>& pass;
+    const LinkBatch& run;
     const Real *place_a, *place_b, *low, *high;
     Real *move_a, *move_b;
     std::size_t apart;
 
-    RigidLinks(const LinkColumns<D, Real>& from, LinkPass<Real>& in, const LinkRun& of)
+    RigidLinks(const DistanceColumns<D, Real>& from, DistancePass<Real>& in, const LinkBatch& of)
         : columns(from), pass(in), run(of), place_a(from.place + of.a), place_b(from.place + of.b),
           low(from.quarter_per_square + of.parameters), high(from.high + of.parameters), move_a(from.move + of.a),
           move_b(from.move + of.b), apart(from.apart) {}
@@ -91,7 +91,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
             link[p] = link_at(i[p]);
             half[p] = half_tangent(link[p].e2, wanted);
             away[p] = half[p] * half[p];
-            if constexpr (rules.swings) {
+            if constexpr (rules.old_gradient) {
                 const V turned = quarter() - dot(link[p].d, link[p].e) * wanted.low;
                 away[p] = most(away[p], turned * turned);
                 half[p] = along_tangent(half[p], turned);
@@ -108,8 +108,8 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     }
 
     /// Solves links [first, last), however far from their limits.
-    [[gnu::noinline]] static void carefully(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
-                                            const LinkRun& run, std::size_t first, std::size_t last) {
+    [[gnu::noinline]] static void carefully(const DistanceColumns<D, Real>& columns, DistancePass<Real>& pass,
+                                            const LinkBatch& run, std::size_t first, std::size_t last) {
         const RigidLinks links(columns, pass, run);
         std::size_t i = first;
         for (; i + width <= last; i += width) links.template project<true>(i, int(width));
@@ -119,7 +119,8 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     template <bool all> [[gnu::always_inline]] void project(std::size_t i, int count) const {
         const Wanted wanted = run.uniform ? uniformly_wanted() : wanted_of(i);
         Link link = link_at(i);
-        const V half = rules.swings ? half_along<all>(link, count, wanted) : half_lacking<all>(link.e2, count, wanted);
+        const V half =
+            rules.old_gradient ? half_along<all>(link, count, wanted) : half_lacking<all>(link.e2, count, wanted);
         move<all>(i, count, link, half);
         if constexpr (rules.kept) keep<all>(i, count, link, half, wanted);
     }
@@ -128,9 +129,9 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     template <bool all>
     [[gnu::always_inline]] void keep(std::size_t i, int count, const Link& link, const V& half,
                                      const Wanted& wanted) const {
-        const V length = root(link.e2), along = rules.swings ? root(dot(link.d, link.d)) : length;
+        const V length = root(link.e2), along = rules.old_gradient ? root(dot(link.d, link.d)) : length;
         V mobility = mobility_of(run.a + i);
-        if constexpr (!rules.even) mobility = mean_mobility(mobility, mobility_of(run.b + i));
+        if constexpr (!rules.equal_mass) mobility = mean_mobility(mobility, mobility_of(run.b + i));
         if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
         const V lambda = within(along * half / mobility, spread<V>(strongest<Real>));
         const auto has_length = wanted.low < spread<V>(Real(0.1) * most_per_square<Real>);
@@ -144,7 +145,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         return lacking(
             half, Real(0.5), [&]() __attribute__((always_inline)) {
                 look_at(half);
-                if constexpr (rules.exact) return e2 * wanted.low * Real(4);
+                if constexpr (rules.equality) return e2 * wanted.low * Real(4);
                 return e2 * (half < V{} ? wanted.high : wanted.low) * Real(4);
             });
     }
@@ -173,7 +174,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     }
 
     [[gnu::always_inline]] void look_at(const V& half) const {
-        if (any(half < spread<V>(Real(0.25) * (1 - strained<Real>)))) pass.strained = true;
+        if (any(half < spread<V>(Real(0.25) * (1 - overstretched<Real>)))) pass.overstretched = true;
     }
 
     [[gnu::always_inline]] static V quarter() {
@@ -186,7 +187,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
 
     [[gnu::always_inline]] static V half_tangent(const V& e2, const Wanted& wanted) {
         const V half = quarter() - e2 * wanted.low, zero{};
-        return rules.exact ? half : most(half, zero) + least(quarter() - e2 * wanted.high, zero);
+        return rules.equality ? half : most(half, zero) + least(quarter() - e2 * wanted.high, zero);
     }
     [[gnu::always_inline]] static V along_tangent(const V& half, const V& turned) {
         return half * (turned * Real(4) + Real(1));
@@ -217,8 +218,8 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
             const std::size_t at = k * apart + i;
-            const V& along = rules.swings ? link.d[k] : link.e[k];
-            const V first = along * shares.a, second = rules.even ? first : along * shares.b;
+            const V& along = rules.old_gradient ? link.d[k] : link.e[k];
+            const V first = along * shares.a, second = rules.equal_mass ? first : along * shares.b;
             put<all>(move_a + at, link.a[k] - first, count);
             put<all>(move_b + at, link.b[k] + second, count);
         }
@@ -229,7 +230,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         V a, b;
     };
     [[gnu::always_inline]] Shares shares_of(std::size_t i, const V& half) const {
-        if constexpr (rules.even) return {half, half};
+        if constexpr (rules.equal_mass) return {half, half};
         const V a = mobility_of(run.a + i), b = mobility_of(run.b + i), per = Real(1) / mean_mobility(a, b);
         return {half * (per * a), half * (per * b)};
     }
@@ -266,7 +267,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     }
     template <class Get> [[gnu::always_inline]] Wanted wanted(std::size_t at, Get&& get) const {
         Wanted wanted{get(low + at), V{}};
-        if constexpr (!rules.exact) {
+        if constexpr (!rules.equality) {
             const V longest = get(high + at);
             wanted.high = least(Real(0.25) / (longest * longest), spread<V>(Real(0.25) * most_per_square<Real>));
         }
@@ -277,18 +278,19 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
 /// Solves batches of a kind, up to the first of another. Not inlined: together with the other kinds registers would not
 /// suffice.
 template <LinkKind kind, bool kept, int D, class Real>
-[[gnu::noinline]] const LinkRun* project_kind(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
-                                              const LinkRun* first, const LinkRun* last) {
+[[gnu::noinline]] const LinkBatch* project_kind(const DistanceColumns<D, Real>& columns, DistancePass<Real>& pass,
+                                                const LinkBatch* first, const LinkBatch* last) {
     using enum LinkKind;
-    constexpr Rigid rules{.exact = kind != ranging && kind != ranging_each && kind != ranging_uneven,
-                          .kept = kept,
-                          .swings = kind == swinging || kind == swinging_each || kind == swinging_uneven,
-                          .even = kind != exact_uneven && kind != swinging_uneven && kind != ranging_uneven};
+    constexpr Rigid rules{
+        .equality = kind != inequality && kind != inequality_each && kind != inequality_uneven,
+        .kept = kept,
+        .old_gradient = kind == old_gradient || kind == old_gradient_each || kind == old_gradient_uneven,
+        .equal_mass = kind != equality_uneven && kind != old_gradient_uneven && kind != inequality_uneven};
     for (; first != last && first->kind == kind; ++first) {
         const RigidLinks<D, Real, rules> links(columns, pass, *first);
-        if constexpr (kind == exact || kind == swinging || kind == ranging)
+        if constexpr (kind == equality || kind == old_gradient || kind == inequality)
             links.solve_uniform();
-        else if constexpr (rules.even)
+        else if constexpr (rules.equal_mass)
             links.solve_each();
         else
             links.solve_any();
@@ -299,25 +301,27 @@ template <LinkKind kind, bool kept, int D, class Real>
 /// Solves batches up to the first of kind `other`, or with multipliers to be accumulated. Equalities need multipliers
 /// only for readers; inequalities also between iterations, to undo part of earlier corrections.
 template <int D, class Real>
-[[gnu::always_inline]] inline const LinkRun* project_kinds(const LinkColumns<D, Real>& columns, LinkPass<Real>& pass,
-                                                           const LinkRun* first, const LinkRun* last) {
+[[gnu::always_inline]] inline const LinkBatch* project_kinds(const DistanceColumns<D, Real>& columns,
+                                                             DistancePass<Real>& pass, const LinkBatch* first,
+                                                             const LinkBatch* last) {
     using enum LinkKind;
-    using Project = const LinkRun* (*)(const LinkColumns<D, Real>&, LinkPass<Real>&, const LinkRun*, const LinkRun*);
+    using Project =
+        const LinkBatch* (*)(const DistanceColumns<D, Real>&, DistancePass<Real>&, const LinkBatch*, const LinkBatch*);
     static constexpr auto each = [](auto kept) {
         return std::array<Project, 10>{nullptr,
-                                       project_kind<exact, kept, D, Real>,
-                                       project_kind<exact_each, kept, D, Real>,
-                                       project_kind<exact_uneven, kept, D, Real>,
-                                       project_kind<swinging, kept, D, Real>,
-                                       project_kind<swinging_each, kept, D, Real>,
-                                       project_kind<swinging_uneven, kept, D, Real>,
-                                       project_kind<ranging, kept, D, Real>,
-                                       project_kind<ranging_each, kept, D, Real>,
-                                       project_kind<ranging_uneven, kept, D, Real>};
+                                       project_kind<equality, kept, D, Real>,
+                                       project_kind<equality_each, kept, D, Real>,
+                                       project_kind<equality_uneven, kept, D, Real>,
+                                       project_kind<old_gradient, kept, D, Real>,
+                                       project_kind<old_gradient_each, kept, D, Real>,
+                                       project_kind<old_gradient_uneven, kept, D, Real>,
+                                       project_kind<inequality, kept, D, Real>,
+                                       project_kind<inequality_each, kept, D, Real>,
+                                       project_kind<inequality_uneven, kept, D, Real>};
     };
     static constexpr std::array project{each(std::false_type{}), each(std::true_type{})};
     while (first != last && first->kind != other) {
-        const bool kept = first->kind < ranging ? pass.told : pass.kept;
+        const bool kept = first->kind < inequality ? pass.last_substep : pass.kept;
         if (kept && !pass.first) break;
         first = project[kept][std::size_t(first->kind)](columns, pass, first, last);
     }

@@ -81,7 +81,7 @@ template <bool changes, class V, class Real>
 }
 
 template <int D, class Real, bool changes>
-[[gnu::always_inline]] inline void to_columns_as(const Turning<D, Real>& turning, std::uint32_t first,
+[[gnu::always_inline]] inline void to_columns_as(const Transposition<D, Real>& turning, std::uint32_t first,
                                                  std::uint32_t last) {
     const auto [rows, columns, apart, row_of, slot_of_last, by, most] = turning;
     constexpr std::uint32_t width = turned_at_once<D, Real>;
@@ -110,14 +110,16 @@ template <int D, class Real, bool changes>
     }
     for (; slot < last; ++slot) one(slot);
 }
-template <int D, class Real> void to_columns(const Turning<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
+template <int D, class Real>
+void to_columns(const Transposition<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
     if (turning.most > 0)
         to_columns_as<D, Real, true>(turning, first, last);
     else
         to_columns_as<D, Real, false>(turning, first, last);
 }
 
-template <int D, class Real> void to_rows(const Turning<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
+template <int D, class Real>
+void to_rows(const Transposition<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
     const auto [rows, columns, apart, row_of, slot_of_last, by, most] = turning;
     constexpr std::uint32_t width = turned_at_once<D, Real>;
     std::uint32_t slot = first;

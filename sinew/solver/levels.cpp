@@ -10,7 +10,7 @@ constexpr std::uint32_t unknown = ~std::uint32_t(0);
 
 } // namespace
 
-void Levels::find(std::span<const std::uint32_t> first, std::span<const std::uint32_t> near) {
+void LevelStructure::find(std::span<const std::uint32_t> first, std::span<const std::uint32_t> near) {
     first_ = first, near_ = near;
     const auto count = first.size() - 1;
     place_.assign(count, unknown);
@@ -23,7 +23,7 @@ void Levels::find(std::span<const std::uint32_t> first, std::span<const std::uin
 }
 
 /// Particle with the fewest neighbours: a corner, if there is one.
-std::uint32_t Levels::least_joined() const {
+std::uint32_t LevelStructure::least_joined() const {
     std::uint32_t found = 0;
     for (std::uint32_t i = 1; i + 1 < first_.size(); ++i)
         if (near(i).size() < near(found).size()) found = i;
@@ -32,7 +32,7 @@ std::uint32_t Levels::least_joined() const {
 
 /// Extends the first level along the side of the corner whose end has the lowest number. In a mesh without boundary the
 /// first level is a single particle.
-void Levels::follow_edge() {
+void LevelStructure::follow_edge() {
     auto begun = unknown, first = unknown;
     for (const auto side : near(edge_.front())) {
         if (!on_edge(side)) continue;
@@ -44,14 +44,14 @@ void Levels::follow_edge() {
 }
 
 /// Walks along the boundary, away from the start, up to a corner: a particle with fewer neighbours than the one before.
-template <class Visit> void Levels::along_edge(std::uint32_t side, Visit&& visit) const {
+template <class Visit> void LevelStructure::along_edge(std::uint32_t side, Visit&& visit) const {
     for (auto at = side, before = side; at != unknown; before = at, at = next_along(at)) {
         visit(at);
         if (near(at).size() < near(before).size()) return;
     }
 }
 
-std::uint32_t Levels::next_along(std::uint32_t from) const {
+std::uint32_t LevelStructure::next_along(std::uint32_t from) const {
     auto least = std::pair(near_.size(), unknown);
     for (const auto other : near(from))
         if (level_[other] > level_[from] && on_edge(other))
@@ -60,11 +60,11 @@ std::uint32_t Levels::next_along(std::uint32_t from) const {
 }
 
 /// True for a particle with fewer neighbours than average.
-bool Levels::on_edge(std::uint32_t i) const {
+bool LevelStructure::on_edge(std::uint32_t i) const {
     return near(i).size() * (first_.size() - 1) < near_.size();
 }
 
-void Levels::spread_from_edge() {
+void LevelStructure::spread_from_edge() {
     level_.assign(first_.size() - 1, unknown);
     for (const auto i : edge_) level_[i] = 0;
     order_.assign(edge_.begin(), edge_.end());
@@ -82,7 +82,7 @@ void Levels::spread_from_edge() {
 }
 
 /// Orders a level like the level before, then along the links within.
-void Levels::arrange(std::span<std::uint32_t> level) {
+void LevelStructure::arrange(std::span<std::uint32_t> level) {
     for (const auto i : level) {
         double sum = 0, count = 0;
         for (const auto other : near(i))
@@ -100,7 +100,7 @@ void Levels::arrange(std::span<std::uint32_t> level) {
 
 /// Follows links within the level, always to the neighbour with the fewest continuations, which would be left out
 /// otherwise.
-void Levels::follow(std::uint32_t from) {
+void LevelStructure::follow(std::uint32_t from) {
     for (auto next = from; next != unknown;) {
         const auto at = next;
         place_[at] = std::uint32_t(along_.size());
@@ -116,7 +116,7 @@ void Levels::follow(std::uint32_t from) {
 }
 
 /// Number of unplaced neighbours in the same level.
-std::uint32_t Levels::ways_on(std::uint32_t from) const {
+std::uint32_t LevelStructure::ways_on(std::uint32_t from) const {
     std::uint32_t ways = 0;
     for (const auto other : near(from)) ways += level_[other] == level_[from] && place_[other] == unknown;
     return ways;

@@ -10,7 +10,7 @@ namespace sinew {
 /// the boundary of the mesh from one corner to the next; every other level has an equal distance from the first,
 /// counted in links, and is ordered along links. Neighbours are close together; in a regular mesh levels are straight
 /// rows, and links between two levels connect consecutive particles.
-class Levels {
+class LevelStructure {
   public:
     /// The neighbours of particle i are near[first[i]] to near[first[i + 1] - 1]. The mesh must be connected.
     void find(std::span<const std::uint32_t> first, std::span<const std::uint32_t> near);

@@ -10,7 +10,7 @@ namespace sinew {
 
 /// Priority queue of particles by path length, ties by number. A calendar queue (Brown 1988): items about as near as
 /// the last one taken are in a heap, all others in cyclic buckets by length.
-class NearestFirst {
+class BucketQueue {
   public:
     struct Item {
         double length;
@@ -21,7 +21,7 @@ class NearestFirst {
     };
 
     /// Fast if items are at most `step` further than the last one taken.
-    explicit NearestFirst(double step) : per_length_(step > 0 ? double(rounds - 1) / step : 1), later_(rounds) {}
+    explicit BucketQueue(double step) : per_length_(step > 0 ? double(rounds - 1) / step : 1), later_(rounds) {}
 
     void put(const Item& item) {
         ++count_;

@@ -17,8 +17,8 @@ template <class Table> bool limits_turn(const Table& table, Row row) {
     return Table::Kind::length_power == 0 && table.low(row) < table.high(row);
 }
 
-template <int D, class Real> double inertia_of(const Swept<D, Real>& swept, Row slot) {
-    return inverse_or_zero(double(swept.mobility[slot]));
+template <int D, class Real> double inertia_of(const SweepState<D, Real>& sweep_state, Row slot) {
+    return inverse_or_zero(double(sweep_state.mobility[slot]));
 }
 
 template <int D, class Real> bool find_limited(World<D, Real>& world) {
@@ -77,46 +77,47 @@ template <int D, class Real> void note_energy(World<D, Real>& world) {
     auto& [figures, any] = world.budgets;
     if (!any) return;
     const auto& p = world.particles;
-    const auto& swept = world.swept;
+    const auto& sweep_state = world.sweep_state;
     for (auto& budget : figures) budget.before = 0;
-    for (Row slot = 0; slot < swept.size(); ++slot) {
-        const auto figure = p.figure[swept.row_of[slot]];
-        const auto v = swept.velocity_at(slot);
-        if (figure < figures.size()) figures[figure].before += 0.5 * inertia_of(swept, slot) * double(dot(v, v));
+    for (Row slot = 0; slot < sweep_state.size(); ++slot) {
+        const auto figure = p.figure[sweep_state.row_of[slot]];
+        const auto v = sweep_state.velocity_at(slot);
+        if (figure < figures.size()) figures[figure].before += 0.5 * inertia_of(sweep_state, slot) * double(dot(v, v));
     }
-    for (const auto& pinned : swept.plan.pins) world.pins[pinned.pin].carried = swept.velocity_at(pinned.slot);
+    for (const auto& pinned : sweep_state.plan.pins)
+        world.pins[pinned.pin].carried = sweep_state.velocity_at(pinned.slot);
 }
 
 namespace {
 
 template <int D, class Real> void add_up(World<D, Real>& world, Real h) {
     const auto& p = world.particles;
-    const auto& swept = world.swept;
+    const auto& sweep_state = world.sweep_state;
     auto& figures = world.budgets.figures;
     for (auto& budget : figures) {
         budget.after = budget.mass = 0;
         budget.momentum = {};
         budget.struck = budget.held = false;
     }
-    for (Row slot = 0; slot < swept.size(); ++slot) {
-        const auto figure = p.figure[swept.row_of[slot]];
+    for (Row slot = 0; slot < sweep_state.size(); ++slot) {
+        const auto figure = p.figure[sweep_state.row_of[slot]];
         if (figure >= figures.size()) continue;
         auto& budget = figures[figure];
-        const double m = inertia_of(swept, slot);
-        const auto v = cast<double>(swept.velocity_at(slot));
+        const double m = inertia_of(sweep_state, slot);
+        const auto v = cast<double>(sweep_state.velocity_at(slot));
         budget.held = budget.held || m == 0;
         budget.mass += m;
         budget.momentum += v * m;
         budget.after += 0.5 * m * dot(v, v);
     }
-    for (const auto& pinned : swept.plan.pins) {
+    for (const auto& pinned : sweep_state.plan.pins) {
         const auto& pin = world.pins[pinned.pin];
-        const auto figure = p.figure[swept.row_of[pinned.slot]];
+        const auto figure = p.figure[sweep_state.row_of[pinned.slot]];
         if (pin.hard() || figure >= figures.size()) continue;
         auto& budget = figures[figure];
         budget.held = true;
         const auto impulse = pin.multiplier * inverse_or_zero(h);
-        budget.before += double(dot(impulse, (pin.carried + swept.velocity_at(pinned.slot)) * Real(0.5)));
+        budget.before += double(dot(impulse, (pin.carried + sweep_state.velocity_at(pinned.slot)) * Real(0.5)));
     }
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
@@ -137,12 +138,12 @@ template <int D, class Real> void take_back_gains(World<D, Real>& world, Real h)
         const double drifting = 0.5 * budget.mass * dot(budget.drift, budget.drift);
         budget.keep = square_root(maximum(0.0, budget.before - drifting) * inverse_or_zero(budget.after - drifting));
     }
-    auto& swept = world.swept;
-    for (Row slot = 0; slot < swept.size(); ++slot) {
-        const auto figure = world.particles.figure[swept.row_of[slot]];
+    auto& sweep_state = world.sweep_state;
+    for (Row slot = 0; slot < sweep_state.size(); ++slot) {
+        const auto figure = world.particles.figure[sweep_state.row_of[slot]];
         if (figure >= figures.size() || !(figures[figure].keep < 1)) continue;
         const auto drift = cast<Real>(figures[figure].drift) * h;
-        swept.set_move(slot, drift + (swept.move_at(slot) - drift) * Real(figures[figure].keep));
+        sweep_state.set_move(slot, drift + (sweep_state.move_at(slot) - drift) * Real(figures[figure].keep));
     }
     for (auto& budget : figures) budget.keep = 1;
 }

@@ -32,8 +32,8 @@ template <int D, class Real> void tear(World<D, Real>& world, Real dt);
 /// swept.cpp: sets the constants of a sweep in substeps of length h; gathers the particles of slots [first, last) into
 /// columns, and scatters them back.
 template <int D, class Real> void begin_sweep(World<D, Real>& world, Real h);
-template <int D, class Real> void take_up(World<D, Real>& world, Real h, Row first, Row last);
-template <int D, class Real> void put_back(World<D, Real>& world, Row first, Row last);
+template <int D, class Real> void gather(World<D, Real>& world, Real h, Row first, Row last);
+template <int D, class Real> void scatter(World<D, Real>& world, Row first, Row last);
 
 /// plan.cpp: plans the sweep of everything outside the blocks; entirely if `anew`, otherwise the changed parts.
 template <int D, class Real> void make_plan(World<D, Real>& world, bool anew);

@@ -5,15 +5,15 @@
 
 #include <algorithm>
 
-/// Planner of the sweep: lays out the connected components of simple distances one by one, then adds tethers.
+/// PlanBuilder of the sweep: lays out the connected components of simple distances one by one, then adds tethers.
 namespace sinew {
 namespace {
 
-template <int D, class Real> class Planner {
+template <int D, class Real> class PlanBuilder {
   public:
-    explicit Planner(World<D, Real>& world)
-        : world_(world), swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), parts_(world),
-          sheets_(world, parts_), tethers_(world), keeper_(world) {}
+    explicit PlanBuilder(World<D, Real>& world)
+        : world_(world), swept_(world.sweep_state), plan_(world.sweep_state.plan), room_(world.sweep_state.room),
+          parts_(world), sheets_(world, parts_), tethers_(world), keeper_(world) {}
 
     void run(bool anew) {
         const bool tore = std::exchange(plan_.may_tear, false);
@@ -41,13 +41,13 @@ template <int D, class Real> class Planner {
     static constexpr Row none = ~Row(0);
 
     World<D, Real>& world_;
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
-    detail::PlanParts<D, Real> parts_;
+    detail::ComponentFinder<D, Real> parts_;
     detail::SheetMaker<D, Real> sheets_;
     detail::TetherMaker<D, Real> tethers_;
-    detail::PlanKeeper<D, Real> keeper_;
+    detail::PlanReuse<D, Real> keeper_;
 
     /// Finds the connected components of all particles without a kept one, until no kept one is affected.
     void find_parts() {
@@ -67,7 +67,8 @@ template <int D, class Real> class Planner {
             order.push_back({parts_.links(part).empty() ? none : parts_.members(part).front(), part, false});
         for (std::uint32_t i = 0; i < keeper_.count(); ++i)
             if (keeper_.is_kept(i))
-                order.push_back({plan_.sheets[i].has_links() ? plan_.sheets[i].particles.first : none, i, true});
+                order.push_back(
+                    {plan_.components[i].has_links() ? plan_.components[i].particles.first : none, i, true});
         std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     }
 
@@ -83,26 +84,26 @@ template <int D, class Real> class Planner {
     /// changed, or others came between, drops all small components for a new grouping. True if dropped.
     bool regroups() {
         const auto is_small = [&](const PlanRoom::Piece& piece) {
-            if (piece.stays) return plan_.sheets[piece.number].small && plan_.sheets[piece.number].has_links();
+            if (piece.stays) return plan_.components[piece.number].small && plan_.components[piece.number].has_links();
             return !parts_.links(piece.number).empty() && parts_.members(piece.number).size() <= sheets_.most_in_copies;
         };
         bool any_stays = false, changed = false;
         for (std::size_t i = 0; i < keeper_.count(); ++i)
-            changed = changed || (!keeper_.is_kept(i) && plan_.sheets[i].small && plan_.sheets[i].has_links());
+            changed = changed || (!keeper_.is_kept(i) && plan_.components[i].small && plan_.components[i].has_links());
         Row last = 0; // last particle of the small components before
         for (std::size_t i = 0; i < room_.order.size(); ++i) {
             const auto& piece = room_.order[i];
             if (piece.stays && is_small(piece)) {
                 any_stays = true;
                 changed = changed || piece.number != i;
-                last = std::max(last, plan_.sheets[piece.number].particles.last);
+                last = std::max(last, plan_.components[piece.number].particles.last);
             } else if (!piece.stays) {
                 changed = changed || is_small(piece) || (piece.first != none && piece.first < last);
             }
         }
         if (!any_stays || !changed) return false;
         for (std::size_t i = 0; i < keeper_.count(); ++i)
-            if (plan_.sheets[i].small && plan_.sheets[i].has_links()) keeper_.drop(i);
+            if (plan_.components[i].small && plan_.components[i].has_links()) keeper_.drop(i);
         return true;
     }
 
@@ -111,7 +112,7 @@ template <int D, class Real> class Planner {
         const auto& order = room_.order;
         std::size_t in_place = 0;
         while (in_place < order.size() && order[in_place].stays && order[in_place].number == in_place) ++in_place;
-        detail::PlanPieces<Real> plan{plan_, swept_.row_of}, spare{swept_.spare, swept_.spare_rows};
+        detail::IncrementalPlan<Real> plan{plan_, swept_.row_of}, spare{swept_.spare, swept_.spare_rows};
         spare.cut_off(0);
         for (std::size_t i = in_place; i < order.size(); ++i)
             if (order[i].stays) spare.append(plan, order[i].number);
@@ -120,7 +121,7 @@ template <int D, class Real> class Planner {
         for (std::size_t i = in_place; i < order.size();) {
             if (order[i].stays) {
                 plan.append(spare, taken++);
-                for (Row slot = plan_.sheets.back().begin.slot; slot < swept_.row_of.size(); ++slot)
+                for (Row slot = plan_.components.back().begin.slot; slot < swept_.row_of.size(); ++slot)
                     swept_.slot_of[swept_.row_of[slot]] = slot;
                 ++i;
                 continue;
@@ -149,12 +150,13 @@ template <int D, class Real> class Planner {
         swept_.reserve(world_.particles.size());
     }
 
-    static LinkKind kind_of(const LinkRun& run) {
+    static LinkKind kind_of(const LinkBatch& run) {
         using enum LinkKind;
-        if (run.soft || run.scattered || (run.swings && !run.exact)) return other;
-        if (run.swings) return !run.even ? swinging_uneven : run.uniform ? swinging : swinging_each;
-        if (run.exact) return !run.even ? exact_uneven : run.uniform ? exact : exact_each;
-        return !run.even ? ranging_uneven : run.uniform ? ranging : ranging_each;
+        if (run.compliant || run.scattered || (run.old_gradient && !run.equality)) return other;
+        if (run.old_gradient)
+            return !run.equal_mass ? old_gradient_uneven : run.uniform ? old_gradient : old_gradient_each;
+        if (run.equality) return !run.equal_mass ? equality_uneven : run.uniform ? equality : equality_each;
+        return !run.equal_mass ? inequality_uneven : run.uniform ? inequality : inequality_each;
     }
 
     void list_pins() {
@@ -166,10 +168,10 @@ template <int D, class Real> class Planner {
         std::sort(plan_.pins.begin(), plan_.pins.end(),
                   [](const auto& a, const auto& b) { return std::pair(a.slot, a.pin) < std::pair(b.slot, b.pin); });
         std::size_t pin = 0;
-        for (auto& band : plan_.bands) {
-            band.first_pin = std::uint32_t(pin);
-            while (pin < plan_.pins.size() && plan_.pins[pin].slot < band.last) ++pin;
-            band.last_pin = std::uint32_t(pin);
+        for (auto& tile : plan_.tiles) {
+            tile.first_pin = std::uint32_t(pin);
+            while (pin < plan_.pins.size() && plan_.pins[pin].slot < tile.last) ++pin;
+            tile.last_pin = std::uint32_t(pin);
         }
     }
 };
@@ -177,7 +179,7 @@ template <int D, class Real> class Planner {
 } // namespace
 
 template <int D, class Real> void make_plan(World<D, Real>& world, bool anew) {
-    Planner<D, Real>(world).run(anew);
+    PlanBuilder<D, Real>(world).run(anew);
 }
 
 #define SINEW_PLAN(D, Real) template void make_plan(World<D, Real>&, bool);

@@ -14,26 +14,26 @@
 /// distances. A simple distance has limits and compliance, and no other feature.
 namespace sinew {
 
-/// Tile of a component: slots [first, last) of Swept, such as a row of a cloth.
-struct Band {
+/// Tile of a component: slots [first, last) of SweepState, such as a row of a cloth.
+struct Tile {
     std::uint32_t first = 0, last = 0;
     std::uint32_t first_pin = 0, last_pin = 0; ///< range of Plan::pins
     std::uint32_t tightened = 0;               ///< sweeps along the tile after each tether pass, from pin to pin; or 0
-    bool strained = false;                     ///< links starting here were found overstretched
+    bool overstretched = false;                ///< links starting here were found overstretched
     std::uint32_t again = 0;                   ///< most tiles repaired from here in this step
 };
 
 /// Distances solved together: of one direction, or of one or more greedy colours of a mesh. Links starting in tile j
 /// end in tiles j to j + reach.
-struct Family {
-    std::uint32_t first_run = 0; ///< index in Plan::first_run of the first tile's offset; one more entry than tiles
+struct LinkColor {
+    std::uint32_t first_batch = 0; ///< index in Plan::first_batch of the first tile's offset; one more entry than tiles
     std::uint32_t reach = 0;
-    std::uint32_t delay = 0; ///< sum of the reaches up to and including this colour's
+    std::uint32_t wavefront_offset = 0; ///< sum of the reaches up to and including this colour's
 };
 
 /// Offsets into the lists of a plan, at the start or end of a component.
 struct PlanPlace {
-    std::uint32_t slot = 0, band = 0, family = 0, first_run = 0, run = 0, parameter = 0, scattered = 0, listed = 0;
+    std::uint32_t slot = 0, tile = 0, color = 0, first_batch = 0, run = 0, parameter = 0, scattered = 0, listed = 0;
 };
 
 /// Range of rows [first, last], with the id slots of both ends. After removals elsewhere, no row in between is gone if
@@ -49,18 +49,18 @@ struct Extent {
 
 /// Connected component of simple distances; or several laid out together, being copies of one shape or particles
 /// without links. No component depends on another.
-struct Sheet {
-    std::uint32_t first_band = 0, bands = 0;
-    std::uint32_t first_family = 0, families = 0;
-    std::uint32_t lag = 0;   ///< delay of the last colour
-    std::uint32_t reach = 0; ///< largest reach of a colour
+struct Component {
+    std::uint32_t first_tile = 0, tiles = 0;
+    std::uint32_t first_color = 0, colors = 0;
+    std::uint32_t wavefront_offset = 0; ///< delay of the last colour
+    std::uint32_t reach = 0;            ///< largest reach of a colour
     std::uint32_t first_tether = 0, tethers = 0;
     PlanPlace begin{}; ///< offsets of the component's entries
     Extent particles{}, links{};
     bool small = false; ///< may be laid out with others of the same shape (plan_sheets.h)
     bool copies = false;
 
-    bool has_links() const { return families > 0; }
+    bool has_links() const { return colors > 0; }
 };
 
 /// Pin of the world, and the slot of the pinned particle.
@@ -110,12 +110,12 @@ struct PlanRoom {
     };
     struct Sequence {
         std::uint32_t first = 0, end = 0; ///< range of `sorted`
-        std::uint32_t band = 0, family = 0;
+        std::uint32_t tile = 0, color = 0;
     };
     std::vector<Row> sorted, left_over; ///< rows of distances
-    std::vector<Link> of_band, left_of_band;
+    std::vector<Link> of_tile, left_of_tile;
     std::vector<Sequence> sequences;
-    Levels levels;
+    LevelStructure levels;
 
     void reserve(std::size_t particles, std::size_t distances) {
         parts.reserve(particles + 1);
@@ -129,19 +129,19 @@ struct PlanRoom {
         colour.reserve(distances);
         used.reserve(particles);
         for (auto* column : {&sorted, &left_over}) column->reserve(distances);
-        for (auto* column : {&of_band, &left_of_band}) column->reserve(distances);
+        for (auto* column : {&of_tile, &left_of_tile}) column->reserve(distances);
         sequences.reserve(distances);
         levels.reserve(particles);
     }
 };
 
 template <class Real> struct Plan {
-    std::vector<Sheet> sheets;
-    std::vector<Band> bands;
-    std::vector<Family> families;
-    std::vector<std::uint32_t> first_run;
-    std::vector<LinkRun> runs;
-    RunParameters<Real> parameters;
+    std::vector<Component> components;
+    std::vector<Tile> tiles;
+    std::vector<LinkColor> colors;
+    std::vector<std::uint32_t> first_batch;
+    std::vector<LinkBatch> runs;
+    BatchParameters<Real> parameters;
     std::vector<std::uint32_t> ends_a, ends_b; ///< slots of scattered batches
     std::vector<std::uint32_t> rows;           ///< rows of batches with row_step 0
     std::vector<PinnedSlot> pins;              ///< sorted by slot
@@ -153,21 +153,23 @@ template <class Real> struct Plan {
 
     PlanPlace end() const {
         const auto size = [](const auto& column) { return std::uint32_t(column.size()); };
-        return {.slot = bands.empty() ? 0 : bands.back().last,
-                .band = size(bands),
-                .family = size(families),
-                .first_run = size(first_run),
+        return {.slot = tiles.empty() ? 0 : tiles.back().last,
+                .tile = size(tiles),
+                .color = size(colors),
+                .first_batch = size(first_batch),
                 .run = size(runs),
                 .parameter = std::uint32_t(parameters.size()),
                 .scattered = size(ends_a),
                 .listed = size(rows)};
     }
     /// End of a component's entries.
-    PlanPlace end_of(std::size_t sheet) const { return sheet + 1 < sheets.size() ? sheets[sheet + 1].begin : end(); }
-    PlanPlace end_of(const Sheet& sheet) const { return end_of(std::size_t(&sheet - sheets.data())); }
+    PlanPlace end_of(std::size_t component) const {
+        return component + 1 < components.size() ? components[component + 1].begin : end();
+    }
+    PlanPlace end_of(const Component& component) const { return end_of(std::size_t(&component - components.data())); }
 
     /// Calls visit(row, slot a, slot b) for the links of a batch.
-    template <class Visit> void each_link(const LinkRun& run, Visit&& visit) const {
+    template <class Visit> void each_link(const LinkBatch& run, Visit&& visit) const {
         for (std::uint32_t i = 0; i < run.count; ++i)
             if (run.scattered)
                 visit(row_of(run, i), ends_a[run.a + i], ends_b[run.a + i]);
@@ -178,31 +180,31 @@ template <class Real> struct Plan {
     static constexpr std::size_t lanes = 16; ///< padding: a pack may read beyond the last entry
 
     void close() {
-        first_run.push_back(std::uint32_t(runs.size()));
+        first_batch.push_back(std::uint32_t(runs.size()));
         parameters.resize(parameters.size() + lanes);
     }
     void open() {
-        if (first_run.empty()) return;
-        first_run.pop_back();
+        if (first_batch.empty()) return;
+        first_batch.pop_back();
         parameters.resize(parameters.size() - lanes);
     }
 
     /// Row of link i of a batch.
-    Row row_of(const LinkRun& run, std::uint32_t i) const {
+    Row row_of(const LinkBatch& run, std::uint32_t i) const {
         return run.row_step == 0 ? rows[run.row + i] : run.row + i * run.row_step;
     }
-    /// Tile of a slot, searched from `first_band` on.
-    std::uint32_t band_of(std::uint32_t first_band, std::uint32_t slot) const {
-        const auto found = std::upper_bound(bands.begin() + first_band, bands.end(), slot,
-                                            [](std::uint32_t value, const Band& band) { return value < band.last; });
-        return std::uint32_t(found - bands.begin());
+    /// Tile of a slot, searched from `first_tile` on.
+    std::uint32_t tile_of(std::uint32_t first_tile, std::uint32_t slot) const {
+        const auto found = std::upper_bound(tiles.begin() + first_tile, tiles.end(), slot,
+                                            [](std::uint32_t value, const Tile& tile) { return value < tile.last; });
+        return std::uint32_t(found - tiles.begin());
     }
 
     void reserve(std::size_t particles, std::size_t distances, std::size_t constraints) {
-        sheets.reserve(particles + 1);
-        bands.reserve(particles + 1);
-        families.reserve(distances + 1);
-        first_run.reserve(2 * distances + particles + 1);
+        components.reserve(particles + 1);
+        tiles.reserve(particles + 1);
+        colors.reserve(distances + 1);
+        first_batch.reserve(2 * distances + particles + 1);
         runs.reserve(distances);
         parameters.reserve(distances + lanes + 1);
         for (auto* column : {&ends_a, &ends_b, &rows}) column->reserve(distances);
@@ -210,10 +212,10 @@ template <class Real> struct Plan {
     }
     void clear() {
         parameters.clear();
-        for (auto* column : {&first_run, &ends_a, &ends_b, &rows}) column->clear();
-        sheets.clear();
-        bands.clear();
-        families.clear();
+        for (auto* column : {&first_batch, &ends_a, &ends_b, &rows}) column->clear();
+        components.clear();
+        tiles.clear();
+        colors.clear();
         runs.clear();
         pins.clear();
         tethers.clear();

@@ -24,14 +24,14 @@ struct Beside {
     }
 };
 
-template <int D, class Real> class Corners {
+template <int D, class Real> class UnfoldedTriangles {
   public:
     struct Corner {
         std::uint32_t spoke; ///< index of the spoke to the corner, at the edge's first end
         Beside place;
     };
 
-    explicit Corners(const Spokes<D, Real>& spokes) : spokes_(spokes) {}
+    explicit UnfoldedTriangles(const Adjacency<D, Real>& spokes) : spokes_(spokes) {}
 
     /// Starts over; call after listing the spokes.
     void begin() {
@@ -39,7 +39,7 @@ template <int D, class Real> class Corners {
         first_.assign(std::min(spokes_.size(), most), none);
         shared_.clear();
     }
-    /// Corners beyond the edge from particle s along spoke number `spoke`. Valid until the next call.
+    /// UnfoldedTriangles beyond the edge from particle s along spoke number `spoke`. Valid until the next call.
     std::span<const Corner> beyond(std::uint32_t s, std::size_t spoke) {
         const auto near = spokes_.of(s);
         const auto edge = s + near[spoke].apart;
@@ -50,7 +50,7 @@ template <int D, class Real> class Corners {
                 if (known_[i].other == other) return std::span(shared_).subspan(known_[i].first, known_[i].count);
         found_.clear();
         for (const auto& [further, side] : spokes_.of(edge))
-            if (const auto* third = Spokes<D, Real>::find(near, near[spoke].apart + further))
+            if (const auto* third = Adjacency<D, Real>::find(near, near[spoke].apart + further))
                 found_.push_back({std::uint32_t(third - near.data()),
                                   Beside::of(double(third->length), double(side), double(near[spoke].length))});
         if (at >= first_.size() || shared_.size() + found_.size() > most) return found_;
@@ -72,7 +72,7 @@ template <int D, class Real> class Corners {
         std::uint32_t next;  ///< next entry with the same spoke, or none
         std::uint32_t first, count;
     };
-    const Spokes<D, Real>& spokes_;
+    const Adjacency<D, Real>& spokes_;
     std::vector<std::uint32_t> first_; ///< first entry by spoke
     std::vector<Known> known_;
     std::vector<Corner> shared_, found_;

@@ -15,8 +15,9 @@ namespace sinew::detail {
 
 template <int D, class Real> class MeshMaker {
   public:
-    MeshMaker(World<D, Real>& world, PlanParts<D, Real>& parts, RunWriter<D, Real>& runs)
-        : swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), parts_(parts), runs_(runs) {}
+    MeshMaker(World<D, Real>& world, ComponentFinder<D, Real>& parts, RunWriter<D, Real>& runs)
+        : swept_(world.sweep_state), plan_(world.sweep_state.plan), room_(world.sweep_state.room), parts_(parts),
+          runs_(runs) {}
 
     void lay_out(std::size_t part) {
         begin_ = Row(swept_.row_of.size());
@@ -24,7 +25,7 @@ template <int D, class Real> class MeshMaker {
         room_.used.assign(parts_.members(part).size(), 0);
         sort_into_bands(part);
         find_sequences();
-        for (std::uint32_t family = 0; family < families_; ++family) add_sequences(family);
+        for (std::uint32_t color = 0; color < families_; ++color) add_sequences(color);
         colour();
     }
 
@@ -33,16 +34,16 @@ template <int D, class Real> class MeshMaker {
     static constexpr std::uint32_t most_families = 63;
     static constexpr std::uint32_t least_in_sequence = 6; ///< shorter sequences are faster as scattered links
 
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
-    PlanParts<D, Real>& parts_;
+    ComponentFinder<D, Real>& parts_;
     RunWriter<D, Real>& runs_;
     Row begin_ = 0; ///< first slot of the component
     std::uint32_t families_ = 0;
     std::array<std::uint32_t, most_families> reaches_{}; ///< reach of each colour, in tiles
 
-    std::uint32_t first_band() const { return plan_.sheets.back().first_band; }
+    std::uint32_t first_tile() const { return plan_.components.back().first_tile; }
 
     /// Slots of a level: every second particle, then the others, since neighbours share a link.
     void lie_in_rows(std::size_t part) {
@@ -51,13 +52,13 @@ template <int D, class Real> class MeshMaker {
         parts_.list_neighbours(part);
         auto& levels = room_.levels;
         levels.find(room_.first_near, room_.near);
-        Row band = begin_;
+        Row tile = begin_;
         for (std::size_t i = 0; i < levels.size(); ++i) {
             for (std::size_t c = 0; c < 2; ++c)
                 for (std::size_t k = c; k < levels[i].size(); k += 2) swept_.give_slot(all[levels[i][k]]);
-            if (swept_.size() - band < least_in_band && i + 1 < levels.size()) continue;
-            plan_.bands.push_back({band, swept_.size()});
-            band = swept_.size();
+            if (swept_.size() - tile < least_in_band && i + 1 < levels.size()) continue;
+            plan_.tiles.push_back({tile, swept_.size()});
+            tile = swept_.size();
         }
         parts_.forget_neighbours();
     }
@@ -69,50 +70,50 @@ template <int D, class Real> class MeshMaker {
 
     /// Sorts the links into tiles, by their lower end. `at` holds the end of each tile's range in `sorted`.
     void sort_into_bands(std::size_t part) {
-        const auto band_of = [&](Row link) { return plan_.band_of(first_band(), link_at(link).lower) - first_band(); };
+        const auto tile_of = [&](Row link) { return plan_.tile_of(first_tile(), link_at(link).lower) - first_tile(); };
         auto& end = room_.at;
-        end.assign(plan_.bands.size() - first_band() + 1, 0);
-        for (const Row link : parts_.links(part)) ++end[band_of(link) + 1];
-        for (std::size_t band = 1; band < end.size(); ++band) end[band] += end[band - 1];
+        end.assign(plan_.tiles.size() - first_tile() + 1, 0);
+        for (const Row link : parts_.links(part)) ++end[tile_of(link) + 1];
+        for (std::size_t tile = 1; tile < end.size(); ++tile) end[tile] += end[tile - 1];
         room_.sorted.resize(parts_.links(part).size());
-        for (const Row link : parts_.links(part)) room_.sorted[end[band_of(link)]++] = link;
+        for (const Row link : parts_.links(part)) room_.sorted[end[tile_of(link)]++] = link;
         end.pop_back();
     }
 
     /// Sorts the links of each tile by slot difference and lower slot, and finds the sequences. By tile, for a large
     /// mesh has no memory to sort all links at once.
     void find_sequences() {
-        auto& links = room_.of_band;
+        auto& links = room_.of_tile;
         room_.sequences.clear();
         room_.left_over.clear();
         families_ = 0;
         std::uint32_t first = 0;
-        for (std::uint32_t band = 0; band < room_.at.size(); first = room_.at[band++]) {
-            const auto rows = std::span(room_.sorted).subspan(first, room_.at[band] - first);
+        for (std::uint32_t tile = 0; tile < room_.at.size(); first = room_.at[tile++]) {
+            const auto rows = std::span(room_.sorted).subspan(first, room_.at[tile] - first);
             links.clear();
             for (const Row row : rows) links.push_back(link_at(row));
             std::sort(links.begin(), links.end());
             for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = links[i].row;
-            find_sequences(first_band() + band, first);
+            find_sequences(first_tile() + tile, first);
         }
     }
 
     /// Sequences of a tile, whose first link is number `begin` in `sorted`.
-    void find_sequences(std::uint32_t band, std::uint32_t begin) {
-        const auto& links = room_.of_band;
-        auto& left = room_.left_of_band;
+    void find_sequences(std::uint32_t tile, std::uint32_t begin) {
+        const auto& links = room_.of_tile;
+        auto& left = room_.left_of_tile;
         left.clear();
         for (std::size_t i = 0, end; i < links.size(); i = end) {
-            end = sequence_end(band, i);
+            end = sequence_end(tile, i);
             const auto sequence = std::span(links).subspan(i, end - i);
-            const auto family = sequence.size() < least_in_sequence ? most_families : family_for(band, sequence);
-            if (family == most_families) {
+            const auto color = sequence.size() < least_in_sequence ? most_families : family_for(tile, sequence);
+            if (color == most_families) {
                 left.insert(left.end(), sequence.begin(), sequence.end());
                 continue;
             }
-            use(sequence, std::uint64_t(1) << family);
-            families_ = std::max(families_, family + 1);
-            room_.sequences.push_back({std::uint32_t(begin + i), std::uint32_t(begin + end), band, family});
+            use(sequence, std::uint64_t(1) << color);
+            families_ = std::max(families_, color + 1);
+            room_.sequences.push_back({std::uint32_t(begin + i), std::uint32_t(begin + end), tile, color});
         }
         for (const auto& link : links) room_.used[link.lower - begin_] = room_.used[upper(link) - begin_] = 0;
         std::sort(left.begin(), left.end(), [](const Link& a, const Link& b) {
@@ -121,12 +122,12 @@ template <int D, class Real> class MeshMaker {
         for (const auto& link : left) room_.left_over.push_back(link.row);
     }
 
-    std::size_t sequence_end(std::uint32_t band, std::size_t first) const {
+    std::size_t sequence_end(std::uint32_t tile, std::size_t first) const {
         constexpr std::uint32_t most_lanes = 32; // in two packs
-        const auto& links = room_.of_band;
+        const auto& links = room_.of_tile;
         const auto& begun = links[first];
         const auto most = begun.apart < most_lanes ? begun.apart : std::uint32_t(links.size());
-        const auto into = plan_.bands[plan_.band_of(band, upper(begun))].last;
+        const auto into = plan_.tiles[plan_.tile_of(tile, upper(begun))].last;
         auto end = first + 1;
         while (end < links.size() && end - first < most && links[end].apart == begun.apart &&
                links[end].lower == links[end - 1].lower + 1 && upper(links[end]) < into)
@@ -140,31 +141,31 @@ template <int D, class Real> class MeshMaker {
     }
     /// First colour of the same reach which has hardly any of the sequence's particles yet. The reach must be equal
     /// since a colour of reach 0 adds no delay.
-    std::uint32_t family_for(std::uint32_t band, std::span<const Link> sequence) {
+    std::uint32_t family_for(std::uint32_t tile, std::span<const Link> sequence) {
         constexpr std::size_t shared = 8; // at most one link of eight
-        const auto reach = plan_.band_of(band, upper(sequence.front())) - band;
-        for (std::uint32_t family = 0; family < families_; ++family) {
+        const auto reach = plan_.tile_of(tile, upper(sequence.front())) - tile;
+        for (std::uint32_t color = 0; color < families_; ++color) {
             std::size_t taken = 0;
-            for (const auto& link : sequence) taken += used(link) >> family & 1;
-            if (reaches_[family] == reach && taken * shared <= sequence.size()) return family;
+            for (const auto& link : sequence) taken += used(link) >> color & 1;
+            if (reaches_[color] == reach && taken * shared <= sequence.size()) return color;
         }
         if (families_ < most_families) reaches_[families_] = reach;
         return families_;
     }
-    void use(std::span<const Link> links, std::uint64_t families) {
+    void use(std::span<const Link> links, std::uint64_t colors) {
         for (const auto& link : links) {
-            room_.used[link.lower - begin_] |= families;
-            room_.used[upper(link) - begin_] |= families;
+            room_.used[link.lower - begin_] |= colors;
+            room_.used[upper(link) - begin_] |= colors;
         }
     }
 
-    void add_sequences(std::uint32_t family) {
+    void add_sequences(std::uint32_t color) {
         std::size_t next = 0;
-        add_family([&](std::uint32_t band, auto&& note) {
+        add_family([&](std::uint32_t tile, auto&& note) {
             for (; next < room_.sequences.size(); ++next) {
                 const auto& sequence = room_.sequences[next];
-                if (sequence.band != band) break;
-                if (sequence.family != family) continue;
+                if (sequence.tile != tile) break;
+                if (sequence.color != color) continue;
                 for (auto i = sequence.first; i < sequence.end; ++i) {
                     const auto link = link_at(room_.sorted[i]);
                     runs_.add_listed(link.row, link.lower, upper(link), i == sequence.first);
@@ -202,8 +203,8 @@ template <int D, class Real> class MeshMaker {
     void add_colours(std::uint32_t first, std::uint32_t last) {
         const auto& left = room_.left_over;
         std::size_t begin = 0, end = 0;
-        add_family([&](std::uint32_t band, auto&& note) {
-            const auto behind = plan_.bands[band].last;
+        add_family([&](std::uint32_t tile, auto&& note) {
+            const auto behind = plan_.tiles[tile].last;
             for (begin = end; end < left.size() && link_at(left[end]).lower < behind;) ++end;
             for (auto colour = first; colour <= last; ++colour) {
                 runs_.break_run();
@@ -220,17 +221,17 @@ template <int D, class Real> class MeshMaker {
         });
     }
 
-    /// Adds a colour to the plan. Calls add(band, note) for each tile; `add` passes every link to `note`.
+    /// Adds a colour to the plan. Calls add(tile, note) for each tile; `add` passes every link to `note`.
     template <class Add> void add_family(Add&& add) {
         runs_.begin_family();
         std::uint32_t reach = 0;
-        for (auto band = first_band(); band < plan_.bands.size(); ++band) {
+        for (auto tile = first_tile(); tile < plan_.tiles.size(); ++tile) {
             runs_.begin_band();
-            auto furthest = plan_.bands[band].first;
-            add(band, [&](const Link& link) { furthest = std::max(furthest, upper(link)); });
-            reach = std::max(reach, plan_.band_of(first_band(), furthest) - band);
+            auto furthest = plan_.tiles[tile].first;
+            add(tile, [&](const Link& link) { furthest = std::max(furthest, upper(link)); });
+            reach = std::max(reach, plan_.tile_of(first_tile(), furthest) - tile);
         }
-        plan_.families.back().reach = reach;
+        plan_.colors.back().reach = reach;
     }
 };
 

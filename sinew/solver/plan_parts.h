@@ -4,20 +4,20 @@
 
 #include <algorithm>
 
-/// Connected components of the world under simple distances. Each becomes a sheet of the plan, or shares one with
+/// Connected components of the world under simple distances. Each becomes a component of the plan, or shares one with
 /// others of the same shape.
 namespace sinew::detail {
 
-template <int D, class Real> class PlanParts {
+template <int D, class Real> class ComponentFinder {
   public:
     static constexpr Row none = ~Row(0);
     using Links = std::span<const Row>;
 
-    explicit PlanParts(World<D, Real>& world)
-        : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), swept_(world.swept),
-          plan_(world.swept.plan), room_(world.swept.room) {}
+    explicit ComponentFinder(World<D, Real>& world)
+        : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), swept_(world.sweep_state),
+          plan_(world.sweep_state.plan), room_(world.sweep_state.room) {}
 
-    /// Finds the components of the swept particles outside kept sheets. A link to a kept sheet is reported by
+    /// Finds the components of the swept particles outside kept components. A link to a kept component is reported by
     /// meet(slot) of a particle there instead, and the result is false.
     template <class Meet> bool find(Meet&& meet) {
         if (!take_plain(meet)) return false;
@@ -31,7 +31,7 @@ template <int D, class Real> class PlanParts {
     void forget() {
         give_back(room_.link_at, room_.left, room_.parent, room_.part_of, room_.members, room_.rank, room_.at,
                   room_.first_near, room_.near, room_.chained, room_.colour, room_.used, room_.sorted, room_.left_over,
-                  room_.of_band, room_.left_of_band, room_.sequences, room_.levels);
+                  room_.of_tile, room_.left_of_tile, room_.sequences, room_.levels);
     }
     bool any() const {
         bool any = false;
@@ -72,7 +72,7 @@ template <int D, class Real> class PlanParts {
   private:
     World<D, Real>& world_;
     const Constraints<Distance<D>, Real>& distances_;
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
 
@@ -84,7 +84,7 @@ template <int D, class Real> class PlanParts {
         if (distances_.size() > small) ((columns = Column()), ...);
     }
 
-    /// Visits the swept particles outside kept sheets.
+    /// Visits the swept particles outside kept components.
     template <class Visit> void each_swept(Visit&& visit) const {
         const std::span<const char> in_block = world_.particles.in_block;
         for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)

@@ -6,23 +6,23 @@
 namespace sinew::detail {
 
 /// A plan, and the rows of the particles in the slots.
-template <class Real> struct PlanPieces {
+template <class Real> struct IncrementalPlan {
     Plan<Real>& plan;
     std::vector<Row>& row_of;
 
     /// Appends a component of another plan, without tethers.
-    void append(const PlanPieces& from, std::size_t number) {
-        Sheet sheet = from.plan.sheets[number];
-        const auto first = sheet.begin, last = from.plan.end_of(number), to = plan.end();
+    void append(const IncrementalPlan& from, std::size_t number) {
+        Component component = from.plan.components[number];
+        const auto first = component.begin, last = from.plan.end_of(number), to = plan.end();
         const auto slots = to.slot - first.slot;
         copy(from.row_of, first.slot, last.slot, row_of);
-        copy(from.plan.bands, first.band, last.band, plan.bands,
-             [&](Band& band) { band.first += slots, band.last += slots; });
-        copy(from.plan.families, first.family, last.family, plan.families,
-             [&](Family& family) { family.first_run += to.first_run - first.first_run; });
-        copy(from.plan.first_run, first.first_run, last.first_run, plan.first_run,
+        copy(from.plan.tiles, first.tile, last.tile, plan.tiles,
+             [&](Tile& tile) { tile.first += slots, tile.last += slots; });
+        copy(from.plan.colors, first.color, last.color, plan.colors,
+             [&](LinkColor& color) { color.first_batch += to.first_batch - first.first_batch; });
+        copy(from.plan.first_batch, first.first_batch, last.first_batch, plan.first_batch,
              [&](std::uint32_t& run) { run += to.run - first.run; });
-        copy(from.plan.runs, first.run, last.run, plan.runs, [&](LinkRun& run) {
+        copy(from.plan.runs, first.run, last.run, plan.runs, [&](LinkBatch& run) {
             run.a += run.scattered ? to.scattered - first.scattered : slots;
             run.b += run.scattered ? 0 : slots;
             run.row += run.row_step == 0 ? to.listed - first.listed : 0;
@@ -33,36 +33,36 @@ template <class Real> struct PlanPieces {
         copy(from.plan.ends_a, first.scattered, last.scattered, plan.ends_a, move);
         copy(from.plan.ends_b, first.scattered, last.scattered, plan.ends_b, move);
         copy(from.plan.rows, first.listed, last.listed, plan.rows);
-        sheet.begin = to;
-        sheet.first_band = to.band, sheet.first_family = to.family;
-        plan.sheets.push_back(sheet);
+        component.begin = to;
+        component.first_tile = to.tile, component.first_color = to.color;
+        plan.components.push_back(component);
     }
 
     /// Removes the components from number `number` on.
     void cut_off(std::size_t number) {
-        if (number == plan.sheets.size()) return;
-        const auto end = plan.sheets[number].begin;
+        if (number == plan.components.size()) return;
+        const auto end = plan.components[number].begin;
         row_of.resize(end.slot);
-        plan.bands.resize(end.band);
-        plan.families.resize(end.family);
-        plan.first_run.resize(end.first_run);
+        plan.tiles.resize(end.tile);
+        plan.colors.resize(end.color);
+        plan.first_batch.resize(end.first_batch);
         plan.runs.resize(end.run);
         plan.parameters.resize(end.parameter);
         for (auto* column : {&plan.ends_a, &plan.ends_b}) column->resize(end.scattered);
         plan.rows.resize(end.listed);
-        plan.sheets.resize(number);
+        plan.components.resize(number);
     }
 
     /// Adds offsets to the rows of a component's particles and links.
-    void shift(Sheet& sheet, Row particles, Row links) {
-        const auto last = plan.end_of(sheet);
-        sheet.particles.shift(particles);
-        for (auto slot = sheet.begin.slot; slot < last.slot; ++slot) row_of[slot] += particles;
+    void shift(Component& component, Row particles, Row links) {
+        const auto last = plan.end_of(component);
+        component.particles.shift(particles);
+        for (auto slot = component.begin.slot; slot < last.slot; ++slot) row_of[slot] += particles;
         if (links == 0) return;
-        sheet.links.shift(links);
-        for (auto run = sheet.begin.run; run < last.run; ++run)
+        component.links.shift(links);
+        for (auto run = component.begin.run; run < last.run; ++run)
             plan.runs[run].row += plan.runs[run].row_step == 0 ? 0 : links;
-        for (auto i = sheet.begin.listed; i < last.listed; ++i) plan.rows[i] += links;
+        for (auto i = component.begin.listed; i < last.listed; ++i) plan.rows[i] += links;
     }
 
   private:

@@ -8,27 +8,28 @@ namespace sinew::detail {
 template <int D, class Real> class RunWriter {
   public:
     explicit RunWriter(World<D, Real>& world)
-        : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)), plan_(world.swept.plan) {}
+        : world_(world), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
+          plan_(world.sweep_state.plan) {}
 
-    /// Begins a sheet. If `swings`, links are corrected along their old directions.
-    void begin_sheet(bool swings) {
-        swings_ = swings;
+    /// Begins a component. If `swings`, links are corrected along their old directions.
+    void begin_sheet(bool old_gradient) {
+        swings_ = old_gradient;
         first_parameter_ = std::uint32_t(plan_.parameters.size());
         links_ = {};
     }
-    /// Rows of the links of the sheet so far.
+    /// Rows of the links of the component so far.
     const Extent& links() const { return links_; }
 
     void begin_family(std::uint32_t reach = 0) {
-        plan_.families.push_back({.first_run = std::uint32_t(plan_.first_run.size()), .reach = reach});
+        plan_.colors.push_back({.first_batch = std::uint32_t(plan_.first_batch.size()), .reach = reach});
     }
     void begin_band() {
-        plan_.first_run.push_back(std::uint32_t(plan_.runs.size()));
+        plan_.first_batch.push_back(std::uint32_t(plan_.runs.size()));
         fresh_ = true;
     }
     void break_run() { fresh_ = true; }
 
-    /// Adds the next link of the family: continues the run if possible.
+    /// Adds the next link of the color: continues the run if possible.
     void add(Row link, Row a, Row b) {
         links_.include(link);
         constexpr std::uint32_t most_lanes = 32; // in two packs
@@ -62,17 +63,17 @@ template <int D, class Real> class RunWriter {
                               .row_step = 1,
                               .parameters = parameters,
                               .uniform = true,
-                              .soft = distances_.compliance[link] > Real(0),
-                              .exact = is_exact(link),
-                              .swings = swings_,
-                              .even = is_even(link)});
+                              .compliant = distances_.compliance[link] > Real(0),
+                              .equality = is_exact(link),
+                              .old_gradient = swings_,
+                              .equal_mass = is_even(link)});
         fresh_ = false;
     }
 
     /// Updates `even` after a change of masses.
-    void weigh(LinkRun& run) const {
-        run.even = true;
-        for (std::uint32_t i = 0; i < run.count; ++i) run.even = run.even && is_even(plan_.row_of(run, i));
+    void weigh(LinkBatch& run) const {
+        run.equal_mass = true;
+        for (std::uint32_t i = 0; i < run.count; ++i) run.equal_mass = run.equal_mass && is_even(plan_.row_of(run, i));
     }
 
     /// Adds the next link of a run whose rows are listed one by one.
@@ -94,7 +95,7 @@ template <int D, class Real> class RunWriter {
             plan_.runs.push_back({.a = std::uint32_t(plan_.ends_a.size()),
                                   .row = std::uint32_t(plan_.rows.size()),
                                   .parameters = std::uint32_t(plan_.parameters.size()),
-                                  .swings = swings_,
+                                  .old_gradient = swings_,
                                   .scattered = true});
             fresh_ = false;
         }
@@ -111,7 +112,7 @@ template <int D, class Real> class RunWriter {
     Plan<Real>& plan_;
     bool fresh_ = true; ///< the next link begins a run
     bool swings_ = true;
-    std::uint32_t first_parameter_ = 0; ///< first one of the sheet
+    std::uint32_t first_parameter_ = 0; ///< first one of the component
     Extent links_;
 
     void add_parameters(Row link) { plan_.parameters.add(low(link), high(link), distances_.compliance[link]); }
@@ -142,7 +143,7 @@ template <int D, class Real> class RunWriter {
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
     bool is_exact(Row link) const { return distances_.low(link) == distances_.high(link) && !is_at_port(link); }
 
-    void extend(LinkRun& run, Row link) {
+    void extend(LinkBatch& run, Row link) {
         if (run.uniform && !has_parameters(link, run.parameters)) {
             const auto of = run.parameters;
             run.uniform = false;
@@ -153,10 +154,10 @@ template <int D, class Real> class RunWriter {
         note(run, link);
     }
 
-    void note(LinkRun& run, Row link) {
-        run.soft = run.soft || distances_.compliance[link] > Real(0);
-        run.exact = run.exact && is_exact(link);
-        run.even = run.even && is_even(link);
+    void note(LinkBatch& run, Row link) {
+        run.compliant = run.compliant || distances_.compliance[link] > Real(0);
+        run.equality = run.equality && is_exact(link);
+        run.equal_mass = run.equal_mass && is_even(link);
         ++run.count;
     }
 };

@@ -2,22 +2,22 @@
 
 #include "sinew/solver/plan_mesh.h"
 
-/// Order of a sheet's particles and links. Where links have few directions, as in a cloth, each direction is a family:
-/// all of one direction and then all of the next leaves a quarter of the stretch of a random order, and cell by cell
-/// can grow without bound. Any other mesh is coloured. Many copies of one small shape are interleaved, particle i of
-/// all copies before i + 1, and each copy is solved in the order of its links.
+/// Order of a component's particles and links. Where links have few directions, as in a cloth, each direction is a
+/// color: all of one direction and then all of the next leaves a quarter of the stretch of a random order, and cell by
+/// cell can grow without bound. Any other mesh is coloured. Many copies of one small shape are interleaved, particle i
+/// of all copies before i + 1, and each copy is solved in the order of its links.
 namespace sinew::detail {
 
 template <int D, class Real> class SheetMaker {
   public:
-    SheetMaker(World<D, Real>& world, PlanParts<D, Real>& parts)
-        : world_(world), swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), parts_(parts),
-          runs_(world), mesh_(world, parts, runs_), particle_ids_(world.particles.slots),
+    SheetMaker(World<D, Real>& world, ComponentFinder<D, Real>& parts)
+        : world_(world), swept_(world.sweep_state), plan_(world.sweep_state.plan), room_(world.sweep_state.room),
+          parts_(parts), runs_(world), mesh_(world, parts, runs_), particle_ids_(world.particles.slots),
           link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {}
 
     static constexpr std::size_t most_in_copies = 1024; ///< particles
 
-    /// Lays out `parts` parts; those of the same shape share sheets where they are many and small.
+    /// Lays out `parts` parts; those of the same shape share components where they are many and small.
     void lay_out(std::size_t part, std::size_t parts) {
         for (const auto last = part + parts; part < last;)
             part += lay_out_alike(part, std::min(last - part, parts_.count_alike(part)));
@@ -27,10 +27,10 @@ template <int D, class Real> class SheetMaker {
     static constexpr Row none = ~Row(0);
 
     World<D, Real>& world_;
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
-    PlanParts<D, Real>& parts_;
+    ComponentFinder<D, Real>& parts_;
     RunWriter<D, Real> runs_;
     MeshMaker<D, Real> mesh_;
     const Slots<ParticleTag>& particle_ids_;
@@ -57,7 +57,7 @@ template <int D, class Real> class SheetMaker {
         end_sheet();
     }
 
-    /// Interleaves copies, particle i of all before i + 1: as many copies in a sheet as fit the fastest cache.
+    /// Interleaves copies, particle i of all before i + 1: as many copies in a component as fit the fastest cache.
     void lay_out_copies(std::size_t part, std::size_t copies) {
         constexpr std::size_t cached = 1024, least = 64, lanes = 16;
         const auto fitting = cached / members(part).size() / lanes * lanes;
@@ -66,10 +66,10 @@ template <int D, class Real> class SheetMaker {
             const auto count = std::min(each, copies - first);
             const auto begin = Row(swept_.row_of.size());
             begin_sheet(part);
-            plan_.sheets.back().copies = true;
+            plan_.components.back().copies = true;
             for (std::size_t i = 0; i < members(part).size(); ++i)
                 for (std::size_t copy = 0; copy < count; ++copy) swept_.give_slot(members(part + first + copy)[i]);
-            plan_.bands.push_back({begin, Row(swept_.row_of.size())});
+            plan_.tiles.push_back({begin, Row(swept_.row_of.size())});
             runs_.begin_family();
             runs_.begin_band();
             for (std::size_t i = 0; i < links(part).size(); ++i) {
@@ -100,28 +100,28 @@ template <int D, class Real> class SheetMaker {
     void begin_sheet(std::size_t part) {
         runs_.begin_sheet(2 * links(part).size() <= 3 * members(part).size() && !has_port(part));
         const auto begin = plan_.end();
-        plan_.sheets.push_back({.first_band = begin.band,
-                                .first_family = begin.family,
-                                .begin = begin,
-                                .small = members(part).size() <= most_in_copies});
+        plan_.components.push_back({.first_tile = begin.tile,
+                                    .first_color = begin.color,
+                                    .begin = begin,
+                                    .small = members(part).size() <= most_in_copies});
     }
 
     void end_sheet() {
-        auto& sheet = plan_.sheets.back();
-        sheet.bands = std::uint32_t(plan_.bands.size()) - sheet.first_band;
-        sheet.families = std::uint32_t(plan_.families.size()) - sheet.first_family;
-        std::uint32_t delay = 0;
-        for (auto f = sheet.first_family; f < plan_.families.size(); ++f) {
-            auto& family = plan_.families[f];
-            family.delay = delay += family.reach;
-            sheet.reach = std::max(sheet.reach, family.reach);
+        auto& component = plan_.components.back();
+        component.tiles = std::uint32_t(plan_.tiles.size()) - component.first_tile;
+        component.colors = std::uint32_t(plan_.colors.size()) - component.first_color;
+        std::uint32_t wavefront_offset = 0;
+        for (auto f = component.first_color; f < plan_.colors.size(); ++f) {
+            auto& color = plan_.colors[f];
+            color.wavefront_offset = wavefront_offset += color.reach;
+            component.reach = std::max(component.reach, color.reach);
         }
-        sheet.lag = delay;
-        sheet.links = runs_.links();
-        for (auto slot = sheet.begin.slot; slot < swept_.row_of.size(); ++slot)
-            sheet.particles.include(swept_.row_of[slot]);
-        know(sheet.particles, particle_ids_);
-        if (!sheet.links.empty()) know(sheet.links, link_ids_);
+        component.wavefront_offset = wavefront_offset;
+        component.links = runs_.links();
+        for (auto slot = component.begin.slot; slot < swept_.row_of.size(); ++slot)
+            component.particles.include(swept_.row_of[slot]);
+        know(component.particles, particle_ids_);
+        if (!component.links.empty()) know(component.links, link_ids_);
     }
     template <class Slots> static void know(Extent& extent, const Slots& ids) {
         extent.first_id = ids.slot_of(extent.first);
@@ -131,7 +131,7 @@ template <int D, class Real> class SheetMaker {
     void lay_out_list(std::size_t part) {
         const auto begin = Row(swept_.row_of.size());
         for (const Row row : members(part)) swept_.give_slot(row);
-        plan_.bands.push_back({begin, Row(swept_.row_of.size())});
+        plan_.tiles.push_back({begin, Row(swept_.row_of.size())});
         if (links(part).empty()) return;
         runs_.begin_family();
         runs_.begin_band();
@@ -179,26 +179,26 @@ template <int D, class Real> class SheetMaker {
             if (direction == 1) chained[std::min(rank(link, 0), rank(link, 1))] = 1;
         }
         const auto begin = Row(swept_.row_of.size());
-        Row band = begin;
+        Row tile = begin;
         constexpr Row least_in_band = 128;
         for (std::size_t first = 0, last; first < all.size(); first = last) {
             last = first + 1;
             while (last < all.size() && chained[last - 1]) ++last;
             for (std::size_t c = 0; c < classes; ++c)
                 for (std::size_t i = first + c; i < last; i += classes) swept_.give_slot(all[i]);
-            if (Row(swept_.row_of.size()) - band < least_in_band && last < all.size()) continue;
-            plan_.bands.push_back({band, Row(swept_.row_of.size())});
-            band = Row(swept_.row_of.size());
+            if (Row(swept_.row_of.size()) - tile < least_in_band && last < all.size()) continue;
+            plan_.tiles.push_back({tile, Row(swept_.row_of.size())});
+            tile = Row(swept_.row_of.size());
         }
         for (const auto& direction : room_.directions) add_direction(part, direction);
     }
 
     /// Adds the links of a direction, ordered by the slot of the first particle. Links with the same first particle go
-    /// into separate families.
+    /// into separate colors.
     void add_direction(std::size_t part, const PlanRoom::Direction& direction) {
         auto& at = room_.at;
-        const auto first_band = plan_.sheets.back().first_band;
-        const Row begin = plan_.bands[first_band].first;
+        const auto first_tile = plan_.components.back().first_tile;
+        const Row begin = plan_.tiles[first_tile].first;
         auto& left = room_.left;
         left.clear();
         for (const Row link : links(part).subspan(direction.first, direction.last - direction.first))
@@ -214,29 +214,29 @@ template <int D, class Real> class SheetMaker {
                     left[kept++] = link;
             }
             left.resize(kept);
-            add_family(first_band, begin);
+            add_family(first_tile, begin);
         }
     }
     Row lower_end(Row link) const { return rank(link, 0) < rank(link, 1) ? end(link, 0) : end(link, 1); }
     Row upper_end(Row link) const { return rank(link, 0) < rank(link, 1) ? end(link, 1) : end(link, 0); }
     Row lower_slot(Row link) const { return slot(lower_end(link)); }
 
-    void add_family(std::uint32_t first_band, Row begin) {
+    void add_family(std::uint32_t first_tile, Row begin) {
         runs_.begin_family();
         std::uint32_t reach = 0;
-        for (auto band = first_band; band < plan_.bands.size(); ++band) {
+        for (auto tile = first_tile; tile < plan_.tiles.size(); ++tile) {
             runs_.begin_band();
-            auto furthest = plan_.bands[band].first;
-            for (Row s = plan_.bands[band].first; s < plan_.bands[band].last; ++s) {
+            auto furthest = plan_.tiles[tile].first;
+            for (Row s = plan_.tiles[tile].first; s < plan_.tiles[tile].last; ++s) {
                 const Row link = room_.at[s - begin];
                 if (link == none) continue;
                 const Row other = slot(upper_end(link));
                 runs_.add(link, s, other);
                 furthest = std::max(furthest, other);
             }
-            reach = std::max(reach, plan_.band_of(first_band, furthest) - band);
+            reach = std::max(reach, plan_.tile_of(first_tile, furthest) - tile);
         }
-        plan_.families.back().reach = reach;
+        plan_.colors.back().reach = reach;
     }
 };
 

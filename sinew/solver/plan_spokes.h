@@ -10,7 +10,7 @@
 /// slot offsets, and share a list.
 namespace sinew::detail {
 
-template <int D, class Real> class Spokes {
+template <int D, class Real> class Adjacency {
   public:
     struct Spoke {
         std::uint32_t apart; ///< slot of the other end minus the particle's slot, modulo 2^32
@@ -18,20 +18,21 @@ template <int D, class Real> class Spokes {
         friend bool operator==(const Spoke&, const Spoke&) = default;
     };
 
-    explicit Spokes(const World<D, Real>& world)
-        : distances_(std::get<kind_number<Distance, D>>(world.constraints)), plan_(world.swept.plan) {}
+    explicit Adjacency(const World<D, Real>& world)
+        : distances_(std::get<kind_number<Distance, D>>(world.constraints)), plan_(world.sweep_state.plan) {}
 
     /// Lists the links of a component's particles, numbered from the component's first slot.
-    void list(const Sheet& sheet, std::size_t particles) {
+    void list(const Component& component, std::size_t particles) {
         constexpr std::uint32_t cached = 1 << 12; // particles per pass, to stay in cache
         all_.clear();
-        all_.reserve(2 * links_of(sheet)); // upper bound, without sharing; growing would take up to twice the memory
+        all_.reserve(2 *
+                     links_of(component)); // upper bound, without sharing; growing would take up to twice the memory
         begin_.assign(1, 0);
         list_of_.resize(particles);
-        const auto bands = std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
-        for (std::uint32_t first = 0, last; first < bands.size(); first = last) {
-            for (last = first + 1; last < bands.size() && bands[last].last - bands[first].first < cached;) ++last;
-            list_bands(sheet, first, last);
+        const auto tiles = std::span(plan_.tiles).subspan(component.first_tile, component.tiles);
+        for (std::uint32_t first = 0, last; first < tiles.size(); first = last) {
+            for (last = first + 1; last < tiles.size() && tiles[last].last - tiles[first].first < cached;) ++last;
+            list_bands(component, first, last);
         }
     }
     void forget() {
@@ -69,25 +70,25 @@ template <int D, class Real> class Spokes {
         return std::span(all_).subspan(begin_[list], begin_[list + 1] - begin_[list]);
     }
 
-    std::size_t links_of(const Sheet& sheet) const {
-        const auto end = plan_.end_of(sheet).run;
+    std::size_t links_of(const Component& component) const {
+        const auto end = plan_.end_of(component).run;
         std::size_t links = 0;
-        for (auto run = sheet.begin.run; run < end; ++run) links += plan_.runs[run].count;
+        for (auto run = component.begin.run; run < end; ++run) links += plan_.runs[run].count;
         return links;
     }
 
     /// Lists the particles of tiles [first, last) of the component.
-    void list_bands(const Sheet& sheet, std::uint32_t first, std::uint32_t last) {
-        const auto begin = plan_.bands[sheet.first_band + first].first - sheet.begin.slot;
-        const auto count = plan_.bands[sheet.first_band + last - 1].last - sheet.begin.slot - begin;
+    void list_bands(const Component& component, std::uint32_t first, std::uint32_t last) {
+        const auto begin = plan_.tiles[component.first_tile + first].first - component.begin.slot;
+        const auto count = plan_.tiles[component.first_tile + last - 1].last - component.begin.slot - begin;
         first_.assign(count + 2, 0);
-        each_rigid(sheet, first, last, [&](Row, std::uint32_t a, std::uint32_t b) {
+        each_rigid(component, first, last, [&](Row, std::uint32_t a, std::uint32_t b) {
             if (a - begin < count) ++first_[a - begin + 2];
             if (b - begin < count) ++first_[b - begin + 2];
         });
         for (std::size_t s = 2; s < first_.size(); ++s) first_[s] += first_[s - 1];
         near_.resize(first_.back());
-        each_rigid(sheet, first, last, [&](Row link, std::uint32_t a, std::uint32_t b) {
+        each_rigid(component, first, last, [&](Row link, std::uint32_t a, std::uint32_t b) {
             const Real length = distances_.high(link);
             if (a - begin < count) near_[first_[a - begin + 1]++] = {b - a, length};
             if (b - begin < count) near_[first_[b - begin + 1]++] = {a - b, length};
@@ -121,14 +122,14 @@ template <int D, class Real> class Spokes {
     /// Calls visit(row, a, b) for rigid links into tiles [first, last), and others of the same tiles, in the order of
     /// the plan.
     template <class Visit>
-    void each_rigid(const Sheet& sheet, std::uint32_t first, std::uint32_t last, Visit&& visit) const {
-        for (auto f = sheet.first_family; f < sheet.first_family + sheet.families; ++f) {
-            const auto* const first_run = plan_.first_run.data() + plan_.families[f].first_run;
-            const auto from = first - std::min(first, plan_.families[f].reach);
-            for (auto run = first_run[from]; run < first_run[last]; ++run)
+    void each_rigid(const Component& component, std::uint32_t first, std::uint32_t last, Visit&& visit) const {
+        for (auto f = component.first_color; f < component.first_color + component.colors; ++f) {
+            const auto* const first_batch = plan_.first_batch.data() + plan_.colors[f].first_batch;
+            const auto from = first - std::min(first, plan_.colors[f].reach);
+            for (auto run = first_batch[from]; run < first_batch[last]; ++run)
                 plan_.each_link(plan_.runs[run], [&](Row link, std::uint32_t a, std::uint32_t b) {
                     if (distances_.compliance[link] == Real(0) && distances_.high(link) < limit::coordinate<Real>)
-                        visit(link, a - sheet.begin.slot, b - sheet.begin.slot);
+                        visit(link, a - component.begin.slot, b - component.begin.slot);
                 });
         }
     }

@@ -16,8 +16,8 @@ namespace sinew::detail {
 template <int D, class Real> class TetherMaker {
   public:
     explicit TetherMaker(World<D, Real>& world)
-        : world_(world), swept_(world.swept), plan_(world.swept.plan), room_(world.swept.room), spokes_(world),
-          corners_(spokes_) {}
+        : world_(world), swept_(world.sweep_state), plan_(world.sweep_state.plan), room_(world.sweep_state.room),
+          spokes_(world), corners_(spokes_) {}
 
     /// Progress of preparation when this share of the components has tethers.
     static double tethered(double share) { return 0.45 + 0.55 * share; }
@@ -28,26 +28,26 @@ template <int D, class Real> class TetherMaker {
         if (plan_.may_tear) return forget();
         std::size_t kept = 0;
         bool all = true;
-        for (auto& sheet : plan_.sheets) {
-            all = all && are_kept(sheet);
-            kept += sheet.tethers;
+        for (auto& component : plan_.components) {
+            all = all && are_kept(component);
+            kept += component.tethers;
         }
         if (!all || kept != plan_.tethers.size()) make_again();
     }
 
   private:
     World<D, Real>& world_;
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
-    Spokes<D, Real> spokes_;
-    Corners<D, Real> corners_;
+    Adjacency<D, Real> spokes_;
+    UnfoldedTriangles<D, Real> corners_;
 
     void forget() {
         plan_.tethers.clear();
         plan_.half_per_reach_square.clear();
-        for (auto& sheet : plan_.sheets) sheet.first_tether = sheet.tethers = 0;
-        for (auto& band : plan_.bands) band.tightened = 0;
+        for (auto& component : plan_.components) component.first_tether = component.tethers = 0;
+        for (auto& tile : plan_.tiles) tile.tightened = 0;
     }
 
     bool is_anchor(const Pin<D, Real>& pin, Row particle) const {
@@ -57,12 +57,12 @@ template <int D, class Real> class TetherMaker {
     }
 
     /// Anchors of a component: the component's hard pins, at most `most_tethers`, evenly spaced in slot order.
-    std::span<const PinnedSlot> anchors(const Sheet& sheet) const {
+    std::span<const PinnedSlot> anchors(const Component& component) const {
         auto& all = room_.anchors;
         all.clear();
-        if (!sheet.has_links() || sheet.copies) return {};
-        const auto first = plan_.bands[sheet.first_band].first_pin;
-        const auto last = plan_.bands[sheet.first_band + sheet.bands - 1].last_pin;
+        if (!component.has_links() || component.copies) return {};
+        const auto first = plan_.tiles[component.first_tile].first_pin;
+        const auto last = plan_.tiles[component.first_tile + component.tiles - 1].last_pin;
         for (auto i = first; i < last; ++i) { // the last of several pins holds the particle
             const auto& pinned = plan_.pins[i];
             if (!is_anchor(world_.pins[pinned.pin], swept_.row_of[pinned.slot])) continue;
@@ -77,12 +77,12 @@ template <int D, class Real> class TetherMaker {
     }
 
     /// True if the component has the same anchors as before; updates their pin indices.
-    bool are_kept(const Sheet& sheet) {
-        const auto pins = anchors(sheet);
-        bool same = pins.size() == sheet.tethers;
+    bool are_kept(const Component& component) {
+        const auto pins = anchors(component);
+        bool same = pins.size() == component.tethers;
         for (std::size_t i = 0; same && i < pins.size(); ++i) {
-            auto& tether = plan_.tethers[sheet.first_tether + i];
-            same = tether.at == pins[i].slot - sheet.begin.slot;
+            auto& tether = plan_.tethers[component.first_tether + i];
+            same = tether.at == pins[i].slot - component.begin.slot;
             tether.pin = pins[i].pin;
         }
         return same;
@@ -95,10 +95,10 @@ template <int D, class Real> class TetherMaker {
         plan_.half_per_reach_square.clear();
         make_room();
         std::size_t number = 0;
-        for (auto& sheet : plan_.sheets) {
-            const auto before = std::span(old).subspan(sheet.first_tether, sheet.tethers);
-            tie(sheet, before, old_reaches, double(number++) / double(plan_.sheets.size()));
-            find_spans(sheet);
+        for (auto& component : plan_.components) {
+            const auto before = std::span(old).subspan(component.first_tether, component.tethers);
+            set_anchors(component, before, old_reaches, double(number++) / double(plan_.components.size()));
+            find_spans(component);
         }
         if (!plan_.tethers.empty())
             plan_.half_per_reach_square.resize(plan_.half_per_reach_square.size() + plan_.lanes);
@@ -108,20 +108,23 @@ template <int D, class Real> class TetherMaker {
     /// Reserves all memory at once: growing would double the peak.
     void make_room() {
         std::size_t reaches = 0;
-        for (const auto& sheet : plan_.sheets) reaches += anchors(sheet).size() * size_of(sheet);
+        for (const auto& component : plan_.components) reaches += anchors(component).size() * size_of(component);
         if (reaches > 0) plan_.half_per_reach_square.reserve(reaches + plan_.lanes);
     }
-    std::uint32_t size_of(const Sheet& sheet) const { return plan_.end_of(sheet).slot - sheet.begin.slot; }
+    std::uint32_t size_of(const Component& component) const {
+        return plan_.end_of(component).slot - component.begin.slot;
+    }
 
-    void tie(Sheet& sheet, std::span<const Tether> before, const std::vector<Real>& reaches, double share) {
-        const auto pins = anchors(sheet);
-        const auto size = size_of(sheet);
-        sheet.first_tether = std::uint32_t(plan_.tethers.size());
-        sheet.tethers = std::uint32_t(pins.size());
+    void set_anchors(Component& component, std::span<const Tether> before, const std::vector<Real>& reaches,
+                     double share) {
+        const auto pins = anchors(component);
+        const auto size = size_of(component);
+        component.first_tether = std::uint32_t(plan_.tethers.size());
+        component.tethers = std::uint32_t(pins.size());
         bool any_new = false;
         for (std::size_t i = 0; i < pins.size(); ++i) {
             const auto first = plan_.half_per_reach_square.size();
-            const auto at = pins[i].slot - sheet.begin.slot;
+            const auto at = pins[i].slot - component.begin.slot;
             plan_.tethers.push_back({.pin = pins[i].pin, .at = at, .first = std::uint32_t(first)});
             const auto same = std::find_if(before.begin(), before.end(), [&](const auto& b) { return b.at == at; });
             if (same != before.end()) {
@@ -129,31 +132,31 @@ template <int D, class Real> class TetherMaker {
                 plan_.half_per_reach_square.insert(plan_.half_per_reach_square.end(), from, from + size);
                 continue;
             }
-            if (!any_new) spokes_.list(sheet, size), corners_.begin();
+            if (!any_new) spokes_.list(component, size), corners_.begin();
             any_new = true;
             plan_.half_per_reach_square.resize(first + size);
             reach_from(at, std::span(plan_.half_per_reach_square).subspan(first));
-            Waiting::tell(tethered(share + double(i + 1) / double(pins.size() * plan_.sheets.size())));
+            Waiting::tell(tethered(share + double(i + 1) / double(pins.size() * plan_.components.size())));
         }
     }
 
     /// Finds tiles spanning from pin to pin: for at least half of the particles, the path between two pins by way of
     /// the particle is at most half a link longer than the direct one.
-    void find_spans(const Sheet& sheet) {
-        const auto bands = std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
-        const auto tethers = std::span(plan_.tethers).subspan(sheet.first_tether, sheet.tethers);
-        for (auto& band : bands) band.tightened = 0;
+    void find_spans(const Component& component) {
+        const auto tiles = std::span(plan_.tiles).subspan(component.first_tile, component.tiles);
+        const auto tethers = std::span(plan_.tethers).subspan(component.first_tether, component.tethers);
+        for (auto& tile : tiles) tile.tightened = 0;
         constexpr Real many = 128; // links from pin to pin: one sweep leaves much of the error of a longer row
         for (const auto& from : tethers) {
-            const Real half_a_link = Real(0.5) * shortest_reach(sheet, from);
+            const Real half_a_link = Real(0.5) * shortest_reach(component, from);
             for (const auto& to : tethers.first(std::size_t(&from - tethers.data()))) {
                 const Real between_pins = reach(from, to.at), furthest = between_pins + half_a_link;
                 const std::uint32_t times = between_pins > many * Real(2) * half_a_link ? 2 : 1;
-                for (auto& band : bands) {
+                for (auto& tile : tiles) {
                     std::uint32_t between = 0;
-                    for (auto s = band.first - sheet.begin.slot; s < band.last - sheet.begin.slot; ++s)
+                    for (auto s = tile.first - component.begin.slot; s < tile.last - component.begin.slot; ++s)
                         between += reach(from, s) + reach(to, s) <= furthest;
-                    if (2 * between >= band.last - band.first) band.tightened = std::max(band.tightened, times);
+                    if (2 * between >= tile.last - tile.first) tile.tightened = std::max(tile.tightened, times);
                 }
             }
         }
@@ -162,8 +165,8 @@ template <int D, class Real> class TetherMaker {
         return square_root(inverse_or_zero(2 * plan_.half_per_reach_square[tether.first + s]));
     }
     /// Reach of the particle nearest to the pin: one link.
-    Real shortest_reach(const Sheet& sheet, const Tether& tether) const {
-        const auto reaches = std::span(plan_.half_per_reach_square).subspan(tether.first, size_of(sheet));
+    Real shortest_reach(const Component& component, const Tether& tether) const {
+        const auto reaches = std::span(plan_.half_per_reach_square).subspan(tether.first, size_of(component));
         return square_root(inverse_or_zero(2 * *std::max_element(reaches.begin(), reaches.end())));
     }
 
@@ -179,7 +182,7 @@ template <int D, class Real> class TetherMaker {
         const auto done = [&](std::uint32_t s) { return std::signbit(way[s]); };
         const auto way_to = [&](std::uint32_t s) { return double(absolute(way[s])); };
         std::vector<double> lengths; // path lengths via the current particle
-        NearestFirst next(spokes_.longest());
+        BucketQueue next(spokes_.longest());
         const auto shorten = [&](std::uint32_t s, double length) {
             if (!(Real(length) < way[s])) return;
             way[s] = Real(length);

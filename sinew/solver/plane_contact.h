@@ -9,7 +9,7 @@ namespace sinew::detail {
 template <int D, class Real> class PlaneContact {
   public:
     PlaneContact(World<D, Real>& world, SubstepMover<D, Real>& mover)
-        : world_(world), p_(world.particles), swept_(world.swept), mover_(mover) {}
+        : world_(world), p_(world.particles), swept_(world.sweep_state), mover_(mover) {}
 
     /// Non-penetration, and Coulomb friction, which shortens the tangential displacement relative to the surface by
     /// friction times the normal correction. Approaches too fast for resting contact are recorded for rebound().
@@ -36,7 +36,7 @@ template <int D, class Real> class PlaneContact {
   private:
     World<D, Real>& world_;
     Particles<D, Real>& p_;
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     SubstepMover<D, Real>& mover_;
 };
 

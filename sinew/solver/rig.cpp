@@ -131,7 +131,7 @@ template <int D, class Real> class Inspector {
     static bool too_short(double way, double needed) { return way < needed * (1 - least_strain); }
 
     void lengths() {
-        Ways ways(world_, most_ways);
+        ShortestPaths ways(world_, most_ways);
         for (Row row = 0; row < distances().size() && faults_.size() < most_; ++row) {
             const double low = double(distances().low(row));
             if (!(low > 0) || distances().compliance[row] > Real(0)) continue;

@@ -11,7 +11,7 @@ namespace sinew {
 
 /// Limits and compliance of batches, by number: one entry for a uniform batch, one per link otherwise. Compliance is
 /// stored from the first compliant link on.
-template <class Real> class RunParameters {
+template <class Real> class BatchParameters {
   public:
     std::size_t size() const { return limits_.size(); }
 
@@ -24,7 +24,7 @@ template <class Real> class RunParameters {
         if (has_compliance_) compliance_.push_back(compliance);
     }
     /// Appends a copy of an entry.
-    void add_copy(const RunParameters& of, std::size_t number) {
+    void add_copy(const BatchParameters& of, std::size_t number) {
         add(of.limits_.low(number), of.limits_.high(number), of.compliance_of(number));
     }
 

@@ -152,7 +152,7 @@ template <int D, class Real> bool is_linked(const World<D, Real>& world, Particl
     if (*from == *to) return true; // a triangle's corner counts as two
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     bool linked = false;
-    world.blocks.bonds.each(world.particles.slots.slot_of(*from), [&](int kind, std::uint32_t slot) {
+    world.blocks.adjacency.each(world.particles.slots.slot_of(*from), [&](int kind, std::uint32_t slot) {
         if (kind != kind_number<Distance, D>) return;
         const auto& ends = distances.members.rows[distances.slots.row_at(slot)];
         linked = linked || ends[0] == *to || ends[1] == *to;
@@ -160,7 +160,7 @@ template <int D, class Real> bool is_linked(const World<D, Real>& world, Particl
     return linked;
 }
 
-/// Corners of a part: particles at corners of the part, and particles joined to one by a side of the cell.
+/// UnfoldedTriangles of a part: particles at corners of the part, and particles joined to one by a side of the cell.
 template <int D, class Real> Cell corners_of(const World<D, Real>& world, const Cell& cell, const Fragment& part) {
     std::array<bool, 4> own{};
     for (std::size_t i = 0; i < 4; ++i)

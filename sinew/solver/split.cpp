@@ -11,7 +11,7 @@ namespace sinew {
 namespace {
 
 /// Vertex split: the new owner of each neighbour of a split particle.
-struct Parting {
+struct VertexSplit {
     Row row = 0;
     std::vector<Row> neighbours; ///< sorted
     std::vector<Row> goes_to;    ///< the split particle, or one of the doubles
@@ -61,7 +61,7 @@ template <int D, class Real> class Splitter {
 
     World<D, Real>& world_;
     std::size_t particles_;
-    std::vector<Parting> partings_;
+    std::vector<VertexSplit> partings_;
     std::vector<std::size_t> parting_of_; // row -> index of the split, or none
     std::vector<std::array<Row, 2>> links_, gone_;
 
@@ -88,7 +88,7 @@ template <int D, class Real> class Splitter {
             for (const auto last = near.size(); next < last; ++next) {
                 const Row row = near[next];
                 seen[row] = done;
-                world_.blocks.bonds.each(slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+                world_.blocks.adjacency.each(slots.slot_of(row), [&](int kind, std::uint32_t slot) {
                     if (kind != kind_number<Distance, D>) return;
                     const Row link = distances.slots.row_at(slot);
                     const auto& ends = distances.members.rows[link];
@@ -138,7 +138,7 @@ template <int D, class Real> class Splitter {
 
     /// Gives each fan a new particle, except the largest of each former fan.
     void part(Row row, std::span<const Row> near, const std::vector<Row>& now, const std::vector<Fan>& fans) {
-        Parting parting{row, {near.begin(), near.end()}, std::vector<Row>(near.size(), row)};
+        VertexSplit parting{row, {near.begin(), near.end()}, std::vector<Row>(near.size(), row)};
         std::size_t leaving = 0;
         for (const auto& fan : fans) {
             const bool stays = std::none_of(fans.begin(), fans.end(), [&](const Fan& other) {
@@ -178,7 +178,7 @@ template <int D, class Real> class Splitter {
         p.mobility[row] = minimum(p.mobility[row] / share, limit::mass<Real>);
     }
 
-    const Parting* parting_of(Row row) const {
+    const VertexSplit* parting_of(Row row) const {
         return row < particles_ && parting_of_[row] != none ? &partings_[parting_of_[row]] : nullptr;
     }
 
@@ -214,7 +214,7 @@ template <int D, class Real> class Splitter {
         from = to;
     }
 
-    static bool follow(const Parting& parting, std::span<const Row> members, Row& moved) {
+    static bool follow(const VertexSplit& parting, std::span<const Row> members, Row& moved) {
         bool followed = false;
         for (const Row member : members) {
             const auto side = parting.side_of(member);
@@ -264,7 +264,7 @@ template <int D, class Real> class Splitter {
         const bool closed = piece.mark == Mark::loop || piece.mark == Mark::fill || is_cloth(piece.mark);
         const auto& ids = piece.particles;
         const std::size_t size = ids.size();
-        const auto id_on = [&](const Parting& parting, ParticleId other) -> std::optional<ParticleId> {
+        const auto id_on = [&](const VertexSplit& parting, ParticleId other) -> std::optional<ParticleId> {
             const auto row = row_of(world_, other);
             const auto side = row ? parting.side_of(*row) : std::nullopt;
             return side ? std::optional(world_.particles.slots.id_of(*side)) : std::nullopt;

@@ -97,7 +97,7 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     Digest digest;
     const auto& p = world.particles;
     digest.add(world.settings, world.time, world.steps, world.last_step, world.last_substep);
-    if (world.restless) digest.add(world.restless);
+    if (world.repair_window) digest.add(world.repair_window);
     digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.radius, p.figure,
                p.quarantined, p.mobility);
     for_each_table(world, [&](const auto& table) {

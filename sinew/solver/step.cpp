@@ -40,20 +40,20 @@ template <int D, class Real> void end(World<D, Real>& world, Real dt) {
 template <int D, class Real> class Sweep {
   public:
     Sweep(World<D, Real>& world, int substeps, Real h)
-        : world_(world), plan_(world.swept.plan), kernels_(kernels<D, Real>()), substeps_(substeps),
+        : world_(world), plan_(world.sweep_state.plan), kernels_(kernels<D, Real>()), substeps_(substeps),
           passes_(substeps * world.settings.iterations), h_(h),
-          threads_(threads_for(world.swept.size(), world.threads)),
+          threads_(threads_for(world.sweep_state.size(), world.threads)),
           driven_(!(plan_.others.empty() && world.blocks.list.empty()) && any_driven(world)) {}
 
     void run() {
-        if (world_.swept.size() == 0 && !driven_) return;
+        if (world_.sweep_state.size() == 0 && !driven_) return;
         begin_sweep(world_, h_);
-        links_ = world_.swept.link_columns(distances().multiplier.data());
+        links_ = world_.sweep_state.link_columns(distances().multiplier.data());
         if (all_is_plain())
-            run_sheets();
+            run_components();
         else
             run_substeps();
-        note_strain();
+        note_overstretch();
     }
 
   private:
@@ -64,7 +64,7 @@ template <int D, class Real> class Sweep {
     Real h_;
     int threads_;
     bool driven_;
-    LinkColumns<D, Real> links_{};
+    DistanceColumns<D, Real> links_{};
 
     using Substep = detail::Substep<D, Real>;
 
@@ -72,22 +72,22 @@ template <int D, class Real> class Sweep {
     Substep make_substep(int number) { return Substep(world_, kernels_, links_, number, substeps_, h_); }
 
     bool all_is_plain() const {
-        return plan_.others.empty() && !driven_ && world_.blocks.hanging.empty() && !world_.budgets.any;
+        return plan_.others.empty() && !driven_ && world_.blocks.attached_trees.empty() && !world_.budgets.any;
     }
 
     void run_substeps() {
-        take_up(world_, h_, 0, world_.swept.size());
+        gather(world_, h_, 0, world_.sweep_state.size());
         for (int s = 1; s <= substeps_; ++s) run_substep(s);
-        put_back(world_, 0, world_.swept.size());
+        scatter(world_, 0, world_.sweep_state.size());
     }
 
-    /// Runs one substep over all sheets and constraints.
+    /// Runs one substep over all components and constraints.
     void run_substep(int number) {
         if (driven_) move_limits(world_, h_);
         auto substep = make_substep(number);
         detail::EnergyLimiter<D, Real> limiter(world_, h_);
         limiter.begin();
-        for (const auto& band : plan_.bands) substep.predict(band);
+        for (const auto& tile : plan_.tiles) substep.predict(tile);
         note_energy(world_);
         detail::PortCoupling<D, Real> ports(world_, h_, number);
         ports.begin();
@@ -102,10 +102,10 @@ template <int D, class Real> class Sweep {
         }
         hold(substep);
         limiter.find_gains();
-        for (const auto& band : plan_.bands) substep.advance(band);
+        for (const auto& tile : plan_.tiles) substep.advance(tile);
         take_back_gains(world_, h_);
         limiter.take_gains();
-        for (const auto& band : plan_.bands) substep.rebound(band);
+        for (const auto& tile : plan_.tiles) substep.rebound(tile);
         if (driven_) slip(world_, h_);
     }
 
@@ -117,126 +117,130 @@ template <int D, class Real> class Sweep {
         const bool first = substep.mover().first_iteration;
         for (int round = 0; round < rounds; ++round) {
             substep.mover().first_iteration = first && round == 0;
-            for (std::size_t i = 0; i < plan_.sheets.size(); ++i)
-                if (round == 0 || ports.sheets[i]) project_links(substep, plan_.sheets[i]);
+            for (std::size_t i = 0; i < plan_.components.size(); ++i)
+                if (round == 0 || ports.components[i]) project_links(substep, plan_.components[i]);
             for (const auto& run : plan_.others) detail::project_run(world_, run, substep.mover());
             detail::PortMover<D, Real>::project_all(world_, substep.mover());
-            for (std::size_t i = 0; i < plan_.sheets.size(); ++i)
-                if (round == 0 || ports.sheets[i]) tether(substep, plan_.sheets[i]);
+            for (std::size_t i = 0; i < plan_.components.size(); ++i)
+                if (round == 0 || ports.components[i]) tether(substep, plan_.components[i]);
         }
         substep.mover().first_iteration = first;
     }
-    void project_links(Substep& substep, const Sheet& sheet) {
-        for (std::uint32_t f = 0; f < sheet.families; ++f)
-            for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project(sheet, f, band);
-        substep.tie(sheet);
-        if (world_.restless)
-            for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.project_again(sheet, band);
-        for (std::uint32_t band = 0; band < sheet.bands; ++band) substep.tighten(sheet, band);
+    void project_links(Substep& substep, const Component& component) {
+        for (std::uint32_t f = 0; f < component.colors; ++f)
+            for (std::uint32_t tile = 0; tile < component.tiles; ++tile) substep.project(component, f, tile);
+        substep.set_anchors(component);
+        if (world_.repair_window)
+            for (std::uint32_t tile = 0; tile < component.tiles; ++tile) substep.repair_overstretch(component, tile);
+        for (std::uint32_t tile = 0; tile < component.tiles; ++tile) substep.tighten(component, tile);
     }
-    void tether(Substep& substep, const Sheet& sheet) {
-        substep.tie(sheet);
-        for (const auto& band : bands_of(sheet)) substep.tether_in_turn(band);
+    void tether(Substep& substep, const Component& component) {
+        substep.set_anchors(component);
+        for (const auto& tile : tiles_of(component)) substep.tether_in_turn(tile);
     }
     /// Constraints on single particles, including particles of blocks: pins and planes.
     void hold(Substep& substep) {
-        for (const auto& band : plan_.bands) substep.pull_pins(band);
-        for (const auto& band : plan_.bands) substep.keep_in_bounds(band);
+        for (const auto& tile : plan_.tiles) substep.pull_pins(tile);
+        for (const auto& tile : plan_.tiles) substep.keep_in_bounds(tile);
     }
 
-    /// Distributes sheets over threads; all threads together run a sheet so large that one thread would finish long
-    /// after the others.
-    void run_sheets() {
-        const auto& sheets = plan_.sheets;
-        Workers::run(threads_, int(sheets.size()), [&](int i) {
-            if (const auto& sheet = sheets[std::size_t(i)]; !is_large(sheet)) run_through(sheet, 1);
+    /// Distributes components over threads; all threads together run a component so large that one thread would finish
+    /// long after the others.
+    void run_components() {
+        const auto& components = plan_.components;
+        Workers::run(threads_, int(components.size()), [&](int i) {
+            if (const auto& component = components[std::size_t(i)]; !is_large(component)) run_wavefront(component, 1);
         });
-        for (const auto& sheet : sheets)
-            if (is_large(sheet)) run_through(sheet, threads_);
+        for (const auto& component : components)
+            if (is_large(component)) run_wavefront(component, threads_);
     }
 
-    bool is_large(const Sheet& sheet) const {
-        const auto bands = bands_of(sheet);
-        const auto most = world_.swept.size() / std::uint32_t(2 * threads_);
-        return bands.size() >= 8 * std::size_t(threads_) && bands.back().last - bands.front().first > most;
+    bool is_large(const Component& component) const {
+        const auto tiles = tiles_of(component);
+        const auto most = world_.sweep_state.size() / std::uint32_t(2 * threads_);
+        return tiles.size() >= 8 * std::size_t(threads_) && tiles.back().last - tiles.front().first > most;
     }
 
-    /// Runs all passes over a sheet turn after turn, a few passes to a stage.
-    void run_through(const Sheet& sheet, int threads) {
-        const int stages = std::min(passes_, Relay::most_stages);
+    /// Runs all passes over a component turn after turn, a few passes to a stage.
+    void run_wavefront(const Component& component, int threads) {
+        const int stages = std::min(passes_, WavefrontScheduler::max_stages);
         if (stages < 1) return;
-        Relay relay(stages, turns_of(sheet));
+        WavefrontScheduler relay(stages, turns_of(component));
         Workers::run(threads, threads, [&](int) {
             relay.help([&](int stage, int turn) {
                 for (int pass = passes_ * stage / stages; pass < passes_ * (stage + 1) / stages; ++pass)
-                    run_turn(sheet, turn, pass);
+                    run_turn(component, turn, pass);
             });
         });
     }
 
-    /// Number of bands worked on at once. The result is that of pass after pass, to the last bit: each pass follows the
-    /// one before as closely as shared particles allow, while a band is still in the cache. With fewer bands, threads
-    /// take bands out of each other's caches more often; with more, there is less to share.
+    /// Number of tiles worked on at once. The result is that of pass after pass, to the last bit: each pass follows the
+    /// one before as closely as shared particles allow, while a tile is still in the cache. With fewer tiles, threads
+    /// take tiles out of each other's caches more often; with more, there is less to share.
     static constexpr std::uint32_t at_once = 16;
-    int turns_of(const Sheet& sheet) const { return int((last_time(sheet) + at_once - 1) / at_once); }
-    std::uint32_t last_time(const Sheet& sheet) const { return sheet.bands + std::uint32_t(passes_) * lag(sheet); }
+    int turns_of(const Component& component) const { return int((last_time(component) + at_once - 1) / at_once); }
+    std::uint32_t last_time(const Component& component) const {
+        return component.tiles + std::uint32_t(passes_) * wavefront_offset(component);
+    }
 
-    /// Number of bands by which a pass lags behind the pass before.
-    std::uint32_t lag(const Sheet& sheet) const {
-        const bool again = world_.restless > 0 && sheet.tethers > 0;
-        return sheet.lag + (again ? world_.restless - 1 + sheet.reach : 0);
+    /// Number of tiles by which a pass lags behind the pass before.
+    std::uint32_t wavefront_offset(const Component& component) const {
+        const bool again = world_.repair_window > 0 && component.tethers > 0;
+        return component.wavefront_offset + (again ? world_.repair_window - 1 + component.reach : 0);
     }
 
     /// Runs one turn of a pass, where a pass is one iteration of a substep. The first pass gathers and predicts; later
-    /// substeps are predicted as the substep before ends. Then each family is projected, then pins and planes.
-    void run_turn(const Sheet& sheet, int turn, int pass) {
+    /// substeps are predicted as the substep before ends. Then each color is projected, then pins and planes.
+    void run_turn(const Component& component, int turn, int pass) {
         const int iterations = world_.settings.iterations, number = pass / iterations, iteration = pass % iterations;
-        const auto begun = std::uint32_t(pass) * lag(sheet), ended = begun + lag(sheet);
+        const auto begun = std::uint32_t(pass) * wavefront_offset(component),
+                   ended = begun + wavefront_offset(component);
         const auto first = std::max(begun, std::uint32_t(turn) * at_once);
-        const auto last = std::min(ended + sheet.bands, std::uint32_t(turn + 1) * at_once);
+        const auto last = std::min(ended + component.tiles, std::uint32_t(turn + 1) * at_once);
         if (first >= last) return;
         auto substep = make_substep(number + 1), next = make_substep(number + 2);
-        substep.tie(sheet);
+        substep.set_anchors(component);
         substep.mover().first_iteration = iteration == 0;
-        const auto band = [&](std::uint32_t i) -> const Band& { return plan_.bands[sheet.first_band + i]; };
+        const auto tile = [&](std::uint32_t i) -> const Tile& { return plan_.tiles[component.first_tile + i]; };
         for (auto time = first; time < last; ++time) {
-            const auto at = [&](std::uint32_t delay, auto&& work) {
-                if (time >= delay && time - delay < sheet.bands) work(time - delay);
+            const auto at = [&](std::uint32_t wavefront_offset, auto&& work) {
+                if (time >= wavefront_offset && time - wavefront_offset < component.tiles)
+                    work(time - wavefront_offset);
             };
             if (pass == 0)
                 at(0, [&](std::uint32_t i) {
-                    take_up(world_, h_, band(i).first, band(i).last);
-                    substep.predict(band(i));
+                    gather(world_, h_, tile(i).first, tile(i).last);
+                    substep.predict(tile(i));
                 });
-            for (std::uint32_t f = 0; f < sheet.families; ++f)
-                at(begun + plan_.families[sheet.first_family + f].delay,
-                   [&](std::uint32_t i) { substep.project(sheet, f, i); });
+            for (std::uint32_t f = 0; f < component.colors; ++f)
+                at(begun + plan_.colors[component.first_color + f].wavefront_offset,
+                   [&](std::uint32_t i) { substep.project(component, f, i); });
             at(ended, [&](std::uint32_t i) {
-                if (world_.restless) substep.project_again(sheet, i);
-                substep.tighten(sheet, i);
-                if (iteration + 1 < iterations) return substep.hold(band(i));
+                if (world_.repair_window) substep.repair_overstretch(component, i);
+                substep.tighten(component, i);
+                if (iteration + 1 < iterations) return substep.hold(tile(i));
                 const bool over = number + 1 == substeps_;
-                substep.go_on(band(i), over ? nullptr : &next);
-                if (over) put_back(world_, band(i).first, band(i).last);
+                substep.go_on(tile(i), over ? nullptr : &next);
+                if (over) scatter(world_, tile(i).first, tile(i).last);
             });
         }
     }
 
-    /// Sets the repair window to twice the number of bands repaired in a row: spreading strain is met, and calm sheets
-    /// cost little.
-    void note_strain() {
+    /// Sets the repair window to twice the number of tiles repaired in a row: spreading strain is met, and calm
+    /// components cost little.
+    void note_overstretch() {
         constexpr std::uint32_t least = 4, most = 20;
         std::uint32_t longest = 0;
-        for (auto& band : world_.swept.plan.bands) {
-            longest = std::max({longest, std::uint32_t(band.strained), band.again});
-            band.strained = false;
-            band.again = 0;
+        for (auto& tile : world_.sweep_state.plan.tiles) {
+            longest = std::max({longest, std::uint32_t(tile.overstretched), tile.again});
+            tile.overstretched = false;
+            tile.again = 0;
         }
-        world_.restless = longest > 0 ? std::clamp(2 * longest, least, most) : 0;
+        world_.repair_window = longest > 0 ? std::clamp(2 * longest, least, most) : 0;
     }
 
-    std::span<const Band> bands_of(const Sheet& sheet) const {
-        return std::span(plan_.bands).subspan(sheet.first_band, sheet.bands);
+    std::span<const Tile> tiles_of(const Component& component) const {
+        return std::span(plan_.tiles).subspan(component.first_tile, component.tiles);
     }
 };
 

@@ -13,10 +13,10 @@ namespace sinew::detail {
 
 template <int D, class Real> class Substep {
   public:
-    Substep(World<D, Real>& world, const Kernels<D, Real>& kernels, const LinkColumns<D, Real>& links, int number,
+    Substep(World<D, Real>& world, const Kernels<D, Real>& kernels, const DistanceColumns<D, Real>& links, int number,
             int substeps, Real h)
-        : world_(world), p_(world.particles), swept_(world.swept), kernels_(kernels),
-          links_(links), mover_{world.swept, h}, share_(Real(number) / Real(substeps)),
+        : world_(world), p_(world.particles), swept_(world.sweep_state), kernels_(kernels),
+          links_(links), mover_{world.sweep_state, h}, share_(Real(number) / Real(substeps)),
           share_of_substep_(Real(1) / Real(substeps)), number_(number), last_(number == substeps),
           tethered_((substeps - number) % 2 == 0), kick_(number == 1 ? Real(0.5) * (world.last_substep + h) : h) {
         motion_.place = swept_.place[0];
@@ -35,32 +35,34 @@ template <int D, class Real> class Substep {
     /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
     /// middle of this one. Drag scales mobilities by the same factor as the push, so a weight at rest pulls with its
     /// full weight at any damping.
-    void predict(const Band& band) {
+    void predict(const Tile& tile) {
         if (has_walls(world_))
-            for (Row slot = band.first; slot < band.last; ++slot) p_.rebound[swept_.row_of[slot]] = {};
+            for (Row slot = tile.first; slot < tile.last; ++slot) p_.rebound[swept_.row_of[slot]] = {};
         if (swept_.everyone_alike) {
-            weigh(band);
-            kernels_.drift(motion_, band.first, band.last);
+            weigh(tile);
+            kernels_.drift(motion_, tile.first, tile.last);
         } else {
-            for (Row slot = band.first; slot < band.last; ++slot) predict(slot);
+            for (Row slot = tile.first; slot < tile.last; ++slot) predict(slot);
         }
-        move_pins(band);
+        move_pins(tile);
     }
 
-    /// Projects the simple distances of a colour that start in tile `band`.
-    void project(const Sheet& sheet, std::uint32_t number, std::uint32_t band, bool again = false) {
+    /// Projects the simple distances of a colour that start in tile `tile`.
+    void project(const Component& component, std::uint32_t number, std::uint32_t tile, bool again = false) {
         auto& plan = swept_.plan;
-        const auto& family = plan.families[sheet.first_family + number];
+        const auto& color = plan.colors[component.first_color + number];
         const auto* runs = plan.runs.data();
-        const auto first = plan.first_run[family.first_run + band], last = plan.first_run[family.first_run + band + 1];
+        const auto first = plan.first_batch[color.first_batch + tile],
+                   last = plan.first_batch[color.first_batch + tile + 1];
         if (first == last) return;
-        LinkPass<Real> pass{.per_h2 = mover_.per_h * mover_.per_h,
-                            .kept = last_ || world_.settings.iterations > 1 || !world_.blocks.hanging.empty(),
-                            .told = last_,
-                            .first = mover_.first_iteration && !again,
-                            .again = again};
+        DistancePass<Real> pass{.per_h2 = mover_.per_h * mover_.per_h,
+                                .kept =
+                                    last_ || world_.settings.iterations > 1 || !world_.blocks.attached_trees.empty(),
+                                .last_substep = last_,
+                                .first = mover_.first_iteration && !again,
+                                .again = again};
         kernels_.project(links_, pass, runs + first, runs + last);
-        if (pass.strained && sheet.tethers > 0) plan.bands[sheet.first_band + band].strained = true;
+        if (pass.overstretched && component.tethers > 0) plan.tiles[component.first_tile + tile].overstretched = true;
         if (pass.shortest < Real(1e-18)) part_heaps(first, last);
     }
 
@@ -69,45 +71,46 @@ template <int D, class Real> class Substep {
     /// begins four tiles before the first for each overstretched one. Every tile does so in turn, hence errors travel
     /// as far as necessary. The colours are swept in reverse: otherwise the first would always bear the errors of all
     /// others.
-    void project_again(const Sheet& sheet, std::uint32_t band) {
-        const auto bands = std::span(swept_.plan.bands).subspan(sheet.first_band, sheet.bands);
-        const auto end = std::min(band + world_.restless, sheet.bands);
-        std::uint32_t first = end, last = band, strained = 0;
-        for (auto i = band; i < end; ++i) {
-            if (!bands[i].strained) continue;
+    void repair_overstretch(const Component& component, std::uint32_t tile) {
+        const auto tiles = std::span(swept_.plan.tiles).subspan(component.first_tile, component.tiles);
+        const auto end = std::min(tile + world_.repair_window, component.tiles);
+        std::uint32_t first = end, last = tile, overstretched = 0;
+        for (auto i = tile; i < end; ++i) {
+            if (!tiles[i].overstretched) continue;
             first = std::min(first, i);
             last = std::min(i + 2, end);
-            ++strained;
+            ++overstretched;
         }
-        if (strained == 0) return;
-        first -= std::min(first - band, 4 * strained);
-        bands[band].again = std::max(bands[band].again, last - first);
+        if (overstretched == 0) return;
+        first -= std::min(first - tile, 4 * overstretched);
+        tiles[tile].again = std::max(tiles[tile].again, last - first);
         for (auto i = first; i < last; ++i) {
-            tether(bands[i]);
-            bands[i].strained = false;
+            tether(tiles[i]);
+            tiles[i].overstretched = false;
         }
-        for (auto family = sheet.families; family-- > 0;)
-            for (auto i = first; i < last; ++i) project(sheet, family, i, true);
+        for (auto color = component.colors; color-- > 0;)
+            for (auto i = first; i < last; ++i) project(component, color, i, true);
     }
 
     /// A row between two pins is supported by nearly horizontal tethers, which act only while the row is taut; without
     /// extra passes along the row it sags on the rows below, buckles and never comes to rest. Links within the row
     /// (colours of reach 0) touch no other tile.
-    void tighten(const Sheet& sheet, std::uint32_t number) {
-        const auto& band = swept_.plan.bands[sheet.first_band + number];
-        if (band.tightened == 0) return;
+    void tighten(const Component& component, std::uint32_t number) {
+        const auto& tile = swept_.plan.tiles[component.first_tile + number];
+        if (tile.tightened == 0) return;
         constexpr std::uint32_t times = 6; // each costs a hanging cloth of 64 x 64 about 2 %
-        for (std::uint32_t i = 0; i < times * band.tightened; ++i) {
-            if (i % band.tightened == 0) tether(band);
-            for (std::uint32_t family = 0; family < sheet.families; ++family)
-                if (swept_.plan.families[sheet.first_family + family].reach == 0) project(sheet, family, number, true);
+        for (std::uint32_t i = 0; i < times * tile.tightened; ++i) {
+            if (i % tile.tightened == 0) tether(tile);
+            for (std::uint32_t color = 0; color < component.colors; ++color)
+                if (swept_.plan.colors[component.first_color + color].reach == 0)
+                    project(component, color, number, true);
         }
     }
 
     /// Compliant pins are damped springs to their target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) +
     /// alpha), e the offset from the target and u the change of e in the substep; the force never exceeds max_force.
-    void pull_pins(const Band& band) {
-        for (auto i = band.first_pin; i < band.last_pin; ++i) {
+    void pull_pins(const Tile& tile) {
+        for (auto i = tile.first_pin; i < tile.last_pin; ++i) {
             auto& pin = world_.pins[swept_.plan.pins[i].pin];
             const Row slot = swept_.plan.pins[i].slot;
             const Real w = swept_.mobility[slot];
@@ -135,50 +138,50 @@ template <int D, class Real> class Substep {
     }
 
     /// Sets the anchors of a component's tethers for this substep.
-    void tie(const Sheet& sheet) {
+    void set_anchors(const Component& component) {
         const auto& plan = swept_.plan;
-        const auto first = plan.bands[sheet.first_band].first;
-        for (std::uint32_t i = 0; i < sheet.tethers; ++i) {
-            const auto& tether = plan.tethers[sheet.first_tether + i];
+        const auto first = plan.tiles[component.first_tile].first;
+        for (std::uint32_t i = 0; i < component.tethers; ++i) {
+            const auto& tether = plan.tethers[component.first_tether + i];
             const auto& pin = world_.pins[tether.pin];
             const auto goal = pin.from + (pin.target - pin.from) * share_;
             for (int k = 0; k < D; ++k) anchors_[i].opposite[k] = -goal[k];
             anchors_[i].half_per_reach_square = plan.half_per_reach_square.data() + tether.first - first;
         }
         motion_.anchors = anchors_.data();
-        motion_.anchor_count = sheet.tethers;
+        motion_.anchor_count = component.tethers;
     }
 
     /// Long-range attachments: no particle is further from a hard pin than the links reach.
-    void tether(const Band& band) {
-        if (motion_.anchor_count > 0) kernels_.tether(motion_, band.first, band.last);
+    void tether(const Tile& tile) {
+        if (motion_.anchor_count > 0) kernels_.tether(motion_, tile.first, tile.last);
     }
     /// Tethers in every second substep, including the last: particles fall little in between (docs/step.md).
-    void tether_in_turn(const Band& band) {
-        if (tethered_) tether(band);
+    void tether_in_turn(const Tile& tile) {
+        if (tethered_) tether(tile);
     }
 
     /// Contact with planes, then with colliders.
-    void keep_in_bounds(const Band& band) {
+    void keep_in_bounds(const Tile& tile) {
         const PlaneContact<D, Real> contact(world_, mover_);
         for (const auto& plane : world_.bounds) {
-            const Real lowest = kernels_.lowest(motion_, plane.normal.component.data(), band.first, band.last);
+            const Real lowest = kernels_.lowest(motion_, plane.normal.component.data(), tile.first, tile.last);
             if (lowest > plane.offset + swept_.largest_radius) continue;
-            for (Row slot = band.first; slot < band.last; ++slot) contact.keep_in(plane, slot);
+            for (Row slot = tile.first; slot < tile.last; ++slot) contact.keep_in(plane, slot);
         }
         if (!world_.colliders.empty())
             ColliderSweep<D, Real>(world_, contact, mover_, share_ - share_of_substep_, share_)
-                .keep_out(band.first, band.last);
+                .keep_out(tile.first, tile.last);
     }
 
     /// x += h v. The rounding error is carried to the next substep: otherwise a float particle slower than half a unit
     /// in the last place per substep would not move.
-    void advance(const Band& band) { kernels_.advance(motion_, band.first, band.last); }
+    void advance(const Tile& tile) { kernels_.advance(motion_, tile.first, tile.last); }
 
     /// Applies the restitution of planes and colliders to particles that struck one.
-    void rebound(const Band& band) {
+    void rebound(const Tile& tile) {
         if (!has_walls(world_)) return;
-        for (Row slot = band.first; slot < band.last; ++slot) {
+        for (Row slot = tile.first; slot < tile.last; ++slot) {
             const auto& struck = p_.rebound[swept_.row_of[slot]];
             const Real speed = norm(struck);
             if (speed == Real(0)) continue;
@@ -189,27 +192,27 @@ template <int D, class Real> class Substep {
         }
     }
 
-    void hold(const Band& band) {
-        tether_in_turn(band);
-        pull_pins(band);
-        keep_in_bounds(band);
+    void hold(const Tile& tile) {
+        tether_in_turn(tile);
+        pull_pins(tile);
+        keep_in_bounds(tile);
     }
 
     /// Ends this substep and begins the next one, if any, in one pass where particles move independently (only gravity,
     /// no planes, no soft pins).
-    void go_on(const Band& band, Substep* next) {
-        if (!swept_.everyone_alike || has_walls(world_) || has_soft_pins(band)) {
-            hold(band);
-            advance(band);
-            rebound(band);
-            if (next) next->predict(band);
+    void go_on(const Tile& tile, Substep* next) {
+        if (!swept_.everyone_alike || has_walls(world_) || has_soft_pins(tile)) {
+            hold(tile);
+            advance(tile);
+            rebound(tile);
+            if (next) next->predict(tile);
             return;
         }
-        tether_in_turn(band);
-        if (!next) return advance(band);
-        kernels_.go_on(next->motion_, band.first, band.last);
-        next->weigh(band);
-        next->move_pins(band);
+        tether_in_turn(tile);
+        if (!next) return advance(tile);
+        kernels_.go_on(next->motion_, tile.first, tile.last);
+        next->weigh(tile);
+        next->move_pins(tile);
     }
 
   private:
@@ -217,9 +220,9 @@ template <int D, class Real> class Substep {
 
     World<D, Real>& world_;
     Particles<D, Real>& p_;
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     const Kernels<D, Real>& kernels_;
-    const LinkColumns<D, Real>& links_;
+    const DistanceColumns<D, Real>& links_;
     SubstepMover<D, Real> mover_;
     Real share_, share_of_substep_; ///< fraction of the step elapsed at the end of the substep, and per substep
     int number_;                    ///< 1 to the number of substeps
@@ -241,9 +244,9 @@ template <int D, class Real> class Substep {
     }
 
     /// Scales mobilities by drag. Kicks are equally long from the second substep on: later substeps change nothing.
-    void weigh(const Band& band) {
+    void weigh(const Tile& tile) {
         if (decay_.yield == Real(1) || number_ > 2) return;
-        for (Row slot = band.first; slot < band.last; ++slot) weigh(slot, decay_.yield);
+        for (Row slot = tile.first; slot < tile.last; ++slot) weigh(slot, decay_.yield);
     }
 
     void weigh(Row slot, Real yield) {
@@ -252,9 +255,9 @@ template <int D, class Real> class Substep {
                 maximum(p_.inverse_mass[swept_.row_of[slot]] * yield, std::numeric_limits<Real>::min());
     }
 
-    bool has_soft_pins(const Band& band) const {
+    bool has_soft_pins(const Tile& tile) const {
         if (!swept_.any_pin_soft) return false;
-        for (auto i = band.first_pin; i < band.last_pin; ++i)
+        for (auto i = tile.first_pin; i < tile.last_pin; ++i)
             if (!world_.pins[swept_.plan.pins[i].pin].hard()) return true;
         return false;
     }
@@ -274,9 +277,9 @@ template <int D, class Real> class Substep {
 
     /// Moves particles to their hard pins' targets; the displacement is their velocity. From the second substep on pins
     /// at rest are skipped.
-    void move_pins(const Band& band) {
+    void move_pins(const Tile& tile) {
         if (number_ > 1 && !swept_.any_pin_moves) return;
-        for (auto i = band.first_pin; i < band.last_pin; ++i) {
+        for (auto i = tile.first_pin; i < tile.last_pin; ++i) {
             const auto& pin = world_.pins[swept_.plan.pins[i].pin];
             const Row slot = swept_.plan.pins[i].slot;
             const bool rests = number_ > 1 && pin.from == pin.target;

@@ -12,7 +12,7 @@ namespace sinew {
 
 /// Particles of the sweep during a step: one column per component, in slots arranged so that particles solved together
 /// are adjacent. Derived from the rest of the world: copies start empty.
-template <int D, class Real> struct Swept {
+template <int D, class Real> struct SweepState {
     static constexpr Row none = ~Row(0);
 
     std::vector<Row> row_of;                          ///< by slot
@@ -30,12 +30,12 @@ template <int D, class Real> struct Swept {
     Plan<Real> spare; ///< components set aside while others are laid out before
     std::vector<Row> spare_rows;
 
-    Swept() = default;
-    Swept(const Swept&) {}
-    Swept& operator=(const Swept&) { return *this; }
-    Swept(Swept&&) = default;
-    Swept& operator=(Swept&&) = default;
-    ~Swept() = default;
+    SweepState() = default;
+    SweepState(const SweepState&) {}
+    SweepState& operator=(const SweepState&) { return *this; }
+    SweepState(SweepState&&) = default;
+    SweepState& operator=(SweepState&&) = default;
+    ~SweepState() = default;
 
     std::uint32_t size() const { return std::uint32_t(row_of.size()); }
 
@@ -82,8 +82,8 @@ template <int D, class Real> struct Swept {
         for (int i = 0; i < D; ++i) columns[std::size_t(i)][slot] = numbers[i];
     }
 
-    LinkColumns<D, Real> link_columns(Real* multiplier) const {
-        LinkColumns<D, Real> columns{};
+    DistanceColumns<D, Real> link_columns(Real* multiplier) const {
+        DistanceColumns<D, Real> columns{};
         columns.place = place[0], columns.move = move[0], columns.apart = apart();
         columns.mobility = mobility;
         columns.low = plan.parameters.low();

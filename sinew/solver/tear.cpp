@@ -53,15 +53,15 @@ template <class Table, int D, class Real> void report(World<D, Real>& world, con
 
 template <int D, class Real> void tear(World<D, Real>& world, Real dt) {
     static_assert(kind_number<Distance, D> == 0, "what hangs on a distance is looked at after it");
-    if (world.settings.mode == Mode::physical && !world.swept.plan.may_tear) return;
+    if (world.settings.mode == Mode::physical && !world.sweep_state.plan.may_tear) return;
     bool any_link = false, any = false;
     int kind = 0;
     for_each_table(world, [&](auto& table) {
         bool torn = false;
         for (Row row = 0; row < table.size(); ++row) {
-            const bool hangs = kind > 0 && any_link && lost_a_link(world, table.members[row]);
-            if (!hangs && !tears(world, table, row, dt)) continue;
-            if (!hangs) report(world, table, kind, row);
+            const bool attached = kind > 0 && any_link && lost_a_link(world, table.members[row]);
+            if (!attached && !tears(world, table, row, dt)) continue;
+            if (!attached) report(world, table, kind, row);
             table.torn.set(row, 1);
             torn = true;
         }

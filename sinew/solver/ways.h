@@ -11,10 +11,10 @@ namespace sinew {
 
 /// Shortest paths along rigid links, a link as long as its upper limit (Dijkstra 1959). All queries together follow at
 /// most `most_links` links; beyond the budget nothing is found.
-class Ways {
+class ShortestPaths {
   public:
     template <int D, class Real>
-    explicit Ways(const World<D, Real>& world, std::size_t most_links)
+    explicit ShortestPaths(const World<D, Real>& world, std::size_t most_links)
         : first_(world.particles.size() + 1, 0), length_to_(world.particles.size(), unknown), left_(most_links) {
         const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
         const auto each = [&](auto&& visit) {

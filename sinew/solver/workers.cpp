@@ -117,14 +117,14 @@ class Pool {
 
 } // namespace
 
-bool Relay::begin(int stage) {
+bool WavefrontScheduler::begin(int stage) {
     auto& done = stages_[std::size_t(stage)].done;
     auto seen = done.load();
     const bool ready = seen % 2 == 0 && seen / 2 < turns_ && (stage == 0 || turn_of(stage - 1) > seen / 2);
     return ready && done.compare_exchange_strong(seen, seen + 1);
 }
 
-int Relay::next_from(int stage) {
+int WavefrontScheduler::next_from(int stage) {
     int found = count_;
     const auto ready = [&] {
         for (int i = 0; i < count_; ++i)

@@ -17,10 +17,10 @@ int threads_for(std::size_t particles, int wanted);
 
 /// Wavefront scheduler: every stage does all turns in order, each after the stage before has done the same turn.
 /// Helping threads take any ready turn, so no thread waits for a slow or preempted one.
-class Relay {
+class WavefrontScheduler {
   public:
-    static constexpr int most_stages = 64;
-    Relay(int stages, int turns) : count_(stages), turns_(std::uint64_t(turns)) {}
+    static constexpr int max_stages = 64;
+    WavefrontScheduler(int stages, int turns) : count_(stages), turns_(std::uint64_t(turns)) {}
 
     /// Calls work(stage, turn) for ready turns until all are done, together with other threads doing the same.
     template <class Work> void help(const Work& work) {
@@ -36,7 +36,7 @@ class Relay {
     };
     int count_;
     std::uint64_t turns_;
-    std::array<Stage, most_stages> stages_;
+    std::array<Stage, max_stages> stages_;
 
     /// Current or next turn of a stage.
     std::uint64_t turn_of(int stage) const { return stages_[std::size_t(stage)].done / 2; }

@@ -340,15 +340,16 @@ template <int D, class RealT> struct World {
 
     double time = 0;
     std::uint64_t steps = 0;
-    double energy_lost = 0;      ///< dissipated by direct blocks at impacts, cracks and taut snaps; diagnostic only
-    Real last_step = 0;          ///< length of the last step; in classic mode the Verlet step is corrected for a change
-    Real last_substep = 0;       ///< length of the last substep; the velocity update is corrected for a change
-    std::uint32_t restless = 0;  ///< repair window, tiles: overstretched links of tethered components are swept again
-    std::vector<Event> events;   ///< reported by the last step
-    Blocks<D> blocks;            ///< direct solver: constraints solved at once instead of in the sweep
-    Swept<D, Real> swept;        ///< state and plan of the sweep
-    Budgets<D> budgets;          ///< limits on the energy added by constraints of figures
-    std::vector<Vector> scratch; ///< points and gradients of the widest constraint
+    double energy_lost = 0; ///< dissipated by direct blocks at impacts, cracks and taut snaps; diagnostic only
+    Real last_step = 0;     ///< length of the last step; in classic mode the Verlet step is corrected for a change
+    Real last_substep = 0;  ///< length of the last substep; the velocity update is corrected for a change
+    std::uint32_t repair_window =
+        0;                     ///< repair window, tiles: overstretched links of tethered components are swept again
+    std::vector<Event> events; ///< reported by the last step
+    Blocks<D> blocks;          ///< direct solver: constraints solved at once instead of in the sweep
+    SweepState<D, Real> sweep_state; ///< state and plan of the sweep
+    Budgets<D> budgets;              ///< limits on the energy added by constraints of figures
+    std::vector<Vector> scratch;     ///< points and gradients of the widest constraint
 };
 
 /// True if planes or colliders hold particles.

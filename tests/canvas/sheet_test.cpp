@@ -22,7 +22,7 @@ Failure write(const std::filesystem::path& path, const SheetFormat& format, int 
 const SheetFormat three_by_two{
     .columns = 3, .rows = 2, .frame_width = 160, .frame_height = 120, .seconds_between = 0.5};
 
-TEST(Sheet, LaysFramesOutInReadingOrderOnAMount) {
+TEST(Component, LaysFramesOutInReadingOrderOnAMount) {
     ScratchFolder folder;
     ASSERT_EQ(write(folder / "sheet.png", three_by_two, 6), Failure());
     const PngFile sheet(folder / "sheet.png");
@@ -39,7 +39,7 @@ TEST(Sheet, LaysFramesOutInReadingOrderOnAMount) {
         }
 }
 
-TEST(Sheet, HasATimeUnderEachFrame) {
+TEST(Component, HasATimeUnderEachFrame) {
     ScratchFolder folder;
     ASSERT_EQ(write(folder / "sheet.png", three_by_two, 5), Failure());
     const PngFile sheet(folder / "sheet.png");
@@ -53,7 +53,7 @@ TEST(Sheet, HasATimeUnderEachFrame) {
     for (int frame = 0; frame < 6; ++frame) EXPECT_EQ(lettered(frame % 3, frame / 3), frame < 5) << frame;
 }
 
-TEST(Sheet, CanBeVectors) {
+TEST(Component, CanBeVectors) {
     ScratchFolder folder;
     ASSERT_EQ(write(folder / "sheet.svg", three_by_two, 6), Failure());
     const std::string svg = text_of(folder / "sheet.svg");
@@ -61,7 +61,7 @@ TEST(Sheet, CanBeVectors) {
     EXPECT_TRUE(svg.find("<image") == std::string::npos);
 }
 
-TEST(Sheet, HasRoomForItsFramesAndNoMore) {
+TEST(Component, HasRoomForItsFramesAndNoMore) {
     ScratchFolder folder;
     EXPECT_EQ(write(folder / "sheet.png", three_by_two, 7),
               "cannot write " + (folder / "sheet.png").string() + ": it has room for 6 pictures");

@@ -75,7 +75,7 @@ float turn_of(const Pixels& sides, std::size_t i) {
     return cross(c - a, d - b);
 }
 
-TEST(Band, SidesAreHalfAWidthFromTheMiddle) {
+TEST(Tile, SidesAreHalfAWidthFromTheMiddle) {
     const auto spine = laid_out({{{0, 0}}, {{50, 0}}, {{100, 30}}}, 20);
     Pixels sides;
     sides_of(
@@ -87,7 +87,7 @@ TEST(Band, SidesAreHalfAWidthFromTheMiddle) {
 }
 
 // The saw teeth of a naive band: its inner side runs backwards where the bend is tighter than half its width.
-TEST(Band, NoPartIsTurnedOverInATightBend) {
+TEST(Tile, NoPartIsTurnedOverInATightBend) {
     for (const float x : {5.0F, 20.0F, 60.0F, 100.0F}) {
         const auto spine = laid_out({{{0, 0}}, {{100, 0}}, {{x, 12}}}, 64);
         Pixels sides;
@@ -99,7 +99,7 @@ TEST(Band, NoPartIsTurnedOverInATightBend) {
     }
 }
 
-TEST(Band, AProfileSaysHowThickItIsAlongItsWay) {
+TEST(Tile, AProfileSaysHowThickItIsAlongItsWay) {
     const std::vector<double> profile = {1, 0.5, 2};
     EXPECT_EQ(thickness_at({}, 0.3F), 1);
     EXPECT_EQ(thickness_at(profile, 0), 1);

@@ -69,7 +69,7 @@ TEST(PlayClock, SlowMotionAndPause) {
 
 /// Any step of the past, gone to in any order, is the one that was.
 TEST(PlayTape, GoesBackToTheSameBits) {
-    Tape tape(session_of("ragdoll"));
+    Timeline tape(session_of("ragdoll"));
     std::vector<std::uint64_t> hashes = {hash_of(tape.session())};
     const auto hand =
         std::visit([](const auto& world) { return *find_particle(world, "bob/right_hand"); }, tape.session().world());
@@ -114,7 +114,7 @@ TEST(PlayWheel, ChangesHowFastTimePassesWhereTheSceneSaysSo) {
 }
 
 TEST(PlayTape, WhatIsDoneInThePastChangesTheFuture) {
-    Tape tape(session_of("ragdoll"));
+    Timeline tape(session_of("ragdoll"));
     for (int i = 0; i < 60; ++i) tape.step();
     tape.go_to(30);
     EXPECT_EQ(tape.end(), 60u);
@@ -124,7 +124,7 @@ TEST(PlayTape, WhatIsDoneInThePastChangesTheFuture) {
 }
 
 TEST(PlayTape, RemembersAMinuteAndNoMore) {
-    Tape tape(session_of("stick"));
+    Timeline tape(session_of("stick"));
     for (int i = 0; i < 90 * 60; ++i) tape.step();
     EXPECT_LE(tape.first(), tape.end() - 60 * 60);
     EXPECT_GT(tape.first(), tape.end() - 62 * 60);

@@ -112,7 +112,7 @@ template <int D> struct Joined {
     double worst_direct_stretch() {
         const auto& table = std::get<kind_number<Distance, D>>(world.constraints);
         double worst = 0;
-        for (const auto& block : world.blocks.hanging)
+        for (const auto& block : world.blocks.attached_trees)
             for (std::uint32_t i = 0; i < block.links - block.load_tethers; ++i) {
                 const auto ends = table.members.rows[world.blocks.links[block.first_link + i].constraint];
                 const auto row = world.blocks.links[block.first_link + i].constraint;

@@ -110,15 +110,15 @@ TEST(JoinedFigures, ALoadThatIsDroppedOrThrownAddsNothing) {
 }
 
 TEST(JoinedFigures, ARagdollOnAClothAndAClothInItsHand) {
-    Scene<3> hanging;
-    hanging.cloth("corners", 1);
-    const auto hem = hanging.id("cloth/particle_8_15");
-    build(hanging.world, Ragdoll{.pose = "hands_up"}, "doll", {});
-    const auto hand = hanging.id("doll/left_hand");
-    const auto below = hanging.place(hem) - at<Vec<3, double>>(0, 0.03);
-    teleport(hanging.world, *find_figure(hanging.world, "doll"), below - hanging.place(hand));
-    hanging.join(hem, hand);
-    expect(watch(hanging, 3, 3), 0.15, any, "on a cloth");
+    Scene<3> attached_trees;
+    attached_trees.cloth("corners", 1);
+    const auto hem = attached_trees.id("cloth/particle_8_15");
+    build(attached_trees.world, Ragdoll{.pose = "hands_up"}, "doll", {});
+    const auto hand = attached_trees.id("doll/left_hand");
+    const auto below = attached_trees.place(hem) - at<Vec<3, double>>(0, 0.03);
+    teleport(attached_trees.world, *find_figure(attached_trees.world, "doll"), below - attached_trees.place(hand));
+    attached_trees.join(hem, hand);
+    expect(watch(attached_trees, 3, 3), 0.15, any, "on a cloth");
 
     Scene<3> holding;
     build(holding.world, Ragdoll{}, "doll", {});

@@ -58,7 +58,7 @@ template <int D, class Real> void expect_turned() {
     for (const std::uint32_t first : {0U, 1U, 5U})
         for (std::uint32_t last = first; last <= size; ++last) {
             std::vector<Real> columns(D * apart + room, Real(1000)), back(rows.size(), Real(1000));
-            Turning<D, Real> turning{};
+            Transposition<D, Real> turning{};
             turning.rows = rows.data(), turning.columns = columns.data(), turning.apart = apart;
             turning.row_of = row_of.data();
             turning.slot_of_last = std::uint32_t(std::find(row_of.begin(), row_of.end(), size - 1) - row_of.begin());

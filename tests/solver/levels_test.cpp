@@ -38,7 +38,7 @@ struct Joined {
 
     /// As places.
     std::vector<std::vector<Number>> rows() const {
-        Levels levels;
+        LevelStructure levels;
         levels.find(first, near);
         std::vector<std::vector<Number>> rows(levels.size());
         for (std::size_t i = 0; i < rows.size(); ++i)
@@ -76,8 +76,8 @@ TEST_P(GridsInNoOrder, LieInTheirRowsAgain) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, GridsInNoOrder, testing::Values(Diagonals::none, Diagonals::one, Diagonals::both),
-                         [](const auto& grid) {
+INSTANTIATE_TEST_SUITE_P(LevelStructure, GridsInNoOrder,
+                         testing::Values(Diagonals::none, Diagonals::one, Diagonals::both), [](const auto& grid) {
                              return std::string(grid.param == Diagonals::none  ? "Without"
                                                 : grid.param == Diagonals::one ? "WithOneDiagonal"
                                                                                : "WithBothDiagonals");
@@ -99,7 +99,7 @@ void expect_rows_of_neighbours(const Joined& joined) {
         }
 }
 
-TEST(Levels, BeginAtOneParticleOfWhatHasNoEdge) {
+TEST(LevelStructure, BeginAtOneParticleOfWhatHasNoEdge) {
     constexpr Number around = 12;
     std::set<std::pair<Number, Number>> links; // a torus
     for (Number r = 0; r < around; ++r)
@@ -112,7 +112,7 @@ TEST(Levels, BeginAtOneParticleOfWhatHasNoEdge) {
     EXPECT_EQ(joined.rows().front().size(), 1U);
 }
 
-TEST(Levels, HoldAnyHeapOfLinks) {
+TEST(LevelStructure, HoldAnyHeapOfLinks) {
     for (Number seed = 1; seed <= 20; ++seed) {
         constexpr Number places = 60;
         std::set<std::pair<Number, Number>> links; // a tree and some more

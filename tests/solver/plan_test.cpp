@@ -27,7 +27,8 @@ template <class World> FigureIndex swept_figure(World& world, bool tethers = fal
 
 struct ClothSpec {
     int columns = 12, rows = 12;
-    bool shuffled = false, level = false, tethers = false, bends = false, mixed = false, even = false, free = false;
+    bool shuffled = false, level = false, tethers = false, bends = false, mixed = false, equal_mass = false,
+         free = false;
     double spacing = 0.05;
 };
 
@@ -53,7 +54,7 @@ template <class World> void add_cloth(World& world, const ClothSpec& cloth) {
         if constexpr (D == 3)
             place[2] = Real(cloth.level ? down : 1e-4 * random::symmetric<double>(3, std::uint64_t(i), 0));
         id[std::size_t(i)] =
-            add_particle(world, {.position = place, .mass = Real(cloth.even ? 1 : 1 + i % 3), .figure = figure});
+            add_particle(world, {.position = place, .mass = Real(cloth.equal_mass ? 1 : 1 + i % 3), .figure = figure});
     }
     std::vector<std::pair<int, int>> threads;
     const auto weave = [&](int across, int down) {
@@ -98,7 +99,7 @@ template <class World> World of_every_order(bool mixed = false) {
     fall(world, gravity);
     world.settings.substeps = 10;
     add_cloth(world, {.columns = 37, .mixed = mixed});
-    add_cloth(world, {.columns = 38, .mixed = mixed, .even = true});
+    add_cloth(world, {.columns = 38, .mixed = mixed, .equal_mass = true});
     add_cloth(world, {.columns = 9, .rows = 20, .bends = true, .mixed = mixed});
     add_cloth(world, {.shuffled = true, .mixed = mixed});
     add_cloth(world, {.columns = 25, .rows = 15, .shuffled = true, .mixed = mixed});
@@ -129,13 +130,13 @@ TYPED_TEST(Planned, EveryWidthOfLanesGivesTheSameBits) {
                 if (!has_simd(simd)) continue;
                 use_simd(simd);
                 auto world = begun;
-                bool restless = false;
+                bool repair_window = false;
                 for (int i = 0; i < 5; ++i) {
                     step(world, RealOf<typename TypeParam::World>(1.0 / 60));
-                    restless = restless || world.restless;
+                    repair_window = repair_window || world.repair_window;
                 }
                 hashes.insert(state_hash(world));
-                EXPECT_TRUE(restless || mixed); // where every run has something soft none is swept again
+                EXPECT_TRUE(repair_window || mixed); // where every run has something soft none is swept again
             }
             EXPECT_EQ(hashes.size(), 1U) << mixed << ' ' << iterations;
         }
@@ -146,7 +147,7 @@ TYPED_TEST(Planned, EveryWidthOfLanesGivesTheSameBits) {
 TYPED_TEST(Planned, LinksSolvedTogetherShareNoParticleAndNoneIsLeftOut) {
     auto world = of_every_order<typename TypeParam::World>(true);
     prepare(world);
-    const auto& plan = world.swept.plan;
+    const auto& plan = world.sweep_state.plan;
     const auto& table = std::get<0>(world.constraints);
     std::vector<int> seen(table.size(), 0);
     std::size_t long_ones = 0;
@@ -159,7 +160,7 @@ TYPED_TEST(Planned, LinksSolvedTogetherShareNoParticleAndNoneIsLeftOut) {
             const Row b = run.scattered ? plan.ends_b[run.a + i] : run.b + i;
             ++seen[row];
             const auto members = std::minmax({table.members.rows[row][0], table.members.rows[row][1]});
-            EXPECT_EQ(std::minmax({world.swept.row_of[a], world.swept.row_of[b]}), members);
+            EXPECT_EQ(std::minmax({world.sweep_state.row_of[a], world.sweep_state.row_of[b]}), members);
             const auto at = run.uniform ? run.parameters : run.parameters + i;
             const auto low = std::max(table.low(row), decltype(table.low(row))(0)); // nothing is shorter
             EXPECT_TRUE(plan.parameters.are(at, low, table.high(row), table.compliance[row]));
@@ -176,39 +177,39 @@ TYPED_TEST(Planned, LinksSolvedTogetherShareNoParticleAndNoneIsLeftOut) {
 TYPED_TEST(Planned, LinksOfAnyKindKeepTheMomentum) {
     using World = typename TypeParam::World;
     std::set<LinkKind> kinds;
-    for (const bool even : {false, true})
+    for (const bool equal_mass : {false, true})
         for (const bool mixed : {false, true}) {
             World world;
             world.settings.substeps = 10;
             world.settings.iterations = mixed ? 2 : 1;
-            add_cloth(world, {.columns = 20, .mixed = mixed, .even = even, .free = true});
+            add_cloth(world, {.columns = 20, .mixed = mixed, .equal_mass = equal_mass, .free = true});
             hurl(world);
             const auto before = momentum(world);
             const auto speed = max_speed(world);
             for (int i = 0; i < 10; ++i) step(world, RealOf<World>(1.0 / 60));
             EXPECT_LT(max_speed(world), 0.8 * speed);
             const auto rounding = 1e4 * double(std::numeric_limits<RealOf<World>>::epsilon());
-            EXPECT_LT(norm(momentum(world) - before), rounding * total_mass(world)) << even << mixed;
-            for (const auto& run : world.swept.plan.runs) kinds.insert(run.kind);
+            EXPECT_LT(norm(momentum(world) - before), rounding * total_mass(world)) << equal_mass << mixed;
+            for (const auto& run : world.sweep_state.plan.runs) kinds.insert(run.kind);
         }
-    EXPECT_TRUE(kinds.contains(LinkKind::exact) && kinds.contains(LinkKind::exact_uneven));
+    EXPECT_TRUE(kinds.contains(LinkKind::equality) && kinds.contains(LinkKind::equality_uneven));
 }
 
 // Ends that may not be apart, and are not.
 TYPED_TEST(Planned, LinksOfNoLengthFallAsOne) {
     using World = typename TypeParam::World;
     using Real = RealOf<World>;
-    for (const bool even : {false, true}) {
+    for (const bool equal_mass : {false, true}) {
         World world;
         fall(world, gravity);
-        add_cloth(world, {.columns = 20, .even = even, .free = true});
+        add_cloth(world, {.columns = 20, .equal_mass = equal_mass, .free = true});
         auto& links = std::get<kind_number<Distance, World::dimension>>(world.constraints);
         for (Row row = 0; row < links.size(); ++row) links.limits.set(row, -limit::measure<Real>, Real(0));
         for (auto& place : world.particles.position) place = {};
         for (int i = 0; i < 3; ++i) step(world, Real(1.0 / 60));
         for (const auto& place : world.particles.position) EXPECT_LT(norm(place), 0.1);
-        EXPECT_TRUE(
-            std::ranges::any_of(world.swept.plan.runs, [](const auto& run) { return run.kind >= LinkKind::ranging; }));
+        EXPECT_TRUE(std::ranges::any_of(world.sweep_state.plan.runs,
+                                        [](const auto& run) { return run.kind >= LinkKind::inequality; }));
     }
 }
 
@@ -216,16 +217,16 @@ TYPED_TEST(Planned, LinksOfNoLengthFallAsOne) {
 TYPED_TEST(Planned, LinksOfAnyKindStayFinite) {
     using World = typename TypeParam::World;
     using Real = RealOf<World>;
-    for (const auto& [even, heavily] : {std::pair(false, false), {false, true}, {true, false}, {true, true}}) {
+    for (const auto& [equal_mass, heavily] : {std::pair(false, false), {false, true}, {true, false}, {true, true}}) {
         World world;
         fall(world, heavily ? 1e26 : gravity);
         world.settings.substeps = heavily ? 1000 : 10;
         world.settings.damping = heavily ? Real(0) : limit::measure<Real>;
-        add_cloth(world, {.columns = 20, .even = even});
+        add_cloth(world, {.columns = 20, .equal_mass = equal_mass});
         add_chains(world, 21);
         for (Row row = 0; row < world.particles.size(); ++row) {
             const auto id = world.particles.slots.id_of(row);
-            set_mass(world, id, limit::mass<Real> / Real(even ? 1 : 1 + row % 3));
+            set_mass(world, id, limit::mass<Real> / Real(equal_mass ? 1 : 1 + row % 3));
             set_position(world, id, world.particles.position[row] * Real(1e-13));
         }
         for (int i = 0; i < 3; ++i) {
@@ -251,7 +252,7 @@ TEST(Planned, AnyNumberOfThreadsGivesTheSameBits) {
             world.threads = threads;
             for (int i = 0; i < 3; ++i) step(world, 1.0F / 60);
             hashes.insert(state_hash(world));
-            EXPECT_TRUE(world.restless);
+            EXPECT_TRUE(world.repair_window);
         }
         EXPECT_EQ(hashes.size(), 1U);
     }
@@ -278,14 +279,14 @@ TEST(Planned, NoOrderGainsEnergyInTenThousandSubsteps) {
         add(world);
         const double begun = energy(world).total(), deepest = gravity * total_mass(world) * 0.6;
         double most = begun;
-        int restless = 0;
+        int repair_window = 0;
         const int steps = sanitized ? 100 : 1000;
         for (int i = 0; i < steps; ++i) {
             step(world, 1.0F / 60);
             most = std::max(most, energy(world).total());
-            restless += world.restless > 0;
+            repair_window += world.repair_window > 0;
         }
-        EXPECT_GE(restless, name == std::string("swept again") ? steps / 10 : 0) << name;
+        EXPECT_GE(repair_window, name == std::string("swept again") ? steps / 10 : 0) << name;
         EXPECT_LT(most - begun, 0.01 * deepest) << name;
         EXPECT_LT(max_speed(world), 10) << name;
     }
@@ -295,20 +296,20 @@ TEST(Tethers, FollowThePinsAndAreNotWhereThingsTearOrGive) {
     World<3, float> world;
     add_cloth(world, {.tethers = true});
     prepare(world);
-    EXPECT_EQ(world.swept.plan.tethers.size(), 2U);
+    EXPECT_EQ(world.sweep_state.plan.tethers.size(), 2U);
     unpin(world, world.pin_slots.id_of(0));
     prepare(world);
-    EXPECT_EQ(world.swept.plan.tethers.size(), 1U);
+    EXPECT_EQ(world.sweep_state.plan.tethers.size(), 1U);
     unpin(world, world.pin_slots.id_of(0));
     prepare(world);
-    EXPECT_TRUE(world.swept.plan.tethers.empty());
+    EXPECT_TRUE(world.sweep_state.plan.tethers.empty());
 
     World<3, float> tearing;
     add_cloth(tearing, {.tethers = true});
     add_cloth(tearing, {});
     std::get<0>(tearing.constraints).breaking_strain.set(0, 0.5F);
     prepare(tearing);
-    EXPECT_TRUE(tearing.swept.plan.tethers.empty());
+    EXPECT_TRUE(tearing.sweep_state.plan.tethers.empty());
 }
 
 // No way from a pin along the threads is shorter than the straight one: of a cloth at rest no tether is taut.
@@ -316,12 +317,13 @@ TEST(Tethers, ReachAsFarAsTheThreads) {
     World<3, double> world;
     add_cloth(world, {.tethers = true});
     prepare(world);
-    const auto& swept = world.swept;
-    for (const auto& tether : swept.plan.tethers) {
+    const auto& sweep_state = world.sweep_state;
+    for (const auto& tether : sweep_state.plan.tethers) {
         const Row pinned = *world.particles.slots.find(world.pins[tether.pin].particle);
-        for (Row slot = 0; slot < swept.size(); ++slot) {
-            const double far = distance(world.particles.position[swept.row_of[slot]], world.particles.position[pinned]);
-            const double per_square = 2 * swept.plan.half_per_reach_square[tether.first + slot];
+        for (Row slot = 0; slot < sweep_state.size(); ++slot) {
+            const double far =
+                distance(world.particles.position[sweep_state.row_of[slot]], world.particles.position[pinned]);
+            const double per_square = 2 * sweep_state.plan.half_per_reach_square[tether.first + slot];
             const double reach = per_square > 0 ? 1 / std::sqrt(per_square) : 0;
             EXPECT_LE(far, reach + 1e-6);
             EXPECT_GE(far * 1.1 + 1e-3, reach); // eight directions come within 8 %
@@ -339,9 +341,9 @@ TEST(GettingReady, TellsHowFarItIs) {
     EXPECT_EQ(shares.front(), 0);
     EXPECT_EQ(shares.back(), 1);
     EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-    const auto told = shares.size();
+    const auto last_substep = shares.size();
     prepare(world); // nothing to do
-    EXPECT_EQ(shares.size(), told);
+    EXPECT_EQ(shares.size(), last_substep);
 }
 
 } // namespace

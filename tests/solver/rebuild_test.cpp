@@ -70,8 +70,8 @@ template <class World> struct Jumble {
         }
     }
 
-    /// Swept, and tied to its first corner and its last. Particles are added this far on each time, which must have no
-    /// divisor in common with their number: in no order that leads anywhere.
+    /// SweepState, and tied to its first corner and its last. Particles are added this far on each time, which must
+    /// have no divisor in common with their number: in no order that leads anywhere.
     void add_cloth(int x, int columns, int rows, int step = 1) {
         const auto figure = add_figure(world, "cloth" + std::to_string(world.figures.size()));
         world.figures[figure].direct = Direct::off;
@@ -146,10 +146,11 @@ TYPED_TEST(Rebuilt, AWorldThatIsChangedMovesAsOneBuiltSo) {
             step(changed, typename TypeParam::Real(dt));
             ASSERT_EQ(state_hash(fresh), state_hash(changed)) << "after change " << i << ", seed " << seed;
             ASSERT_EQ(fresh.blocks.list.size(), changed.blocks.list.size());
-            ASSERT_EQ(fresh.blocks.hanging.size(), changed.blocks.hanging.size());
-            ASSERT_EQ(fresh.swept.row_of, changed.swept.row_of) << "after change " << i << ", seed " << seed;
-            ASSERT_EQ(fresh.swept.plan.runs.size(), changed.swept.plan.runs.size());
-            ASSERT_EQ(fresh.swept.plan.tethers.size(), changed.swept.plan.tethers.size());
+            ASSERT_EQ(fresh.blocks.attached_trees.size(), changed.blocks.attached_trees.size());
+            ASSERT_EQ(fresh.sweep_state.row_of, changed.sweep_state.row_of)
+                << "after change " << i << ", seed " << seed;
+            ASSERT_EQ(fresh.sweep_state.plan.runs.size(), changed.sweep_state.plan.runs.size());
+            ASSERT_EQ(fresh.sweep_state.plan.tethers.size(), changed.sweep_state.plan.tethers.size());
             jumble.world = std::move(changed);
         }
     }
@@ -182,15 +183,15 @@ TEST(Rebuild, ALargeClothHasNoBlocksUntilARopeHangsFromIt) {
         if (i / side + 1 < side) add<Distance>(world, {ids[i], ids[i + side]});
     }
     prepare(world);
-    EXPECT_FALSE(world.blocks.bonds.listed());
+    EXPECT_FALSE(world.blocks.adjacency.listed());
     EXPECT_TRUE(world.blocks.list.empty());
     const auto rope = chain(world, 5, {{0, -1}}, {{0, -1}});
     add<Distance>(world, {ids[0], rope[0]});
     auto fresh = world; // a copy finds its blocks itself
     step(fresh, 0.01F);
     step(world, 0.01F);
-    EXPECT_EQ(world.blocks.hanging.size(), 1U);
-    EXPECT_EQ(fresh.blocks.hanging.size(), 1U);
+    EXPECT_EQ(world.blocks.attached_trees.size(), 1U);
+    EXPECT_EQ(fresh.blocks.attached_trees.size(), 1U);
     EXPECT_EQ(state_hash(world), state_hash(fresh));
 }
 

@@ -5,8 +5,8 @@
 namespace sinew {
 namespace {
 
-TEST(RunParameters, HoldOnceWhatIsTheSame) {
-    RunParameters<float> all;
+TEST(BatchParameters, HoldOnceWhatIsTheSame) {
+    BatchParameters<float> all;
     for (int i = 0; i < 4; ++i) all.add(float(i), float(i), 0);
     EXPECT_EQ(all.high(), all.low());
     EXPECT_EQ(all.compliance(), nullptr);
@@ -23,8 +23,8 @@ TEST(RunParameters, HoldOnceWhatIsTheSame) {
     EXPECT_EQ(all.size(), 6U);
 }
 
-TEST(RunParameters, AreCopiedIntoAnyOther) {
-    RunParameters<double> from, to;
+TEST(BatchParameters, AreCopiedIntoAnyOther) {
+    BatchParameters<double> from, to;
     from.add(1, 2, 0.25);
     from.add(4, 4, 0);
     to.add(7, 7, 0);
@@ -39,8 +39,8 @@ TEST(RunParameters, AreCopiedIntoAnyOther) {
     EXPECT_TRUE(to.are(1, 5, 6, 0));
 }
 
-TEST(RunParameters, StayWhereRoomWasLeft) {
-    RunParameters<float> all;
+TEST(BatchParameters, StayWhereRoomWasLeft) {
+    BatchParameters<float> all;
     all.reserve(3);
     const auto *const low = all.low(), *const high = all.high(), *const compliance = all.compliance();
     all.add(1, 1, 0);

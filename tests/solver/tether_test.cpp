@@ -22,9 +22,9 @@ TEST(Tethers, KnowTheRowsThatSpanFromPinToPin) {
         build(world, Cloth{.columns = 128, .rows = 128, .plane = plane, .pins = pins, .tethers = tethers}, "cloth");
         prepare(world);
         std::vector<std::size_t> rows;
-        const auto& bands = world.swept.plan.bands;
-        for (std::size_t i = 0; i < bands.size(); ++i)
-            if (bands[i].tightened > 0) rows.push_back(i);
+        const auto& tiles = world.sweep_state.plan.tiles;
+        for (std::size_t i = 0; i < tiles.size(); ++i)
+            if (tiles[i].tightened > 0) rows.push_back(i);
         return rows;
     };
     const std::vector<std::size_t> top{0, 1, 2, 3, 4}, both{0, 1, 2, 3, 4, 123, 124, 125, 126, 127};
@@ -40,8 +40,8 @@ TEST(Tethers, TightenLongRowsTwice) {
         World<3, float> world;
         build(world, Cloth{.columns = columns, .rows = 16, .plane = "vertical", .pins = "corners"}, "cloth");
         prepare(world);
-        EXPECT_EQ(world.swept.plan.bands.front().tightened, times) << columns;
-        EXPECT_EQ(world.swept.plan.bands.back().tightened, 0U) << columns;
+        EXPECT_EQ(world.sweep_state.plan.tiles.front().tightened, times) << columns;
+        EXPECT_EQ(world.sweep_state.plan.tiles.back().tightened, 0U) << columns;
     }
 }
 

@@ -19,10 +19,10 @@ TEST(Workers, DoEveryPartOnce) {
         }
 }
 
-TEST(Relay, DoesEachTurnOnceAndAfterThoseItFollows) {
+TEST(WavefrontScheduler, DoesEachTurnOnceAndAfterThoseItFollows) {
     constexpr int stages = 7, turns = 300;
     for (const int threads : {1, 2, 5}) {
-        Relay relay(stages, turns);
+        WavefrontScheduler relay(stages, turns);
         std::vector<std::atomic<int>> done(stages);
         std::atomic<int> wrong = 0;
         Workers::run(threads, threads, [&](int) {

@@ -144,7 +144,7 @@ class WindowTest : public testing::Test {
     Image shot;
     bool panel = true, looking = false;
     int restarts = 0;
-    play::Shelf shelf{{}, {}, fetch, play::games::read}; // no scenes, no thumbnails, which come when they come
+    play::SceneLibrary shelf{{}, {}, fetch, play::games::read}; // no scenes, no thumbnails, which come when they come
     play::Play game{shelf, "ragdoll"};
     std::string told;
 };

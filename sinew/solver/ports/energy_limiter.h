@@ -20,7 +20,7 @@ namespace sinew::detail {
 template <int D, class Real> class EnergyLimiter {
   public:
     EnergyLimiter(World<D, Real>& world, Real h)
-        : world_(world), swept_(world.swept), ports_(world.blocks.ports), per_h_(1 / double(h)) {}
+        : world_(world), swept_(world.sweep_state), ports_(world.blocks.ports), per_h_(1 / double(h)) {}
 
     /// Notes the motion and the stored energy before a substep.
     void begin() {
@@ -49,7 +49,7 @@ template <int D, class Real> class EnergyLimiter {
   private:
     using Vector = Vec<D, double>;
     World<D, Real>& world_;
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     Ports<D>& ports_;
     double per_h_;
 

@@ -26,8 +26,8 @@ template <int D> void list_ports(Blocks<D>& blocks) {
     auto& ports = blocks.ports;
     ports.clear();
     std::uint32_t responses = 0;
-    for (std::uint32_t b = 0; b < blocks.hanging.size(); ++b) {
-        auto& block = blocks.hanging[b];
+    for (std::uint32_t b = 0; b < blocks.attached_trees.size(); ++b) {
+        auto& block = blocks.attached_trees[b];
         block.first_port = std::uint32_t(ports.list.size());
         block.first_response = responses;
         responses += block.ports * block.ports;
@@ -63,7 +63,7 @@ template <int D, class Real> void list_rows(World<D, Real>& world) {
     auto& rows = blocks.ports.rows;
     rows.clear();
     for (const auto& port : blocks.ports.list)
-        blocks.bonds.each(blocks.nodes[port.node].slot, [&](int kind, std::uint32_t slot) {
+        blocks.adjacency.each(blocks.nodes[port.node].slot, [&](int kind, std::uint32_t slot) {
             visit_table(world, kind, [&](const auto& table) {
                 const Row row = table.slots.row_at(slot);
                 if (!table.in_block[row]) rows.push_back({.kind = kind, .row = row});
@@ -77,11 +77,12 @@ template <int D, class Real> void list_rows(World<D, Real>& world) {
 
 template <int D, class Real> void mark_sheets(World<D, Real>& world) {
     auto& ports = world.blocks.ports;
-    const auto& plan = world.swept.plan;
-    ports.sheets.assign(plan.sheets.size(), 0);
+    const auto& plan = world.sweep_state.plan;
+    ports.components.assign(plan.components.size(), 0);
     for (const auto& port : ports.list)
-        if (const auto* sheet = detail::sheet_at(plan, world.swept.slot_of[world.blocks.nodes[port.node].row]))
-            ports.sheets[std::size_t(sheet - plan.sheets.data())] = 1;
+        if (const auto* component =
+                detail::sheet_at(plan, world.sweep_state.slot_of[world.blocks.nodes[port.node].row]))
+            ports.components[std::size_t(component - plan.components.data())] = 1;
 }
 
 /// Connected components with ports. Immovable particles do not connect.
@@ -111,13 +112,13 @@ template <int D, class Real> class GroupFinder {
 
     void reach(Row row) {
         if (std::exchange(ports_.reached[row], char(1))) return;
-        (mobile(row) ? ports_.members : ports_.anchors).push_back(world_.swept.slot_of[row]);
+        (mobile(row) ? ports_.members : ports_.anchors).push_back(world_.sweep_state.slot_of[row]);
     }
     void spread() {
         auto& group = ports_.groups.back();
         for (auto next = group.first; next < ports_.members.size(); ++next) {
-            const Row row = world_.swept.row_of[ports_.members[next]];
-            world_.blocks.bonds.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+            const Row row = world_.sweep_state.row_of[ports_.members[next]];
+            world_.blocks.adjacency.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
                 visit_table(world_, kind, [&](const auto& table) {
                     reach(group, kind, table, table.slots.row_at(slot), row);
                     if (kind == kind_number<Distance, D>) measure(double(table.high(table.slots.row_at(slot))));
@@ -160,25 +161,25 @@ template <int D, class Real> class GroupFinder {
 template <int D, class Real> void find_ports(World<D, Real>& world) {
     auto& blocks = world.blocks;
     const bool had_any = !blocks.ports.list.empty();
-    if (blocks.hanging.empty() && !had_any) return;
-    for (auto& block : blocks.hanging) detail::look_up_rows(world, block);
+    if (blocks.attached_trees.empty() && !had_any) return;
+    for (auto& block : blocks.attached_trees) detail::look_up_rows(world, block);
     list_ports(blocks);
     mark_ports(world);
 }
 
 template <int D, class Real> void tie_ports(World<D, Real>& world) {
     auto& blocks = world.blocks;
-    if (blocks.hanging.empty()) return;
+    if (blocks.attached_trees.empty()) return;
     list_rows(world);
     mark_sheets(world);
     const detail::LoadTethers<D, Real> tethers(world);
-    for (const auto& block : blocks.hanging)
+    for (const auto& block : blocks.attached_trees)
         for (std::uint32_t p = 0; p < block.ports; ++p)
-            tethers.tie(std::span(blocks.links).subspan(first_tether(block, p), most_tethers));
+            tethers.set_anchors(std::span(blocks.links).subspan(first_tether(block, p), most_tethers));
     GroupFinder<D, Real>(world).run();
-    blocks.ports.free_moves.resize(world.swept.size());
-    blocks.ports.last_moves.resize(world.swept.size());
-    blocks.ports.mobilities.resize(world.swept.size());
+    blocks.ports.free_moves.resize(world.sweep_state.size());
+    blocks.ports.last_moves.resize(world.sweep_state.size());
+    blocks.ports.mobilities.resize(world.sweep_state.size());
 }
 
 #define SINEW_PORTS(D, Real)                                                                                           \

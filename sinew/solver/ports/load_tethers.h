@@ -9,27 +9,28 @@
 /// Tethers in the sweep would hold the port alone; links of the block carry all loads that hang on the port.
 namespace sinew::detail {
 
-/// The sheet of a particle in the plan, or none.
-template <class Real> const Sheet* sheet_at(const Plan<Real>& plan, Row slot) {
-    const auto after = std::upper_bound(plan.sheets.begin(), plan.sheets.end(), slot,
-                                        [](Row s, const Sheet& sheet) { return s < sheet.begin.slot; });
-    return after == plan.sheets.begin() ? nullptr : &*(after - 1);
+/// The component of a particle in the plan, or none.
+template <class Real> const Component* sheet_at(const Plan<Real>& plan, Row slot) {
+    const auto after = std::upper_bound(plan.components.begin(), plan.components.end(), slot,
+                                        [](Row s, const Component& component) { return s < component.begin.slot; });
+    return after == plan.components.begin() ? nullptr : &*(after - 1);
 }
 
 template <int D, class Real> class LoadTethers {
   public:
-    explicit LoadTethers(World<D, Real>& world) : world_(world), swept_(world.swept), plan_(world.swept.plan) {}
+    explicit LoadTethers(World<D, Real>& world)
+        : world_(world), swept_(world.sweep_state), plan_(world.sweep_state.plan) {}
 
     /// Sets the load tethers of one port. Tethers without a reach hold nothing.
-    void tie(std::span<BlockLink<D>> links) const {
+    void set_anchors(std::span<DistanceRow<D>> links) const {
         auto& nodes = world_.blocks.nodes;
         const auto slot = swept_.slot_of[nodes[links.front().a].row];
-        const auto* sheet = sheet_at(plan_, slot);
+        const auto* component = sheet_at(plan_, slot);
         for (std::uint32_t t = 0; t < links.size(); ++t) {
             auto& node = nodes[links[t].b];
-            const double reach = sheet && t < sheet->tethers ? reach_of(*sheet, t, slot) : 0;
+            const double reach = component && t < component->tethers ? reach_of(*component, t, slot) : 0;
             if (reach > 0) {
-                node.row = swept_.row_of[plan_.tethers[sheet->first_tether + t].at + sheet->begin.slot];
+                node.row = swept_.row_of[plan_.tethers[component->first_tether + t].at + component->begin.slot];
                 node.slot = world_.particles.slots.slot_of(node.row);
             }
             set_reach(links[t], reach);
@@ -38,18 +39,18 @@ template <int D, class Real> class LoadTethers {
 
   private:
     World<D, Real>& world_;
-    const Swept<D, Real>& swept_;
+    const SweepState<D, Real>& swept_;
     const Plan<Real>& plan_;
 
     /// Reach in metres, 0 if unlimited.
-    double reach_of(const Sheet& sheet, std::uint32_t t, Row slot) const {
+    double reach_of(const Component& component, std::uint32_t t, Row slot) const {
         constexpr double far = double(limit::coordinate<Real>);
-        const auto& tether = plan_.tethers[sheet.first_tether + t];
-        const double half = double(plan_.half_per_reach_square[tether.first + slot - sheet.begin.slot]);
+        const auto& tether = plan_.tethers[component.first_tether + t];
+        const double half = double(plan_.half_per_reach_square[tether.first + slot - component.begin.slot]);
         const double reach = square_root(inverse_or_zero(2 * half));
         return reach < far ? reach : 0;
     }
-    static void set_reach(BlockLink<D>& link, double reach) {
+    static void set_reach(DistanceRow<D>& link, double reach) {
         constexpr double nowhere = 1e12;
         link.high = reach > 0 ? reach : nowhere;
         link.length = reach;

@@ -16,7 +16,7 @@ template <int D, class Real> class PortBlock {
     using Vector = Vec<D, double>;
 
     PortBlock(World<D, Real>& world, Block& block, Real h)
-        : swept_(world.swept), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
+        : swept_(world.sweep_state), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           angles_(std::get<kind_number<Angle, D>>(world.constraints)), blocks_(world.blocks), block_(block),
           h_(double(h)) {}
 
@@ -86,7 +86,7 @@ template <int D, class Real> class PortBlock {
     }
 
   private:
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     Constraints<Distance<D>, Real>& distances_;
     Constraints<Angle<D>, Real>& angles_;
     Blocks<D>& blocks_;
@@ -95,10 +95,12 @@ template <int D, class Real> class PortBlock {
 
     std::span<BlockNode<D>> nodes() const { return std::span(blocks_.nodes).subspan(block_.first_node, block_.nodes); }
     std::span<BlockNode<D>> unknowns() const { return nodes().first(block_.unknowns); }
-    std::span<BlockLink<D>> links() const { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
+    std::span<DistanceRow<D>> links() const {
+        return std::span(blocks_.links).subspan(block_.first_link, block_.links);
+    }
     /// All but the load tethers.
-    std::span<BlockLink<D>> own_links() const { return links().first(block_.links - block_.load_tethers); }
-    std::span<BlockBend<D>> bends() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
+    std::span<DistanceRow<D>> own_links() const { return links().first(block_.links - block_.load_tethers); }
+    std::span<AngleRow<D>> bends() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
     Row slot(const BlockNode<D>& node) const { return swept_.slot_of[node.row]; }
     Vector begin_of(const BlockNode<D>& node) const { return cast<double>(swept_.place_at(slot(node))); }
 

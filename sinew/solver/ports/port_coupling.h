@@ -10,9 +10,9 @@ namespace sinew::detail {
 template <int D, class Real> class PortCoupling {
   public:
     PortCoupling(World<D, Real>& world, Real h, int number)
-        : world_(world), blocks_(world.blocks), swept_(world.swept), h_(h), number_(number) {}
+        : world_(world), blocks_(world.blocks), swept_(world.sweep_state), h_(h), number_(number) {}
 
-    bool any() const { return !blocks_.hanging.empty(); }
+    bool any() const { return !blocks_.attached_trees.empty(); }
 
     /// Called after the prediction. Guesses come from the last substep, in the first one from the stored multipliers.
     void begin() {
@@ -55,12 +55,12 @@ template <int D, class Real> class PortCoupling {
   private:
     World<D, Real>& world_;
     Blocks<D>& blocks_;
-    Swept<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     Real h_;
     int number_;
 
     template <class Visit> void each(Visit&& visit) {
-        for (auto& block : blocks_.hanging) visit(block, PortBlock<D, Real>(world_, block, h_));
+        for (auto& block : blocks_.attached_trees) visit(block, PortBlock<D, Real>(world_, block, h_));
     }
 
     void note_free_moves() {
@@ -82,7 +82,7 @@ template <int D, class Real> class PortCoupling {
     void guess_from_multipliers() {
         auto& ports = blocks_.ports;
         for (auto& port : ports.list) port.guess = {};
-        for (auto& block : blocks_.hanging)
+        for (auto& block : blocks_.attached_trees)
             for (auto& link : std::span(blocks_.links).subspan(block.first_link, block.links)) link.before = 0;
         const double scale = square(double(h_)) * inverse_or_zero(square(double(world_.last_substep)));
         for (const auto& row : ports.rows)

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-/// Swept constraints at ports. An impulse at one port moves all ports of the block:
+/// SweepState constraints at ports. An impulse at one port moves all ports of the block:
 ///
 ///     dlambda = -(C + alpha lambda) / (sum_ij g_i . W_ij g_j + alpha),      x_i += sum_j W_ij g_j dlambda
 ///
@@ -75,7 +75,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
         if (impulse == Vec<D, Real>{}) return;
         if (!is_port(row)) return Base::push(row, impulse * Base::weight(row));
         auto& pushed = ports_.list[ports_.at[row]];
-        const auto& block = blocks_.hanging[pushed.block];
+        const auto& block = blocks_.attached_trees[pushed.block];
         pushed.impulse += cast<double>(impulse);
         for (std::uint32_t q = 0; q < block.ports; ++q) {
             const auto& node = blocks_.nodes[ports_.list[block.first_port + q].node];
@@ -91,7 +91,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
     bool is_port(Row row) const { return ports_.at[row] != ports_.none; }
 
     double trusted_share(const Port<D>& port, Row row, const Vec<D, double>& move) const {
-        const auto moved = cast<double>(this->swept.move_at(this->swept.slot_of[row])) - port.free_move;
+        const auto moved = cast<double>(this->sweep_state.move_at(this->sweep_state.slot_of[row])) - port.free_move;
         if (dot(moved, move) < 0) return 1;
         const double left = maximum(0.0, port.radius - norm(moved));
         const double length = norm(move);
@@ -105,7 +105,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
         if (!is_port(of) || !is_port(to)) return of == to ? impulse * double(Base::weight(of)) : Vec<D, double>{};
         const auto &moved = ports_.list[ports_.at[of]], &pushed = ports_.list[ports_.at[to]];
         if (moved.block != pushed.block) return {};
-        return response(blocks_.hanging[moved.block], moved.number, pushed.number) * impulse;
+        return response(blocks_.attached_trees[moved.block], moved.number, pushed.number) * impulse;
     }
 };
 

@@ -36,7 +36,7 @@ template <int D> class PortResponse {
 
     Port<D>& port(std::uint32_t p) const { return blocks_.ports.list[block_.first_port + p]; }
 
-    static bool holds(const BlockLink<D>& link, Held held) {
+    static bool holds(const DistanceRow<D>& link, Held held) {
         if (!link.one_sided()) return true;
         return held == Held::at_least ? !link.slackened : link.tension * link.side > 0;
     }

@@ -55,7 +55,7 @@ template <int D> struct Ports {
     std::vector<std::uint32_t> at; ///< port of each particle, or none
     std::vector<char> is_port;     ///< per slot of a particle, which stays when rows move
 
-    std::vector<char> sheets; ///< 1 for each sheet of the plan with a port
+    std::vector<char> components; ///< 1 for each component of the plan with a port
 
     std::vector<PortGroup<D>> groups;
     std::vector<std::uint32_t> members; ///< particles of the groups, by their slots of the sweep
@@ -71,7 +71,7 @@ template <int D> struct Ports {
     void clear() {
         list.clear();
         rows.clear();
-        sheets.clear();
+        components.clear();
         responses.clear();
         groups.clear();
         members.clear();
@@ -81,7 +81,7 @@ template <int D> struct Ports {
     void reserve(std::size_t particles, std::size_t constraints) {
         list.reserve(particles);
         rows.reserve(constraints);
-        sheets.reserve(particles);
+        components.reserve(particles);
         responses.reserve(4 * particles);
         groups.reserve(particles);
         springs.reserve(constraints);
