@@ -192,8 +192,8 @@ void Play::handle(const Input& input) {
         void operator()(const Scrolled& scrolled) const {
             const double notches = std::clamp(scrolled.notches, -most_notches, most_notches);
             const auto& scene = play.session().scene();
-            if (scene.pointer.wheel_quickens > 0 && scene.solver.mode == "classic")
-                return play.tape().act(Quicken{notches * scene.pointer.wheel_quickens});
+            if (scene.pointer.wheel_time_scale > 0 && scene.solver.mode == "classic")
+                return play.tape().act(Quicken{notches * scene.pointer.wheel_time_scale});
             play.zoom(std::pow(a_notch, notches));
         }
         void operator()(const Pinched& pinched) const {

@@ -30,26 +30,26 @@ std::string constraint_name(const Figure& figure, std::size_t number) {
 }
 
 /// Names of the cut constraints: built with the figures, gone from the world. Unnamed constraints are left out.
-SnipEvent snipped(const AnyWorld& world) {
-    SnipEvent snip;
+RemoveEvent removed_constraints(const AnyWorld& world) {
+    RemoveEvent removal;
     std::visit(
         [&](const auto& any) {
             for (const auto& figure : any.figures)
                 for (std::size_t i = 0; i < figure.constraints.size(); ++i)
                     if (!constraint_state(any, figure.constraints[i]))
                         if (auto name = constraint_name(figure, i); !name.empty())
-                            snip.constraints.push_back(std::move(name));
+                            removal.constraints.push_back(std::move(name));
         },
         world);
-    return snip;
+    return removal;
 }
 
 } // namespace
 
 std::string text_of(const Session& session) {
     auto scene = session.scene();
-    if (auto snip = snipped(session.world()); !snip.constraints.empty())
-        scene.events.insert(scene.events.begin(), EventSection{.at = 0, .event = std::move(snip)});
+    if (auto removal = removed_constraints(session.world()); !removal.constraints.empty())
+        scene.events.insert(scene.events.begin(), EventSection{.at = 0, .event = std::move(removal)});
     return json::to_text(to_json(scene)) + "\n";
 }
 

@@ -193,10 +193,10 @@ template <int D, class Real> class ReferenceCheck {
         for (std::size_t k = 0; k < join.constraint.between.size(); ++k)
             particle(join.constraint.between[k], under("events", i, "join") + fmt::format("/{}", k));
     }
-    void event(const SnipEvent& snip, std::size_t i) {
-        for (std::size_t k = 0; k < snip.constraints.size(); ++k)
-            if (!is_joined_later(snip.constraints[k]))
-                constraint(snip.constraints[k], under("events", i, "snip") + fmt::format("/{}", k));
+    void event(const RemoveEvent& removal, std::size_t i) {
+        for (std::size_t k = 0; k < removal.constraints.size(); ++k)
+            if (!is_joined_later(removal.constraints[k]))
+                constraint(removal.constraints[k], under("events", i, "remove") + fmt::format("/{}", k));
     }
     template <class Event> void event(const Event&, std::size_t) {}
 };

@@ -276,14 +276,36 @@ std::vector<std::string_view> similar(std::string_view word, std::span<const std
     return names;
 }
 
+namespace {
+
+struct Renamed {
+    std::string_view from, to;
+};
+constexpr std::array<Renamed, 6> renamed_words = {{{"cuts_within", "cut_radius"},
+                                                   {"over", "duration"},
+                                                   {"pulls_times", "grab_gain"},
+                                                   {"pulls_within", "grab_radius"},
+                                                   {"snip", "remove"},
+                                                   {"wheel_quickens", "wheel_time_scale"}}};
+
+} // namespace
+
+std::string_view new_name(std::string_view word) {
+    const auto found = std::ranges::find(renamed_words, word, &Renamed::from);
+    return found == renamed_words.end() ? std::string_view() : found->to;
+}
+
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates) {
     if (candidates.empty()) return "nothing is allowed here";
     constexpr std::size_t most_listed = 32, few_more = 8; // "and 1 more" would take as much space as the name itself
     constexpr std::size_t most_sorted = 1000;
     const auto unsorted = candidates.size() - std::min(candidates.size(), most_sorted);
     std::string help;
-    const auto near = nearest(word, candidates);
-    if (!near.empty()) help = concat("did you mean ", in_quotes(near), "? ");
+    const auto renamed = new_name(word);
+    const bool is_renamed = std::ranges::find(candidates, renamed) != candidates.end();
+    const auto near = is_renamed ? renamed : nearest(word, candidates);
+    if (!near.empty())
+        help = concat(is_renamed ? "renamed to " : "did you mean ", in_quotes(near), is_renamed ? " " : "? ");
 
     candidates.resize(candidates.size() - unsorted);
     std::sort(candidates.begin(), candidates.end());

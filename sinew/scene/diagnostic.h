@@ -89,6 +89,9 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 std::vector<std::string_view> similar(std::string_view word, std::span<const std::string_view> candidates,
                                       std::size_t most);
 
+/// Present name of a property that a former version of the format called `word`; empty for all others.
+std::string_view new_name(std::string_view word);
+
 /// Help text for an unknown word: `did you mean "mass"? (allowed here: id, mass, pinned, pos)`
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates);
 

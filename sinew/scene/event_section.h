@@ -19,7 +19,7 @@ struct GrabEvent {
     static constexpr std::string_view about = "A grab that holds a particle and carries it to a destination.";
     std::string particle;
     std::optional<Point> to;
-    double over = 0;
+    double duration = 0;
     double within = 0;
     double compliance = 0;
     double max_force = 0;
@@ -29,8 +29,8 @@ struct GrabEvent {
         visit(self.to, Field{.name = "to",
                              .help = "Destination; if left out, the particle is held in place",
                              .unit = unit::length});
-        visit(self.over,
-              Field{.name = "over", .help = "Duration of the motion", .unit = unit::time, .low = 0, .high = 1e9});
+        visit(self.duration,
+              Field{.name = "duration", .help = "Duration of the motion", .unit = unit::time, .low = 0, .high = 1e9});
         visit(self.within, Field{.name = "within",
                                  .help = "Distance within which particles of the same figure move along; in classic "
                                          "mode, distance from the path",
@@ -97,7 +97,7 @@ struct KickEvent {
 struct JoinEvent {
     static constexpr std::string_view name = "join";
     static constexpr std::string_view about = "A new constraint between particles, owned by the first particle's "
-                                              "figure, unless one of that name exists; snip removes it.";
+                                              "figure, unless one of that name exists; `remove` takes it out again.";
     ConstraintSection constraint;
     double within = 0;
 
@@ -121,7 +121,7 @@ struct GustEvent {
     static constexpr std::string_view about = "A wind of limited duration.";
     Point velocity{};
     double strength = 0.1;
-    double over = 1;
+    double duration = 1;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.velocity,
@@ -132,7 +132,7 @@ struct GustEvent {
                     .unit = unit::drag,
                     .low = 0,
                     .high = 1e9});
-        visit(self.over, Field{.name = "over", .help = "Duration", .unit = unit::time, .low = 0, .high = 1e9});
+        visit(self.duration, Field{.name = "duration", .help = "Duration", .unit = unit::time, .low = 0, .high = 1e9});
     }
 };
 
@@ -150,20 +150,20 @@ struct CutEvent {
                                .required = true});
         visit(self.within,
               Field{.name = "within",
-                    .help = "Distance from the line within which links are cut too; pointer.cuts_within if left out",
+                    .help = "Distance from the line within which links are cut too; pointer.cut_radius if left out",
                     .unit = unit::length,
                     .low = 0,
                     .high = 1e6});
     }
 };
 
-struct SnipEvent {
-    static constexpr std::string_view name = "snip";
+struct RemoveEvent {
+    static constexpr std::string_view name = "remove";
     static constexpr std::string_view about = "Removal of constraints by name.";
     std::vector<std::string> constraints;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.constraints, Field{.name = "snip", .help = "Constraints, as figure/name", .required = true});
+        visit(self.constraints, Field{.name = "remove", .help = "Constraints, as figure/name", .required = true});
     }
 };
 
@@ -201,7 +201,8 @@ struct EventSection {
     double at = 0;
     double every = 0;
     int times = 0;
-    std::variant<GrabEvent, ReleaseEvent, ImpulseEvent, KickEvent, GustEvent, CutEvent, SnipEvent, JoinEvent, SetEvent>
+    std::variant<GrabEvent, ReleaseEvent, ImpulseEvent, KickEvent, GustEvent, CutEvent, RemoveEvent, JoinEvent,
+                 SetEvent>
         event;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {

@@ -137,7 +137,8 @@ void report_missing(const json::Value& object, const Field& field, const Path& p
 std::string help_with(const json::Member& member, const std::vector<std::string_view>& allowed, const Reading& in) {
     constexpr std::uint32_t file = 0;
     constexpr std::size_t most_told = 4;
-    if (member.key_span.source == file || !in.elsewhere || !nearest(member.key, allowed).empty())
+    if (member.key_span.source == file || !in.elsewhere || !new_name(member.key).empty() ||
+        !nearest(member.key, allowed).empty())
         return suggest(member.key, allowed);
     const auto paths = in.elsewhere(member.key);
     if (paths.empty()) return suggest(member.key, allowed);

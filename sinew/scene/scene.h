@@ -87,38 +87,39 @@ struct ViewSection {
 
 /// Effects of the pointer on a scene, in any window.
 struct PointerSection {
-    double cuts_within = 0;
-    double pulls_within = 0;
-    double pulls_times = 1;
-    double wheel_quickens = 0;
+    double cut_radius = 0;
+    double grab_radius = 0;
+    double grab_gain = 1;
+    double wheel_time_scale = 0;
     double hover_size = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.cuts_within, Field{.name = "cuts_within",
-                                      .help = "Distance from the pointer's cut within which links are cut too",
-                                      .unit = unit::length,
-                                      .low = 0,
-                                      .high = 1e6});
+        visit(self.cut_radius, Field{.name = "cut_radius",
+                                     .help = "Distance from the pointer's cut within which links are cut too",
+                                     .unit = unit::length,
+                                     .low = 0,
+                                     .high = 1e6});
         visit(
-            self.pulls_within,
+            self.grab_radius,
             Field{
-                .name = "pulls_within",
+                .name = "grab_radius",
                 .help =
                     "Distance around the grabbed particle within which the rest of its figure is pulled along; in "
                     "classic mode the pointer grabs nothing and drags along particles within this distance of its path",
                 .unit = unit::length,
                 .low = 0,
                 .high = 1e6});
-        visit(self.pulls_times,
-              Field{.name = "pulls_times",
+        visit(self.grab_gain,
+              Field{.name = "grab_gain",
                     .help = "Speed of dragged particles, as a multiple of the pointer's speed (classic mode)",
                     .low = 0,
                     .high = 100});
-        visit(self.wheel_quickens, Field{.name = "wheel_quickens",
-                                         .help = "Change of solver.rules.time_scale for each notch of the wheel, up to "
-                                                 "a scale of 5; with 0 the wheel zooms (classic mode)",
-                                         .low = 0,
-                                         .high = 5});
+        visit(self.wheel_time_scale,
+              Field{.name = "wheel_time_scale",
+                    .help = "Change of solver.rules.time_scale for each notch of the wheel, up to "
+                            "a scale of 5; with 0 the wheel zooms (classic mode)",
+                    .low = 0,
+                    .high = 5});
         visit(self.hover_size, Field{.name = "hover_size",
                                      .help = "Side of the square around a particle in which the pointer hovers over "
                                              "it, for solver.rules.hover_freezes (2D, classic mode)",

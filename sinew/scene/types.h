@@ -37,7 +37,7 @@
 /// Without the tag key, the default applies: the first alternative, or none of an optional variant. With an empty field
 /// name, the alternative is the one whose name is among the keys:
 ///
-///     {"grab": "bob/right_hand", "over": 30}
+///     {"grab": "bob/right_hand", "duration": 30}
 namespace sinew {
 
 namespace detail {

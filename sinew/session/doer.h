@@ -62,12 +62,12 @@ template <class WorldT> struct EventApplier {
         return impulse.target;
     }
 
-    std::string operator()(const SnipEvent& snip) const {
+    std::string operator()(const RemoveEvent& removal) const {
         std::vector<ConstraintId> ids;
-        for (const auto& name : snip.constraints)
+        for (const auto& name : removal.constraints)
             if (const auto id = find_constraint(world, name)) ids.push_back(*id);
         cut(world, std::span<const ConstraintId>(ids));
-        return snip.constraints.empty() ? "" : snip.constraints.front();
+        return removal.constraints.empty() ? "" : removal.constraints.front();
     }
 
     std::string operator()(const SetEvent& set) const {

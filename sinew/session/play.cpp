@@ -18,15 +18,15 @@ bool Session::grab(std::span<const ParticleId> members, const Point& place) {
         world_);
     held_.clear();
     taken_over_ = true;
-    if (strokes(world_, scene_.pointer.pulls_within)) {
-        stroke_ = Stroke{place, scene_.pointer.pulls_within, scene_.pointer.pulls_times};
+    if (strokes(world_, scene_.pointer.grab_radius)) {
+        stroke_ = Stroke{place, scene_.pointer.grab_radius, scene_.pointer.grab_gain};
         stroke_to_ = place;
         return true;
     }
     const auto units = scene_.measures();
     hand_ =
         PointerGrab::take(world_, members, place, PointerGrab::strength * units.per_metre / square(units.per_second),
-                          scene_.pointer.pulls_within, hold_rule(scene_));
+                          scene_.pointer.grab_radius, hold_rule(scene_));
     return hand_.has_value();
 }
 

@@ -132,22 +132,22 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
                                          from,
                                          happening.to.value_or(from),
                                          now,
-                                         happening.over,
-                                         Stroke{from, happening.within, scene_.pointer.pulls_times}});
+                                         happening.duration,
+                                         Stroke{from, happening.within, scene_.pointer.grab_gain}});
                         return note(std::string(Event::name), where);
                     }
                     const auto held = pin(world, *id,
                                           PinSpec<D, Real>{.compliance = Real(happening.compliance),
                                                            .max_force = Real(happening.max_force),
                                                            .hold = hold_rule(scene_)});
-                    held_.push_back({where, *held, from, happening.to.value_or(from), now, happening.over, {}});
+                    held_.push_back({where, *held, from, happening.to.value_or(from), now, happening.duration, {}});
                     if (happening.within > 0) hold_around(world, *id, happening, held_.back());
                 } else if constexpr (std::is_same_v<Event, ReleaseEvent>) {
                     where = happening.particle;
                     let_go(where);
                     if (const auto id = find_particle(world, where)) unpin_all(world, *id);
                 } else if constexpr (std::is_same_v<Event, GustEvent>) {
-                    blowing_.push_back({world.forces.size(), now + happening.over});
+                    blowing_.push_back({world.forces.size(), now + happening.duration});
                     world.forces.push_back(Wind<D, Real>{.velocity = happening.velocity.template as<D, Real>(),
                                                          .strength = Real(happening.strength)});
                 } else if constexpr (std::is_same_v<Event, CutEvent>) {
@@ -157,7 +157,7 @@ void Session::happen(const EventSection& event, std::uint64_t before) {
                     if (std::is_same_v<Event, JoinEvent> && where.empty()) return;
                 }
                 note(std::string(Event::name), where);
-                if constexpr (std::is_same_v<Event, SnipEvent>) note_parted();
+                if constexpr (std::is_same_v<Event, RemoveEvent>) note_parted();
             });
         },
         world_);
@@ -168,7 +168,7 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
 }
 
 std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double> within, const View& view) {
-    const double reach = within.value_or(scene_.pointer.cuts_within);
+    const double reach = within.value_or(scene_.pointer.cut_radius);
     return std::visit(
         [&]<class WorldT>(WorldT& world) {
             Cut done;
@@ -269,7 +269,7 @@ void Session::carry_held() {
             using Real = typename WorldT::Real;
             const double then = world.time + step_length(scene_);
             for (auto& held : held_) {
-                const double share = held.over > 0 ? clamp((then - held.since) / held.over, 0.0, 1.0) : 1.0;
+                const double share = held.duration > 0 ? clamp((then - held.since) / held.duration, 0.0, 1.0) : 1.0;
                 Point place;
                 for (int i = 0; i < 3; ++i) place[i] = held.from[i] + (held.to[i] - held.from[i]) * share;
                 if (held.stroke)

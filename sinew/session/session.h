@@ -116,7 +116,7 @@ class Session {
         std::string particle;
         PinId pin;
         Point from, to;                 ///< ends of the target's path
-        double since = 0, over = 0;     ///< start and duration, in the scene's unit of time
+        double since = 0, duration = 0; ///< start and duration, in the scene's unit of time
         std::optional<Stroke> stroke{}; ///< replaces the pin in classic mode
     };
     struct Blowing {

@@ -109,7 +109,7 @@ template <int D, class Real> class Sweep {
         if (driven_) slip(world_, h_);
     }
 
-    /// Runs an iteration over all constraints: ports after everything not at a port, and before the tethers. Sheets
+    /// Runs an iteration over all constraints: ports after everything not at a port, and before the tethers. Components
     /// with ports are swept again, since most of the load on them comes from outside.
     void project_all(Substep& substep) {
         const auto& ports = world_.blocks.ports;
@@ -203,9 +203,8 @@ template <int D, class Real> class Sweep {
         substep.mover().first_iteration = iteration == 0;
         const auto tile = [&](std::uint32_t i) -> const Tile& { return plan_.tiles[component.first_tile + i]; };
         for (auto time = first; time < last; ++time) {
-            const auto at = [&](std::uint32_t wavefront_offset, auto&& work) {
-                if (time >= wavefront_offset && time - wavefront_offset < component.tiles)
-                    work(time - wavefront_offset);
+            const auto at = [&](std::uint32_t begin, auto&& work) {
+                if (time >= begin && time - begin < component.tiles) work(time - begin);
             };
             if (pass == 0)
                 at(0, [&](std::uint32_t i) {

@@ -11,7 +11,7 @@ namespace sinew {
 /// so their edges stay together.
 template <int D, class Real> class NodeBinder {
   public:
-    /// Keeps a reference to the world, whose bonds must be listed.
+    /// Keeps a reference to the world, whose adjacency must be listed.
     explicit NodeBinder(const World<D, Real>& world) : world_(world) {}
 
     /// Binds the unbound corners.
@@ -52,7 +52,7 @@ template <int D, class Real> class NodeBinder {
     std::vector<Row> neighbours_of(Row row) const {
         std::vector<Row> rows;
         const auto& distances = std::get<kind_number<Distance, D>>(world_.constraints);
-        world_.blocks.bonds.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
+        world_.blocks.adjacency.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
             if (kind != kind_number<Distance, D>) return;
             const Row link = distances.slots.row_at(slot);
             const auto& ends = distances.members.rows[link];

@@ -63,13 +63,13 @@ TEST(Cuts, ReachAsFarAsTheScenesPointerUnlessTheySay) {
     };
     EXPECT_FALSE(cuts("", ""));
     EXPECT_TRUE(cuts("", R"(, "within": 0.06)"));
-    EXPECT_TRUE(cuts(R"("pointer": {"cuts_within": 0.06}, )", ""));
-    EXPECT_FALSE(cuts(R"("pointer": {"cuts_within": 0.06}, )", R"(, "within": 0.04)"));
+    EXPECT_TRUE(cuts(R"("pointer": {"cut_radius": 0.06}, )", ""));
+    EXPECT_FALSE(cuts(R"("pointer": {"cut_radius": 0.06}, )", R"(, "within": 0.04)"));
 }
 
 TEST(Cuts, AFigureThatFallsApartKeepsItsNamesAndTellsOfItEachTime) {
     auto session = cutting_session(
-        R"("events": [{"at": 0, "snip": ["rope/link_2"]}, {"at": 0.1, "snip": ["rope/link_7"]}],)", rope);
+        R"("events": [{"at": 0, "remove": ["rope/link_2"]}, {"at": 0.1, "remove": ["rope/link_7"]}],)", rope);
     session.run_until(0.2);
     std::vector<std::size_t> islands;
     for (const auto& happening : session.happenings())

@@ -88,7 +88,7 @@ TEST(Join, TiesWhatIsNearUntilItIsSnipped) {
     const std::string events = R"("events": [
         {"at": 10, "join": ["f/a", "f/b"], "name": "tie", "within": 5, "high": 10},
         {"at": 20, "every": 1, "join": ["f/a", "f/b"], "name": "tie", "within": 50, "high": 10},
-        {"at": 20, "impulse": "f/b", "by": [2, 0]}, {"at": 60, "every": 1, "snip": ["f/tie"]}])";
+        {"at": 20, "impulse": "f/b", "by": [2, 0]}, {"at": 60, "every": 1, "remove": ["f/tie"]}])";
     auto session = play(std::string(two) + events);
     for (int frame = 0; frame < 15; ++frame) session.step();
     EXPECT_FALSE(find_constraint(world_of(session), "f/tie")) << "they are 10 apart";
@@ -108,13 +108,13 @@ TEST(Join, IsCheckedAsAConstraintIs) {
     EXPECT_NE(told(begin + R"("join": ["rope/start", "rope/knot"]}]})").find("/events/0/join/1"), std::string::npos);
     EXPECT_NE(told(begin + R"("join": ["rope/start"]}]})").find("distance needs 2 particles, found 1"),
               std::string::npos);
-    EXPECT_NE(told(begin + R"("snip": ["rope/tie"]}]})").find("/events/0/snip/0"), std::string::npos);
+    EXPECT_NE(told(begin + R"("remove": ["rope/tie"]}]})").find("/events/0/remove/0"), std::string::npos);
 }
 
 TEST(Grab, CarriesWhatIsNearAlongAndLetsGoOfAll) {
     auto session =
         play(R"("figures": [{"prefab": "cloth", "name": "c", "columns": 11, "rows": 11, "spacing": 6}], "events": [
-        {"at": 1, "grab": "c/particle_5_5", "to": [40, -30], "over": 20, "within": 12.5}, {"at": 30, "release": "c/particle_5_5"}])");
+        {"at": 1, "grab": "c/particle_5_5", "to": [40, -30], "duration": 20, "within": 12.5}, {"at": 30, "release": "c/particle_5_5"}])");
     const auto middle = place(session, "c/particle_5_5"), beside = place(session, "c/particle_7_5");
     const auto pins = world_of(session).pins.size();
     for (int frame = 0; frame < 25; ++frame) session.step();
@@ -145,7 +145,7 @@ TEST(Pointer, PullsWhatIsNearAlongAndLetsGoOfAll) {
         return taken;
     };
     EXPECT_EQ(pinned("", 0), 1U);
-    EXPECT_EQ(pinned(R"("pointer": {"pulls_within": 12.5}, )", 12.5), 13U) << "a disc of two threads about the middle";
+    EXPECT_EQ(pinned(R"("pointer": {"grab_radius": 12.5}, )", 12.5), 13U) << "a disc of two threads about the middle";
 }
 
 // The tearable curtain: of a row of points 10 px apart, those within 20 px of the way go as fast as the pointer, times
@@ -156,7 +156,7 @@ TEST(Pointer, InClassicModeStrokesWhatItComesNearTo) {
         row += (i > 0 ? ", \"p" : "\"p") + std::to_string(i) + "\": {\"at\": [" + std::to_string(10 * i) + ", 0]}";
     const auto scene = [&](const std::string& events) {
         return R"("solver": {"mode": "classic"}, "world": {"damping": 1, "gravity": [0, 0]},
-            "pointer": {"pulls_within": 20, "pulls_times": 5}, "figures": [{"name": "f", "particles": {)" +
+            "pointer": {"grab_radius": 20, "grab_gain": 5}, "figures": [{"name": "f", "particles": {)" +
                row + "}}], " + events + R"("seconds": 1)";
     };
     const auto expect_stroked = [](const Session& session, const std::string& name, double velocity) {
@@ -177,7 +177,7 @@ TEST(Pointer, InClassicModeStrokesWhatItComesNearTo) {
     EXPECT_FALSE(session.holds());
 
     auto told = play(scene(
-        R"("events": [{"at": 0, "grab": "f/p1", "to": [10, 4], "over": 1, "within": 20}, {"at": 1, "release": "f/p1"}], )"));
+        R"("events": [{"at": 0, "grab": "f/p1", "to": [10, 4], "duration": 1, "within": 20}, {"at": 1, "release": "f/p1"}], )"));
     told.step();
     expect_stroked(told, "f/p2", 20);
     expect_stroked(told, "f/p3", 0);

@@ -25,8 +25,8 @@ Scene without(Scene scene, const std::string& figure) {
         if (const auto* grab = std::get_if<GrabEvent>(&event.event)) return belongs(grab->particle, figure);
         if (const auto* release = std::get_if<ReleaseEvent>(&event.event)) return belongs(release->particle, figure);
         if (const auto* impulse = std::get_if<ImpulseEvent>(&event.event)) return belongs(impulse->target, figure);
-        if (const auto* snip = std::get_if<SnipEvent>(&event.event))
-            return std::ranges::any_of(snip->constraints, [&](const auto& name) { return belongs(name, figure); });
+        if (const auto* removal = std::get_if<RemoveEvent>(&event.event))
+            return std::ranges::any_of(removal->constraints, [&](const auto& name) { return belongs(name, figure); });
         return false;
     });
     return scene;

@@ -40,7 +40,7 @@ template <int D> void list_ports(Blocks<D>& blocks) {
     ports.responses.resize(responses);
 }
 
-/// Sheets whose links have come to be at ports, or are no longer, are laid out again.
+/// Components whose links have come to be at ports, or are no longer, are laid out again.
 template <int D, class Real> void mark_ports(World<D, Real>& world) {
     auto& blocks = world.blocks;
     auto& ports = blocks.ports;
