@@ -20,6 +20,7 @@ template <int D, class Real> struct Collider {
         one_way{}; ///< solid only for contacts with a normal along this direction, in the shape's frame; or zero
     bool is_sensor = false; ///< touched without a push
     std::string name{};
+    std::uint32_t tag = ~std::uint32_t(0); ///< chosen by the owner; in a scene: index of its section
 
     bool is_at_rest() const { return from == target; }
     /// Pose after a fraction of the step.

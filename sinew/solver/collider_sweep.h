@@ -21,7 +21,7 @@ template <int D, class Real> class ColliderSweep {
     void keep_out(Row first, Row last) const {
         BoxT around;
         for (Row slot = first; slot < last; ++slot) include(around, slot);
-        around = around.grown(world_.swept.largest_radius);
+        around = around.grown(world_.sweep_state.largest_radius);
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i)
             if (world_.contacts.boxes[i].overlaps(around)) keep_out(i, first, last);
     }
@@ -34,7 +34,7 @@ template <int D, class Real> class ColliderSweep {
     Real from_, to_; ///< fractions of the step at the ends of the substep
 
     void include(BoxT& box, Row slot) const {
-        box.include(world_.swept.place_at(slot));
+        box.include(world_.sweep_state.place_at(slot));
         box.include(mover_.point_at(slot));
     }
 
@@ -42,14 +42,14 @@ template <int D, class Real> class ColliderSweep {
         const auto& collider = world_.colliders[index];
         const collide::MovingCollider<D, Real> moving(collider, from_, to_);
         for (Row slot = first; slot < last; ++slot) {
-            const Row row = world_.swept.row_of[slot];
+            const Row row = world_.sweep_state.row_of[slot];
             BoxT near;
             include(near, slot);
             const Real radius = world_.particles.radius[row];
-            if (world_.swept.mobility[slot] == Real(0) || !world_.contacts.boxes[index].overlaps(near.grown(radius)) ||
+            if (world_.sweep_state.mobility[slot] == Real(0) || !world_.contacts.boxes[index].overlaps(near.grown(radius)) ||
                 !touch(collider.filter, filter_of(world_, row)))
                 continue;
-            moving.contacts(world_.swept.place_at(slot), mover_.point_at(slot), radius,
+            moving.contacts(world_.sweep_state.place_at(slot), mover_.point_at(slot), radius,
                             [&](const auto& contact) { press(index, slot, contact); });
         }
     }
@@ -62,7 +62,7 @@ template <int D, class Real> class ColliderSweep {
             stopped = contact_.keep_in(
                 {surface.normal, dot(surface.normal, surface.point), collider.restitution, collider.friction}, slot,
                 contact.surface_move);
-        note(index, world_.swept.row_of[slot], stopped * inverse_or_zero(world_.swept.mobility[slot]) * mover_.per_h);
+        note(index, world_.sweep_state.row_of[slot], stopped * inverse_or_zero(world_.sweep_state.mobility[slot]) * mover_.per_h);
     }
 
     /// Each particle reports the collider that pressed it hardest.

@@ -15,8 +15,7 @@ template <int D, class Real> collide::Pose<D, Real> within_limits(collide::Pose<
 }
 
 /// Pairs of the step, in order; the columns of the particles are cleared.
-template <int D, class Real>
-void list_touches(World<D, Real>& world, std::vector<typename Contacts<D, Real>::Touching>& touching) {
+template <int D, class Real> void list_touches(World<D, Real>& world, std::vector<ColliderTouch>& touching) {
     auto& contacts = world.contacts;
     touching.clear();
     for (Row row = 0; row < world.particles.size(); ++row)
@@ -26,8 +25,7 @@ void list_touches(World<D, Real>& world, std::vector<typename Contacts<D, Real>:
     std::sort(touching.begin(), touching.end());
 }
 
-template <int D, class Real>
-void report(World<D, Real>& world, EventType type, const typename Contacts<D, Real>::Touching& pair) {
+template <int D, class Real> void report(World<D, Real>& world, EventType type, const ColliderTouch& pair) {
     if (world.events.size() >= events_per_step) return;
     if (!world.particles.slots.in_use(pair.particle) || !world.collider_slots.in_use(pair.collider)) return;
     const Row row = world.particles.slots.row_at(pair.particle);

@@ -68,7 +68,7 @@ class Digest {
         add(position, rotation.number);
     }
     template <int D, class Real> void add_one(const collide::Collider<D, Real>& collider) {
-        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, name] = collider;
+        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, name, tag] = collider;
         add(shape.index(), from, target, restitution, friction, filter.layers, filter.mask, one_way, is_sensor);
         std::visit([&](const auto& held) { add_shape(held); }, shape);
     }
@@ -124,6 +124,10 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     for (const auto& plane : world.bounds) digest.add(plane);
     for (const auto& collider : world.colliders) digest.add(collider);
     for (const auto& pair : world.contacts.touching) digest.add(pair.particle, pair.collider);
+    for (const auto& [key, multiplier, friction] : world.contacts.kept) {
+        for (const auto particle : key.particle) digest.add(particle);
+        digest.add(key.collider, key.feature, multiplier, friction);
+    }
     return digest.value();
 }
 
