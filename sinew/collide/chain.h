@@ -21,11 +21,13 @@ template <class Real> struct ChainEdge {
 
     Vector normal() const { return direction(perpendicular(b - a)); }
 
+    /// Features: 3 number for the edge, one more for its beginning, two more for its end.
     SurfacePoint<2, Real> nearest(const Vector& point) const {
         const Real t = nearest_parameter(a, b, point);
         const auto n = normal();
-        auto surface = sharp_point(a + (b - a) * t, point, n, 2 * number + (t == Real(1)));
-        if (t == Real(0) || t == Real(1)) return surface;
+        const std::uint32_t end = t == Real(0) ? 1 : t == Real(1) ? 2 : 0;
+        auto surface = sharp_point(end == 2 ? b : a + (b - a) * t, point, n, 3 * number + end);
+        if (end != 0) return surface;
         surface.normal = n;
         surface.distance = dot(n, point - a);
         return surface;
@@ -34,12 +36,11 @@ template <class Real> struct ChainEdge {
     /// False for a contact that is another edge's: a corner counts for the edge that ends there, and only for
     /// directions between the normals of both its edges. Rolling over a flat corner is then smooth.
     bool owns(const SurfacePoint<2, Real>& surface) const {
-        const Real t = nearest_parameter(a, b, surface.point);
-        if (t > Real(0) && t < Real(1)) return true;
-        const auto along = direction(b - a);
-        if (t == Real(0)) return is_first && dot(surface.normal, along) <= Real(0);
-        if (dot(surface.normal, along) < Real(0)) return false;
-        return is_last || dot(surface.normal, after - b) <= Real(0);
+        const auto end = surface.feature % 3;
+        const Real along = dot(surface.normal, b - a);
+        if (end == 0) return true;
+        if (end == 1) return is_first && along <= Real(0);
+        return along >= Real(0) && (is_last || dot(surface.normal, after - b) <= Real(0));
     }
 };
 

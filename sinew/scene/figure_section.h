@@ -180,6 +180,7 @@ template <class... Prefab> struct WithByHand<TypeList<Prefab...>> { using type =
 struct ContactSection {
     std::optional<double> radius;
     bool figures = false;
+    bool itself = false;
     double friction = 0.5;
     std::vector<int> layers{0};
     std::optional<std::vector<int>> touches;
@@ -192,6 +193,9 @@ struct ContactSection {
                                  .high = 1e6});
         visit(self.figures, Field{.name = "figures",
                                   .help = "Contact with other figures that have this switched on (physical mode)"});
+        visit(self.itself,
+              Field{.name = "itself",
+                    .help = "Contact of its particles and links with each other, except for neighbours on a link"});
         visit(self.friction,
               Field{.name = "friction",
                     .help = "Coefficient of Coulomb friction against other figures; the smaller one counts",

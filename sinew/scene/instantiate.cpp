@@ -125,12 +125,14 @@ template <int D, class Real> class WorldBuilder {
                 add_collider(world_, collider);
     }
 
-    void set_contact(Figure& figure, const ContactSection& contact) {
-        figure.filter = filter_of(contact.layers, contact.touches);
-        figure.collides = contact.figures;
-        figure.friction = contact.friction;
+    void touch(FigureIndex figure, const ContactSection& contact) {
+        set_contact(world_, figure,
+                    {.figures = contact.figures,
+                     .itself = contact.itself,
+                     .friction = contact.friction,
+                     .filter = filter_of(contact.layers, contact.touches)});
         if (!contact.radius) return;
-        for (const auto id : figure.particles)
+        for (const auto id : world_.figures[figure].particles)
             if (const auto row = row_of(world_, id)) world_.particles.radius[*row] = Real(*contact.radius);
     }
 
@@ -140,7 +142,7 @@ template <int D, class Real> class WorldBuilder {
         detail::visit_held(section.made, [&](const auto& made) { figure = build_figure(made, name, section); });
         world_.figures[figure].direct = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
         if (!section.integrator.empty()) world_.figures[figure].integrator = integrator(section.integrator);
-        set_contact(world_.figures[figure], section.contact);
+        touch(figure, section.contact);
         for (const auto id : world_.figures[figure].particles) speed_up(id, section.velocity);
         for (const auto& [particle, kick] : section.kicks)
             if (const auto id = find_particle(world_, std::string(name) + "/" + particle)) speed_up(*id, kick);

@@ -24,6 +24,13 @@ template <class WorldT> using VectorOf = typename WorldT::Vector;
 /// In the order of EventType.
 constexpr std::array event_names = {"torn", "quarantined", "touched", "parted"};
 
+/// Touches are reported for sensors; of obstacles and the ground there would be too many.
+template <class WorldT> bool is_worth_noting(const WorldT& world, const Event& event) {
+    if (event.type != EventType::touched && event.type != EventType::parted) return true;
+    const auto row = world.collider_slots.find(event.collider);
+    return row && world.colliders[*row].is_sensor;
+}
+
 template <class WorldT> bool is_link(const Event& torn) {
     return torn.constraint.kind == kind_number<Distance, WorldT::dimension>;
 }
@@ -349,8 +356,9 @@ void Session::note_events() {
             bool any_torn = false;
             for (const auto& event : world.events) {
                 any_torn = any_torn || event.type == EventType::torn;
-                note(event_names[std::size_t(event.type)],
-                     event.figure < world.figures.size() ? world.figures[event.figure].name : "");
+                if (is_worth_noting(world, event))
+                    note(event_names[std::size_t(event.type)],
+                         event.figure < world.figures.size() ? world.figures[event.figure].name : "");
                 if (event.type == EventType::torn && is_link<std::decay_t<decltype(world)>>(event))
                     gone.push_back(event.ends);
             }

@@ -48,7 +48,7 @@ template <int D, class Real>
 ColliderId add_collider(World<D, Real>& world, const collide::Collider<D, Real>& collider) {
     world.colliders.push_back(collider);
     auto& added = world.colliders.back();
-    added.target = within_limits(added.target);
+    added.target = is_finite_pose(added.target) ? within_limits(added.target) : collide::Pose<D, Real>{};
     added.from = added.target;
     added.restitution = clamp(added.restitution, Real(0), Real(1));
     added.friction = clamp(added.friction, Real(0), limit::measure<Real>);
@@ -93,6 +93,19 @@ std::optional<ColliderId> collider_called(const World<D, Real>& world, std::stri
     return std::nullopt;
 }
 
+template <int D, class Real>
+bool set_contact(World<D, Real>& world, FigureIndex figure, const FigureContactSpec& spec) {
+    if (!has_figure(world, figure)) return false;
+    auto& changed = world.figures[figure];
+    const bool collides = spec.figures || spec.itself;
+    if (changed.collides != collides) world.blocks.stale = world.blocks.changed = true; // blocks are not for them
+    changed.collides = collides;
+    changed.touches_itself = spec.itself;
+    changed.friction = clamp(spec.friction, 0.0, double(limit::measure<Real>));
+    changed.filter = spec.filter;
+    return true;
+}
+
 template <int D, class Real> void begin_contacts(World<D, Real>& world) {
     if (world.colliders.empty()) return;
     auto& contacts = world.contacts;
@@ -125,6 +138,7 @@ template <int D, class Real> void end_contacts(World<D, Real>& world) {
     template bool place_collider(World<D, Real>&, ColliderId, const collide::Pose<D, Real>&);                          \
     template collide::Collider<D, Real>* find_collider(World<D, Real>&, ColliderId);                                   \
     template std::optional<ColliderId> collider_called(const World<D, Real>&, std::string_view);                       \
+    template bool set_contact(World<D, Real>&, FigureIndex, const FigureContactSpec&);                                 \
     template void begin_contacts(World<D, Real>&);                                                                     \
     template void end_contacts(World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_COLLIDERS)

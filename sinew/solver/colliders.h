@@ -24,6 +24,16 @@ template <int D, class Real> collide::Collider<D, Real>* find_collider(World<D, 
 template <int D, class Real>
 std::optional<ColliderId> collider_called(const World<D, Real>& world, std::string_view name);
 
+/// Contact of a figure with colliders and with other figures.
+struct FigureContactSpec {
+    bool figures = false; ///< its particles and links touch other figures with the same
+    bool itself = false;  ///< they touch each other, except for neighbours on a link
+    double friction = 0.5;
+    collide::Filter filter{};
+};
+/// Changes the contact of a figure; false for an unknown figure.
+template <int D, class Real> bool set_contact(World<D, Real>& world, FigureIndex figure, const FigureContactSpec& spec);
+
 /// Makes room for the contacts of a step, and ends a step: touches become events, colliders arrive at their targets.
 template <int D, class Real> void begin_contacts(World<D, Real>& world);
 template <int D, class Real> void end_contacts(World<D, Real>& world);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/substep_mover.h"
 
@@ -9,13 +10,14 @@ namespace sinew::detail {
 template <int D, class Real> class PlaneContact {
   public:
     PlaneContact(World<D, Real>& world, SubstepMover<D, Real>& mover)
-        : world_(world), p_(world.particles), swept_(world.sweep_state), mover_(mover) {}
+        : world_(world), p_(world.particles), swept_(world.sweep_state), mover_(mover),
+          by_rows_(has_figure_contacts(world) ? world.contacts.room.data->by_rows.data() : nullptr) {}
 
     /// Non-penetration, and Coulomb friction, which shortens the tangential displacement relative to the surface by
     /// friction times the normal correction. Approaches too fast for resting contact are recorded for rebound().
     /// Returns the normal correction.
     Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_move = {}) const {
-        if (swept_.mobility[slot] == Real(0)) return 0;
+        if (swept_.mobility[slot] == Real(0) || (by_rows_ && by_rows_[slot])) return 0;
         const Row row = swept_.row_of[slot];
         const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, mover_.point_at(slot));
         if (!(depth > Real(0))) return 0;
@@ -38,6 +40,7 @@ template <int D, class Real> class PlaneContact {
     Particles<D, Real>& p_;
     SweepState<D, Real>& swept_;
     SubstepMover<D, Real>& mover_;
+    const char* by_rows_; ///< per slot: held by rows of contact instead
 };
 
 } // namespace sinew::detail

@@ -118,6 +118,12 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     for (const auto& pin : world.pins)
         if (pin.hold != Hold::fixed || pin.steers()) digest.add(pin.hold, pin.steer, pin.steer_damping);
     for (const auto& figure : world.figures) digest.add(figure.in_use(), figure.direct, figure.tethers);
+    for (std::size_t i = 0; i < world.figures.size(); ++i) {
+        const auto& [layers, mask] = world.figures[i].filter;
+        if (world.figures[i].collides || !(world.figures[i].filter == collide::Filter{}))
+            digest.add(i, layers, mask, world.figures[i].collides, world.figures[i].touches_itself,
+                       world.figures[i].friction);
+    }
     for (std::size_t i = 0; i < world.figures.size(); ++i)
         if (world.figures[i].integrator) digest.add(i, *world.figures[i].integrator);
     for (const auto& force : world.forces) digest.add(force);

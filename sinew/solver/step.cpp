@@ -1,6 +1,7 @@
 #include "sinew/solver/step.h"
 
 #include "sinew/solver/colliders.h"
+#include "sinew/solver/contact/figure_contact.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
 #include "sinew/solver/profile.h"
@@ -48,6 +49,7 @@ template <int D, class Real> class Sweep {
     void run() {
         if (world_.sweep_state.size() == 0 && !driven_) return;
         begin_sweep(world_, h_);
+        find_contact_features(world_);
         links_ = world_.sweep_state.link_columns(distances().multiplier.data());
         if (all_is_plain())
             run_components();
@@ -72,7 +74,8 @@ template <int D, class Real> class Sweep {
     Substep make_substep(int number) { return Substep(world_, kernels_, links_, number, substeps_, h_); }
 
     bool all_is_plain() const {
-        return plan_.others.empty() && !driven_ && world_.blocks.attached_trees.empty() && !world_.budgets.any;
+        return plan_.others.empty() && !driven_ && world_.blocks.attached_trees.empty() && !world_.budgets.any &&
+               !has_figure_contacts(world_);
     }
 
     void run_substeps() {
@@ -89,6 +92,9 @@ template <int D, class Real> class Sweep {
         limiter.begin();
         for (const auto& tile : plan_.tiles) substep.predict(tile);
         note_energy(world_);
+        const Real share = Real(number) / Real(substeps_), last_share = Real(number - 1) / Real(substeps_);
+        detail::FigureContact<D, Real> contacts(world_, h_, last_share, share, h_ * Real(substeps_ - number + 1));
+        contacts.begin();
         detail::PortCoupling<D, Real> ports(world_, h_, number);
         ports.begin();
         for (bool again = false;; again = true) {
@@ -100,12 +106,14 @@ template <int D, class Real> class Sweep {
             if (ports.take(again)) break;
             ports.begin_again();
         }
+        contacts.solve();
         hold(substep);
         limiter.find_gains();
         for (const auto& tile : plan_.tiles) substep.advance(tile);
         take_back_gains(world_, h_);
         limiter.take_gains();
         for (const auto& tile : plan_.tiles) substep.rebound(tile);
+        contacts.relax();
         if (driven_) slip(world_, h_);
     }
 
