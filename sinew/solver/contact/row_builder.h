@@ -20,6 +20,8 @@ template <int D, class Real> class RowBuilder {
         room_.rows.clear();
         for (const auto& pair : room_.candidates) add(pair);
         for (const Row row : room_.particles) add_walls(row);
+        for (const auto& segment : room_.segments)
+            for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) add_collider_row(segment, i);
     }
 
   private:
@@ -177,6 +179,35 @@ template <int D, class Real> class RowBuilder {
             add(row);
         });
     }
+    /// A link over an edge or a round shape touches it between its ends, which have rows of their own.
+    void add_collider_row(const ContactSegment& s, std::uint32_t index) {
+        const auto& collider = world_.colliders[index];
+        const auto a = place(s.a), b = place(s.b);
+        const Real radius = minimum(p_.radius[s.a], p_.radius[s.b]);
+        const Real within = radius + reach(s.a) + maximum(norm(move(s.a)), norm(move(s.b)));
+        collide::BoundingBox<D, Real> near;
+        near.include(a);
+        near.include(b);
+        if (collider.is_sensor || collider.one_way != Vector{} ||
+            !world_.contacts.boxes[index].overlaps(near.grown(within)) ||
+            !touch(collider.filter, filter_of(world_, s.a)))
+            return;
+        const auto before = collider.pose_at(from_), after = collider.pose_at(to_);
+        const auto found = collide::nearest_to_segment(collider.shape, before, a, b, within);
+        if (!found || !(found->t > Real(0)) || !(found->t < Real(1))) return;
+        ContactRowT row;
+        row.key.particle = {id(s.a), id(s.b), ContactKey::none, ContactKey::none};
+        row.key.collider = world_.collider_slots.slot_of(index);
+        row.collider = index;
+        row.normal = found->surface.normal;
+        row.surface_move = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
+        row.gap = found->surface.distance - radius;
+        row.friction = collider.friction, row.restitution = collider.restitution;
+        take(row, s.a, Real(1) - found->t);
+        take(row, s.b, found->t);
+        add(row);
+    }
+
     /// Lasting number of a contact: the part of a surface; a convex shape has one contact with a sphere.
     static std::uint32_t part_of(const collide::Collider<D, Real>& collider, std::uint32_t feature) {
         return std::visit(
