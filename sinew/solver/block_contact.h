@@ -34,9 +34,11 @@ template <int D, class Real> class BlockContact {
     /// True if a node is beyond a plane, even if `look` found all planes far away.
     bool struck() {
         if (!planes_.any()) return false;
+        bool any = false;
         for (const auto& node : state_.unknowns())
-            planes_.each(node, [&](const Plane& plane) { touched_ = touched_ || planes_.depth(node, plane) > 0; });
-        return touched_;
+            planes_.each(node, [&](const Plane& plane) { any = any || planes_.depth(node, plane) > 0; });
+        touched_ = touched_ || any;
+        return any;
     }
 
     /// Adds all terms to the equations. `hardest` is the penalty stiffness of a link. True if all terms able to release

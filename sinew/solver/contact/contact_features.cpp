@@ -184,7 +184,7 @@ template <int D, class Real> class CandidateFinder {
         const Row row = room_.particles[first];
         if (second >= count) return may_touch(row, room_.segments[second - count]);
         const Row other = room_.particles[second];
-        return !(room_.in_segment[row] && room_.in_segment[other]) && meets(row, other) && !are_linked(row, other);
+        return !room_.in_segment[row] && !room_.in_segment[other] && meets(row, other) && !are_linked(row, other);
     }
     bool may_touch(Row row, const ContactSegment& segment) const {
         return row != segment.a && row != segment.b && meets(row, segment.a) && !are_linked(row, segment.a) &&
