@@ -10,10 +10,10 @@ using namespace test;
 template <class RealT> struct Figures2 : ::testing::Test {};
 using Precisions = ::testing::Types<float, double>;
 
-template <class Real> using World2 = test::Stepped<2, Real>;
+template <class Real> using FlatWorld = test::Stepped<2, Real>;
 template <class Real> using V2 = Vec<2, Real>;
 
-template <class Real> FigureIndex add_touching(World2<Real>& world, double friction, bool itself = false) {
+template <class Real> FigureIndex add_touching(FlatWorld<Real>& world, double friction, bool itself = false) {
     const auto figure = add_figure(world, "figure" + std::to_string(world.figures.size()));
     set_contact(world, figure, {.figures = true, .itself = itself, .friction = friction});
     return figure;
@@ -21,7 +21,7 @@ template <class Real> FigureIndex add_touching(World2<Real>& world, double frict
 
 /// A rigid square of four particles and six links; its outline is `size` wide, radii included.
 template <class Real>
-std::vector<ParticleId> add_crate(World2<Real>& world, double x, double y, double size, double mass, double turn = 0,
+std::vector<ParticleId> add_crate(FlatWorld<Real>& world, double x, double y, double size, double mass, double turn = 0,
                                   double friction = 0.5) {
     constexpr double radius = 0.02;
     const auto figure = add_touching(world, friction);
@@ -40,18 +40,18 @@ std::vector<ParticleId> add_crate(World2<Real>& world, double x, double y, doubl
     return corners;
 }
 
-template <class Real> void add_ground(World2<Real>& world, double angle = 0, double friction = 0.5) {
+template <class Real> void add_ground(FlatWorld<Real>& world, double angle = 0, double friction = 0.5) {
     fall(world, 10);
     world.bounds.push_back({{{Real(-std::sin(angle)), Real(std::cos(angle))}}, 0, 0, Real(friction)});
 }
 
-template <class Real> double mean_speed(const World2<Real>& world) {
+template <class Real> double mean_speed(const FlatWorld<Real>& world) {
     double sum = 0;
     for (const auto& velocity : world.particles.velocity) sum += double(norm(velocity));
     return sum / double(world.particles.size());
 }
 
-template <class Real> V2<Real> middle_of(const World2<Real>& world, const std::vector<ParticleId>& ids) {
+template <class Real> V2<Real> middle_of(const FlatWorld<Real>& world, const std::vector<ParticleId>& ids) {
     V2<Real> sum{};
     for (const auto id : ids) sum += *position_of(world, id) * (Real(1) / Real(ids.size()));
     return sum;
@@ -61,7 +61,7 @@ TYPED_TEST_SUITE(Figures2, Precisions);
 
 TYPED_TEST(Figures2, AStackOfTenRests) {
     using Real = TypeParam;
-    World2<Real> world;
+    FlatWorld<Real> world;
     add_ground(world);
     std::vector<std::vector<ParticleId>> crates;
     for (int i = 0; i < 10; ++i) crates.push_back(add_crate(world, 0.01 * (i % 3), 0.5 + i, 1, 1));
@@ -80,7 +80,7 @@ TYPED_TEST(Figures2, ACrateSlidesIffItsSlopeIsSteeperThanFriction) {
     using Real = TypeParam;
     const double mu = 0.5, degree = pi<double> / 180;
     for (const double beyond : {-0.5, 0.5, 8.0}) {
-        World2<Real> world;
+        FlatWorld<Real> world;
         const double angle = std::atan(mu) + beyond * degree;
         add_ground(world, angle, mu);
         const auto crate = add_crate(world, -std::sin(angle) / 2, std::cos(angle) / 2, 1, 1, angle);
@@ -98,7 +98,7 @@ TYPED_TEST(Figures2, ACrateSlidesIffItsSlopeIsSteeperThanFriction) {
 TYPED_TEST(Figures2, ABlowKeepsMomentumAndIsSharedByMass) {
     using Real = TypeParam;
     for (const double ratio : {1.0, 5.0, 100.0}) {
-        World2<Real> world;
+        FlatWorld<Real> world;
         const auto one = add_touching(world, 0), two = add_touching(world, 0);
         const auto striker = add_particle(
             world,
@@ -115,7 +115,7 @@ TYPED_TEST(Figures2, ABlowKeepsMomentumAndIsSharedByMass) {
 TYPED_TEST(Figures2, ABulletDoesNotCrossACrate) {
     using Real = TypeParam;
     for (int i = 0; i < 20; ++i) {
-        World2<Real> world;
+        FlatWorld<Real> world;
         add_crate(world, 0, 0, 1, 1000);
         const auto figure = add_touching(world, 0.5);
         const auto bullet = add_particle(world, {.position = {{Real(-3 - 0.17 * i), Real(-0.4 + 0.04 * i)}},
@@ -130,7 +130,7 @@ TYPED_TEST(Figures2, ABulletDoesNotCrossACrate) {
 
 TYPED_TEST(Figures2, LooseDiscsFillABoxAndRest) {
     using Real = TypeParam;
-    World2<Real> world;
+    FlatWorld<Real> world;
     add_ground(world);
     world.bounds.push_back({{{1, 0}}, -1, 0, Real(0.5)});
     world.bounds.push_back({{{-1, 0}}, -1, 0, Real(0.5)});
@@ -153,7 +153,7 @@ TYPED_TEST(Figures2, LooseDiscsFillABoxAndRest) {
 
 TYPED_TEST(Figures2, WhatDoesNotCollidePasses) {
     using Real = TypeParam;
-    World2<Real> world;
+    FlatWorld<Real> world;
     const auto one = add_touching(world, 0), two = add_touching(world, 0);
     set_contact(world, two, {});
     const auto striker =
@@ -166,7 +166,7 @@ TYPED_TEST(Figures2, WhatDoesNotCollidePasses) {
 // A rope lies across a crate's corner: its links, not only its particles, stay outside.
 TYPED_TEST(Figures2, ARopeOverACrateDoesNotPassThroughItsCorners) {
     using Real = TypeParam;
-    World2<Real> world;
+    FlatWorld<Real> world;
     world.settings.damping = Real(0.5);
     add_ground(world);
     const auto crate = add_crate(world, 0, 0.5, 1, 50);
@@ -198,7 +198,7 @@ TYPED_TEST(Figures2, ARopeOverACrateDoesNotPassThroughItsCorners) {
 // Kept multipliers are state: a copy goes on alike, on any number of threads.
 TYPED_TEST(Figures2, CopiesHaveTheSameFuture) {
     using Real = TypeParam;
-    World2<Real> world;
+    FlatWorld<Real> world;
     add_ground(world);
     for (int i = 0; i < 12; ++i) add_crate(world, 0.3 * (i % 4), 0.7 + 1.1 * i, 0.8, 1 + i % 3, 0.4 * i);
     const auto figure = add_touching(world, 0.5, true);
@@ -206,7 +206,7 @@ TYPED_TEST(Figures2, CopiesHaveTheSameFuture) {
         add_particle(world,
                      {.position = {{Real(-1 + 0.23 * i), Real(8 + 0.1 * i)}}, .radius = Real(0.1), .figure = figure});
     for (int i = 0; i < 120; ++i) {
-        World2<Real> copy = world;
+        FlatWorld<Real> copy = world;
         copy.threads = 3;
         step(world, Real(1.0 / 60));
         step(copy, Real(1.0 / 60));
