@@ -17,60 +17,60 @@ struct SolidFace {
     Place normal{};
 };
 
-template <int D, class Real> Place in_space(const Vec<D, Real>& vector) {
+template <int D, class Real> Place placed_in_space(const Vec<D, Real>& vector) {
     Place wide{};
     for (int i = 0; i < D; ++i) wide[i] = double(vector[i]);
     return wide;
 }
 
-constexpr int circle_points = 32; ///< corners of a circle
+constexpr int circle_corners = 32; ///< corners of a circle
 
 /// Outlines of the shapes of the plane, in their own frame.
-struct Outline {
+struct ShapeOutline {
     std::vector<Place> corners;
     bool is_solid = true; ///< else the outline is a line only
 };
 
-template <class Real> Outline outline_of(const collide::Sphere<2, Real>& sphere) {
-    Outline outline;
-    for (int i = 0; i < 2 * circle_points; ++i) {
-        const double angle = pi<double> * i / circle_points;
+template <class Real> ShapeOutline outline_of(const collide::Sphere<2, Real>& sphere) {
+    ShapeOutline outline;
+    for (int i = 0; i < 2 * circle_corners; ++i) {
+        const double angle = pi<double> * i / circle_corners;
         outline.corners.push_back({{double(sphere.radius) * cosine(angle), double(sphere.radius) * sine(angle), 0}});
     }
     return outline;
 }
-template <class Real> Outline outline_of(const collide::Capsule<2, Real>& capsule) {
-    Outline outline;
-    const auto along = direction(in_space(capsule.b) - in_space(capsule.a));
+template <class Real> ShapeOutline outline_of(const collide::Capsule<2, Real>& capsule) {
+    ShapeOutline outline;
+    const auto along = direction(placed_in_space(capsule.b) - placed_in_space(capsule.a));
     const Place axis = along == Place{} ? Place::axis(0) : along, side{{-axis[1], axis[0], 0}};
     for (int end = 0; end < 2; ++end)
-        for (int i = 0; i <= circle_points; ++i) {
-            const double angle = pi<double> * (double(i) / circle_points - 0.5) + (end ? pi<double> : 0);
-            const auto center = in_space(end ? capsule.a : capsule.b);
+        for (int i = 0; i <= circle_corners; ++i) {
+            const double angle = pi<double> * (double(i) / circle_corners - 0.5) + (end ? pi<double> : 0);
+            const auto center = placed_in_space(end ? capsule.a : capsule.b);
             outline.corners.push_back(center + (axis * cosine(angle) + side * sine(angle)) * double(capsule.radius));
         }
     return outline;
 }
-template <class Real> Outline outline_of(const collide::Box<2, Real>& box) {
+template <class Real> ShapeOutline outline_of(const collide::Box<2, Real>& box) {
     const double x = double(box.half[0]), y = double(box.half[1]);
     return {{{{-x, -y, 0}}, {{x, -y, 0}}, {{x, y, 0}}, {{-x, y, 0}}}};
 }
-template <class Real> Outline outline_of(const collide::Polygon<2, Real>& polygon) {
-    Outline outline;
-    for (const auto& corner : polygon.corners) outline.corners.push_back(in_space(corner));
+template <class Real> ShapeOutline outline_of(const collide::Polygon<2, Real>& polygon) {
+    ShapeOutline outline;
+    for (const auto& corner : polygon.corners) outline.corners.push_back(placed_in_space(corner));
     return outline;
 }
-template <class Real> Outline outline_of(const collide::HalfSpace<2, Real>& plane) {
+template <class Real> ShapeOutline outline_of(const collide::HalfSpace<2, Real>& plane) {
     constexpr double far = 1e4;
-    const auto normal = in_space(plane.normal);
+    const auto normal = placed_in_space(plane.normal);
     const Place along{{normal[1], -normal[0], 0}}, foot = normal * double(plane.offset);
     return {
         {foot - along * far, foot + along * far, foot + along * far - normal * far, foot - along * far - normal * far}};
 }
 /// Terrain is filled on its solid side; a closed chain is a line.
-template <class Real> Outline outline_of(const collide::Chain<2, Real>& chain) {
-    Outline outline;
-    for (const auto& point : chain.points) outline.corners.push_back(in_space(point));
+template <class Real> ShapeOutline outline_of(const collide::Chain<2, Real>& chain) {
+    ShapeOutline outline;
+    for (const auto& point : chain.points) outline.corners.push_back(placed_in_space(point));
     outline.is_solid = !chain.is_closed;
     if (chain.is_closed || outline.corners.size() < 2) return outline;
     constexpr double depth = 100;
@@ -98,14 +98,14 @@ void add_capsule(Faces& faces, const Place& a, const Place& b, double radius) {
     const auto side = direction(cross(axis, absolute(axis[0]) < 0.8 ? Place::axis(0) : Place::axis(2)));
     const auto other = cross(axis, side);
     const auto at = [&](int ring, int i) { // rings from the end at a to the end at b
-        const int rings = circle_points / 2;
+        const int rings = circle_corners / 2;
         const double polar = pi<double> * (ring <= rings / 2 ? ring : ring - 1) / rings,
-                     turn = 2 * pi<double> * i / circle_points;
+                     turn = 2 * pi<double> * i / circle_corners;
         const auto out = side * cosine(turn) + other * sine(turn);
         return (ring <= rings / 2 ? a : b) + (out * sine(polar) - axis * cosine(polar)) * radius;
     };
-    for (int ring = 0; ring < circle_points / 2 + 1; ++ring)
-        for (int i = 0; i < circle_points; ++i) {
+    for (int ring = 0; ring < circle_corners / 2 + 1; ++ring)
+        for (int i = 0; i < circle_corners; ++i) {
             const auto p = at(ring, i), q = at(ring, i + 1), r = at(ring + 1, i + 1), s = at(ring + 1, i);
             const auto normal = cross(r - p, s - q);
             if (normal != Place{}) faces.push_back({{p, q, r, s}, direction(normal)});
@@ -115,10 +115,10 @@ template <class Real> void add_faces(Faces& faces, const collide::Sphere<3, Real
     add_capsule(faces, {}, {}, double(sphere.radius));
 }
 template <class Real> void add_faces(Faces& faces, const collide::Capsule<3, Real>& capsule) {
-    add_capsule(faces, in_space(capsule.a), in_space(capsule.b), double(capsule.radius));
+    add_capsule(faces, placed_in_space(capsule.a), placed_in_space(capsule.b), double(capsule.radius));
 }
 template <class Real> void add_faces(Faces& faces, const collide::Box<3, Real>& box) {
-    const auto half = in_space(box.half);
+    const auto half = placed_in_space(box.half);
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {-1.0, 1.0}) {
             const auto u = Place::axis((axis + 1) % 3) * half[(axis + 1) % 3],
@@ -129,14 +129,14 @@ template <class Real> void add_faces(Faces& faces, const collide::Box<3, Real>& 
 }
 template <class Real> void add_faces(Faces& faces, const collide::HalfSpace<3, Real>& plane) {
     constexpr double reach = 20;
-    const auto normal = in_space(plane.normal);
+    const auto normal = placed_in_space(plane.normal);
     const auto u = direction(cross(normal, absolute(normal[0]) < 0.8 ? Place::axis(0) : Place::axis(2))) * reach,
                v = cross(normal, u), middle = normal * double(plane.offset);
     add_face(faces, {middle - u - v, middle + u - v, middle + u + v, middle - u + v});
 }
 template <class Surface> void add_faces(Faces& faces, const Surface& surface) requires(collide::IsSurface<Surface>) {
     surface.parts_near(std::decay_t<decltype(surface.bounds({}))>::everything(), [&](const auto& part) {
-        add_face(faces, {in_space(part.a), in_space(part.b), in_space(part.c)});
+        add_face(faces, {placed_in_space(part.a), placed_in_space(part.b), placed_in_space(part.c)});
     });
 }
 
@@ -174,10 +174,10 @@ template <class WorldT> class ColliderPainter {
     static Place place(const Pose& pose, const Place& local) {
         Vec<D, typename WorldT::Real> narrow{};
         for (int i = 0; i < D; ++i) narrow[i] = typename WorldT::Real(local[i]);
-        return in_space(pose.to_world(narrow));
+        return placed_in_space(pose.to_world(narrow));
     }
 
-    void draw_outline(const Outline& outline, const Pose& pose) {
+    void draw_outline(const ShapeOutline& outline, const Pose& pose) {
         pixels_.clear();
         for (const auto& corner : outline.corners)
             if (const auto seen = view_.see(place(pose, corner))) pixels_.push_back(seen->pixel);
