@@ -34,7 +34,7 @@ ColliderId add_box(World& world, double width, double height, typename World::Ve
     return add_collider(world, like);
 }
 
-template <class World> double height_of(const World& world, ParticleId id) {
+template <class World> double level_of(const World& world, ParticleId id) {
     return double((*position_of(world, id))[1]);
 }
 
@@ -51,7 +51,7 @@ TYPED_TEST(Colliders, ABallBouncesToTheSquareOfItsRestitution) {
         double highest = 0;
         for (int i = 0; i < 130; ++i) {
             step(world, Real(1.0 / 120));
-            const double height = height_of(world, ball) - 0.25;
+            const double height = level_of(world, ball) - 0.25;
             EXPECT_GE(height, -1e-6);
             if (i > 60) highest = std::max(highest, height);
         }
@@ -130,8 +130,8 @@ TYPED_TEST(Colliders, NothingTunnelsAtAThousandMetresASecond) {
                 const auto rod = chain(world, 3, aim - way * Real(2), at<Vector>(0.1, 0.05));
                 for (const auto id : rod) set_velocity(world, id, way * Real(1000));
                 for (int k = 0; k < 3; ++k) step(world, Real(1.0 / 60));
-                EXPECT_GT(height_of(world, bullet), -1e-3) << shape.index() << " " << radius << " " << i;
-                for (const auto id : rod) EXPECT_GT(height_of(world, id), -1e-3) << shape.index() << " rod " << i;
+                EXPECT_GT(level_of(world, bullet), -1e-3) << shape.index() << " " << radius << " " << i;
+                for (const auto id : rod) EXPECT_GT(level_of(world, id), -1e-3) << shape.index() << " rod " << i;
             }
 }
 
@@ -190,10 +190,10 @@ TYPED_TEST(Colliders, AOneWayPlatformIsPassedFromBelow) {
     double highest = -1;
     for (int i = 0; i < 180; ++i) {
         step(world, Real(1.0 / 60));
-        highest = std::max(highest, height_of(world, jumper));
+        highest = std::max(highest, level_of(world, jumper));
     }
     EXPECT_NEAR(highest, -1 + 4.9 / 2, 0.02);
-    EXPECT_NEAR(height_of(world, jumper), 0.1, 1e-6);
+    EXPECT_NEAR(level_of(world, jumper), 0.1, 1e-6);
 }
 
 TYPED_TEST(Colliders, ASensorReportsAndDoesNotPush) {
@@ -238,7 +238,6 @@ TYPED_TEST(Colliders, ABlowReportsItsImpulse) {
 }
 
 TYPED_TEST(Colliders, LayersThatDoNotMeetPass) {
-    using Real = typename TypeParam::Real;
     using World = typename TypeParam::World;
     using Vector = typename TypeParam::Vector;
     World world;
@@ -250,8 +249,8 @@ TYPED_TEST(Colliders, LayersThatDoNotMeetPass) {
     const auto stays = add_particle(world, {.position = at<Vector>(0, 1), .figure = meeting});
     const auto falls = add_particle(world, {.position = at<Vector>(1, 1), .figure = passing});
     run(world, 2);
-    EXPECT_NEAR(height_of(world, stays), 0, 1e-6);
-    EXPECT_LT(height_of(world, falls), -15);
+    EXPECT_NEAR(level_of(world, stays), 0, 1e-6);
+    EXPECT_LT(level_of(world, falls), -15);
 }
 
 TYPED_TEST(Colliders, ARemovedColliderHoldsNothing) {
@@ -263,14 +262,14 @@ TYPED_TEST(Colliders, ARemovedColliderHoldsNothing) {
     const auto floor = add_box(world, 4, 2, at<Vector>(0, -1));
     const auto ball = add_particle(world, {.position = at<Vector>(0, 0.5)});
     run(world, 1);
-    EXPECT_NEAR(height_of(world, ball), 0, 1e-6);
+    EXPECT_NEAR(level_of(world, ball), 0, 1e-6);
     EXPECT_TRUE(remove_collider(world, floor));
     EXPECT_FALSE(remove_collider(world, floor));
     EXPECT_FALSE(move_collider(world, floor, {}));
     EXPECT_EQ(find_collider(world, floor), nullptr);
     EXPECT_NE(find_collider(world, below), nullptr);
     run(world, 2);
-    EXPECT_NEAR(height_of(world, ball), -4, 1e-6);
+    EXPECT_NEAR(level_of(world, ball), -4, 1e-6);
 }
 
 // A rope of a direct block that falls over a round post hangs on both sides, unstretched, and outside the post.
@@ -289,9 +288,9 @@ TYPED_TEST(Colliders, ARopeHangsOverAPostUnstretched) {
     const auto rope = chain(world, 41, at<Vector>(-2, 0.6), at<Vector>(0.1, 0));
     run(world, 8);
     for (const auto id : rope)
-        EXPECT_GT(double(norm(at<Vector>(double((*position_of(world, id))[0]), height_of(world, id)))), 0.5 - 1e-4);
-    EXPECT_LT(height_of(world, rope.front()), -0.8);
-    EXPECT_LT(height_of(world, rope.back()), -0.8);
+        EXPECT_GT(double(norm(at<Vector>(double((*position_of(world, id))[0]), level_of(world, id)))), 0.5 - 1e-4);
+    EXPECT_LT(level_of(world, rope.front()), -0.8);
+    EXPECT_LT(level_of(world, rope.back()), -0.8);
     EXPECT_LT(double(stretch(world).max), 1e-5);
 }
 

@@ -207,7 +207,7 @@ TYPED_TEST(Figures2, CopiesHaveTheSameFuture) {
                      {.position = {{Real(-1 + 0.23 * i), Real(8 + 0.1 * i)}}, .radius = Real(0.1), .figure = figure});
     for (int i = 0; i < 120; ++i) {
         FlatWorld<Real> copy = world;
-        copy.solver.options.solver.options.threads = 3;
+        copy.solver.options.threads = 3;
         step(world, Real(1.0 / 60));
         step(copy, Real(1.0 / 60));
         ASSERT_EQ(state_hash(copy), state_hash(world)) << i;
