@@ -11,6 +11,16 @@ template <int D, class Real> collide::Filter filter_of(const World<D, Real>& wor
     return figure < world.figures.size() ? world.figures[figure].filter : collide::Filter{};
 }
 
+/// Adds the impulse of a collider on a particle. Each particle reports one collider a step: the last that pressed
+/// harder than all before.
+template <int D, class Real>
+void note_touch(Contacts<D, Real>& contacts, std::uint32_t collider, Row row, Real impulse) {
+    const bool is_same = contacts.touched[row] == collider + 1;
+    if (!is_same && contacts.touched[row] != 0 && impulse <= contacts.pressed[row]) return;
+    contacts.pressed[row] = impulse + (is_same ? contacts.pressed[row] : Real(0));
+    contacts.touched[row] = collider + 1;
+}
+
 template <int D, class Real> class ColliderSweep {
   public:
     ColliderSweep(World<D, Real>& world, const PlaneContact<D, Real>& contact, SubstepMover<D, Real>& mover,
@@ -46,7 +56,8 @@ template <int D, class Real> class ColliderSweep {
             BoxT near;
             include(near, slot);
             const Real radius = world_.particles.radius[row];
-            if (world_.sweep_state.mobility[slot] == Real(0) || !world_.contacts.boxes[index].overlaps(near.grown(radius)) ||
+            if (world_.sweep_state.mobility[slot] == Real(0) ||
+                !world_.contacts.boxes[index].overlaps(near.grown(radius)) ||
                 !touch(collider.filter, filter_of(world_, row)))
                 continue;
             moving.contacts(world_.sweep_state.place_at(slot), mover_.point_at(slot), radius,
@@ -62,16 +73,11 @@ template <int D, class Real> class ColliderSweep {
             stopped = contact_.keep_in(
                 {surface.normal, dot(surface.normal, surface.point), collider.restitution, collider.friction}, slot,
                 contact.surface_move);
-        note(index, world_.sweep_state.row_of[slot], stopped * inverse_or_zero(world_.sweep_state.mobility[slot]) * mover_.per_h);
+        note(index, world_.sweep_state.row_of[slot],
+             stopped * inverse_or_zero(world_.sweep_state.mobility[slot]) * mover_.per_h);
     }
 
-    /// Each particle reports the collider that pressed it hardest.
-    void note(std::uint32_t index, Row row, Real impulse) const {
-        auto& contacts = world_.contacts;
-        if (contacts.touched[row] != 0 && impulse <= contacts.pressed[row]) return;
-        contacts.touched[row] = index + 1;
-        contacts.pressed[row] = impulse;
-    }
+    void note(std::uint32_t index, Row row, Real impulse) const { note_touch(world_.contacts, index, row, impulse); }
 };
 
 } // namespace sinew::detail
