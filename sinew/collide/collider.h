@@ -100,11 +100,9 @@ template <int D, class Real> class MovingCollider {
     template <class Part>
     std::optional<SurfacePoint<D, Real>> contact_of(const Part& part, const Vector& begun, const Vector& ended,
                                                     Real radius) const {
-        constexpr Real half = Real(0.5), little = Real(64) * std::numeric_limits<Real>::epsilon();
+        constexpr Real half = Real(0.5);
         const auto move = ended - begun;
-        const Real slop = half * radius + little * (norm(begun) + norm(move));
-        const bool needs_front = one_sided<Part>() || collider_.one_way != Vector{};
-        if (needs_front && part.nearest(begun).distance < (one_sided<Part>() ? -slop : radius - slop))
+        if (one_sided<Part>() && part.nearest(begun).distance < -depth_of(part, begun, move, radius))
             return std::nullopt;
         std::optional<SurfacePoint<D, Real>> surface;
         if (dot(move, move) > square(half * radius))
@@ -112,7 +110,25 @@ template <int D, class Real> class MovingCollider {
         if (!surface) surface = part.nearest(ended);
         const bool touches = dot(surface->normal, ended - surface->point) < radius;
         if (!touches || !owns(part, *surface) || !collider_.is_solid_along(surface->normal)) return std::nullopt;
+        if (collider_.one_way != Vector{} && !comes_from_outside(part, *surface, begun, move, radius))
+            return std::nullopt;
         return surface;
+    }
+
+    /// Depth behind a one-sided part from which a sphere is still pushed out: contacts give a little.
+    template <class Part> static Real depth_of(const Part& part, const Vector& begun, const Vector& move, Real radius) {
+        constexpr Real half = Real(0.5), little = Real(64) * std::numeric_limits<Real>::epsilon(), some = Real(0.02);
+        Real size = 0;
+        if constexpr (one_sided<Part>()) size = norm(part.b - part.a);
+        return half * radius + little * norm(begun) + some * (norm(move) + size);
+    }
+    /// True for a sphere that approaches, and began in front.
+    template <class Part>
+    static bool comes_from_outside(const Part& part, const SurfacePoint<D, Real>& surface, const Vector& begun,
+                                   const Vector& move, Real radius) {
+        constexpr Real little = Real(64) * std::numeric_limits<Real>::epsilon(), some = Real(0.02);
+        const Real slop = some * (radius + norm(move)) + little * norm(begun);
+        return dot(surface.normal, move) < Real(0) && part.nearest(begun).distance >= radius - slop;
     }
     template <class Part> static constexpr bool one_sided() {
         return requires(const Part& part, SurfacePoint<D, Real> surface) {

@@ -11,6 +11,16 @@ template <int D, class Real> collide::Filter filter_of(const World<D, Real>& wor
     return figure < world.figures.size() ? world.figures[figure].filter : collide::Filter{};
 }
 
+/// Adds the impulse of a collider on a particle. Each particle reports one collider a step: the last that pressed
+/// harder than all before.
+template <int D, class Real>
+void note_touch(Contacts<D, Real>& contacts, std::uint32_t collider, Row row, Real impulse) {
+    const bool is_same = contacts.touched[row] == collider + 1;
+    if (!is_same && contacts.touched[row] != 0 && impulse <= contacts.pressed[row]) return;
+    contacts.pressed[row] = impulse + (is_same ? contacts.pressed[row] : Real(0));
+    contacts.touched[row] = collider + 1;
+}
+
 template <int D, class Real> class ColliderSweep {
   public:
     ColliderSweep(World<D, Real>& world, const SweepState<D, Real>& sweep_state, const PlaneContact<D, Real>& contact,
@@ -67,13 +77,7 @@ template <int D, class Real> class ColliderSweep {
         note(index, sweep_state_.row_of[slot], stopped * inverse_or_zero(sweep_state_.mobility[slot]) * mover_.per_h);
     }
 
-    /// Each particle reports the collider that pressed it hardest.
-    void note(std::uint32_t index, Row row, Real impulse) const {
-        auto& contacts = world_.contacts;
-        if (contacts.touched[row] != 0 && impulse <= contacts.pressed[row]) return;
-        contacts.touched[row] = index + 1;
-        contacts.pressed[row] = impulse;
-    }
+    void note(std::uint32_t index, Row row, Real impulse) const { note_touch(world_.contacts, index, row, impulse); }
 };
 
 } // namespace sinew::detail

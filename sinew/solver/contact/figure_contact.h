@@ -27,7 +27,7 @@ template <int D, class Real> class FigureContact {
             if (!row.keeps) row.multiplier = 0, row.tangent = {};
             push(row, row.normal * row.multiplier + row.tangent);
         }
-        room.projector.project(state_);
+        room.projector.project(state_, Target::lengths);
     }
 
     /// After the sweep.
@@ -35,7 +35,7 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         auto& room = contact_room(solver_);
         for (auto& row : room.rows) solve(row, row.keeps ? Softness::contact() : Softness::hard());
-        room.projector.project(state_);
+        room.projector.project(state_, Target::lengths);
         for (auto& row : room.rows) row.gap += change(row);
     }
 
@@ -44,15 +44,16 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         auto& room = contact_room(solver_);
         for (auto& row : room.rows) solve(row, Softness::none());
-        room.projector.project(state_);
+        room.projector.project(state_, Target::velocities);
         bool any = false;
         for (auto& row : room.rows) any = rebound(row) || any;
-        if (any) room.projector.project(state_);
+        if (any) room.projector.project(state_, Target::velocities);
         keep();
     }
 
   private:
     using ContactRowT = ContactRow<D, Real>;
+    using Target = typename LinkProjector<D, Real>::Target;
 
     /// Share of an overlap removed in a substep, and of the multiplier applied and taken back: a damped spring, by
     /// implicit Euler. Stiffer than 1/12 of the substeps' frequency a stack never rests.
@@ -138,12 +139,7 @@ template <int D, class Real> class FigureContact {
         std::sort(contacts.kept.begin(), contacts.kept.end(), by_key);
     }
     void note(const ContactRowT& row) {
-        auto& contacts = world_.contacts;
-        const Row particle = state_.row_of[row.slot[0]];
-        const Real impulse = row.most / h_;
-        if (contacts.touched[particle] != 0 && impulse <= contacts.pressed[particle]) return;
-        contacts.touched[particle] = row.collider + 1;
-        contacts.pressed[particle] = impulse;
+        note_touch(world_.contacts, row.collider, state_.row_of[row.slot[0]], row.most / h_);
     }
 };
 

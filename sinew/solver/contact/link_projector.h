@@ -28,16 +28,24 @@ template <int D, class Real> class LinkProjector {
     /// Factorises at the present positions.
     void factorise(const SweepState<D, Real>& state) {
         for (auto& link : links_) {
-            link.along = direction(cast<double>(state.place_at(link.b)) - cast<double>(state.place_at(link.a)));
+            link.edge = cast<double>(state.place_at(link.b)) - cast<double>(state.place_at(link.a));
+            link.along = direction(link.edge);
             link.weight_a = double(state.mobility[link.a]), link.weight_b = double(state.mobility[link.b]);
         }
         for (std::uint32_t k = 0; k < links_.size(); ++k) factorise_row(k);
     }
 
-    void project(SweepState<D, Real>& state) {
+    enum class Target : bool {
+        lengths,   ///< right lengths at the end of the displacement
+        velocities ///< no change of length: displacements are velocities, of which no length error may be a part
+    };
+    void project(SweepState<D, Real>& state, Target target) {
         const auto move = [&](Row slot) { return cast<double>(state.move_at(slot)); };
-        for (std::uint32_t k = 0; k < links_.size(); ++k)
-            right_[k] = dot(links_[k].along, move(links_[k].b) - move(links_[k].a));
+        for (std::uint32_t k = 0; k < links_.size(); ++k) {
+            const auto& link = links_[k];
+            const auto change = move(link.b) - move(link.a);
+            right_[k] = target == Target::lengths ? norm(link.edge + change) - link.length : dot(link.along, change);
+        }
         solve();
         for (std::uint32_t k = 0; k < links_.size(); ++k) {
             const auto& link = links_[k];
@@ -54,8 +62,8 @@ template <int D, class Real> class LinkProjector {
         std::uint32_t order = 0;
         std::uint32_t first = 0; ///< first column of the skyline
         std::size_t start = 0;   ///< of the row's entries
-        double weight_a = 0, weight_b = 0;
-        Vector along{};
+        double length = 0, weight_a = 0, weight_b = 0;
+        Vector edge{}, along{}; ///< at the start of the substep
     };
     std::vector<Link> links_;
     std::vector<double> entries_, pivots_, right_; ///< strict lower triangle by rows; 1 / pivot, or 0
@@ -88,7 +96,11 @@ template <int D, class Real> class LinkProjector {
                        moves_b = world.particles.mobility[ends[1]] > Real(0);
             if (!moves_a && !moves_b) continue;
             if (moves_a && moves_b) parent_[std::max(root(a), root(b))] = std::min(root(a), root(b));
-            links_.push_back({.a = a, .b = b, .root = moves_a ? a : b, .order = std::uint32_t(links_.size())});
+            links_.push_back({.a = a,
+                              .b = b,
+                              .root = moves_a ? a : b,
+                              .order = std::uint32_t(links_.size()),
+                              .length = double(table.low(row))});
         }
     }
     void order_by_component() {
