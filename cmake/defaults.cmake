@@ -10,10 +10,6 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 
-if(SINEW_FUZZ)
-    add_compile_options(-fsanitize=fuzzer-no-link)
-endif()
-
 # -Wconversion finds lost precision; -Wsign-conversion would add too many warnings about index arithmetic. The last two
 # flags silence false positives about the standard library: g++ 12 at string concatenation (GCC bug 105651), clang 19
 # inside libstdc++'s std::stable_sort.

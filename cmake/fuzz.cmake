@@ -1,9 +1,20 @@
-# fuzz/NAME.cpp -> bin/NAME, a fuzzer per file. Needs clang.
+# fuzz/NAME.cpp -> bin/NAME, a fuzzer per file, and a test that runs it. Needs clang. Only the reader of text, which the
+# fuzzers are about, tells which of its branches have been taken: the build serves the other tests, too.
+target_compile_options(sinew_read PRIVATE -fsanitize=fuzzer-no-link)
 sinew_sources(fuzz)
+add_custom_target(fuzzers)
 foreach(source IN LISTS sources)
     cmake_path(GET source STEM name)
     add_executable(${name} ${source})
     target_link_libraries(${name} PRIVATE sinew fmt::fmt -fsanitize=fuzzer)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
     sinew_warnings(${name})
+    add_dependencies(fuzzers ${name})
+    # New inputs go to the first folder; the corpus is in the tree.
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/found/${name})
+    add_test(NAME fuzz.${name} COMMAND sh -c "$<TARGET_FILE:${name}> -max_total_time=\${FUZZ_SECONDS:-20} -timeout=10 \
+        -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 -artifact_prefix=found/${name}/ found/${name} \
+        ${PROJECT_SOURCE_DIR}/fuzz/corpus/${name} ${PROJECT_SOURCE_DIR}/tests/hostile"
+        WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
+    set_tests_properties(fuzz.${name} PROPERTIES COST 800 TIMEOUT 3600)
 endforeach()

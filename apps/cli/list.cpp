@@ -55,10 +55,10 @@ std::string in_table(std::string text) {
     return text;
 }
 
-/// docs/catalogue.md
+/// docs/reference/catalogue.md
 std::string markdown() {
     std::string text =
-        "# The catalogue\n\n<!-- Made by: sinew list --markdown > docs/catalogue.md -->\n\n"
+        "# The catalogue\n\n<!-- Made by: tools/describe_docs -->\n\n"
         "Every scene runs as the engine means it (`physical`) and as the tutorial had it "
         "(`mode=classic`):\n\n"
         "```\nsinew render chains -o out/chains.gif\nsinew render chains mode=classic -o out/chains.gif\n"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/math/record.h"
 #include "sinew/math/trig.h"
 #include "sinew/solver/edit.h"
@@ -83,7 +84,9 @@ template <int D, class RealT> class Builder {
 
     Builder(World<D, Real>& world, FigureIndex figure, const Placement<D, Real>& placement, Mode mode)
         : world_(world), figure_(figure), placement_(placement), frame_(placement), mode_(mode),
-          first_(Row(world.particles.size())) {}
+          first_(Row(world.particles.size())) {
+        SINEW_ASSERT(has_figure(world, figure), "the figure has been added");
+    }
 
     /// Mode of the world. A prefab may build one rig for classic mode (equal masses, hidden supports) and another for
     /// physical mode.
@@ -110,7 +113,10 @@ template <int D, class RealT> class Builder {
     }
 
     /// Particle of a given name. The name must belong to the figure.
-    ParticleId named(std::string_view name) { return figure().particle_names.find(name).value_or(ParticleId{}); }
+    ParticleId named(std::string_view name) {
+        SINEW_ASSERT(figure().particle_names.find(name).has_value(), "the name belongs to the figure");
+        return figure().particle_names.find(name).value_or(ParticleId{});
+    }
 
     /// Measure of a constraint kind in the prefab's frame.
     template <template <int> class KindOf> double measure(std::span<const ParticleId> members) const {
@@ -143,6 +149,7 @@ template <int D, class RealT> class Builder {
 
     /// Adds many nameless distances with the same limits.
     void link(std::span<const std::array<ParticleId, 2>> ends, const ConstraintSpec<double>& spec) {
+        SINEW_ASSERT(spec.limits.has_value(), "many distances have limits of their own");
         add_distances(world_, ends, in_world<Distance>(spec, *spec.limits), figure().constraints);
     }
 
@@ -182,7 +189,11 @@ template <int D, class RealT> class Builder {
     }
 
     /// Position of a particle in the prefab's frame. Rows are consecutive while a figure is built: nothing is removed.
-    const Local& local(ParticleId id) const { return locals_[row_of(world_, id).value_or(first_) - first_]; }
+    const Local& local(ParticleId id) const {
+        const Row row = row_of(world_, id).value_or(first_);
+        SINEW_ASSERT(row >= first_ && row - first_ < locals_.size(), "the particle belongs to the figure");
+        return locals_[row - first_];
+    }
 
     World<D, Real>& world_;
     FigureIndex figure_;

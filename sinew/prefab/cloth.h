@@ -109,7 +109,7 @@ struct Cloth {
                                   .help = "Limit on the distance from the pins, the length of the threads between, "
                                           "which reduces stretch. None where threads can tear or stretch"});
         visit(self.drawn,
-              Field{.name = "drawn", .help = "DrawItem as threads, as filled cells, or both", .choices = drawings});
+              Field{.name = "drawn", .help = "Drawn as threads, as filled cells, or both", .choices = drawings});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of a drawn thread; collision radius is half",
                                     .unit = unit::length,

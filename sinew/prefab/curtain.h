@@ -57,7 +57,7 @@ struct Curtain {
                   .low = 0,
                   .high = 1e3});
         visit(self.drawn, Field{.name = "drawn",
-                                .help = "DrawItem as threads, as filled cells, or both",
+                                .help = "Drawn as threads, as filled cells, or both",
                                 .choices = Cloth::drawings});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of a drawn thread; collision radius is half",

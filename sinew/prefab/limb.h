@@ -8,7 +8,7 @@
 namespace sinew {
 
 /// Two bones with a joint between, starting at the figure's position: particles root, joint, end; constraints upper,
-/// lower, and in physical mode bend, a range for the angle at the joint. DrawItem as one band along the quadratic
+/// lower, and in physical mode bend, a range for the angle at the joint. Drawn as one band along the quadratic
 /// Bezier curve of the three particles, with a tip along the end tangent of the curve.
 struct Limb {
     static constexpr std::string_view name = "limb";

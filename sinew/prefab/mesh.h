@@ -75,7 +75,7 @@ struct Mesh {
                                           .low = 0,
                                           .high = 1e6});
         visit(self.damage_limit, toughness_field);
-        visit(self.drawn, Field{.name = "drawn", .help = "DrawItem as filled faces or as edges", .choices = drawings});
+        visit(self.drawn, Field{.name = "drawn", .help = "Drawn as filled faces or as edges", .choices = drawings});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of a drawn edge; collision radius is half",
                                     .unit = unit::length,

@@ -167,7 +167,7 @@ struct ByHand {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.particles, Field{.name = "particles", .help = "Particles by name"});
         visit(self.constraints, Field{.name = "constraints", .help = "Constraints between the particles"});
-        visit(self.pieces, Field{.name = "pieces", .help = "DrawItem pieces, above lines and below dots"});
+        visit(self.pieces, Field{.name = "pieces", .help = "Drawn pieces, above lines and below dots"});
     }
 };
 

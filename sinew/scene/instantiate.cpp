@@ -1,3 +1,4 @@
+#include "sinew/assert/assert.h"
 #include "sinew/math/random.h"
 #include "sinew/scene/check.h"
 #include "sinew/scene/colliders.h"
@@ -140,6 +141,7 @@ template <int D, class Real> class WorldBuilder {
         const auto name = name_of(section);
         FigureIndex figure = no_figure;
         detail::visit_held(section.made, [&](const auto& made) { figure = build_figure(made, name, section); });
+        SINEW_ASSERT(has_figure(world_, figure), "a section of the scene makes a figure");
         world_.figures[figure].direct = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
         if (!section.integrator.empty()) world_.figures[figure].integrator = integrator(section.integrator);
         touch(figure, section.contact);
@@ -153,11 +155,15 @@ template <int D, class Real> class WorldBuilder {
     }
 
     static Integrator integrator(std::string_view name) {
-        return Integrator(std::find(integrator_names.begin(), integrator_names.end(), name) - integrator_names.begin());
+        const auto found = std::find(integrator_names.begin(), integrator_names.end(), name);
+        SINEW_ASSERT(found != integrator_names.end(), "the reader accepts names of integrators only");
+        return Integrator(found - integrator_names.begin());
     }
 
     static Direct direct(std::string_view name) {
-        return Direct(std::find(direct_names.begin(), direct_names.end(), name) - direct_names.begin());
+        const auto found = std::find(direct_names.begin(), direct_names.end(), name);
+        SINEW_ASSERT(found != direct_names.end(), "the reader accepts these names only");
+        return Direct(found - direct_names.begin());
     }
 
     void speed_up(ParticleId id, const Point& velocity) {

@@ -1,5 +1,7 @@
 #include "sinew/session/hand.h"
 
+#include "sinew/assert/assert.h"
+
 #include <algorithm>
 
 namespace sinew {
@@ -38,6 +40,7 @@ std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> me
     std::vector<ParticleId> found;
     if (!(reach > 0)) return found;
     const auto& p = world.particles;
+    SINEW_ASSERT(!members.empty(), "a hand holds a particle");
     const auto figure = p.figure[*row_of(world, members.front())];
     const auto middle = place.template as<WorldT::dimension, Real>();
     for (Row row = 0; row < p.size(); ++row) {

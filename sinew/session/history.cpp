@@ -1,5 +1,6 @@
 #include "sinew/session/history.h"
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/measure.h"
 
@@ -26,6 +27,7 @@ template <class WorldT> std::vector<ParticleId> members_of(const WorldT& world, 
 
 /// Mean of a vector quantity; `members` must not be empty.
 template <class Value> Vec3<double> mean_over(std::span<const ParticleId> members, Value&& value) {
+    SINEW_ASSERT(!members.empty(), "a mean needs a member");
     Vec3<double> sum{};
     for (const auto id : members) sum += in_space(*value(id));
     return sum * (1 / double(members.size()));
@@ -53,6 +55,7 @@ std::optional<Vec3<double>> measured(const WorldT& world, const std::string& of,
 
 /// Doubles the spacing: drops every second sample.
 void thin_out(std::vector<Sample>& samples, std::uint64_t& spacing) {
+    SINEW_ASSERT(!samples.empty(), "a series that is full has samples");
     spacing *= 2;
     const auto first = samples.front().step;
     std::erase_if(samples, [&](const Sample& sample) { return (sample.step - first) % spacing != 0; });

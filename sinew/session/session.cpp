@@ -1,5 +1,6 @@
 #include "sinew/session/session.h"
 
+#include "sinew/assert/assert.h"
 #include "sinew/scene/reader.h"
 #include "sinew/session/collider_motion.h"
 #include "sinew/session/doer.h"
@@ -118,6 +119,7 @@ void Session::happen_now() {
     while (!due_.empty() && due_.front().at <= now + step_length(scene_) * 1e-6) {
         std::pop_heap(due_.begin(), due_.end());
         auto& due = due_.back();
+        SINEW_ASSERT(due.event < scene_.events.size(), "a due event is one of the scene");
         const auto& event = scene_.events[due.event];
         happen(event, due.before++);
         if (event.every > 0 && (event.times == 0 || due.before < std::uint64_t(event.times))) {
@@ -244,6 +246,7 @@ template <class WorldT>
 void Session::hold_around(WorldT& world, ParticleId middle, const GrabEvent& grab, const Held& held) {
     using Real = typename WorldT::Real;
     constexpr int D = WorldT::dimension;
+    SINEW_ASSERT(row_of(world, middle).has_value(), "the grabbed particle exists");
     const auto place = *position_of(world, middle);
     const auto figure = world.particles.figure[*row_of(world, middle)];
     const auto whole = held; // a copy: held_ grows
@@ -273,6 +276,7 @@ void Session::drive() {
         [&]<class WorldT>(WorldT& world) {
             const double then = world.time + step_length(scene_);
             for (auto& driven : driven_) {
+                SINEW_ASSERT(scene_.pins[driven.section].driver.has_value(), "pins with a driver are driven");
                 const auto& driver = *scene_.pins[driven.section].driver;
                 const auto* follower = std::get_if<PointerDriver>(&driver);
                 const auto place = pointer_ && follower ? *pointer_ : driven_to(driver, driven.rest, then, up);
@@ -338,6 +342,7 @@ void Session::still_gusts() {
                     ++i;
                     continue;
                 }
+                SINEW_ASSERT(blowing_[i].force < world.forces.size(), "a gust is one of the world's forces");
                 world.forces.erase(world.forces.begin() + std::ptrdiff_t(blowing_[i].force));
                 for (auto& other : blowing_)
                     if (other.force > blowing_[i].force) --other.force;

@@ -1,5 +1,6 @@
 #include "sinew/session/transplant.h"
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/edit.h"
 
 #include <span>
@@ -20,6 +21,7 @@ template <class WorldT> class Transplant {
     }
 
     void carry(std::vector<ParticleId>& gone, std::vector<ConstraintId>& cut) {
+        SINEW_ASSERT(fits(), "both figures have as many particles and constraints");
         for (std::size_t i = 0; i < is_.particles.size(); ++i) carry_particle(i, gone);
         for (std::size_t i = 0; i < is_.constraints.size(); ++i) carry_constraint(i, cut);
         carry_pieces();

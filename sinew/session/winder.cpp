@@ -1,5 +1,6 @@
 #include "sinew/session/winder.h"
 
+#include "sinew/assert/assert.h"
 #include "sinew/constraint/kind_table.h"
 #include "sinew/scene/check.h"
 #include "sinew/scene/types.h"
@@ -79,8 +80,11 @@ void Motors::find(const Scene& scene, const AnyWorld& any) {
                 std::size_t next = 0;
                 for (std::size_t i = 0; by_hand && i < by_hand->constraints.size(); ++i)
                     for (auto left = made_by(world, by_hand->constraints[i], prefix); left-- > 0; ++next)
-                        if (by_hand->constraints[i].drive)
+                        if (by_hand->constraints[i].drive) {
+                            SINEW_ASSERT(next < world.figures[f].constraints.size(),
+                                         "sections make constraints in order");
                             driven_.push_back({world.figures[f].constraints[next], f, i});
+                        }
             }
             // The scene's own constraints are the last of each kind, in the scene's order.
             std::array<Row, std::size_t(Kinds<WorldT::dimension>::size)> after{};
@@ -91,6 +95,7 @@ void Motors::find(const Scene& scene, const AnyWorld& any) {
                     if (scene.constraints[i].kind == Kind::name)
                         for (auto left = made_by(world, scene.constraints[i], ""); left-- > 0;) {
                             const Row row = Row(table.size()) - ++after[std::size_t(kind)];
+                            SINEW_ASSERT(row < table.size(), "the scene's constraints are the last of their kind");
                             if (scene.constraints[i].drive)
                                 driven_.push_back({{kind, table.slots.id_of(row)}, no_figure_of_scene, i});
                         }
@@ -108,6 +113,7 @@ void Motors::run(const Scene& scene, AnyWorld& any) const {
             const double dt = step_length(scene);
             for (const auto& driven : driven_) {
                 const auto& section = section_of(scene, driven);
+                SINEW_ASSERT(section.drive.has_value(), "constraints with a drive are driven");
                 const double in_program = kind_called(section.kind)->angle ? pi<double> / 180 : 1;
                 visit_table(world, driven.constraint.kind, [&](const auto& table) {
                     const auto row = table.slots.find(driven.constraint.id);

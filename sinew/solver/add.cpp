@@ -1,3 +1,4 @@
+#include "sinew/assert/assert.h"
 #include "sinew/solver/changes.h"
 #include "sinew/solver/edit.h"
 
@@ -48,11 +49,18 @@ bool any_twice(std::span<const Row> rows) {
     return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
+template <class Table> bool has_equal_columns(const Table& table) {
+    bool equal = table.members.size() == table.size();
+    Table::columns(table, [&](const auto& column) { equal = equal && column.size() == table.size(); });
+    return equal;
+}
+
 /// Completes rows of a table of which only the members exist. Calls named(id) for each.
 template <int D, class Real, class Table, class Named>
 void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& spec, Named&& named) {
     constexpr int kind = Kinds<D>::template index_of<typename Table::Kind>;
     const auto first = Row(table.size()), last = Row(table.members.size());
+    SINEW_ASSERT(first <= last && last <= limit::rows, "members are appended first, within the limit");
     if (first == last) return;
     append_rows(table, last - first, spec, spec.limits.value_or(Interval<Real>{0, 0}), known(world, spec.figure));
     if (table.breaking_strain.back() < limit::measure<Real>) // dependents of every kind tear along, within a step
@@ -69,6 +77,7 @@ void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& s
     }
     if (world.sweep.empty() || world.sweep.back().kind != kind) world.sweep.push_back({kind, 0});
     world.sweep.back().count += last - first;
+    SINEW_ASSERT(has_equal_columns(table), "the columns of a table have one length");
 }
 
 /// Velocity of the spec, or the one implied by the position a frame ago.
@@ -109,6 +118,7 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
     p.quarantined.push_back(0);
     p.in_block.push_back(0);
     world.events.reserve(events_per_step);
+    SINEW_ASSERT(p.in_block.size() == p.size(), "the columns of a table have one length");
     const auto id = p.slots.append();
     detail::note_particle(world);
     return id;
@@ -135,6 +145,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
         } else if (rows.size() != std::size_t(Kind::arity)) {
             return;
         }
+        if (table.size() == limit::rows) return;
         table.members.append(rows);
         complete(world, table, spec, [&](const ConstraintId& id) { added = id; });
     });
@@ -147,7 +158,8 @@ void add_distances(World<D, Real>& world, std::span<const std::array<ParticleId,
     auto& table = std::get<kind_number<Distance, D>>(world.constraints);
     const auto& slots = world.particles.slots;
     for (const auto& [a, b] : ends)
-        if (const auto from = slots.find(a), to = slots.find(b); from && to && from != to)
+        if (const auto from = slots.find(a), to = slots.find(b);
+            from && to && from != to && table.members.size() < limit::rows)
             table.members.rows.push_back({*from, *to});
     complete(world, table, spec, [&](const ConstraintId& id) { added.push_back(id); });
 }

@@ -3,6 +3,7 @@
 #include "sinew/math/matrix.h"
 #include "sinew/solver/bonds.h"
 #include "sinew/solver/elimination.h"
+#include "sinew/solver/limit.h"
 #include "sinew/solver/ports/ports.h"
 
 #include <array>
@@ -12,8 +13,9 @@
 
 /// Blocks: parts of the world that are solved directly instead of swept: ropes, chains, trees, and figures with few
 /// loops. A block is a connected component whose equations have a sparse factorisation. Nothing outside acts on a block
-/// through constraints, so the block moves alone, with its own substeps; blocks in `hanging` are joined to the sweep by
-/// ports. Numbers are double whatever the precision of the world: a heavy weight on light links has no digits to spare.
+/// through constraints, so the block moves alone, with its own substeps; blocks in `attached_trees` are joined to the
+/// sweep by ports. Numbers are double whatever the precision of the world: a heavy weight on light links has no digits
+/// to spare.
 namespace sinew {
 
 /// A particle of a block. Equation of a node:   diagonal move + sum of entries = residual.
@@ -66,7 +68,10 @@ struct BlockDrive {
     bool slips = false; ///< the force is saturated in this iteration
     int doubts = 0;     ///< changes of `slips` in this substep
 
-    bool gives() const { return most < 1e25; }
+    bool gives() const {
+        static_assert(limit::measure<double> <= double(limit::measure<float>), "one limit serves both precisions");
+        return most < limit::measure<double>;
+    }
     /// Force to apply in an iteration, clamped to [-most, most]. A saturated force that would change sign keeps the
     /// last `tension` instead: the solve does not jump from one bound straight to the other.
     double held(double force, double tension, bool pulls_only) {
@@ -220,7 +225,7 @@ template <int D> struct Blocks {
     std::vector<std::uint32_t> pairs;      ///< entry that receives the product of a pair
 
     std::vector<SweepRun> runs; ///< constraints left to the sweep, in sweep order
-    Ports<D> ports;             ///< joints between blocks of `hanging` and the rest
+    Ports<D> ports;             ///< joints between blocks of `attached_trees` and the rest
 
     // Work space of a step.
     std::vector<std::uint32_t> pin_of, next_pin; ///< first pin of each particle, next pin of the same particle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/block_graph.h"
 #include "sinew/solver/solver.h"
 
@@ -23,6 +24,7 @@ template <int D, class Real> class BlockBuilder {
     /// factorisation would not stay sparse, or if room runs out: then everything is stale. A block that `hangs` on the
     /// rest of the world takes rigid constraints only.
     bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool attached) {
+        SINEW_ASSERT(!members.empty(), "a block has a particle that moves");
         part_ = part, hangs_ = attached;
         neighbours_ = 0;
         elimination_.begin_graph();
@@ -61,10 +63,13 @@ template <int D, class Real> class BlockBuilder {
         block.ranges = ranges_of(block);
         block.springy = is_springy(block);
         block.nodes = std::uint32_t(blocks_.nodes.size()) - block.first_node;
+        SINEW_ASSERT(block.nodes >= block.unknowns, "nodes that cannot move come after the unknowns");
         for (std::size_t i = block.unknowns; i < block.nodes; ++i) {
             blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
             blocks_.first_pair.push_back(std::uint32_t(blocks_.pairs.size()));
         }
+        SINEW_ASSERT(blocks_.first_entry.size() == blocks_.nodes.size(), "every node knows its first entry");
+        SINEW_ASSERT(blocks_.first_pair.size() == blocks_.nodes.size(), "every node knows its first pair");
         list.push_back(block);
         return true;
     }
@@ -110,6 +115,8 @@ template <int D, class Real> class BlockBuilder {
     std::uint32_t entry_of(std::uint32_t column, std::uint32_t node) const {
         auto entry = blocks_.first_entry[column];
         while (blocks_.entries[entry].node != node) ++entry;
+        SINEW_ASSERT(column + 1 >= blocks_.first_entry.size() || entry < blocks_.first_entry[column + 1],
+                     "two nodes of a constraint are coupled");
         return entry;
     }
 

@@ -73,7 +73,7 @@ template <int D> class BlockEnergy {
         const auto motion = free_ ? Motion::of(unknowns, Solve::place_of) : Motion{};
         const auto rate = motion.rate_of(unknowns, Solve::place_of);
         const auto whole = [&](const BlockNode<D>& node) {
-            return motion.momentum * inverse_or_zero(motion.mass) + Motion::turning(rate, node.place - motion.center);
+            return motion.momentum * inverse_or_zero(motion.mass) + turning(rate, node.place - motion.center);
         };
         double kept = 0;
         for (const auto& node : unknowns) kept += 0.5 * node.mass * dot(whole(node), whole(node));
@@ -94,13 +94,13 @@ template <int D> class BlockEnergy {
         for (const auto& node : unknowns) {
             const auto kick = node.push * (node.mass * solve_.substep());
             due.momentum += kick;
-            due.spin += Motion::moment((node.start + node.place) * 0.5 - center, kick);
+            due.spin += moment((node.start + node.place) * 0.5 - center, kick);
         }
         missing.momentum = due.momentum - missing.momentum;
         missing.spin = due.spin - missing.spin;
         const auto rate = missing.rate_of(unknowns, Solve::place_of);
         const auto drift = missing.momentum * inverse_or_zero(missing.mass);
-        for (auto& node : unknowns) node.velocity += drift + Motion::turning(rate, node.place - missing.center);
+        for (auto& node : unknowns) node.velocity += drift + turning(rate, node.place - missing.center);
     }
 
   private:

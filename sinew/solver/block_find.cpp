@@ -370,6 +370,7 @@ template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world
     Waiting::tell(0.2);
     make_plan(world, *this, anew);
     tie_ports(world, *this);
+    find_free_bodies(world, *this);
     journal.read();
     Waiting::tell(1);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/block.h"
 
 namespace sinew::detail {
@@ -34,10 +35,13 @@ template <int D> void solve_block(Blocks<D>& blocks, const Block& block) {
         for (auto e = first_entry[i]; e < first_entry[i + 1]; ++e) {
             const auto& entry = entries[e];
             const auto right = per * entry.upper, down = entry.lower * per;
+            SINEW_ASSERT(entry.node > i && entry.node < end, "an entry couples with a node eliminated later");
             auto& other = nodes[entry.node];
             other.diagonal -= entry.lower * right;
             other.residual -= entry.lower * y;
             for (auto g = e + 1; g < first_entry[i + 1]; ++g) {
+                SINEW_ASSERT(blocks.pairs[pair] < blocks.entries.size(),
+                             "elimination fills entries of the matrix only");
                 auto& filled = entries[blocks.pairs[pair++]];
                 filled.lower -= entries[g].lower * right;
                 filled.upper -= down * entries[g].upper;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/block.h"
 #include "sinew/solver/world.h"
 
@@ -17,11 +18,15 @@ template <int D, class Real> void look_up_rows(const World<D, Real>& world, Bloc
     const auto& pulleys = std::get<kind_number<Pulley, D>>(world.constraints);
     const auto row_in = [](const auto& table) {
         return [&table](BlockLimit& limit) {
-            if (limit.slot != no_row) limit.constraint = table.slots.row_at(limit.slot); // none in a load tether
+            if (limit.slot == no_row) return; // a load tether
+            SINEW_ASSERT(table.slots.in_use(limit.slot), "a block ends when a constraint of it is removed");
+            limit.constraint = table.slots.row_at(limit.slot);
         };
     };
-    each(blocks.nodes, block.first_node, block.nodes,
-         [&](BlockNode<D>& node) { node.row = world.particles.slots.row_at(node.slot); });
+    each(blocks.nodes, block.first_node, block.nodes, [&](BlockNode<D>& node) {
+        SINEW_ASSERT(world.particles.slots.in_use(node.slot), "a block ends when a particle of it is removed");
+        node.row = world.particles.slots.row_at(node.slot);
+    });
     each(blocks.links, block.first_link, block.links, row_in(distances));
     each(blocks.bends, block.first_bend, block.bends, [&](AngleRow<D>& bend) {
         if constexpr (D == 3)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/block.h"
 #include "sinew/solver/block_way.h"
 #include "sinew/solver/decay.h"
@@ -50,6 +51,7 @@ template <int D, class Real> class BlockState {
 
     /// Sets the substep, between two fractions of the frame, and loads the state at the start.
     void load(double from, double to) {
+        SINEW_ASSERT(0 <= from && from < to && to <= 1, "a substep is a part of the frame");
         from_ = from, to_ = to, h_ = (to - from) * frame_;
         motorized_ = false;
         if (block.is_motorized) move_limits();
@@ -61,6 +63,7 @@ template <int D, class Real> class BlockState {
         });
         for (auto& node : unknowns()) {
             const Row row = node.row;
+            SINEW_ASSERT(particles.in_block[row], "the sweep leaves out a particle of a block");
             node.start = node.place = cast<double>(particles.position[row]) + cast<double>(particles.residual[row]);
             const auto velocity = cast<double>(particles.velocity[row]);
             const auto middle = particles.position[row] + particles.velocity[row] * Real(0.5 * h_);
@@ -190,8 +193,7 @@ template <int D, class Real> class BlockState {
     /// True if the tension of the last substep was nearly the largest. Not stored as a flag: a copy of the world has
     /// none.
     static bool has_slipped(const CableRow& way) {
-        constexpr double nearly = 0.999;
-        return way.gives() && absolute(way.before) >= nearly * way.most;
+        return way.gives() && absolute(way.before) >= slipping_share * way.most;
     }
 
     /// Moves the limits to the length reached.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/id.h"
+#include "sinew/solver/limit.h"
 
 #include <vector>
 
@@ -24,6 +26,7 @@ class ConstraintAdjacency {
     }
 
     void add(std::uint32_t particle, int kind, std::uint32_t constraint) {
+        SINEW_ASSERT(listed_ && particle < last_.size(), "the lists have room for the particle");
         const auto added = take();
         auto& last = last_[particle];
         all_[added] = {packed(kind, constraint), added};
@@ -34,6 +37,7 @@ class ConstraintAdjacency {
     /// False if the search would take too long.
     bool remove(std::uint32_t particle, int kind, std::uint32_t constraint) {
         constexpr int most = 256;
+        SINEW_ASSERT(last_[particle] != none, "the particle's list holds the constraint");
         auto& last = last_[particle];
         auto before = last;
         for (int i = 0; i < most; ++i, before = all_[before].next) {
@@ -50,6 +54,7 @@ class ConstraintAdjacency {
 
     /// Calls visit(kind, slot) for each constraint of a particle.
     template <class Visit> void each(std::uint32_t particle, Visit&& visit) const {
+        SINEW_ASSERT(listed_ && particle < last_.size(), "the particle has a list");
         const auto last = last_[particle];
         if (last == none) return;
         auto at = last;
@@ -62,7 +67,7 @@ class ConstraintAdjacency {
   private:
     static constexpr auto none = ~std::uint32_t(0);
 
-    static constexpr int slot_bits = 28; ///< the upper bits hold the kind
+    static constexpr int slot_bits = limit::row_bits; ///< the upper bits hold the kind
 
     struct Bond {
         std::uint32_t constraint = 0;
@@ -74,6 +79,7 @@ class ConstraintAdjacency {
     bool listed_ = false;
 
     static std::uint32_t packed(int kind, std::uint32_t constraint) {
+        SINEW_ASSERT(constraint < limit::rows, "add_constraint() refuses more");
         return std::uint32_t(kind) << slot_bits | constraint;
     }
     std::uint32_t take() {

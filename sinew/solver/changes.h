@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/world.h"
 
 /// Journal of changes between steps: the next step examines only the components of changed particles again
@@ -11,6 +12,7 @@ namespace sinew::detail {
 template <int D, class Real> void list_bonds(World<D, Real>& world) {
     auto& adjacency = world.journal.adjacency;
     if (adjacency.listed()) return;
+    static_assert(Kinds<D>::size <= 1 << (32 - limit::row_bits), "a kind and a row are packed into 32 bits");
     const auto& particles = world.particles.slots;
     adjacency.reset(particles.slots());
     int kind = 0;
@@ -27,6 +29,7 @@ template <int D, class Real> void note_particle(World<D, Real>& world) {
     auto& journal = world.journal;
     journal.changed = true;
     const auto& slots = world.particles.slots;
+    SINEW_ASSERT(world.particles.size() > 0, "a particle has been added");
     if (journal.adjacency.listed()) journal.adjacency.make_room(slots.slots());
     journal.touch(slots.slot_of(Row(world.particles.size() - 1)), Touch::joined);
 }

@@ -7,7 +7,7 @@
 #include <limits>
 
 /// Step of classic mode, as in the originals: points with a previous position, moved once a frame, and constraints
-/// acting on points. Rules and sources are in docs/classic.md.
+/// acting on points. Rules and sources are in docs/how/classic.md.
 namespace sinew {
 namespace {
 

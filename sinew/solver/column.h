@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/columns.h"
 
 #include <algorithm>
@@ -16,7 +17,10 @@ template <class T> class Column {
 
   public:
     std::size_t size() const { return size_; }
-    const T& operator[](std::size_t row) const { return apart_ ? each_[row] : all_; }
+    const T& operator[](std::size_t row) const {
+        SINEW_ASSERT(row < size_, "the row is in the column");
+        return apart_ ? each_[row] : all_;
+    }
     const T& back() const { return (*this)[size_ - 1]; }
 
     template <class Is> bool any_of(Is&& is) const {
@@ -24,6 +28,7 @@ template <class T> class Column {
     }
 
     void set(std::size_t row, const T& value) {
+        SINEW_ASSERT(row < size_, "the row is in the column");
         if (is_like_all(value)) return;
         set_apart();
         each_[row] = value;
@@ -38,6 +43,7 @@ template <class T> class Column {
         if (size_ == 0) all_ = value;
         if (!is_like_all(value)) append_apart(count, value);
         size_ += count;
+        SINEW_ASSERT(!apart_ || each_.size() == size_, "a column that is stored apart has a value per row");
     }
     /// Stores a value per row: afterwards set() allocates nothing.
     void set_apart() {
@@ -49,6 +55,7 @@ template <class T> class Column {
         if (apart_) each_.reserve(rows);
     }
     void erase(std::span<const char> gone) {
+        SINEW_ASSERT(gone.size() == size_, "every row has a flag");
         size_ -= std::size_t(std::count(gone.begin(), gone.end(), char(1)));
         if (apart_) erase_rows(each_, gone);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -29,6 +31,7 @@ inline std::size_t next_flag(std::span<const char> flags, std::size_t from, char
 
 /// Removes the rows whose flag in `gone` is set; the others keep their order.
 template <class T> void erase_rows(std::vector<T>& column, std::span<const char> gone) {
+    SINEW_ASSERT(gone.size() == column.size(), "every row has a flag");
     const auto at = [&](std::size_t row) { return column.begin() + std::ptrdiff_t(row); };
     std::size_t end = next_flag(gone, 0, 1);
     auto kept = at(end);

@@ -57,12 +57,11 @@ template <int D, class Real> void move_limits(World<D, Real>& world, Real h) {
 }
 
 template <int D, class Real> void slip(World<D, Real>& world, Solver<D, Real>& solver, Real h) {
-    constexpr Real nearly = Real(0.999);
     for_each_table(world, [&](auto& table) {
         if constexpr (std::decay_t<decltype(table)>::Kind::length_power == 1)
             for (Row row = 0; row < table.size(); ++row) {
                 if (!table.gives(row) || is_in_block(world, std::as_const(table).members[row])) continue;
-                if (absolute(table.multiplier[row]) < nearly * table.max_force[row] * h * h) continue;
+                if (absolute(table.multiplier[row]) < Real(slipping_share) * table.max_force[row] * h * h) continue;
                 const Real by = slipped(solver, table, row);
                 const auto moved = [&](Real end) { return is_limit(end) ? maximum(end + by, Real(0)) : end; };
                 table.limits.change(row, moved);

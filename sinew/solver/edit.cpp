@@ -1,5 +1,6 @@
 #include "sinew/solver/edit.h"
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/mobility.h"
 #include "sinew/solver/remove.h"
 
@@ -27,12 +28,16 @@ template <int D, class Real> std::size_t remove_particles(World<D, Real>& world,
         }
         detail::erase_constraints(world, table, kind++, broken);
         for (Row row = 0; row < table.size(); ++row)
-            for (auto& member : table.members[row]) member = moved[member];
+            for (auto& member : table.members[row]) {
+                SINEW_ASSERT(!gone[member], "a constraint goes with its particles");
+                member = moved[member];
+            }
     });
 
     detail::note_rows(world);
     erase_rows(particles, gone);
     particles.slots.erase(gone);
+    SINEW_ASSERT(particles.size() == kept, "the particles that are kept remain");
 
     std::vector<char> loose(world.pins.size(), 0);
     for (std::size_t i = 0; i < loose.size(); ++i) loose[i] = !particles.slots.find(world.pins[i].particle);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/id.h"
 
 #include <algorithm>
@@ -28,7 +29,10 @@ class Elimination {
 
     /// Defines the graph row by row: begin_row, neighbours, end_row.
     void begin_graph() { pool_.clear(); }
-    void begin_row(Row row) { begin_[row] = pool_.size(); }
+    void begin_row(Row row) {
+        SINEW_ASSERT(row < begin_.size(), "make_room() has been called for the row");
+        begin_[row] = pool_.size();
+    }
     void add_neighbour(Row neighbour) { pool_.push_back(neighbour); }
     void end_row(Row row) {
         const auto first = pool_.begin() + std::ptrdiff_t(begin_[row]);
@@ -48,6 +52,7 @@ class Elimination {
             const Row next = least_degree();
             if (next == no_row) return false;
             stop_waiting(next);
+            SINEW_ASSERT(size_[next] <= most_neighbours, "a row with few neighbours is eliminated");
             position_[next] = Row(order_.size());
             order_.push_back(next);
             for (std::uint32_t i = 0; i < size_[next]; ++i) {

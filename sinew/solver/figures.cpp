@@ -1,3 +1,4 @@
+#include "sinew/assert/assert.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/mobility.h"
 
@@ -35,6 +36,7 @@ FigureIndex add_figure(World<D, Real>& world, std::string_view name, std::string
     auto place = figures.end();
     if (world.unused_figures > 0)
         place = std::ranges::find_if(figures, [](const Figure& figure) { return !figure.in_use(); });
+    SINEW_ASSERT(world.unused_figures == 0 || place != figures.end(), "as many entries are unused as are counted");
     if (place == figures.end())
         place = figures.emplace(place);
     else
@@ -66,6 +68,7 @@ template <int D, class Real> bool remove_figure(World<D, Real>& world, FigureInd
         if (event.figure == figure) event.figure = no_figure;
     world.figures[figure] = {};
     world.figure_stamp.forget();
+    SINEW_ASSERT(!has_figure(world, figure), "an entry without a generation is unused");
     ++world.unused_figures;
     for (; !world.figures.empty() && !world.figures.back().in_use(); --world.unused_figures) world.figures.pop_back();
     return true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/columns.h"
 #include "sinew/solver/stamp.h"
 
@@ -33,6 +34,7 @@ template <class Tag> class Slots {
         if (plain_) return {rows_++, stamp};
         if (first_free_ == entries_.size()) entries_.push_back({.row = first_free_ + 1});
         const std::uint32_t slot = first_free_;
+        SINEW_ASSERT(entries_[slot].row <= entries_.size(), "a free slot names the next free slot");
         first_free_ = entries_[slot].row;
         entries_[slot] = {.row = rows_++, .generation = stamp};
         slot_of_row_.push_back(slot);
@@ -47,8 +49,15 @@ template <class Tag> class Slots {
 
     Id<Tag> id_of(Row row) const { return {slot_of(row), generation(slot_of(row))}; }
 
-    std::uint32_t slot_of(Row row) const { return plain_ ? row : slot_of_row_[row]; }
-    Row row_at(std::uint32_t slot) const { return plain_ ? slot : entries_[slot].row; } ///< the slot must be in use
+    std::uint32_t slot_of(Row row) const {
+        SINEW_ASSERT(row < rows_, "the row is in the table");
+        return plain_ ? row : slot_of_row_[row];
+    }
+    /// The slot must be in use.
+    Row row_at(std::uint32_t slot) const {
+        SINEW_ASSERT(slot < slots(), "the slot has been handed out");
+        return plain_ ? slot : entries_[slot].row;
+    }
     bool in_use(std::uint32_t slot) const {
         const Row row = row_at(slot);
         return row < rows_ && slot_of(row) == slot;
@@ -57,6 +66,7 @@ template <class Tag> class Slots {
 
     /// Forgets the rows whose flag in `gone` is set; the others close up in order.
     void erase(std::span<const char> gone) {
+        SINEW_ASSERT(gone.size() == rows_, "every row has a flag");
         Row kept = Row(next_flag(gone, 0, 1));
         if (kept == gone.size()) return;
         remember();
@@ -73,6 +83,7 @@ template <class Tag> class Slots {
         }
         slot_of_row_.resize(kept);
         rows_ = kept;
+        SINEW_ASSERT(rows_ <= entries_.size(), "every row has a slot");
     }
 
     /// Allocates the entries: afterwards erase() allocates nothing.

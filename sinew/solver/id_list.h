@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/id.h"
 
 #include <algorithm>
@@ -46,8 +47,12 @@ template <class IdT> class IdList {
         using reference = IdT;
 
         Iterator(const IdList& list, std::size_t at) : list_(&list), at_(at) {}
-        IdT operator*() const { return list_->steps_[steps_].at(at_); }
+        IdT operator*() const {
+            SINEW_ASSERT(at_ < list_->size(), "the iterator is before the end");
+            return list_->steps_[steps_].at(at_);
+        }
         Iterator& operator++() {
+            SINEW_ASSERT(at_ < list_->size(), "the iterator is before the end");
             ++at_;
             if (steps_ + 1 < list_->steps_.size() && at_ == list_->steps_[steps_ + 1].begin) ++steps_;
             return *this;
@@ -77,6 +82,7 @@ template <class IdT> class IdList {
     Iterator begin() const { return {*this, 0}; }
     Iterator end() const { return {*this, size_}; }
     IdT operator[](std::size_t i) const {
+        SINEW_ASSERT(i < size_, "the index is in the list");
         const auto after = std::upper_bound(steps_.begin(), steps_.end(), i,
                                             [](std::size_t at, const Steps& steps) { return at < steps.begin; });
         return std::prev(after)->at(i);

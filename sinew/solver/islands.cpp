@@ -1,5 +1,6 @@
 #include "sinew/solver/islands.h"
 
+#include "sinew/assert/assert.h"
 #include "sinew/math/union_find.h"
 
 namespace sinew {
@@ -17,8 +18,10 @@ template <int D, class Real> std::vector<std::size_t> islands(const World<D, Rea
             const auto members = table.members[row];
             for (std::size_t i = 1; i < members.size(); ++i) {
                 const auto index = figure[members[i]];
-                if (index < count.size() && index == figure[members[0]] && joined.join(members[0], members[i]))
-                    --count[index];
+                if (index >= count.size() || index != figure[members[0]] || !joined.join(members[0], members[i]))
+                    continue;
+                SINEW_ASSERT(count[index] > 1, "two islands become one");
+                --count[index];
             }
         }
     });

@@ -6,24 +6,33 @@
 
 namespace sinew {
 
-extern const KernelSet kernels_one, kernels_sse2;
-#if defined(SINEW_WIDE_KERNELS)
-extern const KernelSet kernels_avx2;
-#if !defined(SINEW_NO_AVX512)
-extern const KernelSet kernels_avx512;
+// The build names the kernels that it leaves out; the wide ones are for x86 only.
+#if !defined(SINEW_WIDE_KERNELS)
+#define SINEW_NO_AVX2
+#define SINEW_NO_AVX512
 #endif
-#endif
+
+extern const KernelSet kernels_one, kernels_sse2, kernels_avx2, kernels_avx512;
 
 namespace {
 
 const KernelSet* set_of(Simd simd) {
-#if defined(SINEW_WIDE_KERNELS)
+    switch (simd) {
 #if !defined(SINEW_NO_AVX512)
-    if (simd == Simd::avx512) return &kernels_avx512;
+    case Simd::avx512:
+        return &kernels_avx512;
 #endif
-    if (simd == Simd::avx2) return &kernels_avx2;
+#if !defined(SINEW_NO_AVX2)
+    case Simd::avx2:
+        return &kernels_avx2;
 #endif
-    return simd == Simd::one ? &kernels_one : &kernels_sse2;
+#if !defined(SINEW_NO_SSE2)
+    case Simd::sse2:
+        return &kernels_sse2;
+#endif
+    default:
+        return &kernels_one;
+    }
 }
 
 std::atomic<Simd>& in_use() {
@@ -33,19 +42,26 @@ std::atomic<Simd>& in_use() {
 
 } // namespace
 
-bool has_simd([[maybe_unused]] Simd simd) {
-    if (simd == Simd::one || simd == Simd::sse2) return true;
-#if defined(SINEW_WIDE_KERNELS)
-    if (simd == Simd::avx2) return __builtin_cpu_supports("avx2") != 0;
-#if defined(SINEW_NO_AVX512)
-    return false;
-#else
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+bool has_simd(Simd simd) {
+    switch (simd) {
+    case Simd::one:
+        return true;
+#if !defined(SINEW_NO_SSE2)
+    case Simd::sse2:
+        return true;
 #endif
-#else
-    return false;
+#if !defined(SINEW_NO_AVX2)
+    case Simd::avx2:
+        return __builtin_cpu_supports("avx2") != 0;
 #endif
+#if !defined(SINEW_NO_AVX512)
+    case Simd::avx512:
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+               __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+#endif
+    default:
+        return false;
+    }
 }
 
 Simd best_simd() {
@@ -69,6 +85,8 @@ Simd simd_in_use() {
 const char* name_of(Simd simd) {
 #if defined(__aarch64__)
     constexpr const char* names[] = {"one", "neon", "", ""};
+#elif defined(__wasm__)
+    constexpr const char* names[] = {"one", "simd128", "", ""};
 #else
     constexpr const char* names[] = {"one", "sse2", "avx2", "avx512"};
 #endif

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "sinew/solver/limit.h"
+#include "sinew/solver/moments.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -57,9 +60,9 @@ template <int D, class Real> struct DistanceColumns {
 };
 
 template <class Real> struct DistancePass {
-    Real per_h2 = 0;            ///< 1 / h^2
-    Real shortest = 1;          ///< output: a length below 1e-18 of a link with a positive limit, otherwise 1
-    bool kept = false;          ///< store multipliers, for later iterations or for readers
+    Real per_h2 = 0;   ///< 1 / h^2
+    Real shortest = 1; ///< output: a length below limit::shortest_link of a link with a positive limit, otherwise 1
+    bool kept = false; ///< store multipliers, for later iterations or for readers
     bool last_substep = false;  ///< last substep: multipliers are read after the step
     bool first = true;          ///< first iteration: multipliers start at zero
     bool again = false;         ///< repair within an iteration: compliant batches are skipped
@@ -96,6 +99,25 @@ template <int D, class Real> struct Transposition {
     Real most = 0;               ///< bound on numbers in columns; 0: to_columns copies, without factor or bound
 };
 
+/// Particles of one body.
+template <int D, class Real> struct BodyColumns {
+    const Real* place;
+    Real* move;
+    std::size_t apart; ///< stride between components
+    const Real* mobility;
+    const std::uint32_t* slots; ///< null: `count` slots from `first` on
+    std::uint32_t first, count;
+    Vec<D, double> origin, drift; ///< subtracted from each place and displacement
+};
+
+/// Rotation added to the motion of a body, and the share by which the rest of the motion is slowed down.
+template <int D, class Real> struct BodyTurn {
+    Vec<spins<D>, double> rate;   ///< radians
+    Vec<D, double> center, drift; ///< drift: mean displacement
+    double loss;                  ///< 0..1
+    Real most;                    ///< largest displacement
+};
+
 /// Kernel over the particles in slots [first, last).
 template <int D, class Real> using Moving = void (*)(const Motion<D, Real>&, std::uint32_t first, std::uint32_t last);
 
@@ -113,6 +135,9 @@ template <int D, class Real> struct Kernels {
     Moving<D, Real> go_on;
     /// Minimum of normal . (place + move).
     Real (*lowest)(const Motion<D, Real>&, const Real* normal, std::uint32_t first, std::uint32_t last);
+    /// Moments of a body; immovable particles weigh infinitely much.
+    void (*moments)(const BodyColumns<D, Real>&, Moments<D>&);
+    void (*turn)(const BodyColumns<D, Real>&, const BodyTurn<D, Real>&);
     /// Transposes slots [first, last).
     void (*to_columns)(const Transposition<D, Real>&, std::uint32_t first, std::uint32_t last);
     void (*to_rows)(const Transposition<D, Real>&, std::uint32_t first, std::uint32_t last);

@@ -53,7 +53,7 @@ struct Rules {
 };
 
 /// Distance held within [low, high] by the multiplier lambda (formulas in project.h). d is the direction of correction:
-/// the link e, or with `swings` the link at the start of the substep, unless turned by more than 8 degrees since.
+/// the link e, or with `old_gradient` the link at the start of the substep, unless turned by more than 8 degrees since.
 ///
 ///     s = (limit - length) / (|d| (w n . d/|d| + alpha)),   n = e / length
 ///     b moves by w_b s d, a by -w_a s d
@@ -81,7 +81,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             d2 = d_e = zero;
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d2 = d2 + d[k] * d[k], d_e = d_e + d[k] * e[k];
-            const Real agreement = run.old_gradient ? Real(0.99 * 0.99) : Real(2); // 2: never agree
+            const Real agreement =
+                run.old_gradient ? Real(least_agreement * least_agreement) : Real(2); // 2: never agree
             const auto agree = d_e * most(d_e, zero) > agreement * (e2 * d2);
             d2 = agree ? d2 : e2, d_e = agree ? d_e : e2;
 #pragma GCC unroll 3
@@ -105,7 +106,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
             const V gain = w_a + w_b > zero ? length * per * d_length : zero;
             const V pushing = lambda + (limits.low - length - slack) * gain;
             const V pulling = lambda + (limits.high - length - slack) * gain;
-            V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(strongest<Real>));
+            V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(limit::multiplier<Real>));
             if (pass.again) next = least(next, lambda);                        // repair only shortens
             const V divisor = d_length > zero ? d_length : spread<V>(Real(1)); // masked lanes are divided, too
             const V s = d_length > zero ? (next - lambda) / divisor : zero;
@@ -151,7 +152,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
 
     template <class V, bool all>
     [[gnu::always_inline]] void note(std::uint32_t i, int count, const V& lambda, const V& length) const {
-        if (any(length < spread<V>(Real(1e-18)))) [[unlikely]]
+        if (any(length < spread<V>(limit::shortest_link<Real>))) [[unlikely]]
             for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, lane_of(length, k));
         if (run.row_step == 1) return lane::put<all>(columns.multiplier + run.row + i, lambda, count);
         std::uint32_t room[sizeof(V) / sizeof(Real)];
@@ -179,11 +180,11 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     }
 
     template <class V, class Get> [[gnu::always_inline]] Limits<V> limits(std::uint32_t at, Get&& get) const {
-        constexpr Real stiffest = Real(1e26);
         Limits<V> limits{get(columns.low + at), V{}, V{}};
         if constexpr (rules.range || rules.kept) limits.high = get(columns.high + at);
         if constexpr (rules.compliant)
-            if (run.compliant) limits.alpha = least(spread<V>(stiffest), get(columns.compliance + at) * pass.per_h2);
+            if (run.compliant)
+                limits.alpha = least(spread<V>(limit::measure<Real>), get(columns.compliance + at) * pass.per_h2);
         return limits;
     }
 

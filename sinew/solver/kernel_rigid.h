@@ -15,9 +15,6 @@ namespace {
 
 using namespace lane;
 
-/// Bound on multipliers (limit::multiplier): otherwise small mobilities would overflow.
-template <class Real> inline constexpr Real strongest = Real(1e25);
-
 /// Variant of rigid links to compile a kernel for.
 struct Rigid {
     bool equality = true;      ///< all links are equalities
@@ -133,7 +130,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         V mobility = mobility_of(run.a + i);
         if constexpr (!rules.equal_mass) mobility = mean_mobility(mobility, mobility_of(run.b + i));
         if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
-        const V lambda = within(along * half / mobility, spread<V>(strongest<Real>));
+        const V lambda = within(along * half / mobility, spread<V>(limit::multiplier<Real>));
         const auto has_length = wanted.low < spread<V>(Real(0.1) * most_per_square<Real>);
         note<all>(i, count, lambda, has_length ? length : spread<V>(Real(1)));
     }
@@ -166,7 +163,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         const V t = e2 * wanted.low * Real(4), one = spread<V>(Real(1)), zero{};
         V along = turned * turned < spread<V>(Real(1.0 / 64)) ? d_e : zero; // u from 1/2 to 3/2
         along = t < spread<V>(Real(4)) ? along : zero;
-        const auto agree = along * along > Real(0.99 * 0.99) * (e2 * dot(d, d));
+        const auto agree = along * along > Real(least_agreement * least_agreement) * (e2 * dot(d, d));
         const V lack = Real(0.5) / root(most(t, spread<V>(Real(1e-30)))) - Real(0.5);
         const V part = lack * ((agree ? e2 : one) / (agree ? along : one));
         for (unsigned k = 0; k < D; ++k) d[k] = near() * near() < away ? (agree ? d[k] : e[k]) : d[k];
@@ -245,7 +242,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
 
     template <bool all>
     [[gnu::always_inline]] void note(std::size_t i, int count, const V& lambda, const V& length) const {
-        if (any(length < spread<V>(Real(1e-18)))) [[unlikely]]
+        if (any(length < spread<V>(limit::shortest_link<Real>))) [[unlikely]]
             for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, lane_of(length, k));
         if (run.row_step == 0) {
             for (int k = 0; k < count; ++k)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/kernel_links.h"
+#include "sinew/solver/kernel_moments.h"
 #include "sinew/solver/kernel_motion.h"
 #include "sinew/solver/kernel_turn.h"
 #include "sinew/solver/kernel_within.h"
@@ -16,6 +17,8 @@ inline constexpr Kernels<D, Real> kernels_here{.project = project_runs<D, Real>,
                                                .drift = move_all<D, Real, Doing{.drifts = true}>,
                                                .go_on = move_all<D, Real, Doing{true, true}>,
                                                .lowest = lowest_of<D, Real>,
+                                               .moments = moments_of<D, Real>,
+                                               .turn = turn_body<D, Real>,
                                                .to_columns = to_columns<D, Real>,
                                                .to_rows = to_rows<D, Real>,
                                                .all_within = all_within<true, Real>,

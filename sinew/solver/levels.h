@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,6 +24,7 @@ class LevelStructure {
 
     std::size_t size() const { return begin_.size() - 1; }
     std::span<const std::uint32_t> operator[](std::size_t level) const {
+        SINEW_ASSERT(level < size(), "the level exists");
         return std::span(order_).subspan(begin_[level], begin_[level + 1] - begin_[level]);
     }
 

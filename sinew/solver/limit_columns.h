@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/columns.h"
 
 #include <span>
@@ -12,10 +13,17 @@ namespace sinew {
 template <class Real> class LimitColumns {
   public:
     std::size_t size() const { return low_.size(); }
-    Real low(std::size_t row) const { return low_[row]; }
-    Real high(std::size_t row) const { return apart_ ? high_[row] : low_[row]; }
+    Real low(std::size_t row) const {
+        SINEW_ASSERT(row < size(), "the row is in the column");
+        return low_[row];
+    }
+    Real high(std::size_t row) const {
+        SINEW_ASSERT(row < size(), "the row is in the column");
+        return apart_ ? high_[row] : low_[row];
+    }
 
     void set(std::size_t row, Real low, Real high) {
+        SINEW_ASSERT(row < size(), "the row is in the column");
         if (!are_same(low, high)) set_apart();
         low_[row] = low;
         if (apart_) high_[row] = high;

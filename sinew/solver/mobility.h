@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/changes.h"
 
 #include <algorithm>
@@ -9,6 +10,7 @@ namespace sinew::detail {
 /// Updates the mobility of a particle: 0 if pinned hard or quarantined, otherwise the inverse mass.
 template <int D, class Real> void refresh_mobility(World<D, Real>& world, Row row) {
     auto& particles = world.particles;
+    SINEW_ASSERT(row < particles.size(), "the row is in the table");
     const auto id = particles.slots.id_of(row);
     const bool pinned = std::any_of(world.pins.begin(), world.pins.end(),
                                     [&](const auto& pin) { return pin.particle == id && pin.hard(); });

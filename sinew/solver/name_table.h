@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
+
 #include <algorithm>
 #include <initializer_list>
 #include <map>
@@ -45,6 +47,7 @@ template <class Id> class NameTable {
         const auto erased = std::erase_if(found_, [&](const auto& entry) { return test(entry.second); });
         if (erased > 0 && found_.size() < entries_.size())
             for (const auto& [name, id] : entries_) found_.try_emplace(name, id);
+        SINEW_ASSERT(found_.size() <= entries_.size(), "the index holds names of the table only");
     }
 
     auto begin() const { return entries_.begin(); }

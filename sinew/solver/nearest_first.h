@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +26,7 @@ class BucketQueue {
     explicit BucketQueue(double step) : per_length_(step > 0 ? double(rounds - 1) / step : 1), later_(rounds) {}
 
     void put(const Item& item) {
+        SINEW_ASSERT(item.length >= 0, "a path has a length");
         ++count_;
         const auto bucket = bucket_of(item);
         if (bucket > now_) return later_[bucket % rounds].push_back(item);
@@ -32,6 +35,7 @@ class BucketQueue {
     }
     bool empty() const { return count_ == 0; }
     Item take() {
+        SINEW_ASSERT(!empty(), "an item waits");
         while (near_.empty()) open_next();
         std::pop_heap(near_.begin(), near_.end(), std::greater<>());
         const Item item = near_.back();

@@ -48,6 +48,9 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, R
 template <int D, class Real> void find_ports(World<D, Real>& world, Solver<D, Real>& solver);
 template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Real>& solver);
 
+/// free_bodies.cpp: after planning, finds what nothing holds.
+template <int D, class Real> void find_free_bodies(World<D, Real>& world, Solver<D, Real>& solver);
+
 /// passive.cpp: angle limits must not add energy to a figure. Finds the figures for which this is guaranteed, notes
 /// their energy before the constraints act, and removes the energy added. Room for budgets is reserved before the step.
 template <int D, class Real> void make_room_for_budgets(World<D, Real>& world, Solver<D, Real>& solver);

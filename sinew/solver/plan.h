@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/block.h"
 #include "sinew/solver/kernel.h"
 #include "sinew/solver/levels.h"
@@ -57,8 +58,9 @@ struct Component {
     std::uint32_t first_tether = 0, tethers = 0;
     PlanPlace begin{}; ///< offsets of the component's entries
     Extent particles{}, links{};
-    bool small = false; ///< may be laid out with others of the same shape (plan_sheets.h)
-    bool copies = false;
+    bool small = false;                       ///< may be laid out with others of the same shape (plan_sheets.h)
+    std::uint32_t copies = 0;                 ///< interleaved copies of one shape; 0 for a single one
+    std::uint32_t first_body = 0, bodies = 0; ///< range of FreeBodies::list that begins here
 
     bool has_links() const { return colors > 0; }
 };
@@ -164,6 +166,7 @@ template <class Real> struct Plan {
     }
     /// End of a component's entries.
     PlanPlace end_of(std::size_t component) const {
+        SINEW_ASSERT(component < components.size(), "the component is in the plan");
         return component + 1 < components.size() ? components[component + 1].begin : end();
     }
     PlanPlace end_of(const Component& component) const { return end_of(std::size_t(&component - components.data())); }
@@ -185,12 +188,14 @@ template <class Real> struct Plan {
     }
     void open() {
         if (first_batch.empty()) return;
+        SINEW_ASSERT(parameters.size() >= lanes, "a closed plan ends with padding");
         first_batch.pop_back();
         parameters.resize(parameters.size() - lanes);
     }
 
     /// Row of link i of a batch.
     Row row_of(const LinkBatch& run, std::uint32_t i) const {
+        SINEW_ASSERT(i < run.count, "the link is in the batch");
         return run.row_step == 0 ? rows[run.row + i] : run.row + i * run.row_step;
     }
     /// Tile of a slot, searched from `first_tile` on.

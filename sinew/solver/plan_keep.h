@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/plan_pieces.h"
 #include "sinew/solver/plan_runs.h"
 
@@ -56,6 +57,7 @@ template <int D, class Real> class PlanReuse {
     bool any_dropped() const { return dropped_; }
 
     std::size_t sheet_at(Row slot) const {
+        SINEW_ASSERT(!plan_.components.empty() && slot < swept_.row_of.size(), "the slot belongs to a component");
         const auto& components = plan_.components;
         const auto after = std::upper_bound(components.begin(), components.end(), slot,
                                             [](Row s, const Component& component) { return s < component.begin.slot; });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/solver.h"
 #include "sinew/solver/world.h"
 
@@ -42,6 +43,7 @@ template <int D, class Real> class ComponentFinder {
     std::size_t size() const { return room_.parts.size(); }
 
     std::span<const Row> members(std::size_t part) const {
+        SINEW_ASSERT(part < room_.parts.size(), "the part has been found");
         return std::span(room_.members).subspan(room_.parts[part].first_member, room_.parts[part].members);
     }
     Links links(std::size_t part) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/plan.h"
 
 /// Moving the components of a plan, within the plan or to another.
@@ -12,6 +13,7 @@ template <class Real> struct IncrementalPlan {
 
     /// Appends a component of another plan, without tethers.
     void append(const IncrementalPlan& from, std::size_t number) {
+        SINEW_ASSERT(number < from.plan.components.size() && &from.plan != &plan, "a component of the other plan");
         Component component = from.plan.components[number];
         const auto first = component.begin, last = from.plan.end_of(number), to = plan.end();
         const auto slots = to.slot - first.slot;
@@ -33,6 +35,7 @@ template <class Real> struct IncrementalPlan {
         copy(from.plan.ends_a, first.scattered, last.scattered, plan.ends_a, move);
         copy(from.plan.ends_b, first.scattered, last.scattered, plan.ends_b, move);
         copy(from.plan.rows, first.listed, last.listed, plan.rows);
+        SINEW_ASSERT(row_of.size() == plan.end().slot, "the tiles hold every slot");
         component.begin = to;
         component.first_tile = to.tile, component.first_color = to.color;
         plan.components.push_back(component);
@@ -40,6 +43,7 @@ template <class Real> struct IncrementalPlan {
 
     /// Removes the components from number `number` on.
     void cut_off(std::size_t number) {
+        SINEW_ASSERT(number <= plan.components.size(), "the component is in the plan");
         if (number == plan.components.size()) return;
         const auto end = plan.components[number].begin;
         row_of.resize(end.slot);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/solver.h"
 #include "sinew/solver/world.h"
 
@@ -12,7 +13,7 @@ template <int D, class Real> class RunWriter {
         : world_(world), solver_(solver), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           plan_(solver.sweep_state.plan) {}
 
-    /// Begins a component. If `swings`, links are corrected along their old directions.
+    /// Begins a component. With `old_gradient`, links are corrected along their old directions.
     void begin_sheet(bool old_gradient) {
         swings_ = old_gradient;
         first_parameter_ = std::uint32_t(plan_.parameters.size());
@@ -25,6 +26,7 @@ template <int D, class Real> class RunWriter {
         plan_.colors.push_back({.first_batch = std::uint32_t(plan_.first_batch.size()), .reach = reach});
     }
     void begin_band() {
+        SINEW_ASSERT(!plan_.colors.empty(), "a tile's batches belong to a color");
         plan_.first_batch.push_back(std::uint32_t(plan_.runs.size()));
         fresh_ = true;
     }
@@ -51,6 +53,8 @@ template <int D, class Real> class RunWriter {
     }
 
     void begin_run(Row link, Row a, Row b) {
+        SINEW_ASSERT(a != b, "a link has two ends");
+        SINEW_ASSERT(!plan_.first_batch.empty(), "a batch belongs to a tile");
         links_.include(link);
         auto parameters = std::uint32_t(plan_.parameters.size());
         if (parameters > first_parameter_ && has_parameters(link, parameters - 1))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/plan_mesh.h"
 
 /// Order of a component's particles and links. Where links have few directions, as in a cloth, each direction is a
@@ -68,7 +69,7 @@ template <int D, class Real> class SheetMaker {
             const auto count = std::min(each, copies - first);
             const auto begin = Row(swept_.row_of.size());
             begin_sheet(part);
-            plan_.components.back().copies = true;
+            plan_.components.back().copies = std::uint32_t(count);
             for (std::size_t i = 0; i < members(part).size(); ++i)
                 for (std::size_t copy = 0; copy < count; ++copy) swept_.give_slot(members(part + first + copy)[i]);
             plan_.tiles.push_back({begin, Row(swept_.row_of.size())});
@@ -98,7 +99,7 @@ template <int D, class Real> class SheetMaker {
     }
 
     /// Corrections along old directions keep the energy of a swing, provided that a sweep nearly converges. In a mesh a
-    /// sweep does not, and old directions gain nothing (docs/step.md); beside a port they would add energy.
+    /// sweep does not, and old directions gain nothing (docs/measured/sweep.md); beside a port they would add energy.
     void begin_sheet(std::size_t part) {
         runs_.begin_sheet(2 * links(part).size() <= 3 * members(part).size() && !has_port(part));
         const auto begin = plan_.end();
@@ -122,6 +123,8 @@ template <int D, class Real> class SheetMaker {
         component.links = runs_.links();
         for (auto slot = component.begin.slot; slot < swept_.row_of.size(); ++slot)
             component.particles.include(swept_.row_of[slot]);
+        SINEW_ASSERT(!component.particles.empty(), "a component has particles");
+        SINEW_ASSERT(plan_.tiles.back().last == swept_.row_of.size(), "the tiles hold every slot");
         know(component.particles, particle_ids_);
         if (!component.links.empty()) know(component.links, link_ids_);
     }

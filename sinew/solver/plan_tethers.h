@@ -61,7 +61,7 @@ template <int D, class Real> class TetherMaker {
     std::span<const PinnedSlot> anchors(const Component& component) const {
         auto& all = room_.anchors;
         all.clear();
-        if (!component.has_links() || component.copies) return {};
+        if (!component.has_links() || component.copies > 0) return {};
         const auto first = plan_.tiles[component.first_tile].first_pin;
         const auto last = plan_.tiles[component.first_tile + component.tiles - 1].last_pin;
         for (auto i = first; i < last; ++i) { // the last of several pins holds the particle

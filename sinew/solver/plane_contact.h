@@ -9,7 +9,7 @@ namespace sinew::detail {
 
 template <int D, class Real> class PlaneContact {
   public:
-    PlaneContact(World<D, Real>& world, const Solver<D, Real>& solver, SubstepMover<D, Real>& mover)
+    PlaneContact(World<D, Real>& world, Solver<D, Real>& solver, SubstepMover<D, Real>& mover)
         : world_(world), p_(world.particles), swept_(solver.sweep_state), mover_(mover),
           by_rows_(has_figure_contacts(solver) ? solver.contacts->by_rows.data() : nullptr) {}
 
@@ -21,6 +21,7 @@ template <int D, class Real> class PlaneContact {
         const Row row = swept_.row_of[slot];
         const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, mover_.point_at(slot));
         if (!(depth > Real(0))) return 0;
+        if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
         const auto move = swept_.move_at(slot) - surface_move;
         const Real approach = -dot(plane.normal, move);
         const auto along = move + plane.normal * approach;
@@ -38,7 +39,7 @@ template <int D, class Real> class PlaneContact {
   private:
     World<D, Real>& world_;
     Particles<D, Real>& p_;
-    const SweepState<D, Real>& swept_;
+    SweepState<D, Real>& swept_;
     SubstepMover<D, Real>& mover_;
     const char* by_rows_; ///< per slot: held by rows of contact instead
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/changes.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ inline void erase_from_sweep(std::vector<Run>& sweep, int kind, std::span<const 
         for (auto i = next_flag(gone, row, 1); i < end; i = next_flag(gone, i + 1, 1)) --run.count;
         row = end;
     }
+    SINEW_ASSERT(row == gone.size(), "the sweep lists every row of a table once");
     std::erase_if(sweep, [](const Run& run) { return run.count == 0; });
 }
 
@@ -34,6 +36,8 @@ template <int D, class Real> void erase_pins(World<D, Real>& world, std::span<co
     note_rows(world);
     erase_rows(world.pins, gone);
     world.pin_slots.erase(gone);
+    SINEW_ASSERT(world.pins.empty() || world.pin_slots.in_use(world.pin_slots.slot_of(Row(world.pins.size() - 1))),
+                 "every pin has an id");
 }
 
 /// Removes the names of removed constraints from the figures. The figures' lists of constraints stay: names by number

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "sinew/math/matrix.h"
+#include "sinew/solver/moments.h"
 
 namespace sinew::detail {
 
 /// Rigid-body motion of some nodes, each with a mass and a velocity: momenta, changed by external forces only.
 template <int D> struct RigidMotion {
     using Vector = Vec<D, double>;
-    using Spin = Vec<D == 2 ? 1 : 3, double>;
+    using Spin = Vec<spins<D>, double>;
 
     double mass = 0;
     Vector center{}, momentum{};
@@ -24,13 +24,6 @@ template <int D> struct RigidMotion {
         for (const auto& node : nodes) motion.spin += moment(at(node) - motion.center, node.velocity * node.mass);
         return motion;
     }
-
-    static Spin moment(const Vec<2, double>& arm, const Vec<2, double>& force) { return {{cross(arm, force)}}; }
-    static Spin moment(const Vec<3, double>& arm, const Vec<3, double>& force) { return cross(arm, force); }
-    static Vector turning(const Vec<1, double>& rate, const Vec<2, double>& arm) {
-        return {{-rate[0] * arm[1], rate[0] * arm[0]}};
-    }
-    static Vector turning(const Vec<3, double>& rate, const Vec<3, double>& arm) { return cross(rate, arm); }
 
     /// Angular velocity of nodes with this spin at the given positions; zero if all are collinear (3D).
     template <class Nodes, class At> Spin rate_of(const Nodes& nodes, At&& at) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/math/scalar.h"
 #include "sinew/solver/kernel.h"
 #include "sinew/solver/limit_columns.h"
@@ -43,6 +44,7 @@ template <class Real> class BatchParameters {
 
     /// Precomputes the reciprocals read by the kernels (kernel_rigid.h).
     void prepare() {
+        SINEW_ASSERT(!has_compliance_ || compliance_.size() == size(), "every entry has a compliance, or none has");
         quarter_per_square_.resize(size());
         for (std::size_t i = 0; i < size(); ++i) {
             const Real low = limits_.low(i);

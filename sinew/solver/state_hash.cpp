@@ -15,8 +15,14 @@ class Digest {
 
     template <class T> void add_bytes(const T& value) { hash_.add(std::as_bytes(std::span(&value, 1))); }
 
+    /// Sizes have 64 bits in the hash, whatever the machine's.
     template <class T>
-    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void add_one(T value) { add_bytes(value); }
+    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void add_one(T value) {
+        if constexpr (std::is_same_v<T, std::size_t>)
+            add_bytes(std::uint64_t(value));
+        else
+            add_bytes(value);
+    }
     template <int D, class Real> void add_one(const Vec<D, Real>& vector) { add_bytes(vector.component); }
     template <class T> void add_one(const std::vector<T>& column) { // numbers have no padding
         hash_.add(column.size());

@@ -1,5 +1,7 @@
+#include "sinew/assert/assert.h"
 #include "sinew/solver/colliders.h"
 #include "sinew/solver/contact/figure_contact.h"
+#include "sinew/solver/momentum_keeper.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
 #include "sinew/solver/profile.h"
@@ -41,8 +43,7 @@ template <int D, class Real> class Sweep {
   public:
     Sweep(World<D, Real>& world, Solver<D, Real>& solver, int substeps, Real h)
         : world_(world), solver_(solver), plan_(solver.sweep_state.plan), kernels_(kernels<D, Real>()),
-          substeps_(substeps), passes_(substeps * world.settings.iterations), h_(h),
-          threads_(threads_for(solver.sweep_state.size(), solver.options.threads)),
+          substeps_(substeps), h_(h), threads_(threads_for(solver.sweep_state.size(), solver.options.threads)),
           driven_(!(plan_.others.empty() && solver.blocks.list.empty()) && any_driven(world)) {}
 
     void run() {
@@ -62,10 +63,11 @@ template <int D, class Real> class Sweep {
     Solver<D, Real>& solver_;
     const Plan<Real>& plan_;
     const Kernels<D, Real>& kernels_;
-    int substeps_, passes_;
+    int substeps_;
     Real h_;
     int threads_;
     bool driven_;
+    detail::MomentumKeeper<D, Real> keeper_{solver_.sweep_state, kernels_};
     DistanceColumns<D, Real> links_{};
 
     using Substep = detail::Substep<D, Real>;
@@ -79,8 +81,11 @@ template <int D, class Real> class Sweep {
     }
 
     void run_substeps() {
+        const auto bodies = std::span(solver_.sweep_state.bodies.list);
         gather(world_, solver_, h_, 0, solver_.sweep_state.size());
+        if (solver_.sweep_state.everyone_alike) keeper_.note(bodies, decay());
         for (int s = 1; s <= substeps_; ++s) run_substep(s);
+        if (solver_.sweep_state.everyone_alike) keeper_.restore(bodies);
         scatter(world_, solver_, 0, solver_.sweep_state.size());
     }
 
@@ -91,6 +96,8 @@ template <int D, class Real> class Sweep {
         detail::EnergyLimiter<D, Real> limiter(world_, solver_, h_);
         limiter.begin();
         for (const auto& tile : plan_.tiles) substep.predict(tile);
+        const bool keeps = !solver_.sweep_state.everyone_alike;
+        if (keeps) keeper_.note(solver_.sweep_state.bodies.list, 1);
         note_energy(world_, solver_);
         const Real share = Real(number) / Real(substeps_), last_share = Real(number - 1) / Real(substeps_);
         detail::FigureContact<D, Real> contacts(world_, solver_, h_, last_share, share,
@@ -112,6 +119,7 @@ template <int D, class Real> class Sweep {
         limiter.find_gains();
         for (const auto& tile : plan_.tiles) substep.advance(tile);
         take_back_gains(world_, solver_, h_);
+        if (keeps) keeper_.restore(solver_.sweep_state.bodies.list);
         limiter.take_gains();
         for (const auto& tile : plan_.tiles) substep.rebound(tile);
         contacts.relax();
@@ -171,15 +179,54 @@ template <int D, class Real> class Sweep {
         return tiles.size() >= 8 * std::size_t(threads_) && tiles.back().last - tiles.front().first > most;
     }
 
-    /// Runs all passes over a component turn after turn, a few passes to a stage.
+    /// Factor of velocities by damping over all substeps.
+    double decay() {
+        const double later = double(make_substep(2).keep());
+        double keep = double(make_substep(1).keep());
+        for (int number = 2; number <= substeps_; ++number) keep *= later;
+        return keep;
+    }
+
+    /// Runs all passes over a component. The momenta of free bodies are kept over the whole step where all forces are
+    /// alike, otherwise in each substep, between forces and constraints.
     void run_wavefront(const Component& component, int threads) {
-        const int stages = std::min(passes_, WavefrontScheduler::max_stages);
+        if (component.bodies == 0)
+            return run_passes(component, threads, {.last = substeps_, .gathers = true, .predicts = true});
+        const auto tiles = tiles_of(component);
+        const auto bodies = std::span(solver_.sweep_state.bodies.list).subspan(component.first_body, component.bodies);
+        const bool alike = solver_.sweep_state.everyone_alike;
+        const int number = alike ? substeps_ : 1;
+        gather(world_, solver_, h_, tiles.front().first, tiles.back().last);
+        for (int first = 0; first < substeps_; first += number) {
+            if (!alike) predict(component, first + 1);
+            keeper_.note(bodies, alike ? decay() : 1);
+            run_passes(component, threads, {.first = first, .last = first + number, .predicts = alike});
+            keeper_.restore(bodies);
+        }
+        scatter(world_, solver_, tiles.front().first, tiles.back().last);
+    }
+    void predict(const Component& component, int number) {
+        auto substep = make_substep(number);
+        for (const auto& tile : tiles_of(component)) substep.predict(tile);
+    }
+
+    /// Range of substeps, counted from 0.
+    struct Passes {
+        int first = 0, last = 0;
+        bool gathers = false;  ///< particles are gathered before, and scattered afterwards
+        bool predicts = false; ///< the first substep is yet to be predicted
+    };
+
+    /// Runs some substeps over a component turn after turn, a few passes to a stage.
+    void run_passes(const Component& component, int threads, const Passes& range) {
+        const int passes = (range.last - range.first) * world_.settings.iterations;
+        const int stages = std::min(passes, WavefrontScheduler::max_stages);
         if (stages < 1) return;
-        WavefrontScheduler relay(stages, turns_of(component));
+        WavefrontScheduler relay(stages, turns_of(component, passes));
         Workers::run(threads, threads, [&](int) {
             relay.help([&](int stage, int turn) {
-                for (int pass = passes_ * stage / stages; pass < passes_ * (stage + 1) / stages; ++pass)
-                    run_turn(component, turn, pass);
+                for (int pass = passes * stage / stages; pass < passes * (stage + 1) / stages; ++pass)
+                    run_turn(component, turn, pass, range);
             });
         });
     }
@@ -188,9 +235,8 @@ template <int D, class Real> class Sweep {
     /// one before as closely as shared particles allow, while a tile is still in the cache. With fewer tiles, threads
     /// take tiles out of each other's caches more often; with more, there is less to share.
     static constexpr std::uint32_t at_once = 16;
-    int turns_of(const Component& component) const { return int((last_time(component) + at_once - 1) / at_once); }
-    std::uint32_t last_time(const Component& component) const {
-        return component.tiles + std::uint32_t(passes_) * wavefront_offset(component);
+    int turns_of(const Component& component, int passes) const {
+        return int((component.tiles + std::uint32_t(passes) * wavefront_offset(component) + at_once - 1) / at_once);
     }
 
     /// Number of tiles by which a pass lags behind the pass before.
@@ -201,8 +247,9 @@ template <int D, class Real> class Sweep {
 
     /// Runs one turn of a pass, where a pass is one iteration of a substep. The first pass gathers and predicts; later
     /// substeps are predicted as the substep before ends. Then each color is projected, then pins and planes.
-    void run_turn(const Component& component, int turn, int pass) {
-        const int iterations = world_.settings.iterations, number = pass / iterations, iteration = pass % iterations;
+    void run_turn(const Component& component, int turn, int pass, const Passes& range) {
+        const int iterations = world_.settings.iterations, iteration = pass % iterations;
+        const int number = range.first + pass / iterations;
         const auto begun = std::uint32_t(pass) * wavefront_offset(component),
                    ended = begun + wavefront_offset(component);
         const auto first = std::max(begun, std::uint32_t(turn) * at_once);
@@ -211,15 +258,18 @@ template <int D, class Real> class Sweep {
         auto substep = make_substep(number + 1), next = make_substep(number + 2);
         substep.set_anchors(component);
         substep.mover().first_iteration = iteration == 0;
-        const auto tile = [&](std::uint32_t i) -> const Tile& { return plan_.tiles[component.first_tile + i]; };
+        const auto tile = [&](std::uint32_t i) -> const Tile& {
+            SINEW_ASSERT(i < component.tiles, "the tile is in the component");
+            return plan_.tiles[component.first_tile + i];
+        };
         for (auto time = first; time < last; ++time) {
             const auto at = [&](std::uint32_t begin, auto&& work) {
                 if (time >= begin && time - begin < component.tiles) work(time - begin);
             };
             if (pass == 0)
                 at(0, [&](std::uint32_t i) {
-                    gather(world_, solver_, h_, tile(i).first, tile(i).last);
-                    substep.predict(tile(i));
+                    if (range.gathers) gather(world_, solver_, h_, tile(i).first, tile(i).last);
+                    if (range.predicts) substep.predict(tile(i));
                 });
             for (std::uint32_t f = 0; f < component.colors; ++f)
                 at(begun + plan_.colors[component.first_color + f].wavefront_offset,
@@ -228,9 +278,9 @@ template <int D, class Real> class Sweep {
                 if (world_.repair_window) substep.repair_overstretch(component, i);
                 substep.tighten(component, i);
                 if (iteration + 1 < iterations) return substep.hold(tile(i));
-                const bool over = number + 1 == substeps_;
+                const bool over = number + 1 == range.last;
                 substep.go_on(tile(i), over ? nullptr : &next);
-                if (over) scatter(world_, solver_, tile(i).first, tile(i).last);
+                if (over && range.gathers) scatter(world_, solver_, tile(i).first, tile(i).last);
             });
         }
     }

@@ -31,6 +31,8 @@ template <int D, class Real> class Substep {
     }
 
     SubstepMover<D, Real>& mover() { return mover_; }
+    /// Factor of velocities by the common damping.
+    Real keep() const { return decay_.keep; }
 
     /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
     /// middle of this one. Drag scales mobilities by the same factor as the push, so a weight at rest pulls with its
@@ -63,14 +65,14 @@ template <int D, class Real> class Substep {
                                 .again = again};
         kernels_.project(links_, pass, runs + first, runs + last);
         if (pass.overstretched && component.tethers > 0) plan.tiles[component.first_tile + tile].overstretched = true;
-        if (pass.shortest < Real(1e-18)) part_heaps(first, last);
+        if (pass.shortest < limit::shortest_link<Real>) part_heaps(first, last);
     }
 
     /// Repair of overstretched links of a tethered component (snapping taut, a hem cracking like a whip): sweeps part
-    /// of the `restless` tiles from this one on again. The window ends one tile after the last overstretched tile and
-    /// begins four tiles before the first for each overstretched one. Every tile does so in turn, hence errors travel
-    /// as far as necessary. The colours are swept in reverse: otherwise the first would always bear the errors of all
-    /// others.
+    /// of the `repair_window` tiles from this one on again. The window ends one tile after the last overstretched tile
+    /// and begins four tiles before the first for each overstretched one. Every tile does so in turn, hence errors
+    /// travel as far as necessary. The colours are swept in reverse: otherwise the first would always bear the errors
+    /// of all others.
     void repair_overstretch(const Component& component, std::uint32_t tile) {
         const auto tiles = std::span(swept_.plan.tiles).subspan(component.first_tile, component.tiles);
         const auto end = std::min(tile + world_.repair_window, component.tiles);
@@ -156,7 +158,7 @@ template <int D, class Real> class Substep {
     void tether(const Tile& tile) {
         if (motion_.anchor_count > 0) kernels_.tether(motion_, tile.first, tile.last);
     }
-    /// Tethers in every second substep, including the last: particles fall little in between (docs/step.md).
+    /// Tethers in every second substep, including the last: particles fall little in between (docs/measured/sweep.md).
     void tether_in_turn(const Tile& tile) {
         if (tethered_) tether(tile);
     }
@@ -296,7 +298,8 @@ template <int D, class Real> class Substep {
             for (std::uint32_t i = 0; i < swept_.plan.runs[run].count; ++i) {
                 const Row row = swept_.plan.row_of(swept_.plan.runs[run], i);
                 const auto ends = std::as_const(table.members)[row];
-                if (!(table.low(row) > Real(0)) || norm(mover_.point(ends[1]) - mover_.point(ends[0])) > Real(1e-18))
+                if (!(table.low(row) > Real(0)) ||
+                    norm(mover_.point(ends[1]) - mover_.point(ends[0])) > limit::shortest_link<Real>)
                     continue;
                 part(mover_, ends, row, clamp(Real(0), table.low(row), table.high(row)));
                 correct_row(std::span(solver_.scratch), table, row, mover_);

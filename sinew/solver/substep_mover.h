@@ -52,8 +52,7 @@ template <int D, class RealT> struct SubstepMover {
             now += dot(stencil.gradient[i], stencil.gradient[i]);
             then += dot(stencil.direction[i], stencil.direction[i]);
         });
-        constexpr Real least_agreement = Real(0.99);
-        if (along < least_agreement * maximum(now, then)) stencil.direction = stencil.gradient;
+        if (along < Real(least_agreement) * maximum(now, then)) stencil.direction = stencil.gradient;
     }
 };
 

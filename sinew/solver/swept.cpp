@@ -61,6 +61,8 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, R
         sweep_state.any_pin_moves = sweep_state.any_pin_moves || pin.from != pin.target;
         sweep_state.any_pin_soft = sweep_state.any_pin_soft || !pin.hard();
     }
+    auto& bodies = sweep_state.bodies;
+    bodies.touched.assign(!has_walls(world) || bodies.list.empty() ? 0 : sweep_state.size(), 0);
     sweep_state.largest_radius = 0;
     if (!has_walls(world)) return;
     for (const Row row : sweep_state.row_of)

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/math/vec.h"
+#include "sinew/solver/free_bodies.h"
 #include "sinew/solver/id.h"
 #include "sinew/solver/plan.h"
 
@@ -26,6 +28,7 @@ template <int D, class Real> struct SweepState {
     Real largest_radius = 0;
     bool any_pin_moves = false, any_pin_soft = false; ///< in this step
     Plan<Real> plan;
+    FreeBodies<D> bodies;
     PlanRoom room;
     Plan<Real> spare; ///< components set aside while others are laid out before
     std::vector<Row> spare_rows;
@@ -33,6 +36,7 @@ template <int D, class Real> struct SweepState {
     std::uint32_t size() const { return std::uint32_t(row_of.size()); }
 
     void give_slot(Row row) {
+        SINEW_ASSERT(slot_of[row] == none, "a particle has one slot");
         slot_of[row] = size();
         row_of.push_back(row);
     }
@@ -41,6 +45,7 @@ template <int D, class Real> struct SweepState {
         row_of.reserve(particles);
         slot_of.reserve(particles);
         spare_rows.reserve(particles);
+        bodies.reserve(particles);
         columns_.clear(); // reallocation moves the columns
         columns_.reserve((particles + 2048) * (3 * D + 1));
     }
@@ -60,7 +65,10 @@ template <int D, class Real> struct SweepState {
     }
 
     /// Stride between the components of a column.
-    std::size_t apart() const { return std::size_t(place[1] - place[0]); }
+    std::size_t apart() const {
+        SINEW_ASSERT(std::size_t(place[1] - place[0]) >= row_of.size(), "a column has room for every slot");
+        return std::size_t(place[1] - place[0]);
+    }
 
     Vec<D, Real> place_at(Row slot) const { return get(place, slot); }
     Vec<D, Real> move_at(Row slot) const { return get(move, slot); }

@@ -11,8 +11,8 @@ namespace sinew {
 
 /// Number of cores of the machine, at least 1.
 int hardware_threads();
-/// Number of threads worth using for so many particles (docs/performance.md): 1 for few, otherwise `wanted`, or all
-/// cores if `wanted` is 0.
+/// Number of threads worth using for so many particles (docs/measured/performance.md): 1 for few, otherwise `wanted`,
+/// or all cores if `wanted` is 0.
 int threads_for(std::size_t particles, int wanted);
 
 /// Wavefront scheduler: every stage does all turns in order, each after the stage before has done the same turn.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/collide/collider.h"
 #include "sinew/constraint/kinds.h"
 #include "sinew/solver/column.h"
@@ -9,6 +10,7 @@
 #include "sinew/solver/id.h"
 #include "sinew/solver/integrator.h"
 #include "sinew/solver/journal.h"
+#include "sinew/solver/limit.h"
 #include "sinew/solver/limit_columns.h"
 
 #include <array>
@@ -22,19 +24,6 @@
 /// it. A world is a value; a copy is a snapshot. Units are the user's, as long as they agree (metres, kilograms,
 /// seconds, newtons; or pixels and frames).
 namespace sinew {
-
-/// Limits within which finite input can never become infinite or not-a-number, in float as in double. Values beyond a
-/// limit are clamped to the limit. In the user's units.
-namespace limit {
-template <class Real> inline constexpr Real coordinate = Real(1e8);
-template <class Real> inline constexpr Real speed = Real(1e12);
-template <class Real> inline constexpr Real force = Real(1e15);
-template <class Real> inline constexpr Real mass = Real(1e12);          ///< also of the inverse mass
-template <class Real> inline constexpr Real measure = Real(1e26);       ///< limits of a constraint, compliance / h^2
-template <class Real> inline constexpr Real multiplier = Real(1e25);    ///< multiplier of a constraint
-template <class Real> inline constexpr Real step = Real(1e6);           ///< length of a step, time units
-template <class Real> inline constexpr Real shortest_step = Real(1e-9); ///< a shorter step is ignored
-} // namespace limit
 
 /// Components clamped to [-limit, limit]. A non-finite vector is returned unchanged: the next step quarantines its
 /// figure.
@@ -85,11 +74,18 @@ template <int D, class Real> struct Particles {
 template <int Arity> struct Members {
     std::vector<std::array<Row, Arity>> rows;
 
-    std::span<const Row> operator[](Row constraint) const { return rows[constraint]; }
-    std::span<Row> operator[](Row constraint) { return rows[constraint]; }
+    std::span<const Row> operator[](Row constraint) const {
+        SINEW_ASSERT(constraint < rows.size(), "the constraint is in the table");
+        return rows[constraint];
+    }
+    std::span<Row> operator[](Row constraint) {
+        SINEW_ASSERT(constraint < rows.size(), "the constraint is in the table");
+        return rows[constraint];
+    }
     std::size_t size() const { return rows.size(); }
 
     void append(std::span<const Row> members) {
+        SINEW_ASSERT(members.size() == std::size_t(Arity), "a constraint has as many members as its kind");
         auto& row = rows.emplace_back();
         for (std::size_t i = 0; i < row.size(); ++i) row[i] = members[i];
     }
@@ -113,6 +109,7 @@ template <> struct Members<any_arity> {
         first.push_back(std::uint32_t(pool.size()));
     }
     void erase(std::span<const char> gone) {
+        SINEW_ASSERT(gone.size() == size(), "every row has a flag");
         std::uint32_t kept = 0, end = 0;
         for (Row row = 0, rows = Row(size()); row < rows; ++row) {
             const auto begin = first[row];
@@ -254,7 +251,8 @@ enum class PassOrder : std::uint8_t {
     walls_last       ///< move, the sweep `passes` times, then walls
 };
 
-/// Rules of classic mode, each found in some original (docs/classic.md). The last five are known bugs of the originals.
+/// Rules of classic mode, each found in some original (docs/how/classic.md). The last five are known bugs of the
+/// originals.
 template <class Real> struct ClassicRules {
     int passes = 1;
     PassOrder order = PassOrder::sweeps_last;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 /// Motions whose answer is known, exactly or as the discrete scheme has it.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -285,4 +285,4 @@ TYPED_TEST(Motion, AnAttractorHoldsACircularOrbit) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

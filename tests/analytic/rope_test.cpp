@@ -9,7 +9,7 @@
 #include <cmath>
 
 /// Ropes and swings against what the textbook says.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -157,4 +157,4 @@ TEST(Truth, WhatSwingsKeepsItsEnergy) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -3,7 +3,7 @@
 #include <cmath>
 
 /// Shapes at rest, what does not depend on where or how fast one looks, and what is kept.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -174,4 +174,4 @@ TYPED_TEST(Shapes, FrameRateDoesNotMatter) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 /// The worlds that are measured are what they say.
-namespace sinew::bench {
+namespace sinew::bench::SINEW_TEST_FILE {
 namespace {
 
 double strain_at_first(const Work& work) {
@@ -96,4 +96,4 @@ TEST(Measuring, GivesTheEngineAndTheTextbookTheSameFrames) {
 }
 
 } // namespace
-} // namespace sinew::bench
+} // namespace sinew::bench::SINEW_TEST_FILE

@@ -7,7 +7,7 @@
 #include <limits>
 
 /// What everything is compared with has to be right itself.
-namespace sinew::bench {
+namespace sinew::bench::SINEW_TEST_FILE {
 namespace {
 
 Work two_points(float apart, float rest) {
@@ -88,4 +88,4 @@ TEST(Strain, IsTheWorstAndTheMeanOfAllSticks) {
 }
 
 } // namespace
-} // namespace sinew::bench
+} // namespace sinew::bench::SINEW_TEST_FILE

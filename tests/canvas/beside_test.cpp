@@ -5,7 +5,7 @@
 #include <array>
 #include <gtest/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 Picture page(const Color& background) {
@@ -69,4 +69,4 @@ TEST_F(Beside, TextsAndImagesKeepTheirNumbers) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using canvas::Raster;
@@ -173,4 +173,4 @@ TEST_F(CairoPainter, SamePictureGivesTheSamePixels) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

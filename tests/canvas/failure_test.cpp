@@ -14,7 +14,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using canvas::Failure;
@@ -305,4 +305,4 @@ TEST(Interruption, StaysIgnoredWhereItWasIgnored) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -66,4 +66,4 @@ TEST(Formats, SheetIsAStillImageOfAtLeastOneFrame) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using canvas::Failure;
@@ -205,4 +205,4 @@ TEST(Film, SeveralMayBeWrittenAtOnce) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

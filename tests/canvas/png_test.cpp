@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 /// Images from files, and onto pictures.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using canvas::read_png;
@@ -205,4 +205,4 @@ TEST_F(PaintedImage, WithoutAreaOrOutOfTheWorldIsNotSeen) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

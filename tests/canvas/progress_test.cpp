@@ -10,7 +10,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using canvas::Progress;
@@ -88,4 +88,4 @@ TEST(Progress, IsSilentInAPipe) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -7,7 +7,7 @@
 #include <sstream>
 
 /// What `sinew bench` prints; never how long anything took.
-namespace sinew::cli_test {
+namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
 std::vector<nlohmann::json> lines(const Outcome& outcome) {
@@ -97,4 +97,4 @@ TEST(Bench, KnowsWhatItCanMeasure) {
 }
 
 } // namespace
-} // namespace sinew::cli_test
+} // namespace sinew::cli_test::SINEW_TEST_FILE

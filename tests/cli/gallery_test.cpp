@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 /// sinew gallery.
-namespace sinew::cli_test {
+namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
 std::size_t count(const std::string& text, std::string_view part) {
@@ -43,4 +43,4 @@ TEST(Gallery, SaysWhatItCannotDo) {
 }
 
 } // namespace
-} // namespace sinew::cli_test
+} // namespace sinew::cli_test::SINEW_TEST_FILE

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 /// Every file in tests/hostile is refused, with a message that names it, in under a second and 200 MB.
-namespace sinew::cli_test {
+namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,4 +49,4 @@ TEST(Memory, WhereItIsShortIsSaid) {
 }
 
 } // namespace
-} // namespace sinew::cli_test
+} // namespace sinew::cli_test::SINEW_TEST_FILE

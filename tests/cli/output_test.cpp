@@ -6,7 +6,7 @@
 #include <sys/resource.h>
 
 /// What commands that do not draw tell, for people and as JSON.
-namespace sinew::cli_test {
+namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
 using nlohmann::json;
@@ -256,4 +256,4 @@ TEST(Describe, MakesASchemaForEditors) {
 }
 
 } // namespace
-} // namespace sinew::cli_test
+} // namespace sinew::cli_test::SINEW_TEST_FILE

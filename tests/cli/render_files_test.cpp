@@ -9,7 +9,7 @@
 #include <thread>
 
 /// Outputs of sinew render: variants beside each other, pipes, files that are watched, disks that are full.
-namespace sinew::cli_test {
+namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
 namespace fs = std::filesystem;
@@ -240,4 +240,4 @@ TEST_F(RenderWatch, SeesTheImagesOfTheScene) {
 }
 
 } // namespace
-} // namespace sinew::cli_test
+} // namespace sinew::cli_test::SINEW_TEST_FILE

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-namespace sinew::cli_test {
+namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
 namespace fs = std::filesystem;
@@ -166,4 +166,4 @@ TEST_F(Render, LaysOverWhatIsAskedFor) {
 }
 
 } // namespace
-} // namespace sinew::cli_test
+} // namespace sinew::cli_test::SINEW_TEST_FILE

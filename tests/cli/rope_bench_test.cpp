@@ -4,7 +4,7 @@
 #include <sstream>
 
 /// What `sinew bench rope` claims of ropes, bridges and ragdolls, at its default settings.
-namespace sinew::cli_test {
+namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
 using nlohmann::json;
@@ -52,4 +52,4 @@ TEST(Run, TellsTheEnergyThatBlowsTook) {
 }
 
 } // namespace
-} // namespace sinew::cli_test
+} // namespace sinew::cli_test::SINEW_TEST_FILE

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 /// Where scenes come from.
-namespace sinew::cli_test {
+namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,4 @@ TEST(SceneFile, NamesImagesFromItsOwnFolder) {
 }
 
 } // namespace
-} // namespace sinew::cli_test
+} // namespace sinew::cli_test::SINEW_TEST_FILE

@@ -6,7 +6,7 @@
 #include <sstream>
 
 /// Traces and pointer files of `run`.
-namespace sinew::cli_test {
+namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
 using nlohmann::json;
@@ -152,4 +152,4 @@ TEST(Pointer, LeadsWhatIsRendered) {
 }
 
 } // namespace
-} // namespace sinew::cli_test
+} // namespace sinew::cli_test::SINEW_TEST_FILE

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 /// What is said to someone who does not know how, or gets it wrong.
-namespace sinew::cli_test {
+namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
 void expect_help(const Outcome& outcome, const char* text) {
@@ -114,4 +114,4 @@ TEST(Output, IsColouredOnlyForPeople) {
 }
 
 } // namespace
-} // namespace sinew::cli_test
+} // namespace sinew::cli_test::SINEW_TEST_FILE

@@ -3,7 +3,7 @@
 
 #include "tests/collide/shapes.h"
 
-namespace sinew::collide {
+namespace sinew::collide::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -87,4 +87,4 @@ TEST(PoseOfAShape, BetweenTwoPosesIsExactAtBothEnds) {
 }
 
 } // namespace
-} // namespace sinew::collide
+} // namespace sinew::collide::SINEW_TEST_FILE

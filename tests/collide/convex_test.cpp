@@ -1,6 +1,6 @@
 #include "tests/collide/shapes.h"
 
-namespace sinew::collide {
+namespace sinew::collide::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -179,4 +179,4 @@ TEST(ConvexPolygon, OnlyConvexCornersInCounterClockwiseOrderCount) {
 }
 
 } // namespace
-} // namespace sinew::collide
+} // namespace sinew::collide::SINEW_TEST_FILE

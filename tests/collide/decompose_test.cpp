@@ -2,7 +2,7 @@
 
 #include "tests/collide/shapes.h"
 
-namespace sinew::collide {
+namespace sinew::collide::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -69,4 +69,4 @@ TEST(Decomposition, APolygonThatCrossesItselfHasNoParts) {
 }
 
 } // namespace
-} // namespace sinew::collide
+} // namespace sinew::collide::SINEW_TEST_FILE

@@ -1,6 +1,6 @@
 #include "tests/collide/shapes.h"
 
-namespace sinew::collide {
+namespace sinew::collide::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -150,4 +150,4 @@ TEST(HeightFieldShape, OfASlopeIsThePlane) {
 }
 
 } // namespace
-} // namespace sinew::collide
+} // namespace sinew::collide::SINEW_TEST_FILE

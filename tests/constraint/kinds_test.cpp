@@ -6,7 +6,7 @@
 #include <vector>
 
 /// Every kind of constraint in the list obeys these laws; a new kind is tested the moment it is in the list.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 template <int D> using Places = std::vector<Vec<D, double>>;
@@ -278,4 +278,4 @@ TEST(Kinds, AreNumberedByTheirDimensionAsTheTablesOfAWorld) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

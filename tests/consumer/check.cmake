@@ -1,4 +1,4 @@
-# Takes the program out of README.md (the ```cpp block after <!-- hello -->) and that of docs/cpp.md (all of its ```cpp
+# Takes the program out of README.md (the ```cpp block after <!-- hello -->) and that of docs/how/cpp.md (all of its ```cpp
 # blocks), installs Sinew, and builds and runs them against the installed tree: once by find_package, once by pkg-config.
 include(${source}/tests/page.cmake)
 set(work ${build}/consumer)
@@ -7,7 +7,7 @@ set(prefix ${work}/prefix)
 file(REMOVE_RECURSE ${work})
 take_block(${source}/README.md hello cpp)
 file(WRITE ${work}/hello.cpp "${block}")
-take_blocks(${source}/docs/cpp.md cpp)
+take_blocks(${source}/docs/how/cpp.md cpp)
 file(WRITE ${work}/game.cpp "${block}")
 run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
 

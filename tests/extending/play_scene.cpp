@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-/// Plays the scene of docs/extending.md and checks what its text says of it: play_scene FILE [KEY=VALUE]...
+/// Plays the scene of docs/how/extending.md and checks what its text says of it: play_scene FILE [KEY=VALUE]...
 namespace {
 
 int wrong = 0;

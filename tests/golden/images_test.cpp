@@ -15,7 +15,7 @@
 #include <iterator>
 
 /// Every scene in every mode looks as it did: images/README.md says how to renew what is meant to look different.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ TEST(Ssim, IsOneForEqualAndLowForWhatIsMissing) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -12,7 +12,7 @@
 
 /// The first frames of each tutorial, worked out from its text by the scripts of tests/originals: classic mode is there
 /// to a millionth of a pixel.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 struct Line {
@@ -87,4 +87,4 @@ TEST(Originals, FirstFramesAreTheTutorials) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -9,7 +9,7 @@
 
 /// The same bits on every compiler, processor and thread. After a change that is meant to change the numbers, renew
 /// worlds.txt with   SINEW_RENEW_GOLDEN=1 build/tests/sinew_tests --gtest_filter='SameBits.*'
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -60,4 +60,4 @@ TEST(SameBits, WhateverElseRunsBesideIt) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using V = Vec2<double>;
@@ -73,4 +73,4 @@ TEST(CatmullRom, RunsThroughItsPointsAndTurnsSmoothlyThere) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

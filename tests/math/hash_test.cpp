@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 std::uint64_t hash_of(const std::vector<std::vector<int>>& pieces) {
@@ -26,4 +26,4 @@ TEST(Hash, GivesTheSameNumberEverywhere) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 TEST(Random, ANumberIsAFunctionOfSeedStreamAndCount) {
@@ -48,4 +48,4 @@ TEST(Random, WholeNumbersIncludeBothEndsAndAreEquallyLikely) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

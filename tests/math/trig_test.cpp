@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr long double half_pi = 1.570796326794896619231321691639751442L;
@@ -123,4 +123,4 @@ TEST(Trig, GivesTheSameBitsEverywhere) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

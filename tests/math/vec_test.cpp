@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -60,4 +60,4 @@ TEST(Vec, CalculatesByComponents) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 /// What a session looks like, as laws of its display list.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 std::string scene(const std::string& figures, const std::string& more = "") {
@@ -281,4 +281,4 @@ TEST(Draw, InSpaceAFaceIsSeenFromItsFront) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

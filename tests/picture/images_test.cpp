@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 /// Images in place of shapes, as laws of the display list.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 /// Any name is an image of 20 x 10 pixels, but "missing.png".
@@ -177,4 +177,4 @@ TEST(Hover, IsLaidOverWhatThePointerIsAt) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 /// What overlays add to a picture.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 struct Seen {
@@ -148,4 +148,4 @@ TEST(Overlay, ClassicWallsAreTouchedWithoutForce) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 /// Limbs and ropes as bands along curves.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using Points = std::vector<Vec2<float>>;
@@ -110,4 +110,4 @@ TEST(Tile, AProfileSaysHowThickItIsAlongItsWay) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 /// Drawings of the past: paths and curves.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 Document scene_with(const std::string& traces, const std::string& more = "") {
@@ -164,4 +164,4 @@ TEST(Scene, AForceForAFigureThatIsNotThereIsAnError) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 /// Files of the game: what is asked before something is lost, what is kept, and running states.
-namespace sinew::play {
+namespace sinew::play::SINEW_TEST_FILE {
 namespace {
 
 namespace fs = std::filesystem;
@@ -332,4 +332,4 @@ TEST(PlayHint, FadesAfterTheFirstDrag) {
 }
 
 } // namespace
-} // namespace sinew::play
+} // namespace sinew::play::SINEW_TEST_FILE

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 /// The game without its window: what a player does, said as a script or done by hand.
-namespace sinew::play {
+namespace sinew::play::SINEW_TEST_FILE {
 namespace {
 
 using games::fetch;
@@ -393,4 +393,4 @@ TEST(Touch, OneFingerIsThePointerAndTwoMoveAndScale) {
 }
 
 } // namespace
-} // namespace sinew::play
+} // namespace sinew::play::SINEW_TEST_FILE

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 /// Classic and physical mode side by side.
-namespace sinew::play {
+namespace sinew::play::SINEW_TEST_FILE {
 namespace {
 
 using games::pixel_of;
@@ -121,4 +121,4 @@ TEST_F(SplitView, APictureHasBothHalvesUnderTheirNames) {
 }
 
 } // namespace
-} // namespace sinew::play
+} // namespace sinew::play::SINEW_TEST_FILE

@@ -5,7 +5,7 @@
 #include "tests/stepped.h"
 #include "tests/thorough.h"
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr double degree = pi<double> / 180;
@@ -94,4 +94,4 @@ TEST(Chain, LoopsAboveADraggedOneMoveWithIt) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 /// Distance constraints as (first row, second row), in the order of the sweep.
@@ -153,4 +153,4 @@ TEST(Curtain, HangsByEverySoManiethHookAndByItsEnds) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 /// Slider and crank: s = r cos(phi) + sqrt(l^2 - r^2 sin^2(phi)), in any direction, whichever way y points.
@@ -136,4 +136,4 @@ TEST(Star, IsCheckedAsOtherNamesAre) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 /// What grows in gardens: trees and the webs between them.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 TEST(Tree, ForksAsOftenAsItsDepthSays) {
@@ -60,4 +60,4 @@ TEST(Spiderweb, ComesToRestWithEveryThreadTaut) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -7,7 +7,7 @@
 #include <set>
 
 /// OBJ files: what is a mesh is read, what is none is refused with the line.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 MeshModel good(std::string_view text) {
@@ -142,4 +142,4 @@ TEST(MeshPrefab, TiesEachEdgeOnceHoweverManyThereAre) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 Mode any_mode() {
@@ -221,4 +221,4 @@ TEST(NamesByNumber, StayWithTheirParticlesWhenOthersAreRemoved) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

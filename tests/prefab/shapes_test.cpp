@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 TEST(Polygon, StandsOnASideAndCountsItsCornersCounterClockwise) {
@@ -154,4 +154,4 @@ TEST(Humanoid, HasTheOriginalsElevenLinksAndATrunkOfItsOwn) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

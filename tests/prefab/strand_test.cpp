@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 TEST(Rope, HangsFromItsStartStraightDown) {
@@ -113,4 +113,4 @@ TEST(Chain, RefusesMoreSlackThanItsBendLimitAllows) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

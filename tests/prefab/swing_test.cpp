@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 /// A swing whose seat stays level is a pendulum as long as its ropes: T = 2 pi sqrt(l/g) (1 + theta^2/16). Ropes that
@@ -75,4 +75,4 @@ TEST(Bridge, HangsByItsWeightFromBothBanks) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 /// Finite input never becomes infinite or not-a-number, whatever it is.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -180,4 +180,4 @@ TYPED_TEST(Finite, AHeapOfCoincidentParticlesUnfolds) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

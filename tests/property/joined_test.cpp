@@ -12,7 +12,7 @@
 /// Laws of blocks that are joined to a sweep: any figure of ropes, trees, skeletons, cloth, jelly and beads, masses
 /// over six decades, joined anywhere; hung, thrown, dragged and released. Figures without a port have tests of their
 /// own.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -131,7 +131,7 @@ template <int D> struct Joined {
 };
 
 /// A law with a bound for every figure, and a tighter one that all but two in a hundred keep: what the masses of some
-/// ask for no sweep can give (docs/joined.md).
+/// ask for no sweep can give (docs/measured/joined.md).
 class Law {
   public:
     Law(const char* name, double tight, double loose) : name_(name), tight_(tight), loose_(loose) {}
@@ -255,4 +255,4 @@ TYPED_TEST(JoinedThings, ACopyStepsAsItsOriginalOnAnyNumberOfThreads) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

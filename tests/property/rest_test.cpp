@@ -8,7 +8,7 @@
 #include <cmath>
 
 /// Figures at rest move again when something works on them.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr std::size_t ground = 2;                          ///< its number among the walls
@@ -83,7 +83,7 @@ TYPED_TEST_SUITE(Rest, test::Everywhere, test::Names);
 // allow.
 TYPED_TEST(Rest, WhatLiesComesWhenItIsPulled) {
     using Real = typename TypeParam::Real;
-    const int every = few_or_many(41, 1);
+    const int every = one_of(41);
     int number = 0;
     for_every_lying<TypeParam>([&](const auto& prefab) {
         const Lying<TypeParam> lying(prefab, 0.4);
@@ -116,7 +116,7 @@ template <class World> double height(const World& world) {
 // m a = F - m g + N, and a floor only pushes.
 TYPED_TEST(Rest, WhatIsPushedUpRises) {
     using Real = typename TypeParam::Real;
-    const int every = few_or_many(11, 1), steps = 15;
+    const int every = one_of(11), steps = 15;
     int number = 0;
     for_every_lying<TypeParam>([&](const auto& prefab) {
         const Lying<TypeParam> lying(prefab, 0.4);
@@ -162,7 +162,7 @@ TYPED_TEST(Rest, WhatLiesFallsWhenItsFloorIsTakenAway) {
 // A hard pin is where it is told to be, and what hangs on it comes along.
 TYPED_TEST(Rest, WhatHangsComesAlongWithItsPin) {
     using Real = typename TypeParam::Real;
-    const int every = few_or_many(17, 1);
+    const int every = one_of(17);
     int number = 0;
     for_every_lying<TypeParam>([&](const auto& prefab) {
         const Lying<TypeParam> lying(prefab, 0.4);
@@ -187,4 +187,4 @@ TYPED_TEST(Rest, WhatHangsComesAlongWithItsPin) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -6,7 +6,7 @@
 #include "tests/thorough.h"
 
 /// A minute of grabs, throws and cuts by a pointer that knows nothing, in every scene.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 /// The numbers a fool would choose.
@@ -190,4 +190,4 @@ TEST_P(Abuse, LeavesItWhole) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Abuse, testing::ValuesIn(doubles()), name_of_run);
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

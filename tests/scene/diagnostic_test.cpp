@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 /// The diagnostics of one error on the given part of the text.
@@ -140,4 +140,4 @@ TEST(Printable, ALongTextIsCutAtACharacter) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

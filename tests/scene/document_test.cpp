@@ -9,7 +9,7 @@
 #include <rapidcheck/gtest.h>
 #include <string>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 Document loaded(std::string text, std::vector<std::string> pairs = {}) {
@@ -295,4 +295,4 @@ TEST(DocumentLaw, TheSampleIsGoodInBothModes) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

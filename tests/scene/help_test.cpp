@@ -9,7 +9,7 @@
 #include <vector>
 
 /// The help that errors of scenes give beyond the place of a mistake.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr auto two_ropes = R"({"sinew": 1, "figures": [
@@ -100,4 +100,4 @@ TEST(Colors, ThatThereAreNotAreToldWhichAreNear) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -9,7 +9,7 @@
 #include <rapidcheck/gtest.h>
 #include <string>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 struct Parsed {
@@ -279,4 +279,4 @@ RC_GTEST_PROP(JsonLaw, AcceptsWhatNlohmannAcceptsApartFromDuplicates, ()) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 /// Meshes in scene files: the model is read by whoever opens the scene.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -70,4 +70,4 @@ TEST(Models, LieInTheFolderOfTheScene) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -9,7 +9,7 @@
 #include <rapidcheck/gtest.h>
 #include <string>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 const Units pixels{.length = "px", .mass = "kg", .time = "frame", .per_metre = 100, .per_second = 60};
@@ -281,4 +281,4 @@ TEST(Units, RoundingGivesWhatAPersonWouldHaveWritten) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

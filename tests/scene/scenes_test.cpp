@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 std::vector<std::filesystem::path> scene_files() {
@@ -108,4 +108,4 @@ RC_GTEST_PROP(ScenesLaw, DamageIsReadOrRefusedWithPlaces, ()) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 bool reader_accepts(const std::string& text, std::string& errors) {
@@ -145,4 +145,4 @@ TEST(Describe, MarkdownIsATable) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

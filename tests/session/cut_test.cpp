@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 /// Cuts in scenes: events and pointers.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 Session cutting_session(const std::string& more, const std::string& figure) {
@@ -171,4 +171,4 @@ TEST(Cuts, WhatIsDrawnOfClothFollowsTheBladeInThePlaneAndInSpace) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 /// Pins that move by themselves.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 constexpr Point rest{{450, 100, 0}};
@@ -162,4 +162,4 @@ TEST(Driver, KeysOutOfOrderAreAnError) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 /// What events do: those that repeat, that kick, that join, that grab many. A rate of 60: a step is a frame.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 std::string told(const std::string& text) {
@@ -194,4 +194,4 @@ TEST(Pointer, InClassicModeStrokesWhatItComesNearTo) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -8,7 +8,7 @@
 #include "tests/thorough.h"
 
 /// A solver follows from its world: one thrown away at any time, or another beside it, changes no bit.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 std::uint64_t hash_of(const Session& session) {
@@ -90,4 +90,4 @@ TEST(Environment, HasGravityAirAndWallsByName) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -59,7 +59,7 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
 }
 #endif
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -138,4 +138,4 @@ TEST(Allocation, AStepOfWhatIsMeasuredAllocatesNothing) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

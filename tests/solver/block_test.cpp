@@ -10,7 +10,7 @@
 #include <rapidcheck.h>
 
 /// What is solved at once: ropes and trees that do not stretch and do not gain.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -390,4 +390,4 @@ TEST(Block, AnyTreeStandsAnyPose3D) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -1,6 +1,6 @@
 #include "tests/worlds.h"
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -107,4 +107,4 @@ TYPED_TEST(Bounds, ABoxKeepsWhatIsInIt) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

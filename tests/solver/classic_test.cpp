@@ -2,7 +2,7 @@
 #include "tests/worlds.h"
 
 /// Classic mode reproduces the originals' rules: the first frames by hand. Lengths in pixels, time in frames, y down.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -473,4 +473,4 @@ TEST(Classic, SpeedSetBeforeTheFirstStepIsInLengthsPerTimeUnit) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -2,7 +2,7 @@
 
 #include "tests/worlds.h"
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -297,4 +297,4 @@ TYPED_TEST(Colliders, CopiesHaveTheSameFuture) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

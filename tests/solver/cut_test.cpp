@@ -5,7 +5,7 @@
 #include "tests/worlds.h"
 
 /// Cutting: which links go, what goes with them, what is left of the drawing.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -162,4 +162,4 @@ TEST(Cut, APatchAndARingGoAndATipStaysAtItsEnd) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

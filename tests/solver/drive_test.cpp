@@ -6,7 +6,7 @@
 #include <cmath>
 
 /// Winches, pulleys and motors: solved at once, and in a sweep.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -193,4 +193,4 @@ TEST(Motor, TurnsToItsPoseAndRests) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -3,7 +3,7 @@
 
 #include <rapidcheck/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -255,4 +255,4 @@ TYPED_TEST(Edit, TeleportMovesAFigureAndItsPinsAndKeepsOrResetsItsVelocity) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

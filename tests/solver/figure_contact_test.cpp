@@ -2,7 +2,7 @@
 
 #include "tests/worlds.h"
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -215,4 +215,4 @@ TYPED_TEST(Figures2, CopiesHaveTheSameFuture) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

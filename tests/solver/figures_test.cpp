@@ -9,7 +9,7 @@
 #include <malloc.h>
 
 /// Figures come and go, and leave nothing.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -151,4 +151,4 @@ TEST(Figures, ARunningSessionLosesOneAndGoesBackToWhereItHadIt) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

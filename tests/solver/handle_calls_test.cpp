@@ -9,7 +9,7 @@
 /// Very many calls with handles of every sort, in worlds that stay small: living, stale, of another world, of a future
 /// that was undone, made up. A handle that stands for nothing does nothing and says so; the rest is up to the address
 /// sanitizer.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -186,4 +186,4 @@ TEST(HandleCalls, OneThatStandsForNothingDoesNothingAndSaysSo) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -1,12 +1,11 @@
 #include "tests/random_calls.h"
-#include "tests/sanitized.h"
 #include "tests/stepped.h"
 #include "tests/thorough.h"
 
 #include <map>
 
 /// A handle stands for what it was given out for, or for nothing.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -144,7 +143,7 @@ TEST(Handle, StandsForTheSameThroughAnyHistory) {
 // Every call with any handle, stale, foreign or of a future that was undone: what the address sanitizer says is what
 // counts. Columns stay equally long.
 TEST(Handle, OfAnyKindDoNoHarmToAnyCall) {
-    const int calls = sanitized ? 200 : few_or_many(400, 1000);
+    const int calls = few_or_many(400, 1000);
     for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(8, 20)); ++seed) {
         RandomCalls<World2> one(seed), other(seed + 1000);
         auto snapshot = one.world;
@@ -171,4 +170,4 @@ TEST(Handle, OfAnyKindDoNoHarmToAnyCall) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -99,4 +99,4 @@ TEST(Hanging, CutWhatStillHangsIsFoundAgain) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

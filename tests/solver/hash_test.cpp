@@ -1,6 +1,6 @@
 #include "tests/worlds.h"
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -132,4 +132,4 @@ TYPED_TEST(StateHash, IgnoresNamesAndDrawing) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -5,7 +5,7 @@
 #include <numbers>
 
 /// The integrators of classic mode against exact and discrete answers.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -276,4 +276,4 @@ TEST(Energy, OfAllIsTheSumOverFigures) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The kernels that every kind of processor has for itself.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 /// With each kind that this processor has.
@@ -84,4 +84,4 @@ TEST(Kernels, TurnRowsIntoColumnsAndBackAndTouchNothingElse) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using Number = std::uint32_t;
@@ -127,4 +127,4 @@ TEST(LevelStructure, HoldAnyHeapOfLinks) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

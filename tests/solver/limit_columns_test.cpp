@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 TEST(LimitColumns, AreOneWhileEachRowHasOneLimit) {
@@ -40,4 +40,4 @@ TEST(LimitColumns, TellZerosApart) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -1,7 +1,7 @@
 #include "tests/worlds.h"
 
 /// What a constraint does: limits, compliance, relaxation, split, tension, tearing; pins and grabs.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -404,4 +404,4 @@ TYPED_TEST(Limited, AGrabNeverPullsHarderThanItsCap) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 TEST(NameTable, FindsTheFirstOfEachNameBeAFewOrMany) {
@@ -33,4 +33,4 @@ TEST(NameTable, ForgetsNamesOfAFewOrMany) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

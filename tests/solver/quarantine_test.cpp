@@ -1,6 +1,6 @@
 #include "tests/worlds.h"
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -94,4 +94,4 @@ TYPED_TEST(Quarantine, APinThatLeadsNowhereIsIgnored) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -3,7 +3,7 @@
 
 #include "tests/worlds.h"
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -81,4 +81,4 @@ TYPED_TEST(Queries, WhatOverlapsABoxIsListedInOrder) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

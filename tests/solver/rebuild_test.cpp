@@ -2,7 +2,7 @@
 #include "tests/worlds.h"
 
 /// What is rebuilt after a change, and what is kept.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -197,4 +197,4 @@ TEST(Rebuild, ALargeClothHasNoBlocksUntilARopeHangsFromIt) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -5,7 +5,7 @@
 #include "tests/worlds.h"
 
 /// What is wrong with a rig, by name.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using Plane = test::Stepped<2, double>;
@@ -115,4 +115,4 @@ TEST(RigCheck, FindsNothingInTheEnginesOwnFiguresAndNoMoreThanAsked) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 TEST(BatchParameters, HoldOnceWhatIsTheSame) {
@@ -53,4 +53,4 @@ TEST(BatchParameters, StayWhereRoomWasLeft) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

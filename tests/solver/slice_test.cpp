@@ -5,7 +5,7 @@
 #include "tests/worlds.h"
 
 /// Cells of cloth that a blade crosses: what is drawn of them follows it.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using Made2 = Made<2, double>;
@@ -230,4 +230,4 @@ TEST(Slice, InSpaceTheyFollowTheBladeAsItIsSeen) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 /// What a cut leaves joined at a single point comes apart there.
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using Plane = test::Stepped<2, double>;
@@ -147,4 +147,4 @@ TEST(Split, RandomSnippetsLoseNothingElse) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

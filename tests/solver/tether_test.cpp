@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 using namespace test;
@@ -113,4 +113,4 @@ TEST(Tethers, KeepShortWhatSwingsDownAndSnapsTaut) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

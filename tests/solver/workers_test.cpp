@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace sinew {
+namespace sinew::SINEW_TEST_FILE {
 namespace {
 
 TEST(Workers, DoEveryPartOnce) {
@@ -75,4 +75,4 @@ TEST(Workers, ChangeNoBit) {
 }
 
 } // namespace
-} // namespace sinew
+} // namespace sinew::SINEW_TEST_FILE

@@ -1,8 +1,9 @@
 #!/bin/bash
-# The tables of the documentation say what the command says, and its examples are scenes.
+# docs/reference says what the command says, and the examples of its pages are scenes.
 set -euo pipefail
 tools/describe_docs --check
-for number in $(seq "$(grep -c '^```json$' docs/scene-format.md)"); do
+page=docs/reference/scene-format.md
+for number in $(seq "$(grep -c '^```json$' "$page")"); do
     awk -v wanted="$number" '/^```json$/ { block++; inside = 1; next } /^```/ { inside = 0 } inside && block == wanted' \
-        docs/scene-format.md | "$SINEW" check -
+        "$page" | "$SINEW" check -
 done

@@ -38,5 +38,8 @@ rm "$tree/canvas/bad.h"
 file canvas/bad.h '#include "tests/any.h"'
 refuses "a room that includes the tests" 'names no room'
 rm "$tree/canvas/bad.h"
+file apps/play/bad.cpp '#include "apps/cli/commands.h"'
+refuses "a room that includes the one around it" 'apps/play may not include apps ("apps/cli/commands.h")'
+rm "$tree/apps/play/bad.cpp"
 file sinew/attic/old.h 'struct Old {};'
 refuses "a folder that is no room" 'not in the list of rooms'

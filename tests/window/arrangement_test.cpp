@@ -1,4 +1,5 @@
 #include "sinew/scene/layout.h"
+#include "sinew/scene/parameters.h"
 
 #include "apps/window/arrangement.h"
 #include "apps/window/sliders.h"
@@ -8,7 +9,7 @@
 #include <gtest/gtest.h>
 
 /// Where the parts of the window are, and what the panel calls things.
-namespace sinew::window {
+namespace sinew::window::SINEW_TEST_FILE {
 namespace {
 
 bool overlap(const Area& a, const Area& b) {
@@ -112,4 +113,4 @@ TEST(Panel, ShowsWhatActsInTheMode) {
 }
 
 } // namespace
-} // namespace sinew::window
+} // namespace sinew::window::SINEW_TEST_FILE

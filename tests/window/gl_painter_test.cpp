@@ -19,7 +19,7 @@
 #include <limits>
 
 /// The two painters of a picture show the same.
-namespace sinew::window {
+namespace sinew::window::SINEW_TEST_FILE {
 namespace {
 
 constexpr int width = 640, height = 480;
@@ -159,4 +159,4 @@ TEST(Screen, ShowsTheSameInANewContext) {
 }
 
 } // namespace
-} // namespace sinew::window
+} // namespace sinew::window::SINEW_TEST_FILE

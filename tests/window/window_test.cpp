@@ -22,7 +22,7 @@
 #include <vector>
 
 /// The window itself, without a display: what SDL says happens reaches the game.
-namespace sinew::window {
+namespace sinew::window::SINEW_TEST_FILE {
 namespace {
 
 play::Fetched fetch(const std::string& word, std::span<const Override> overrides) {
@@ -330,4 +330,4 @@ TEST_F(WindowTest, OneFingerIsThePointerAndTwoMoveTheView) {
 }
 
 } // namespace
-} // namespace sinew::window
+} // namespace sinew::window::SINEW_TEST_FILE

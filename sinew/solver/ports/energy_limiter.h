@@ -78,7 +78,7 @@ template <int D, class Real> class EnergyLimiter {
         Vector center{}, velocity{};
         typename RigidMotion<D>::Spin rate{}; ///< radians a substep
 
-        Vector at(const Vector& place) const { return velocity + RigidMotion<D>::turning(rate, place - center); }
+        Vector at(const Vector& place) const { return velocity + turning(rate, place - center); }
     };
 
     double mass(Row slot) const { return inverse_or_zero(ports_.mobilities[slot]); }
@@ -113,9 +113,8 @@ template <int D, class Real> class EnergyLimiter {
         Spin spin{};
         for (const auto s : members(group)) {
             const auto arm = place(s) - after.center;
-            spin += Motion::moment(arm, ports_.last_moves[s] * mass(s));
-            spin +=
-                Motion::moment(arm + (move(s) - drift) * 0.5, (ports_.free_moves[s] - ports_.last_moves[s]) * mass(s));
+            spin += moment(arm, ports_.last_moves[s] * mass(s));
+            spin += moment(arm + (move(s) - drift) * 0.5, (ports_.free_moves[s] - ports_.last_moves[s]) * mass(s));
         }
         return spin;
     }
@@ -125,7 +124,7 @@ template <int D, class Real> class EnergyLimiter {
         missing.spin = group.spin - missing.spin;
         const auto rate = missing.rate_of(bodies(group), place_of);
         for (const auto s : members(group))
-            swept_.set_move(s, cast<Real>(move(s) + Motion::turning(rate, place(s) - missing.center)));
+            swept_.set_move(s, cast<Real>(move(s) + turning(rate, place(s) - missing.center)));
     }
 
     /// True if constraints multiplied the motion of a group, and moved particles by more than a link.

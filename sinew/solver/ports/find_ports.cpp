@@ -1,3 +1,4 @@
+#include "sinew/assert/assert.h"
 #include "sinew/solver/block_rows.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/ports/load_tethers.h"
@@ -114,6 +115,7 @@ template <int D, class Real> class GroupFinder {
 
     void reach(Row row) {
         if (std::exchange(ports_.reached[row], char(1))) return;
+        SINEW_ASSERT(solver_.sweep_state.slot_of[row] != Ports<D>::none, "particles around a port have slots");
         (mobile(row) ? ports_.members : ports_.anchors).push_back(solver_.sweep_state.slot_of[row]);
     }
     void spread() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/ports/port_response.h"
 #include "sinew/solver/solver.h"
 #include "sinew/solver/world.h"
@@ -102,7 +103,10 @@ template <int D, class Real> class PortBlock {
     /// All but the load tethers.
     std::span<DistanceRow<D>> own_links() const { return links().first(block_.links - block_.load_tethers); }
     std::span<AngleRow<D>> bends() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
-    Row slot(const BlockNode<D>& node) const { return swept_.slot_of[node.row]; }
+    Row slot(const BlockNode<D>& node) const {
+        SINEW_ASSERT(swept_.slot_of[node.row] != no_row, "the sweep sees the nodes of a block with ports");
+        return swept_.slot_of[node.row];
+    }
     Vector begin_of(const BlockNode<D>& node) const { return cast<double>(swept_.place_at(slot(node))); }
 
     bool is_tethered() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/ports/port_response.h"
 #include "sinew/solver/substep.h"
 
@@ -74,7 +75,9 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
     void impart(Row row, const Vec<D, Real>& impulse) {
         if (impulse == Vec<D, Real>{}) return;
         if (!is_port(row)) return Base::push(row, impulse * Base::weight(row));
+        SINEW_ASSERT(ports_.at[row] < ports_.list.size(), "a particle's port is in the list");
         auto& pushed = ports_.list[ports_.at[row]];
+        SINEW_ASSERT(pushed.block < blocks_.attached_trees.size(), "a port belongs to a block of the list");
         const auto& block = blocks_.attached_trees[pushed.block];
         pushed.impulse += cast<double>(impulse);
         for (std::uint32_t q = 0; q < block.ports; ++q) {

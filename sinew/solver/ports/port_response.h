@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/assert/assert.h"
 #include "sinew/solver/block_solve.h"
 
 /// Response of a block's ports to impulses there, with the links held: W = J (M + h^2 K)^-1 J^T, from the factorised
@@ -25,6 +26,9 @@ template <int D> class PortResponse {
 
     /// Response of port q to an impulse at port p.
     static Matrix<D, double>& response(Blocks<D>& blocks, const Block& block, std::uint32_t q, std::uint32_t p) {
+        SINEW_ASSERT(q < block.ports && p < block.ports, "both ports belong to the block");
+        SINEW_ASSERT(block.first_response + block.ports * block.ports <= blocks.ports.responses.size(),
+                     "the block has a matrix of responses");
         return blocks.ports.responses[block.first_response + q * block.ports + p];
     }
 

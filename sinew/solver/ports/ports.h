@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sinew/math/matrix.h"
 #include "sinew/solver/id.h"
+#include "sinew/solver/moments.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -42,7 +42,7 @@ template <int D> struct PortGroup {
     double stored = 0;                           ///< energy in the springs at the begin of the substep
     double length = 0;                           ///< of the longest link, metres
     double share = 1;                            ///< factor of the velocities at the end of the substep, 0..1
-    Vec<D == 2 ? 1 : 3, double> spin{};          ///< angular momentum due at the end of the substep, of a free one
+    Vec<spins<D>, double> spin{};                ///< angular momentum due at the end of the substep, of a free one
 };
 
 /// Derived from the rest of the world: neither copied nor hashed.

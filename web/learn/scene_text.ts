@@ -1,0 +1,49 @@
+import type { Scene } from "./lesson.js";
+
+const widest = 92; // characters of a line
+
+/** A scene as people write it: short things on one line. */
+export function sceneText(scene: Scene): string {
+    return written(scene, "");
+}
+
+function written(value: unknown, indent: string): string {
+    const short = oneLine(value);
+    if (indent !== "" && indent.length + short.length <= widest || typeof value !== "object" || value === null) return short;
+    const deeper = `${indent}  `;
+    const parts = Array.isArray(value)
+        ? value.map((item) => written(item, deeper))
+        : Object.entries(value).map(([key, item]) => `${JSON.stringify(key)}: ${written(item, deeper)}`);
+    const [open, close] = Array.isArray(value) ? ["[", "]"] : ["{", "}"];
+    return parts.length === 0 ? open + close : `${open}\n${packed(parts, deeper)}\n${indent}${close}`;
+}
+
+/** Short neighbours share a line. */
+function packed(parts: string[], indent: string): string {
+    const lines: string[] = [];
+    for (const part of parts) {
+        const last = lines.at(-1);
+        const fits = last !== undefined && !last.includes("\n") && !part.includes("\n") && indent.length + last.length + part.length + 3 <= widest;
+        if (fits) lines[lines.length - 1] = `${last}, ${part}`;
+        else lines.push(part);
+    }
+    return lines.map((line) => indent + line).join(",\n");
+}
+
+function oneLine(value: unknown): string {
+    if (Array.isArray(value)) return `[${value.map(oneLine).join(", ")}]`;
+    if (typeof value === "object" && value !== null) return `{${Object.entries(value).map(([key, item]) => `${JSON.stringify(key)}: ${oneLine(item)}`).join(", ")}}`;
+    return JSON.stringify(value);
+}
+
+/** The same without colours and the camera: the lines that make the figure. */
+export function essence(scene: Scene): Scene {
+    const { view: _view, traces: _traces, sinew: _sinew, ...rest } = scene;
+    return JSON.parse(JSON.stringify(rest), (key, value) => (key === "looks" || key === "thickness" || key === "pieces" ? undefined : value)) as Scene;
+}
+
+/** Lines of a text, with a mark on those that differ from another text. */
+export function markedLines(text: string, other: string): { line: string; isMarked: boolean }[] {
+    const others = new Set(other.split("\n"));
+    return text.split("\n").map((line) => ({ line, isMarked: !others.has(line) }));
+}

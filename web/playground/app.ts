@@ -1,0 +1,308 @@
+import { SceneErrors, type CatalogueScene, type Engine } from "../sinew/index.js";
+import { readAddress, type Address } from "../shared/address.js";
+import { announce, byId, debounced, el, words } from "../shared/dom.js";
+import type { Assets } from "../shared/engine.js";
+import { Stage } from "../shared/stage.js";
+import { applyTheme, setTheme, theme } from "../shared/theme.js";
+import { Films } from "./films.js";
+import { offer, sceneFile } from "./files.js";
+import { Gallery } from "./gallery.js";
+import { helpDialog } from "./help.js";
+import { connectKeys } from "./keys.js";
+import { Menu } from "./menu.js";
+import { Panel } from "./panel.js";
+import { addressOf } from "./share.js";
+import { TimeBar } from "./timebar.js";
+import { Toolbar } from "./toolbar.js";
+
+/** Text and name of the scene that is open, as it was opened. */
+export interface Opened {
+    name: string;
+    text: string;
+    isOfCatalogue: boolean;
+    pairs: string[];
+    about: string;
+    source: string;
+}
+
+/** The playground: a gallery, and a player with its bars. */
+export class App {
+    stage: Stage | null = null;
+    opened: Opened | null = null;
+    private readonly gallery: Gallery;
+    private readonly help: HTMLDialogElement;
+    private readonly films = new Films();
+    private toolbar: Toolbar | null = null;
+    private timebar: TimeBar | null = null;
+    private panel: Panel | null = null;
+    private shownAddress = "";
+    private lastMessage = "";
+    private refreshedAt = 0;
+
+    constructor(readonly engine: Engine, readonly scenes: CatalogueScene[], private readonly assets: Assets) {
+        this.gallery = new Gallery(scenes);
+        this.help = helpDialog(engine);
+        new Menu([
+            { name: "scenes", icon: "scenes", tip: "all scenes", href: "#" },
+            { name: "lessons", icon: "lessons", tip: "how it works, step by step", href: "./learn/" },
+            { name: "share", icon: "share", tip: "copy the address of this scene as it is now", ofScene: true, press: () => void this.share() },
+            { name: "save", icon: "save", tip: "save the scene, a picture or a film", ofScene: true, items: [
+                { name: "scene (JSON)", press: () => this.saveScene() },
+                { name: "picture (PNG)", press: () => void this.savePicture() },
+                { name: "film (WebM)", press: () => this.films.toggle(this.stage!, "video", this.fileName) },
+                { name: "film (GIF)", press: () => this.films.toggle(this.stage!, "gif", this.fileName) },
+                { name: "open a file…", press: () => this.chooseFile() }] },
+            { name: "theme", icon: "theme", tip: "light or dark  (t)", press: () => this.switchTheme() },
+            { name: "keys", icon: "help", tip: "keys and buttons  (F1)", ofScene: true, press: () => this.help.showModal() },
+            { name: "panel", icon: "panel", tip: "the panel", ofScene: true, press: () => this.panel?.open() },
+        ]);
+        addEventListener("hashchange", () => void this.follow(location.hash));
+        connectKeys(this, this.help);
+        this.takeDrops();
+    }
+
+    /** Shows what an address names. */
+    async follow(fragment: string): Promise<void> {
+        if (fragment !== "" && fragment === this.shownAddress) return;
+        try {
+            const address = await readAddress(fragment);
+            if (address.scene === undefined && address.text === undefined) return this.showGallery();
+            await this.open(address);
+            this.shownAddress = fragment;
+        } catch (error) {
+            if (!this.opened) this.showGallery();
+            announce(messageOf(error));
+        }
+    }
+
+    private showGallery(): void {
+        this.shownAddress = "";
+        document.body.classList.remove("playing", "drawer");
+        document.title = "Sinew playground";
+        this.stage?.player.pause();
+        byId("player").hidden = true;
+        this.gallery.show(true);
+    }
+
+    private async open({ scene, text, pairs }: Address): Promise<void> {
+        const known = this.scenes.find(({ name }) => name === scene);
+        if (text === undefined && !known) throw new Error(`No scene is called "${scene}".`);
+        const own = text ?? known!.text;
+        const about = text === undefined ? known! : aboutOf(own);
+        this.show({ name: known?.name ?? "shared scene", text: own, isOfCatalogue: text === undefined, pairs, about: about.about, source: about.source });
+    }
+
+    /** Opens a scene from a text that is not in the address: a file, the clipboard. */
+    async openText(text: string, name: string): Promise<void> {
+        try {
+            this.show({ name: name.replace(/\.json$/, ""), text, isOfCatalogue: false, pairs: [], ...aboutOf(text) });
+            await this.writeAddress();
+        } catch (error) {
+            announce(messageOf(error));
+        }
+    }
+
+    private show(opened: Opened): void {
+        this.gallery.show(false);
+        byId("player").hidden = false;
+        document.body.classList.add("playing");
+        const options = { name: `${opened.name}.json`, overrides: opened.pairs };
+        try {
+            if (this.stage) this.stage.show(opened.text, options);
+            else this.begin(Stage.open(byId<HTMLCanvasElement>("stage"), this.engine, this.assets, opened.text, options));
+        } catch (error) {
+            if (!this.stage) this.showGallery();
+            throw error;
+        }
+        this.opened = opened;
+        document.title = `${words(opened.name)} – Sinew`;
+        byId("stage").setAttribute("aria-label", `The scene: ${words(opened.name)}`);
+        byId("scene").dataset.name = words(opened.name);
+        this.applyTheme();
+        this.stage!.player.pause(false);
+        this.panel!.text.opened(opened.text);
+        this.rescan();
+        this.panel!.introduce(opened.name, opened.about, opened.source, this.mode);
+        this.refresh();
+        this.hint();
+    }
+
+    private begin(stage: Stage): void {
+        this.stage = stage;
+        const changed = (): void => this.changed();
+        this.toolbar = new Toolbar(this.engine, stage, changed);
+        this.timebar = new TimeBar(stage, changed);
+        this.panel = new Panel(this.engine, stage, {
+            setMode: (mode) => this.setMode(mode),
+            themeChanged: () => this.applyTheme(),
+            changed,
+            textChanged: () => this.changed(),
+        });
+        stage.onframe = () => this.afterFrame();
+    }
+
+    mode = "physical";
+
+    /** Reads the scene again, after a change of it. */
+    private rescan(): void {
+        const parameters = this.stage!.player.parameters();
+        this.mode = parameters.find(({ path }) => path === "solver.mode")?.value === "classic" ? "classic" : "physical";
+        this.panel!.showParameters(parameters);
+    }
+
+    private setMode(mode: string): void {
+        const player = this.stage!.player, isSplit = player.state().panes > 1;
+        if ((mode === "both") !== isSplit) player.do("split");
+        if (mode !== "both" && mode !== this.mode) player.do("mode");
+        this.rescan();
+        this.panel?.introduce(this.opened!.name, this.opened!.about, this.opened!.source, this.mode);
+        this.changed();
+    }
+
+    switchTheme(): void {
+        setTheme(theme() === "dark" ? "light" : "dark");
+        this.applyTheme();
+    }
+
+    private applyTheme(): void {
+        applyTheme();
+        if (!byId("gallery").hidden) this.gallery.show(true);
+        this.stage?.player.setTheme(theme());
+        this.stage?.wake();
+        if (this.panel) this.refresh();
+    }
+
+    /** Something was done to the player: bars, text and address follow. */
+    changed(): void {
+        if (!this.stage) return;
+        this.stage.wake();
+        this.rescan();
+        this.refresh();
+        this.settled();
+    }
+
+    private readonly settled = debounced(400, () => {
+        this.panel?.text.follow();
+        void this.writeAddress();
+    });
+
+    private refresh(): void {
+        const state = this.stage!.player.state();
+        this.toolbar!.show(state);
+        this.timebar!.show(state, this.stage!.player.simulation.report().seconds);
+        this.panel!.show(state, this.mode);
+        if (state.message && state.message !== this.lastMessage) announce(state.message);
+        this.lastMessage = state.message;
+    }
+
+    private afterFrame(): void {
+        const now = performance.now();
+        this.panel!.sample(now);
+        if (now - this.refreshedAt < 100) return;
+        this.refreshedAt = now;
+        if (this.stage!.player.events().some(({ what }) => what !== "moved")) this.settled();
+        this.refresh();
+    }
+
+    // --- addresses and files ------------------------------------------------------------------------------------
+
+    private async address(): Promise<string> {
+        return addressOf(this.engine, this.stage!, this.opened!, this.panel!.text.text);
+    }
+
+    /** Keeps the address that of the scene as it is. */
+    private async writeAddress(): Promise<void> {
+        if (byId("player").hidden || !this.opened) return;
+        const address = await this.address();
+        if (address === this.shownAddress) return;
+        this.shownAddress = address;
+        history.replaceState(null, "", address);
+    }
+
+    private async share(): Promise<void> {
+        await this.writeAddress();
+        const data = { title: document.title, url: location.href };
+        if (matchMedia("(pointer: coarse)").matches && navigator.canShare?.(data)) return navigator.share(data).catch(() => {});
+        try {
+            await navigator.clipboard.writeText(location.href);
+            announce("The address is copied: whoever opens it has this scene.");
+        } catch {
+            announce("The address of the page is that of this scene: copy it from above.");
+        }
+    }
+
+    private get fileName(): string {
+        return this.opened?.name.replaceAll(" ", "_") ?? "scene";
+    }
+
+    saveScene(): void {
+        this.panel!.text.follow();
+        offer(sceneFile(this.panel!.text.text), `${this.fileName}.json`);
+    }
+
+    async savePicture(): Promise<void> {
+        offer(await this.stage!.png(), `${this.fileName}.png`);
+    }
+
+    toggleFilm(): void {
+        this.films.toggle(this.stage!, "video", this.fileName);
+    }
+
+    chooseFile(): void {
+        const input = el("input", { type: "file", accept: ".json,application/json", onchange: () => void this.openFile(input.files?.[0]) });
+        input.click();
+    }
+
+    private async openFile(file: File | undefined): Promise<void> {
+        if (file) await this.openText(await file.text(), file.name);
+    }
+
+    private takeDrops(): void {
+        addEventListener("dragover", (event) => event.preventDefault());
+        addEventListener("drop", (event) => {
+            event.preventDefault();
+            void this.openFile(event.dataTransfer?.files[0]);
+        });
+        addEventListener("paste", (event) => {
+            const text = event.clipboardData?.getData("text") ?? "";
+            const isTyping = event.target instanceof Element && event.target.closest("input, textarea, .cm-editor");
+            if (!isTyping && text.trimStart().startsWith("{")) void this.openText(text, "pasted scene");
+        });
+    }
+
+    /** Opens the neighbour in the catalogue. */
+    openNeighbour(by: number): void {
+        const index = this.scenes.findIndex(({ name }) => name === this.opened?.name);
+        const next = this.scenes[(index + by + this.scenes.length) % this.scenes.length];
+        if (next) location.hash = `#scene=${next.name}`;
+    }
+
+    /** Tells newcomers what can be done, until they do it. */
+    private hint(): void {
+        const key = "sinew.dragged", hint = byId("hint");
+        if (localStorage.getItem(key)) return;
+        hint.textContent = matchMedia("(pointer: coarse)").matches
+            ? "Drag anything. Two fingers move and zoom."
+            : "Drag anything. The right button cuts, the wheel zooms, F1 shows the keys.";
+        hint.hidden = false;
+        const hide = (): void => {
+            hint.hidden = true;
+        };
+        byId("stage").addEventListener("pointerdown", () => (localStorage.setItem(key, "1"), hide()), { once: true });
+        setTimeout(hide, 10_000);
+    }
+}
+
+function aboutOf(text: string): { about: string; source: string } {
+    const field = (name: string): string => new RegExp(`"${name}"\\s*:\\s*("(?:[^"\\\\]|\\\\.)*")`).exec(text)?.[1] ?? '""';
+    try {
+        return { about: JSON.parse(field("about")), source: JSON.parse(field("source")) };
+    } catch {
+        return { about: "", source: "" };
+    }
+}
+
+function messageOf(error: unknown): string {
+    if (error instanceof SceneErrors) return error.errors.map(({ line, message, isOverride, source }) => isOverride ? `${source}: ${message}` : `line ${line}: ${message}`).slice(0, 3).join("; ");
+    return error instanceof Error ? error.message : String(error);
+}

@@ -1,0 +1,30 @@
+import type { Engine } from "../sinew/index.js";
+import { el } from "../shared/dom.js";
+import { icon } from "../shared/icons.js";
+
+const pointer = {
+    "left button": "takes hold of what is nearest; letting go throws it",
+    "right button": "cuts what it is drawn across",
+    "middle button": "looks elsewhere; in 3D, dragging where nothing is turns the scene",
+    wheel: "zooms about the pointer",
+    "one finger": "is the pointer with its left button",
+    "two fingers": "move and zoom",
+    "arrow keys": "move a pointer over the scene; Enter presses, and lets go",
+};
+const ofPage = new Set(["open", "new", "save_as", "copy", "paste", "panel", "settings", "close", "free_running"]);
+
+/** All keys, in a dialog. */
+export function helpDialog(engine: Engine): HTMLDialogElement {
+    const row = (key: string, about: string): HTMLElement[] => [el("dt", {}, el("kbd", {}, key)), el("dd", {}, about)];
+    const actions = engine.actions().filter(({ name }) => !ofPage.has(name));
+    const dialog = el("dialog", { class: "help", "aria-labelledby": "help-title" },
+        el("button", { class: "quiet close", type: "button", "aria-label": "Close the help", onclick: () => dialog.close() }, icon("close")),
+        el("h2", { id: "help-title" }, "Keys and buttons"),
+        el("div", { class: "columns" },
+            el("dl", {}, ...Object.entries(pointer).flatMap(([key, about]) => row(key, about)),
+                ...engine.tools().flatMap(({ name, key, about }) => row(key, `${name}: ${about}`))),
+            el("dl", {}, ...actions.flatMap(({ key, about }) => row(key, about)), ...row("1 to 6", "overlays"), ...row("tab", "to the next bar, arrow keys within"))));
+    dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
+    document.body.append(dialog);
+    return dialog;
+}

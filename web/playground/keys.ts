@@ -1,0 +1,63 @@
+import { announce } from "../shared/dom.js";
+import type { App } from "./app.js";
+
+const renamed: Record<string, string> = { " ": "space", ArrowLeft: "left", ArrowRight: "right", ArrowUp: "up", ArrowDown: "down", Escape: "escape", Delete: "delete", Backspace: "delete", Home: "home" };
+
+/** Name of a key as the player knows it: "p", "ctrl+z". */
+function nameOf(event: KeyboardEvent): string {
+    const key = renamed[event.key] ?? event.key.toLowerCase();
+    return `${event.ctrlKey || event.metaKey ? "ctrl+" : ""}${event.shiftKey && key.length > 1 ? "shift+" : ""}${key}`;
+}
+
+/** Keys of the native window, wherever the focus is but in a field or a list. */
+export function connectKeys(app: App, help: HTMLDialogElement): void {
+    const own: Record<string, () => void> = {
+        f1: () => help.showModal(),
+        t: () => app.switchTheme(),
+        "[": () => app.openNeighbour(-1),
+        "]": () => app.openNeighbour(1),
+        s: () => void app.savePicture(),
+        v: () => app.toggleFilm(),
+        "ctrl+s": () => app.saveScene(),
+        "ctrl+o": () => app.chooseFile(),
+    };
+    const ofPlayer = new Set(app.engine.actions().map(({ key }) => key));
+    const tools = new Map(app.engine.tools().map(({ key, name }) => [key, name]));
+    const overlays = app.engine.overlays().map(({ name }) => name);
+
+    addEventListener("keydown", (event) => {
+        const player = app.stage?.player;
+        if (!document.body.classList.contains("playing") || !player || help.open || isTyping(event)) return;
+        const name = nameOf(event);
+        const tool = tools.get(name);
+        const overlay = /^[1-9]$/.test(name) ? overlays[Number(name) - 1] : undefined;
+        if (own[name]) own[name]!();
+        else if (tool) player.setTool(tool);
+        else if (overlay) player.setOverlays(toggled(player.state().overlays, overlay));
+        else if (name === "space" && event.target !== document.getElementById("stage")) return;
+        else if (name === "escape" && document.body.classList.contains("drawer")) document.body.classList.remove("drawer");
+        else if (name === "space" || ofPlayer.has(name) && !["ctrl+c", "ctrl+v", "ctrl+n", "ctrl+shift+s", "tab", "escape", "f2"].includes(name)) player.key(name);
+        else return;
+        event.preventDefault();
+        app.changed();
+    });
+    addEventListener("keyup", (event) => {
+        if (event.key === " " && document.body.classList.contains("playing")) app.stage?.player.key("space", false);
+    });
+    addEventListener("error", (event) => announce(event.message));
+    addEventListener("unhandledrejection", (event) => announce(String(event.reason)));
+}
+
+function toggled(all: string[], one: string): string[] {
+    return all.includes(one) ? all.filter((other) => other !== one) : [...all, one];
+}
+
+/** Letters belong to the field under the cursor. */
+function isTyping(event: KeyboardEvent): boolean {
+    const target = event.target instanceof Element ? event.target : null;
+    if (event.defaultPrevented) return true;
+    if (target?.closest(".cm-editor, textarea, select, input:not([type=range], [type=checkbox])")) return true;
+    const isSlider = target instanceof HTMLInputElement && target.type === "range";
+    const isButton = target?.closest("button, a, summary, [role=tab]");
+    return isSlider && (event.key.startsWith("Arrow") || event.key === "Home") || Boolean(isButton) && (event.key === " " || event.key === "Enter");
+}

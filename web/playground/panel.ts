@@ -1,0 +1,213 @@
+import type { Engine, PlayerState, SceneParameter } from "../sinew/index.js";
+import { byId, debounced, el, number, words } from "../shared/dom.js";
+import { icon } from "../shared/icons.js";
+import type { Stage } from "../shared/stage.js";
+import { setTheme, theme } from "../shared/theme.js";
+import { Graphs } from "./graphs.js";
+import { ParameterForm } from "./parameters.js";
+import { segments, type Segments } from "./segments.js";
+import { TextTab } from "./text_tab.js";
+
+const tabs = { parameters: "numbers of the world, the solver and every figure", text: "the scene as text", statistics: "counts, energies and stretch" };
+type Tab = keyof typeof tabs;
+
+export interface PanelActions {
+    setMode(mode: string): void;
+    themeChanged(): void;
+    changed(): void;
+    /** The text was edited to a scene without errors. */
+    textChanged(text: string): void;
+}
+
+/** The panel at the right: title, mode, parameters, overlays, text, statistics. */
+export class Panel {
+    private readonly root = byId("side");
+    private readonly title = el("h1", {});
+    private readonly about = el("p", { class: "about" });
+    private readonly mode: Segments;
+    private readonly look: Segments;
+    private readonly pages = {} as Record<Tab, HTMLElement>;
+    private readonly heads = {} as Record<Tab, HTMLButtonElement>;
+    private readonly form: ParameterForm;
+    private readonly prefab = el("div", { class: "prefab", hidden: true });
+    private readonly overlays = new Map<string, HTMLButtonElement>();
+    private readonly facts = el("dl", { class: "facts" });
+    private readonly graphs = new Graphs();
+    readonly text: TextTab;
+    private tab: Tab = "parameters";
+
+    constructor(private readonly engine: Engine, private readonly stage: Stage, private readonly actions: PanelActions) {
+        this.mode = segments("Mode", [
+            { value: "physical", word: "physical", tip: "as it should be: nothing stretches, energy is kept" },
+            { value: "classic", word: "classic", tip: "as the original demo behaved, with its faults" },
+            { value: "both", word: "both", tip: "classic and physical side by side, from the start" }], actions.setMode);
+        this.look = segments("Theme", [
+            { value: "light", word: "light", tip: "dark on light" },
+            { value: "dark", word: "dark", tip: "light on dark" }], (value) => (setTheme(value === "dark" ? "dark" : "light"), actions.themeChanged()));
+        this.form = new ParameterForm((path, value, goesOn) => this.setParameter(path, value, goesOn), () => actions.changed());
+        this.text = new TextTab(engine, stage, actions.textChanged);
+        this.pages.parameters = el("div", {}, this.prefab, this.overlayChips(), this.form.root);
+        this.pages.text = this.text.root;
+        this.pages.statistics = el("div", { tabindex: 0 }, this.facts, this.graphs.energy.root, this.graphs.stretch.root);
+        this.root.append(
+            el("button", { class: "quiet close", type: "button", "aria-label": "Close the panel", onclick: () => this.open(false) }, icon("close")),
+            el("div", { class: "head" }, this.title, this.about, el("div", { class: "switches" }, this.mode.root, this.look.root)),
+            this.tabList(), ...Object.values(this.pages));
+        this.choose("parameters");
+    }
+
+    private tabList(): HTMLElement {
+        const list = el("div", { class: "tabs", role: "tablist", "aria-label": "Panel" });
+        for (const [name, tip] of Object.entries(tabs) as [Tab, string][]) {
+            const head = el("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `page-${name}`, title: tip, onclick: () => this.choose(name) }, name);
+            this.heads[name] = head;
+            list.append(head);
+            const page = this.pages[name];
+            page.id = `page-${name}`;
+            page.classList.add("page");
+            page.setAttribute("role", "tabpanel");
+            page.setAttribute("aria-labelledby", head.id);
+        }
+        list.addEventListener("keydown", (event) => {
+            const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+            const names = Object.keys(tabs) as Tab[];
+            if (!by) return;
+            const next = names[(names.indexOf(this.tab) + by + names.length) % names.length]!;
+            this.choose(next);
+            this.heads[next].focus();
+            event.stopPropagation();
+        });
+        return list;
+    }
+
+    choose(tab: Tab): void {
+        this.tab = tab;
+        for (const name of Object.keys(tabs) as Tab[]) {
+            this.pages[name].hidden = name !== tab;
+            this.heads[name].setAttribute("aria-selected", String(name === tab));
+            this.heads[name].tabIndex = name === tab ? 0 : -1;
+        }
+        this.root.classList.toggle("wide", tab === "text");
+        if (tab === "text") void this.text.open();
+        this.stage.wake();
+    }
+
+    private overlayChips(): HTMLElement {
+        const chips = el("div", { class: "chips", role: "group", "aria-label": "Overlays" });
+        this.engine.overlays().forEach(({ name, about }, i) => {
+            const chip = el("button", { type: "button", "aria-pressed": "false", title: `${about}  (${i + 1})`, onclick: () => {
+                const shown = new Set(this.stage.player.state().overlays);
+                if (!shown.delete(name)) shown.add(name);
+                this.stage.player.setOverlays([...shown]);
+                this.actions.changed();
+            } }, name);
+            this.overlays.set(name, chip);
+            chips.append(chip);
+        });
+        return chips;
+    }
+
+    private readonly settled = debounced(250, () => this.actions.changed());
+
+    private setParameter(path: string, value: unknown, goesOn: boolean): void {
+        try {
+            this.stage.player.set(path, value, goesOn);
+            this.problem("");
+        } catch (error) {
+            this.problem(error instanceof Error ? error.message : String(error));
+        }
+        this.stage.wake();
+        this.settled();
+    }
+
+    private problem(message: string): void {
+        this.pages.parameters.querySelector(".problem")?.remove();
+        if (message) this.pages.parameters.prepend(el("p", { class: "problem", role: "alert" }, message));
+    }
+
+    /** What another scene says of itself. */
+    introduce(name: string, about: string, source: string, mode: string): void {
+        this.title.textContent = words(name).replace(/^./, (letter) => letter.toUpperCase());
+        const [physical = "", classic = ""] = about.split(/ ?Classic: /);
+        this.about.replaceChildren(mode === "classic" && classic ? classic.replace(/^./, (letter) => letter.toUpperCase()) : physical, source ? el("small", {}, source) : "");
+        this.graphs.clear();
+        this.graphs.paint();
+        this.problem("");
+    }
+
+    show(state: PlayerState, mode: string): void {
+        this.mode.choose(state.panes > 1 ? "both" : mode);
+        this.look.choose(theme());
+        for (const [name, chip] of this.overlays) chip.setAttribute("aria-pressed", String(state.overlays.includes(name)));
+        this.prefab.hidden = state.tool !== "spawn";
+        if (state.tool === "spawn" && !this.prefab.hasChildNodes()) this.fillPrefab();
+    }
+
+    showParameters(parameters: SceneParameter[]): void {
+        const document = readable(this.stage.player.sceneText());
+        const figures = (document.figures ?? []).map(({ name, prefab }, i) => name ?? prefab ?? String(i));
+        this.form.show(parameters, (path) => states(document, path.split(".")), figures);
+    }
+
+    /** Choice of what the spawn tool puts in. */
+    private fillPrefab(): void {
+        const about = el("small", { class: "faint" });
+        const all = this.engine.prefabs().filter(({ name }) => name !== "by_hand");
+        const list = el("select", { id: "prefab", onchange: () => choose() }, ...all.map(({ name }) => el("option", { value: name, selected: name === "box" }, words(name))));
+        const choose = (): void => {
+            this.stage.player.setPrefab(list.value);
+            about.textContent = all.find(({ name }) => name === list.value)?.about ?? "";
+        };
+        this.prefab.append(el("label", { for: "prefab" }, "prefab "), list, about);
+        choose();
+    }
+
+    /** Called each frame. */
+    sample(now: number): void {
+        const report = this.graphs.sample(this.stage.player.simulation, now);
+        if (!report || this.tab !== "statistics" || this.root.offsetParent === null) return;
+        this.graphs.paint();
+        const { simulation } = this.stage.player, state = this.stage.player.state();
+        this.fact("particles", number(simulation.particleCount));
+        this.fact("constraints", number(simulation.constraintCount));
+        this.fact("stretch", `${number(report.stretchMax * 100)} %`);
+        this.fact("fastest", number(report.maxSpeed));
+        this.fact("pointer", state.hovered || state.selected || "–");
+        this.fact("frame", `${this.stage.workTime.toFixed(1)} ms of work, ${(1000 / Math.max(this.stage.frameTime, 1)).toFixed(0)} a second`);
+        this.fact("hash", simulation.hash(), "one number over the whole state: equal on every machine");
+    }
+
+    private readonly values = new Map<string, HTMLElement>();
+    private fact(name: string, value: string, help = ""): void {
+        let shown = this.values.get(name);
+        if (!shown) {
+            shown = el("dd", name === "hash" ? { class: "fixed" } : {});
+            this.values.set(name, shown);
+            this.facts.append(el("dt", { title: help }, name), shown);
+        }
+        if (shown.textContent !== value) shown.textContent = value;
+    }
+
+    /** Opens or closes the drawer of a narrow page. */
+    open(on = !document.body.classList.contains("drawer")): void {
+        document.body.classList.toggle("drawer", on);
+        if (on) this.heads[this.tab].focus();
+        else byId("stage").focus({ preventScroll: true });
+        this.actions.changed();
+    }
+}
+
+interface SceneDocument {
+    figures?: { name?: string; prefab?: string }[];
+}
+
+function readable(text: string): SceneDocument {
+    return JSON.parse(text) as SceneDocument;
+}
+
+/** True if a document has a value at a path. */
+function states(document: unknown, path: string[]): boolean {
+    const [first, ...rest] = path;
+    if (first === undefined) return document !== undefined;
+    return typeof document === "object" && document !== null && states((document as Record<string, unknown>)[first], rest);
+}

@@ -1,0 +1,119 @@
+import { Canvas2DPainter, type CatalogueScene, type Simulation } from "../sinew/index.js";
+import { loadEngine } from "../shared/engine.js";
+
+export type Order =
+    | { order: "open"; name: string; canvas: OffscreenCanvas }
+    | { order: "see"; name: string; visible: boolean }
+    | { order: "prefer"; name: string }
+    | { order: "run"; on: boolean; theme: string; still: boolean };
+
+/** One live picture. */
+interface Thumbnail {
+    name: string;
+    canvas: OffscreenCanvas;
+    painter: Canvas2DPainter;
+    simulation: Simulation | null;
+    theme: string;
+    visible: boolean;
+    scene: CatalogueScene | null;
+    /** Simulated seconds since the start. */
+    time: number;
+    drawnAt: number;
+    /** Milliseconds that a frame took lately. */
+    cost: number;
+}
+
+const begins = 1.2; // seconds: the first picture of a scene, when something has happened already
+const slice = 8; // milliseconds of work before the page gets its turn
+const tick = 33; // milliseconds between slices
+
+const thumbnails = new Map<string, Thumbnail>();
+const loading = loadEngine();
+let isRunning = false, isStill = false, isQueued = false, theme = "light", preferred = "";
+
+self.addEventListener("message", ({ data }: MessageEvent<Order>) => {
+    if (data.order === "open") open(data);
+    if (data.order === "see") {
+        const known = thumbnails.get(data.name);
+        if (known) known.visible = data.visible;
+    }
+    if (data.order === "prefer") preferred = data.name;
+    if (data.order === "run") [isRunning, isStill, theme] = [data.on, data.still, data.theme];
+    queue();
+});
+
+function open({ name, canvas }: Order & { order: "open" }): void {
+    const context = canvas.getContext("2d", { alpha: false });
+    if (!context) return;
+    const painter = new Canvas2DPainter(context, { font: "system-ui, sans-serif" });
+    thumbnails.set(name, { name, canvas, painter, scene: null, simulation: null, theme: "", visible: true, time: 0, drawnAt: 0, cost: 1 });
+}
+
+function queue(): void {
+    if (isQueued || !isRunning) return;
+    isQueued = true;
+    setTimeout(work, tick);
+}
+
+async function work(): Promise<void> {
+    const until = performance.now() + slice;
+    let goesOn = true;
+    while (goesOn && performance.now() < until) goesOn = await advanceOne();
+    isQueued = false;
+    if (![...thumbnails.values()].some((one) => one.visible && due(one) > 0)) {
+        if (!isStill && isRunning) setTimeout(queue, 2 * tick);
+        return;
+    }
+    queue();
+}
+
+/** How much a thumbnail waits for a frame: milliseconds since its last one, in units of what it should have. */
+function due(one: Thumbnail): number {
+    if (one.theme !== theme || !one.simulation) return 1e9 - one.cost;
+    if (isStill) return 0;
+    const period = thumbnails.get(preferred) === one ? 16 : Math.max(33, one.cost * 12);
+    return Math.max((performance.now() - one.drawnAt) / period - 1, 0);
+}
+
+async function advanceOne(): Promise<boolean> {
+    let most: [string, Thumbnail] | null = null;
+    for (const entry of thumbnails) if (entry[1].visible && due(entry[1]) > (most ? due(most[1]) : 0)) most = entry;
+    if (!most) return false;
+    const [name, one] = most;
+    const begun = performance.now();
+    if (!one.simulation || one.theme !== theme) await start(one);
+    else advance(one, Math.min((begun - one.drawnAt) / 1000, 0.12));
+    one.drawnAt = performance.now();
+    one.cost = one.cost * 0.8 + (one.drawnAt - begun) * 0.2;
+    self.postMessage({ drawn: name });
+    return true;
+}
+
+async function start(one: Thumbnail): Promise<void> {
+    const { engine, scenes, assets } = await loading;
+    one.scene ??= scenes.find(({ name }) => name === one.name) ?? null;
+    if (!one.scene) return;
+    await assets.giveTo(one.painter, one.scene.text);
+    one.simulation?.dispose();
+    one.simulation = engine.open(one.scene.text, { ...assets.optionsOf(one.scene.text), overrides: theme === "dark" ? ["view.theme=dark"] : [] });
+    one.theme = theme;
+    one.time = Math.max(one.time, begins);
+    one.simulation.runUntil(one.time);
+    paint(one);
+}
+
+function advance(one: Thumbnail, seconds: number): void {
+    const { simulation, scene } = one;
+    if (!simulation || !scene) return;
+    one.time += seconds;
+    if (one.time > scene.seconds) {
+        simulation.restart();
+        one.time = 0;
+    }
+    simulation.runUntil(one.time);
+    paint(one);
+}
+
+function paint(one: Thumbnail): void {
+    if (one.simulation) one.painter.paint(one.simulation.draw(one.canvas.width, one.canvas.height));
+}

@@ -1,0 +1,50 @@
+import { catalogue, load, type CatalogueScene, type Engine, type OpenOptions, type Painter } from "../sinew/index.js";
+
+const files = import.meta.glob<string>("../sinew/images/**/*.png", { query: "?url", import: "default", eager: true });
+const addresses = new Map(Object.entries(files).map(([path, address]) => [path.replace("../sinew/images/", ""), address]));
+const bitmaps = new Map<string, Promise<ImageBitmap>>();
+
+function bitmap(name: string): Promise<ImageBitmap> | undefined {
+    const address = addresses.get(name);
+    if (!address) return undefined;
+    let found = bitmaps.get(name);
+    if (!found) bitmaps.set(name, (found = fetch(address).then((answer) => answer.blob()).then((blob) => createImageBitmap(blob))));
+    return found;
+}
+
+/** Images and models of the catalogue, for any scene that names them. */
+export class Assets {
+    private readonly images: Map<string, { width: number; height: number }>;
+    private readonly models: Map<string, string>;
+
+    constructor(scenes: CatalogueScene[]) {
+        this.images = new Map(scenes.flatMap((scene) => Object.entries(scene.images)));
+        this.models = new Map(scenes.flatMap((scene) => Object.entries(scene.models)));
+    }
+
+    optionsOf(text: string): Pick<OpenOptions, "images" | "models"> {
+        const named = <Value>(all: Map<string, Value>): Record<string, Value> =>
+            Object.fromEntries([...all].filter(([name]) => text.includes(`"${name}"`)));
+        return { images: named(this.images), models: named(this.models) };
+    }
+
+    /** Loads the images that a text names. */
+    async giveTo(painter: Painter, text: string): Promise<void> {
+        const names = Object.keys(this.optionsOf(text).images ?? {});
+        await Promise.all(names.map(async (name) => {
+            const image = await bitmap(name);
+            if (image) painter.setImage(name, image);
+        }));
+    }
+}
+
+export interface Loaded {
+    engine: Engine;
+    scenes: CatalogueScene[];
+    assets: Assets;
+}
+
+export async function loadEngine(): Promise<Loaded> {
+    const [engine, scenes] = await Promise.all([load(), catalogue()]);
+    return { engine, scenes, assets: new Assets(scenes) };
+}

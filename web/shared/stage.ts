@@ -1,0 +1,148 @@
+import { Canvas2DPainter, type Engine, type OpenOptions, type Player } from "../sinew/index.js";
+import type { Assets } from "./engine.js";
+import { Pointer } from "./pointer.js";
+
+const longestFrame = 0.1; // seconds; a longer pause of the browser is not made up for
+const mostDense = 2; // device pixels per CSS pixel that are worth painting
+
+/** A canvas on which a player runs: the loop of frames, the size, the pointer. */
+export class Stage {
+    readonly pointer: Pointer;
+    readonly painter: Canvas2DPainter;
+    readonly context: CanvasRenderingContext2D;
+    /** Called after each frame. */
+    onframe: (milliseconds: number) => void = () => {};
+    /** Time from one frame to the next, milliseconds, smoothed. */
+    frameTime = 16.7;
+    /** Time that stepping and painting took, milliseconds, smoothed. */
+    workTime = 0;
+
+    private request = 0;
+    private last = 0;
+    private isStale = true;
+    private isVisible = true;
+    private isEnded = false;
+    private readonly observers: (ResizeObserver | IntersectionObserver)[];
+    private readonly onvisibility = (): void => this.wake();
+
+    private constructor(readonly canvas: HTMLCanvasElement, readonly engine: Engine, readonly player: Player, private readonly assets: Assets, text: string) {
+        const context = canvas.getContext("2d", { alpha: false });
+        if (!context) throw new Error("This browser has no 2D canvas.");
+        this.context = context;
+        this.painter = new Canvas2DPainter(context, { font: "'Inter Variable', system-ui, sans-serif" });
+        this.loadImages(text);
+        this.pointer = new Pointer(canvas, () => player, () => this.wake());
+        this.observers = [new ResizeObserver(() => this.resize()), new IntersectionObserver((entries) => {
+            this.isVisible = entries.at(-1)?.isIntersecting ?? true;
+            if (this.isVisible) this.wake();
+        })];
+        for (const observer of this.observers) observer.observe(canvas);
+        document.addEventListener("visibilitychange", this.onvisibility);
+        this.resize();
+    }
+
+    static open(canvas: HTMLCanvasElement, engine: Engine, assets: Assets, scene: string, options: OpenOptions = {}): Stage {
+        const player = engine.play(scene, { ...assets.optionsOf(scene), ...options });
+        return new Stage(canvas, engine, player, assets, scene);
+    }
+
+    /** Opens another scene in the same player; throws SceneErrors and keeps the old one. */
+    show(scene: string, options: OpenOptions = {}): void {
+        this.player.open(scene, { ...this.assets.optionsOf(scene), ...options });
+        this.loadImages(scene);
+        this.resize();
+    }
+
+    /** Continues as an edited scene; throws SceneErrors. */
+    become(scene: string): void {
+        this.player.become(scene, this.assets.optionsOf(scene));
+        this.loadImages(scene);
+        this.wake();
+    }
+
+    optionsOf(scene: string): OpenOptions {
+        return this.assets.optionsOf(scene);
+    }
+
+    private loadImages(scene: string): void {
+        void this.assets.giveTo(this.painter, scene).then(() => this.wake());
+    }
+
+    resize(): void {
+        if (this.isEnded) return;
+        const density = Math.min(window.devicePixelRatio || 1, mostDense);
+        const width = Math.max(Math.round(this.canvas.clientWidth * density), 1);
+        const height = Math.max(Math.round(this.canvas.clientHeight * density), 1);
+        if (this.canvas.width !== width || this.canvas.height !== height) {
+            this.canvas.width = width;
+            this.canvas.height = height;
+        }
+        this.player.resize(width, height, density);
+        this.paint();
+        this.wake();
+    }
+
+    /** Paints at least one more frame; call after any change. */
+    wake(): void {
+        this.isStale = true;
+        if (this.request || this.isEnded || document.hidden || !this.isVisible) return;
+        this.last = performance.now();
+        this.request = requestAnimationFrame(this.frame);
+    }
+
+    /** Ends the loop and frees the player. */
+    dispose(): void {
+        cancelAnimationFrame(this.request);
+        this.isEnded = true;
+        for (const observer of this.observers) observer.disconnect();
+        document.removeEventListener("visibilitychange", this.onvisibility);
+        this.painter.dispose();
+        this.player.dispose();
+    }
+
+    private readonly frame = (now: number): void => {
+        this.request = 0;
+        const elapsed = Math.max(now - this.last, 0);
+        const begun = performance.now();
+        this.player.advance(Math.min(elapsed / 1000, longestFrame));
+        this.paint();
+        this.workTime += (performance.now() - begun - this.workTime) * 0.1;
+        if (elapsed > 0) this.frameTime += (elapsed - this.frameTime) * 0.1;
+        this.last = now;
+        this.isStale = false;
+        this.onframe(elapsed);
+        const goesOn = this.isStale || !this.player.state().isPaused;
+        if (goesOn && !document.hidden && this.isVisible && !this.request) this.request = requestAnimationFrame(this.frame);
+    };
+
+    paint(): void {
+        this.painter.paint(this.player.draw());
+        if (this.pointer.cross) this.paintCross(this.pointer.cross);
+    }
+
+    /** The keyboard's pointer. */
+    private paintCross({ x, y, pressed }: { x: number; y: number; pressed: boolean }): void {
+        const scale = this.canvas.width / Math.max(this.canvas.clientWidth, 1);
+        const { context } = this;
+        context.setTransform(scale, 0, 0, scale, x * scale, y * scale);
+        for (const [color, width] of [["#ffffff", 5], ["#d9481f", 2]] as const) {
+            context.strokeStyle = color;
+            context.lineWidth = width;
+            context.beginPath();
+            context.arc(0, 0, pressed ? 8 : 12, 0, 7);
+            for (const [a, b] of [[1, 0], [-1, 0], [0, 1], [0, -1]] as const) {
+                context.moveTo(a * 8, b * 8);
+                context.lineTo(a * 18, b * 18);
+            }
+            context.stroke();
+        }
+        context.setTransform(1, 0, 0, 1, 0, 0);
+    }
+
+    /** Blob of the picture as it is. */
+    png(): Promise<Blob> {
+        this.paint();
+        return new Promise((resolve, reject) =>
+            this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("no picture"))), "image/png"));
+    }
+}
