@@ -286,8 +286,7 @@ void Play::tend_draft(double seconds) {
 }
 
 void Play::drop_draft() {
-    std::error_code unknown;
-    if (!draft_.empty()) fs::remove(draft_, unknown);
+    if (!draft_.empty()) remove_file(draft_);
     draft_edits_ = tape().edits();
 }
 

@@ -32,6 +32,11 @@ canvas::Failure write_file(const fs::path& path, const std::string& text) {
     return explained(partial.commit());
 }
 
+void remove_file(const fs::path& path) {
+    std::error_code unknown;
+    fs::remove(path, unknown);
+}
+
 fs::path free_path(const fs::path& wanted) {
     auto path = wanted;
     std::error_code unknown;

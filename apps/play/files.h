@@ -15,6 +15,9 @@ std::filesystem::file_time_type time_written(const std::filesystem::path& path);
 /// Writes a file as a whole or not at all; returns the failure, if any.
 [[nodiscard]] canvas::Failure write_file(const std::filesystem::path& path, const std::string& text);
 
+/// Removes a file; a missing one is no error.
+void remove_file(const std::filesystem::path& path);
+
 /// A path without a file yet: ragdoll.png, ragdoll-2.png.
 std::filesystem::path free_path(const std::filesystem::path& wanted);
 

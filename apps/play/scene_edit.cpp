@@ -18,8 +18,9 @@ Edited read_again(Document document, const Scene& scene) {
                 return {mesh->model, "", ""};
         return {nullptr, "no mesh of the scene is of " + in_quotes(name), "open the scene again to read another file"};
     };
-    if (auto opened = open_scene(document, {}, model)) return {std::move(opened->scene), ""};
-    return {std::nullopt, to_text(document.diagnostics, {.color = false, .most = 5})};
+    if (auto opened = open_scene(document, {}, model)) return {std::move(opened->scene), "", {}};
+    auto problem = to_text(document.diagnostics, {.color = false, .most = 5});
+    return {std::nullopt, std::move(problem), std::move(document.diagnostics)};
 }
 
 std::string constraint_name(const Figure& figure, std::size_t number) {

@@ -15,6 +15,7 @@ namespace sinew::play {
 struct Edited {
     std::optional<Scene> scene;
     std::string problem;
+    Diagnostics diagnostics{};
 };
 
 /// Text of a scene file, without values equal to their defaults. Cut constraints are listed by name in an

@@ -1,7 +1,7 @@
 #include "apps/window/sliders.h"
 
 #include "sinew/scene/check.h"
-#include "sinew/scene/layout.h"
+#include "sinew/scene/parameters.h"
 #include "sinew/scene/text.h"
 
 #include "apps/play/scene_edit.h"
@@ -14,45 +14,6 @@
 #include <utility>
 
 namespace sinew::window {
-namespace {
-
-/// Fields of the solver and of figures that have an effect in one mode only.
-struct OfMode {
-    std::string_view path, mode;
-};
-constexpr std::array parts_of_modes = {OfMode{"solver.rules", "classic"},      OfMode{"solver.passes", "classic"},
-                                       OfMode{"solver.substeps", "physical"},  OfMode{"solver.iterations", "physical"},
-                                       OfMode{"solver.direct", "physical"},    OfMode{"figures.direct", "physical"},
-                                       OfMode{"figures.integrator", "classic"}};
-
-/// Units of fields whose unit is not one of the scene's units.
-struct Measured {
-    std::string_view path, mode, unit;
-};
-constexpr std::array measured_otherwise = {Measured{"solver.rate", "", "a second"},
-                                           Measured{"world.damping", "classic", "kept a frame"},
-                                           Measured{"solver.rules.time_scale", "", "times as fast"},
-                                           Measured{"solver.rules.longest_step", "", "frames"},
-                                           Measured{"solver.rules.floor_keep", "", "kept a frame"},
-                                           Measured{"solver.passes", "", "a frame"},
-                                           Measured{"solver.substeps", "", "a step"},
-                                           Measured{"solver.iterations", "", "a substep"}};
-
-/// Path of a figure's field without the figure's number.
-std::string of_any_figure(const std::string& path) {
-    constexpr std::string_view figures = "figures";
-    const auto number = path.starts_with(figures) ? path.find('.', figures.size() + 1) : std::string::npos;
-    return number == std::string::npos ? path : std::string(figures) + path.substr(number);
-}
-
-} // namespace
-
-bool acts_in(std::string_view mode, const std::string& path) {
-    const auto known = of_any_figure(path);
-    return std::none_of(parts_of_modes.begin(), parts_of_modes.end(),
-                        [&](const OfMode& part) { return part.path == known && part.mode != mode; });
-}
-
 namespace {
 
 /// Shows the fields of a layout, with the values of a scene, as widgets.
@@ -117,10 +78,7 @@ class Form {
     }
 
     std::string unit_of(const Layout& part, const std::string& path) const {
-        for (const auto& one : measured_otherwise)
-            if (one.path == path && (one.mode.empty() || one.mode == mode_)) return std::string(one.unit);
-        if (path == "world.damping") return units_.text(unit::per_time);
-        return units_.text(part.field.unit);
+        return unit_text(part, path, units_, mode_);
     }
 
     /// Vectors show their unit beside the name, because several numbers share the field.
@@ -214,10 +172,6 @@ const Layout& layout_named(std::string_view name) {
     return *found;
 }
 
-const Layout& layout_of_figures() {
-    return layout_named("figures").parts[0];
-}
-
 } // namespace
 
 void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
@@ -244,14 +198,14 @@ void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
         constexpr std::size_t most = 12; // figures; larger crowds are edited in the file
         for (std::size_t i = 0; i < std::min(figures->size(), most); ++i) {
             title(std::string(sinew::name_of(play.session().scene().figures[i])));
-            form.record(layout_of_figures(), &(*figures)[i], "figures." + std::to_string(i));
+            form.record(figure_layout(), &(*figures)[i], "figures." + std::to_string(i));
         }
     }
     ImGui::PopStyleVar();
 }
 
 void prefab_form(play::Play& play, const Look& look) {
-    const auto& parts = layout_of_figures().parts;
+    const auto& parts = figure_layout().parts;
     const auto made =
         std::find_if(parts.begin(), parts.end(), [](const Layout& part) { return part.type == Layout::Type::choice; });
     if (made == parts.end()) return;

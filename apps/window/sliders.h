@@ -11,10 +11,6 @@ namespace sinew::window {
 /// Widgets for the numbers and words of the scene, as declared by its records; changes apply at once.
 void sliders(play::Play& play, const Look& look, const Fonts& fonts);
 
-/// True if a field of the scene ("solver.rules", "figures.0.direct") has an effect in the mode; other fields are
-/// hidden.
-bool acts_in(std::string_view mode, const std::string& path);
-
 /// Choice of the prefab for the spawn tool, with parameters.
 void prefab_form(play::Play& play, const Look& look);
 

@@ -8,6 +8,9 @@
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
+#if defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#endif
 
 /// Packs of numbers for SIMD code. A pack of width 1 is the plain number; +, -, *, /, comparisons, `a < b ? a : b` and
 /// the functions below mean the same for both. Code templated on an open type V therefore runs on either and gives the
@@ -60,6 +63,14 @@ template <class V, class Real> [[gnu::always_inline]] inline V spread(Real numbe
 }
 [[gnu::always_inline]] inline Pack<double, 2> root(Pack<double, 2> x) {
     return _mm_sqrt_pd(x);
+}
+#endif
+#if defined(__wasm_simd128__)
+[[gnu::always_inline]] inline Pack<float, 4> root(Pack<float, 4> x) {
+    return Pack<float, 4>(wasm_f32x4_sqrt(v128_t(x)));
+}
+[[gnu::always_inline]] inline Pack<double, 2> root(Pack<double, 2> x) {
+    return Pack<double, 2>(wasm_f64x2_sqrt(v128_t(x)));
 }
 #endif
 #if defined(__AVX2__)
@@ -177,6 +188,11 @@ template <class Mask> [[gnu::always_inline]] inline bool any(const Mask& holds) 
 #if defined(__SSE2__)
         if constexpr (sizeof(Mask) == 16) {
         return _mm_movemask_epi8(reinterpret_cast<__m128i>(holds)) != 0;
+    } else
+#endif
+#if defined(__wasm_simd128__)
+        if constexpr (sizeof(Mask) == 16) {
+        return wasm_v128_any_true(v128_t(holds));
     } else
 #endif
     {

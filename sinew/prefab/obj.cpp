@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <optional>
+#include <string>
 
 namespace sinew {
 namespace {
@@ -38,13 +41,28 @@ std::string shown(std::string_view word) {
     return fmt::format("\"{}{}\"", text, word.size() > most_shown ? "..." : "");
 }
 
-template <class Number> std::optional<Number> number_in(std::string_view word) {
-    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+template <class Number> std::optional<Number> parsed(std::string_view word) {
     Number number{};
     const auto* const end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(word.data(), end, number);
     if (error != std::errc() || stop != end) return std::nullopt;
     return number;
+}
+#if !defined(__cpp_lib_to_chars) // libc++ 19 parses no floating-point numbers
+/// A decimal number, correctly rounded as by std::from_chars.
+template <> std::optional<double> parsed(std::string_view word) {
+    if (word.empty() || word.find_first_not_of("0123456789.eE+-") != std::string_view::npos) return std::nullopt;
+    const std::string text(word);
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (end != text.c_str() + text.size() || !std::isfinite(number)) return std::nullopt;
+    return number;
+}
+#endif
+
+template <class Number> std::optional<Number> number_in(std::string_view word) {
+    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+    return parsed<Number>(word);
 }
 
 class ReadingObj {

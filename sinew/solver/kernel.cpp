@@ -69,6 +69,8 @@ Simd simd_in_use() {
 const char* name_of(Simd simd) {
 #if defined(__aarch64__)
     constexpr const char* names[] = {"one", "neon", "", ""};
+#elif defined(__wasm__)
+    constexpr const char* names[] = {"one", "simd128", "", ""};
 #else
     constexpr const char* names[] = {"one", "sse2", "avx2", "avx512"};
 #endif

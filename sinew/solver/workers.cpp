@@ -1,5 +1,7 @@
 #include "sinew/solver/workers.h"
 
+#if !defined(__wasm__) // workers_single.cpp
+
 #include <algorithm>
 #include <atomic>
 #include <deque>
@@ -156,3 +158,5 @@ void Workers::share_out(const SharedWork& work) {
 }
 
 } // namespace sinew
+
+#endif

@@ -2,7 +2,7 @@
 #include "sinew/scene/scene.h"
 #include "sinew/solver/edit.h"
 #include "sinew/solver/measure.h"
-
+#include "sinew/solver/solver.h"
 
 #include <cmath>
 #include <cstdio>
@@ -23,8 +23,9 @@ void expect(bool holds, const char* what) {
     ++wrong;
 }
 
-template <int D, class Real> void check(World<D, Real>& world, double seconds) {
-    for (int i = 0; i < int(seconds * 60); ++i) step(world, Real(1.0 / 60));
+template <int D, class Real> void check(sinew::World<D, Real>& world, double seconds) {
+    sinew::Solver<D, Real> solver;
+    for (int i = 0; i < int(seconds * 60); ++i) solver.step(world, Real(1.0 / 60));
     const auto ball = *position_of(world, *find_particle(world, "ball/middle"));
     expect(std::abs(double(ball[1]) - 1) < 1e-5, "the ball keeps its height");
     expect(double(ball[0]) > -1.5, "the ball slides");

@@ -41,6 +41,12 @@ template <class In> struct Lying {
             {normal, Real(dot(normal, center_of_mass_now())) - Real(sizes * size), Real(0), Real(friction)});
     }
     Vector center_of_mass_now() const { return cast<Real>(center_of_mass(world)); }
+    /// True for an end of a link: the ends of a rail hold nothing along the rail.
+    bool is_linked(Row row) const {
+        const auto& links = std::get<kind_number<Distance, D>>(world.constraints).members.rows;
+        return std::any_of(links.begin(), links.end(),
+                           [&](const auto& ends) { return ends[0] == row || ends[1] == row; });
+    }
     ParticleId id(Row row) const { return world.particles.slots.id_of(row); }
     std::string where(std::string_view prefab, Row row) const {
         return std::string(prefab) + " in " + std::to_string(D) + "D, particle " + std::to_string(row);
@@ -161,7 +167,7 @@ TYPED_TEST(Rest, WhatHangsComesAlongWithItsPin) {
     for_every_lying<TypeParam>([&](const auto& prefab) {
         const Lying<TypeParam> lying(prefab, 0.4);
         for (Row row = 0; row < lying.world.particles.size(); ++row) {
-            if (number++ % every != 0) continue;
+            if (number++ % every != 0 || !lying.is_linked(row)) continue;
             auto world = lying.world;
             world.bounds.clear();
             const auto held = *pin(world, lying.id(row));

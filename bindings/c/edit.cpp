@@ -1,0 +1,225 @@
+#include "sinew/constraint/kind_table.h"
+#include "sinew/session/pick.h"
+#include "sinew/solver/edit.h"
+
+#include "bindings/c/simulation.h"
+
+#include <cmath>
+#include <limits>
+
+/// Edits of a simulation between steps, and the pointer's grab and cut.
+using namespace sinew;
+using namespace sinew::c;
+
+namespace {
+
+/// Calls work(world) of a simulation that may be changed.
+template <class Work> sinew_status in_world(sinew_simulation simulation, const Work& work) {
+    return change(simulation, [&](Session& session) { return std::visit(work, session.world()); });
+}
+
+sinew_status found(bool was, const char* of) {
+    return was ? SINEW_OK : bad_id(of);
+}
+
+sinew_status not_finite() {
+    return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
+}
+
+template <class Real> ConstraintSpec<Real> spec_of(const sinew_constraint_spec* given) {
+    ConstraintSpec<Real> spec;
+    if (!given) return spec;
+    if (given->low <= given->high) spec.limits = between(Real(given->low), Real(given->high));
+    spec.compliance = Real(given->compliance);
+    if (given->max_force > 0) spec.max_force = Real(given->max_force);
+    if (given->breaking_strain > 0) spec.breaking_strain = Real(given->breaking_strain);
+    return spec;
+}
+
+bool has_nan(const sinew_constraint_spec& spec) {
+    return std::isnan(spec.low) || std::isnan(spec.high) || !(spec.compliance >= 0) || std::isnan(spec.max_force) ||
+           std::isnan(spec.breaking_strain);
+}
+
+template <int D> bool takes(std::uint32_t kind, std::size_t count) {
+    if (kind >= kinds_in<D>.size()) return false;
+    const auto& info = kinds_in<D>[kind];
+    return info.any_arity ? count >= std::size_t(info.least_arity) : count == std::size_t(info.least_arity);
+}
+
+/// The pixel of a position in the view that the scene asks for, and the pixels of `radius`.
+std::optional<View::Seen> seen_in(const Session& session, const View& view, const sinew_point& at) {
+    return session.scene().dimension == 2 ? view.see(point_of(at).as<3, double>()) : std::nullopt;
+}
+
+View own_view(const Session& session) {
+    const auto& size = session.scene().view.size;
+    return session.view(size[0], size[1]);
+}
+
+} // namespace
+
+extern "C" {
+
+// --- particles and constraints -----------------------------------------------------------------------------------------
+
+sinew_status sinew_add_particle(sinew_simulation simulation, const sinew_particle_spec* spec,
+                                sinew_particle* particle) {
+    if (!spec || !particle) return null_argument();
+    if (!is_finite(spec->position) || !is_finite(spec->velocity)) return not_finite();
+    if (!(spec->mass > 0) || !(spec->radius >= 0))
+        return fail(SINEW_BAD_ARGUMENT, "a mass is above 0 and a radius at least 0");
+    return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
+        *particle = number_of(add_particle(world, ParticleSpec<D, Real>{.position = vector_of<D, Real>(spec->position),
+                                                                        .velocity = vector_of<D, Real>(spec->velocity),
+                                                                        .mass = Real(spec->mass),
+                                                                        .radius = Real(spec->radius)}));
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_remove_particle(sinew_simulation simulation, sinew_particle particle) {
+    return in_world(simulation, [&](auto& world) {
+        const auto id = id_of<ParticleTag>(particle);
+        return found(remove_particles(world, std::span(&id, 1)) > 0, "particle");
+    });
+}
+
+sinew_status sinew_add_constraint(sinew_simulation simulation, uint32_t kind, const sinew_particle* particles,
+                                  size_t count, const sinew_constraint_spec* spec, sinew_constraint* constraint) {
+    if (!particles || !constraint) return null_argument();
+    if (spec && has_nan(*spec)) return fail(SINEW_BAD_ARGUMENT, "a number of the constraint is not possible");
+    return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
+        if (!takes<D>(kind, count))
+            return fail(SINEW_BAD_ARGUMENT, "no kind of this dimension has this number and so many particles");
+        std::vector<ParticleId> members;
+        for (std::size_t i = 0; i < count; ++i) members.push_back(id_of<ParticleTag>(particles[i]));
+        const auto added = add_constraint(world, int(kind), members, spec_of<Real>(spec));
+        if (!added) return fail(SINEW_BAD_ID, "a particle is gone or named twice");
+        *constraint = number_of(*added);
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_remove_constraint(sinew_simulation simulation, sinew_constraint constraint) {
+    return in_world(simulation, [&](auto& world) {
+        const auto id = constraint_of(constraint);
+        return found(remove_constraints(world, std::span(&id, 1)) > 0, "constraint");
+    });
+}
+
+// --- state of a particle -----------------------------------------------------------------------------------------------
+
+sinew_status sinew_set_position(sinew_simulation simulation, sinew_particle particle, sinew_point position) {
+    if (!is_finite(position)) return not_finite();
+    return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
+        return found(set_position(world, id_of<ParticleTag>(particle), vector_of<D, Real>(position)), "particle");
+    });
+}
+
+sinew_status sinew_set_velocity(sinew_simulation simulation, sinew_particle particle, sinew_point velocity) {
+    if (!is_finite(velocity)) return not_finite();
+    return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
+        return found(set_velocity(world, id_of<ParticleTag>(particle), vector_of<D, Real>(velocity)), "particle");
+    });
+}
+
+sinew_status sinew_set_mass(sinew_simulation simulation, sinew_particle particle, double mass) {
+    if (!(mass > 0)) return fail(SINEW_BAD_ARGUMENT, "a mass is above 0");
+    return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
+        return found(set_mass(world, id_of<ParticleTag>(particle), Real(mass)), "particle");
+    });
+}
+
+sinew_status sinew_apply_force(sinew_simulation simulation, sinew_particle particle, sinew_point force) {
+    if (!is_finite(force)) return not_finite();
+    return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
+        return found(apply_force(world, id_of<ParticleTag>(particle), vector_of<D, Real>(force)), "particle");
+    });
+}
+
+sinew_status sinew_apply_impulse(sinew_simulation simulation, sinew_particle particle, sinew_point impulse) {
+    if (!is_finite(impulse)) return not_finite();
+    return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
+        return found(apply_impulse(world, id_of<ParticleTag>(particle), vector_of<D, Real>(impulse)), "particle");
+    });
+}
+
+// --- pins --------------------------------------------------------------------------------------------------------------
+
+sinew_status sinew_pin_particle(sinew_simulation simulation, sinew_particle particle, sinew_pin* pin) {
+    if (!pin) return null_argument();
+    return in_world(simulation, [&](auto& world) {
+        const auto added = sinew::pin(world, id_of<ParticleTag>(particle));
+        if (added) *pin = number_of(*added);
+        return found(added.has_value(), "particle");
+    });
+}
+
+sinew_status sinew_move_pin(sinew_simulation simulation, sinew_pin pin, sinew_point target) {
+    if (!is_finite(target)) return not_finite();
+    return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
+        return found(move_pin(world, id_of<PinTag>(pin), vector_of<D, Real>(target)), "pin");
+    });
+}
+
+sinew_status sinew_unpin(sinew_simulation simulation, sinew_pin pin) {
+    return in_world(simulation, [&](auto& world) { return found(unpin(world, id_of<PinTag>(pin)), "pin"); });
+}
+
+// --- pointer -----------------------------------------------------------------------------------------------------------
+
+sinew_status sinew_grab(sinew_simulation simulation, sinew_point at, double radius) {
+    if (!is_finite(at) || !(radius >= 0)) return not_finite();
+    return change(simulation, [&](Session& session) {
+        const auto view = own_view(session);
+        const auto seen = seen_in(session, view, at);
+        const auto picked =
+            seen ? pick(session.world(), view, cast<double>(seen->pixel), radius * double(seen->scale)) : std::nullopt;
+        const bool held = picked && session.grab(picked->members, picked->place);
+        return held ? SINEW_OK : fail(SINEW_NOT_FOUND, "nothing that could move is there");
+    });
+}
+
+sinew_status sinew_grab_particle(sinew_simulation simulation, sinew_particle particle) {
+    return change(simulation, [&](Session& session) {
+        const auto id = id_of<ParticleTag>(particle);
+        const auto place = place_of(session.world(), std::span(&id, 1));
+        if (!place) return bad_id("particle");
+        return session.grab(std::span(&id, 1), *place) ? SINEW_OK : fail(SINEW_NOT_FOUND, "the particle cannot move");
+    });
+}
+
+sinew_status sinew_drag(sinew_simulation simulation, sinew_point to) {
+    if (!is_finite(to)) return not_finite();
+    return change(simulation, [&](Session& session) {
+        session.drag(point_of(to));
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_let_go(sinew_simulation simulation) {
+    return change(simulation, [](Session& session) {
+        session.let_go();
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_point_at(sinew_simulation simulation, sinew_point at) {
+    if (!is_finite(at)) return not_finite();
+    return change(simulation, [&](Session& session) {
+        session.point_at(point_of(at));
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_cut(sinew_simulation simulation, sinew_point from, sinew_point to, uint32_t* count) {
+    if (!is_finite(from) || !is_finite(to)) return not_finite();
+    return change(simulation, [&](Session& session) {
+        const auto cut = session.cut({point_of(from), point_of(to)});
+        if (count) *count = std::uint32_t(cut);
+        return SINEW_OK;
+    });
+}
+
+} // extern "C"

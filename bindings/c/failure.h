@@ -1,0 +1,23 @@
+#pragma once
+
+#include "sinew/scene/diagnostic.h"
+
+#include "bindings/c/sinew.h"
+
+#include <string>
+
+/// Failures of the C face: the message and the diagnostics of the thread's last one.
+namespace sinew::c {
+
+/// Keeps the message and returns the status.
+sinew_status fail(sinew_status status, std::string message);
+
+sinew_status bad_handle();
+sinew_status bad_id(const char* of); ///< "particle", "constraint", "pin"
+sinew_status null_argument();
+
+/// Keeps the errors of a scene as the thread's diagnostics. Returns SINEW_BAD_SCENE, or SINEW_OK if there are none.
+sinew_status keep_diagnostics(const Diagnostics& diagnostics);
+void forget_diagnostics();
+
+} // namespace sinew::c

@@ -1,0 +1,299 @@
+#include "sinew/constraint/kind_table.h"
+#include "sinew/scene/text.h"
+#include "sinew/session/pick.h"
+#include "sinew/solver/measure.h"
+
+#include "bindings/c/simulation.h"
+
+#include <utility>
+
+/// Reading a simulation: numbers, columns, particles, constraints, figures, events.
+using namespace sinew;
+using namespace sinew::c;
+
+namespace {
+
+template <class WorldT> std::uint32_t count_constraints(const WorldT& world) {
+    std::size_t count = 0;
+    for_each_table(world, [&](const auto& table) { count += table.size(); });
+    return std::uint32_t(count);
+}
+
+/// Calls visit(world) with the world of a session and returns the result.
+template <class Visit> auto in_world(const Session& session, Visit&& visit) {
+    return std::visit(std::forward<Visit>(visit), session.world());
+}
+
+template <int D, class Real> sinew_view view_of(const std::vector<Vec<D, Real>>& column) {
+    return {column.data(), std::uint32_t(column.size()), D, sizeof(Real), 0};
+}
+template <class Number> sinew_view view_of(const std::vector<Number>& column, std::uint32_t components = 1) {
+    return {column.data(), std::uint32_t(column.size() / components), components, sizeof(Number),
+            std::is_integral_v<Number>};
+}
+
+/// Rows of the ends of all distances, in `rows`.
+template <class WorldT> sinew_view ends_of(const WorldT& world, std::vector<std::uint32_t>& rows) {
+    rows.clear();
+    const auto& table = std::get<std::size_t(kind_number<Distance, WorldT::dimension>)>(world.constraints);
+    for (Row row = 0; row < table.size(); ++row)
+        for (const auto member : table.members[row]) rows.push_back(member);
+    return view_of(rows, 2);
+}
+
+template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world, int column, Simulation& simulation) {
+    const auto& particles = world.particles;
+    switch (column) {
+    case SINEW_POSITION:
+        return view_of(particles.position);
+    case SINEW_PREVIOUS:
+        return view_of(particles.previous);
+    case SINEW_VELOCITY:
+        return view_of(particles.velocity);
+    case SINEW_INVERSE_MASS:
+        return view_of(particles.inverse_mass);
+    case SINEW_RADIUS:
+        return view_of(particles.radius);
+    case SINEW_FIGURE:
+        return view_of(particles.figure);
+    case SINEW_CONSTRAINT_ENDS:
+        return ends_of(world, simulation.rows);
+    case SINEW_MOBILITY:
+        return view_of(particles.mobility);
+    default:
+        return std::nullopt;
+    }
+}
+
+template <class WorldT> sinew_particle_state state_of(const WorldT& world, Row row) {
+    const auto& particles = world.particles;
+    sinew_particle_state state{{}, {}, double(particles.inverse_mass[row]), double(particles.radius[row]),
+                               particles.figure[row]};
+    for (int i = 0; i < WorldT::dimension; ++i) {
+        state.position[i] = double(particles.position[row][i]);
+        state.velocity[i] = double(particles.velocity[row][i]);
+    }
+    return state;
+}
+
+/// Calls visit(table) for the table of a kind; false for a kind the dimension has not.
+template <class WorldT, class Visit> bool in_table(const WorldT& world, std::uint32_t kind, Visit&& visit) {
+    std::uint32_t number = 0;
+    bool found = false;
+    for_each_table(world, [&](const auto& table) {
+        if (number++ == kind) visit(table), found = true;
+    });
+    return found;
+}
+
+sinew_status no_kind() {
+    return fail(SINEW_BAD_ARGUMENT, "no kind of constraint of this dimension has this number");
+}
+
+} // namespace
+
+extern "C" {
+
+sinew_status sinew_get_info(sinew_simulation simulation, sinew_info* info) {
+    if (!info) return null_argument();
+    return read(simulation, [&](const Simulation& known, const Session& session) {
+        const auto& scene = session.scene();
+        const auto units = scene.measures();
+        *info = {};
+        in_world(session, [&]<int D, class Real>(const World<D, Real>& world) {
+            info->dimension = D;
+            info->real_bytes = sizeof(Real);
+            info->particles = std::uint32_t(world.particles.size());
+            info->constraints = count_constraints(world);
+            info->figures = std::uint32_t(world.figures.size());
+        });
+        info->is_classic = scene.solver.mode == "classic";
+        info->y_is_down = scene.units.up == "-y";
+        info->read_only = !known.own;
+        info->rate = scene.solver.rate;
+        info->seconds = scene.seconds;
+        info->per_metre = units.per_metre;
+        info->per_kilogram = units.per_kilogram;
+        info->per_second = units.per_second;
+        info->view_width = std::uint32_t(scene.view.size[0]);
+        info->view_height = std::uint32_t(scene.view.size[1]);
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_get_report(sinew_simulation simulation, sinew_report* report) {
+    if (!report) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        const auto now = session.report();
+        *report = {now.seconds, double(now.steps), now.kinetic,      now.potential,   now.stored, now.energy_lost,
+                   now.stretch_max, now.stretch_mean, now.max_speed};
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_state_hash(sinew_simulation simulation, uint64_t* hash) {
+    if (!hash) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        *hash = in_world(session, [](const auto& world) { return state_hash(world); });
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_get_column(sinew_simulation simulation, sinew_column column, sinew_view* view) {
+    if (!view) return null_argument();
+    return read(simulation, [&](Simulation& known, const Session& session) {
+        const auto found = in_world(session, [&](const auto& world) { return column_of(world, int(column), known); });
+        if (!found) return fail(SINEW_BAD_ARGUMENT, "no such column");
+        *view = *found;
+        return SINEW_OK;
+    });
+}
+
+// --- particles -------------------------------------------------------------------------------------------------------
+
+sinew_status sinew_particle_at(sinew_simulation simulation, uint32_t row, sinew_particle* particle) {
+    if (!particle) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        return in_world(session, [&](const auto& world) {
+            if (row >= world.particles.size()) return fail(SINEW_NOT_FOUND, "there are fewer particles");
+            *particle = number_of(world.particles.slots.id_of(row));
+            return SINEW_OK;
+        });
+    });
+}
+
+sinew_status sinew_row_of(sinew_simulation simulation, sinew_particle particle, uint32_t* row) {
+    if (!row) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        return in_world(session, [&](const auto& world) {
+            const auto found = row_of(world, id_of<ParticleTag>(particle));
+            if (!found) return bad_id("particle");
+            *row = *found;
+            return SINEW_OK;
+        });
+    });
+}
+
+sinew_status sinew_find_particle(sinew_simulation simulation, const char* name, sinew_particle* particle) {
+    if (!name || !particle) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        return in_world(session, [&](const auto& world) {
+            const auto found = find_particle(world, name);
+            if (!found) return fail(SINEW_NOT_FOUND, concat("no particle is called ", in_quotes(name)));
+            *particle = number_of(*found);
+            return SINEW_OK;
+        });
+    });
+}
+
+sinew_status sinew_particle_name(sinew_simulation simulation, sinew_particle particle, const char** name) {
+    if (!name) return null_argument();
+    return read(simulation, [&](Simulation& known, const Session& session) {
+        const auto id = id_of<ParticleTag>(particle);
+        if (!in_world(session, [&](const auto& world) { return row_of(world, id); })) return bad_id("particle");
+        known.text = name_of(session.world(), id);
+        *name = known.text.c_str();
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_get_particle(sinew_simulation simulation, sinew_particle particle, sinew_particle_state* state) {
+    if (!state) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        return in_world(session, [&](const auto& world) {
+            const auto row = row_of(world, id_of<ParticleTag>(particle));
+            if (!row) return bad_id("particle");
+            *state = state_of(world, *row);
+            return SINEW_OK;
+        });
+    });
+}
+
+// --- constraints -----------------------------------------------------------------------------------------------------
+
+sinew_status sinew_find_constraint(sinew_simulation simulation, const char* name, sinew_constraint* constraint) {
+    if (!name || !constraint) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        return in_world(session, [&](const auto& world) {
+            const auto found = find_constraint(world, name);
+            if (!found) return fail(SINEW_NOT_FOUND, concat("no constraint is called ", in_quotes(name)));
+            *constraint = number_of(*found);
+            return SINEW_OK;
+        });
+    });
+}
+
+sinew_status sinew_get_constraint(sinew_simulation simulation, sinew_constraint constraint,
+                                  sinew_constraint_state* state) {
+    if (!state) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        return in_world(session, [&](const auto& world) {
+            const auto found = constraint_state(world, constraint_of(constraint));
+            if (!found) return bad_id("constraint");
+            *state = {found->measure, found->error, found->strain, found->tension};
+            return SINEW_OK;
+        });
+    });
+}
+
+sinew_status sinew_constraint_count(sinew_simulation simulation, uint32_t kind, uint32_t* count) {
+    if (!count) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        return in_world(session, [&](const auto& world) {
+            const bool known = in_table(world, kind, [&](const auto& table) { *count = std::uint32_t(table.size()); });
+            return known ? SINEW_OK : no_kind();
+        });
+    });
+}
+
+sinew_status sinew_constraint_at(sinew_simulation simulation, uint32_t kind, uint32_t row,
+                                 sinew_constraint* constraint) {
+    if (!constraint) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        return in_world(session, [&](const auto& world) {
+            auto status = fail(SINEW_NOT_FOUND, "there are fewer constraints");
+            const bool known = in_table(world, kind, [&](const auto& table) {
+                if (row >= table.size()) return;
+                *constraint = number_of(ConstraintId{int(kind), table.slots.id_of(row)});
+                status = SINEW_OK;
+            });
+            return known ? status : no_kind();
+        });
+    });
+}
+
+// --- figures and events ----------------------------------------------------------------------------------------------
+
+sinew_status sinew_figure_at(sinew_simulation simulation, uint32_t index, sinew_figure* figure) {
+    if (!figure) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        return in_world(session, [&](const auto& world) {
+            if (index >= world.figures.size() || !world.figures[index].in_use())
+                return fail(SINEW_NOT_FOUND, "no figure has this index");
+            const auto& found = world.figures[index];
+            *figure = {found.name.c_str(), found.prefab.c_str(), std::uint32_t(found.particles.size()),
+                       found.quarantined};
+            return SINEW_OK;
+        });
+    });
+}
+
+sinew_status sinew_event_count(sinew_simulation simulation, uint32_t* count) {
+    if (!count) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        *count = std::uint32_t(session.happenings().size());
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_event_at(sinew_simulation simulation, uint32_t index, sinew_event* event) {
+    if (!event) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) {
+        if (index >= session.happenings().size()) return fail(SINEW_NOT_FOUND, "there are fewer events");
+        const auto& found = session.happenings()[index];
+        *event = {found.seconds, found.what.c_str(), found.where.c_str(), std::uint32_t(found.islands)};
+        return SINEW_OK;
+    });
+}
+
+} // extern "C"

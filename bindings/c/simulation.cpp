@@ -1,0 +1,167 @@
+#include "bindings/c/simulation.h"
+
+#include "sinew/scene/text.h"
+#include "sinew/solver/kernel.h"
+#include "sinew/solver/measure.h"
+#include "sinew/version.h"
+
+#include "apps/play/scene_edit.h"
+#include "bindings/c/reading.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace sinew::c {
+
+const Session* Simulation::session() const {
+    if (own) return &*own;
+    if (!player || pane >= player->pane_count()) return nullptr;
+    const Session* found = nullptr;
+    player->each_pane([&] {
+        if (player->active_pane() == pane) found = &player->session();
+    });
+    return found;
+}
+
+Handles<Simulation>& simulations() {
+    static Handles<Simulation> open;
+    return open;
+}
+
+bool is_finite(const sinew_point& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+std::uint64_t number_of(std::uint32_t slot, std::uint32_t generation) {
+    return std::uint64_t(generation) << 32 | slot;
+}
+
+namespace {
+
+constexpr int kind_bits = 5;
+constexpr std::uint32_t most_slots = 1u << (32 - kind_bits);
+
+sinew_status add(Session session, sinew_simulation* handle) {
+    auto simulation = std::make_unique<Simulation>();
+    simulation->own.emplace(std::move(session));
+    const auto id = simulations().add(std::move(simulation));
+    if (id == 0) return fail(SINEW_FULL, "too many open simulations");
+    handle->id = id;
+    return SINEW_OK;
+}
+
+} // namespace
+
+std::uint64_t number_of(const ConstraintId& id) {
+    if (id.kind < 0 || id.id.slot >= most_slots) return SINEW_NO_ID;
+    return number_of(std::uint32_t(id.kind) * most_slots + id.id.slot, id.id.generation);
+}
+
+ConstraintId constraint_of(std::uint64_t number) {
+    const auto slot = std::uint32_t(number);
+    return {int(slot / most_slots), {slot % most_slots, std::uint32_t(number >> 32)}};
+}
+
+} // namespace sinew::c
+
+using namespace sinew;
+using namespace sinew::c;
+
+extern "C" {
+
+uint32_t sinew_abi(void) {
+    return SINEW_ABI;
+}
+
+const char* sinew_version(void) {
+    return SINEW_VERSION;
+}
+
+const char* sinew_simd(void) {
+    return name_of(simd_in_use());
+}
+
+void* sinew_allocate(size_t bytes) {
+    return std::malloc(bytes > 0 ? bytes : 1);
+}
+
+void sinew_free(void* memory) {
+    std::free(memory);
+}
+
+// --- opening ---------------------------------------------------------------------------------------------------------
+
+sinew_status sinew_open(const char* scene, const sinew_open_options* options, sinew_simulation* simulation) {
+    if (!simulation) return null_argument();
+    SceneFile file;
+    if (const auto status = SceneFile::read(scene, options, file)) return status;
+    auto opened = file.open();
+    return opened ? add(Session(std::move(*opened)), simulation) : SINEW_BAD_SCENE;
+}
+
+sinew_status sinew_check(const char* scene, const sinew_open_options* options) {
+    SceneFile file;
+    if (const auto status = SceneFile::read(scene, options, file)) return status;
+    return file.open() ? SINEW_OK : SINEW_BAD_SCENE;
+}
+
+sinew_status sinew_copy(sinew_simulation simulation, sinew_simulation* copy) {
+    if (!copy) return null_argument();
+    return read(simulation, [&](const Simulation&, const Session& session) { return add(session, copy); });
+}
+
+sinew_status sinew_close(sinew_simulation simulation) {
+    const auto* known = simulations().find(simulation.id);
+    if (!known) return bad_handle();
+    if (!known->own) return fail(SINEW_READ_ONLY, "the simulation is closed with its player");
+    simulations().remove(simulation.id);
+    return SINEW_OK;
+}
+
+// --- time ------------------------------------------------------------------------------------------------------------
+
+sinew_status sinew_restart(sinew_simulation simulation) {
+    return change(simulation, [](Session& session) {
+        session.restart();
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_step(sinew_simulation simulation, uint32_t count) {
+    return change(simulation, [&](Session& session) {
+        for (std::uint32_t i = 0; i < count; ++i) session.step();
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_run_until(sinew_simulation simulation, double seconds) {
+    if (!std::isfinite(seconds)) return fail(SINEW_BAD_ARGUMENT, "the time is not finite");
+    return change(simulation, [&](Session& session) {
+        session.run_until(seconds);
+        return SINEW_OK;
+    });
+}
+
+// --- the scene -------------------------------------------------------------------------------------------------------
+
+sinew_status sinew_scene_text(sinew_simulation simulation, const char** json) {
+    if (!json) return null_argument();
+    return read(simulation, [&](Simulation& known, const Session& session) {
+        known.text = play::text_of(session);
+        *json = known.text.c_str();
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_set(sinew_simulation simulation, const char* override_pair) {
+    if (!override_pair) return null_argument();
+    return change(simulation, [&](Session& session) {
+        const std::array<Override, 1> overrides = {{{override_pair}}};
+        auto edited = play::edited(session.scene(), overrides);
+        if (const auto status = keep_diagnostics(edited.diagnostics)) return status;
+        session.become(std::move(*edited.scene));
+        return SINEW_OK;
+    });
+}
+
+} // extern "C"

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "sinew/picture/picture.h"
+#include "sinew/session/session.h"
+
+#include "apps/play/play.h"
+#include "bindings/c/failure.h"
+#include "bindings/c/handles.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sinew::c {
+
+/// A picture as handed out.
+struct Drawn {
+    Picture picture;
+    std::vector<sinew_item> items;
+
+    /// Copies the items into plain structs and fills `out` with views.
+    void hand_out(sinew_picture& out);
+};
+
+/// A simulation: a session of its own, or one of a player's panes.
+struct Simulation {
+    std::optional<Session> own;
+    play::Play* player = nullptr; ///< outlives the simulation
+    std::size_t pane = 0;
+    Drawn drawn{};
+    std::string text{};                ///< last text handed out
+    std::vector<std::uint32_t> rows{}; ///< last column of rows handed out
+
+    /// Null if the player has no such pane.
+    const Session* session() const;
+};
+
+Handles<Simulation>& simulations();
+
+/// Calls work(simulation, session) with a const session and returns its status; fails for an unknown handle.
+template <class Work> sinew_status read(sinew_simulation handle, const Work& work) {
+    auto* simulation = simulations().find(handle.id);
+    const auto* session = simulation ? simulation->session() : nullptr;
+    return session ? work(*simulation, *session) : bad_handle();
+}
+
+/// Calls work(session); fails for an unknown handle and for a simulation of a player.
+template <class Work> sinew_status change(sinew_simulation handle, const Work& work) {
+    auto* simulation = simulations().find(handle.id);
+    if (!simulation || !simulation->session()) return bad_handle();
+    if (!simulation->own)
+        return fail(SINEW_READ_ONLY, "the simulation belongs to a player, which alone may change it");
+    return work(*simulation->own);
+}
+
+inline Point point_of(const sinew_point& point) {
+    return {{point.x, point.y, point.z}};
+}
+template <int D, class Real> Vec<D, Real> vector_of(const sinew_point& point) {
+    return point_of(point).as<D, Real>();
+}
+bool is_finite(const sinew_point& point);
+
+/// Ids as numbers: slot and generation; of constraints also the kind.
+std::uint64_t number_of(std::uint32_t slot, std::uint32_t generation);
+template <class Tag> std::uint64_t number_of(Id<Tag> id) {
+    return number_of(id.slot, id.generation);
+}
+template <class Tag> Id<Tag> id_of(std::uint64_t number) {
+    return {std::uint32_t(number), std::uint32_t(number >> 32)};
+}
+std::uint64_t number_of(const ConstraintId& id);
+ConstraintId constraint_of(std::uint64_t number);
+
+} // namespace sinew::c

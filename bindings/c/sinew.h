@@ -1,0 +1,438 @@
+/* The C face of Sinew, in C11: everything that a scene file can say, edits, grabs, cuts, events, queries, the state
+ * hash and the picture as a display list. The WebAssembly module of web/sinew exports exactly these functions.
+ *
+ * Two objects, named by handles:
+ *   sinew_simulation  a running scene without a pointer: open, step, read columns, edit, draw.
+ *   sinew_player      the interactive player of the window: a simulation with a clock, tools (grab, cut, pin, rope,
+ *                     polygon, cloth, spawn, remove, measure), a camera, undo and a timeline of the last minute.
+ *
+ * Handles and ids are values. A made-up handle, one of a closed object, or an id of a removed row is never
+ * dereferenced: the function returns SINEW_BAD_HANDLE or SINEW_BAD_ID and changes nothing.
+ *
+ * Functions return a sinew_status; results come through pointers, which may not be null unless the comment says so, and
+ * are written only on SINEW_OK. sinew_message() has the reason of the thread's last failure.
+ *
+ * Text is UTF-8 and ends with a zero byte. A `const char*` or a view handed out stays valid until the next call with the
+ * same object (text without an object: until the next call of the same function in the same thread).
+ *
+ * An object may be used by one thread at a time; different objects by different threads. The WebAssembly module has one
+ * thread.
+ *
+ * Quantities are in the units of the scene, angles in radians. Points have three numbers; in 2D the third is 0. */
+#ifndef SINEW_C_H
+#define SINEW_C_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define SINEW_API
+#else
+#define SINEW_API __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Version of this header: raised by every change that breaks a compiled caller. */
+#define SINEW_ABI 1u
+
+/* The library's ABI; a caller compiled with another SINEW_ABI must not go on. */
+SINEW_API uint32_t sinew_abi(void);
+/* Version of the engine: "0.9.0". */
+SINEW_API const char* sinew_version(void);
+/* Instruction set of the kernels in use: "avx2", "simd128". Results do not depend on it. */
+SINEW_API const char* sinew_simd(void);
+
+/* --- failures ---------------------------------------------------------------------------------------------------- */
+
+typedef enum sinew_status {
+    SINEW_OK = 0,
+    SINEW_BAD_HANDLE = 1,   /* no open simulation or player has this handle */
+    SINEW_BAD_ID = 2,       /* the particle, constraint, pin or figure is gone or never was */
+    SINEW_BAD_SCENE = 3,    /* the scene has errors: sinew_diagnostic_at() */
+    SINEW_BAD_ARGUMENT = 4, /* a null pointer, a number out of range, an unknown word */
+    SINEW_NOT_FOUND = 5,    /* nothing has this name, or is at this place */
+    SINEW_READ_ONLY = 6,    /* the simulation belongs to a player, which alone may change it */
+    SINEW_FULL = 7          /* no more objects, or an array of the caller is too short */
+} sinew_status;
+
+/* Reason of the last failure in this thread, a sentence; empty if there was none. */
+SINEW_API const char* sinew_message(void);
+
+/* An error in a scene, for its author. Valid until the next scene is read in this thread. */
+typedef struct sinew_diagnostic {
+    const char* source;  /* name of the file, or "<command line>" of an override */
+    const char* path;    /* JSON pointer: "/figures/0/mass" */
+    const char* message; /* "unknown property \"masss\"" */
+    const char* help;    /* "did you mean \"mass\"?"; may be empty */
+    const char* text;    /* the error as the command prints it, with the line and a mark below it */
+    uint32_t line;       /* from 1 */
+    uint32_t column;     /* from 1, in characters */
+    uint32_t length;     /* characters */
+    uint32_t is_override; /* 1: the error is in an override, and line and column count in it */
+} sinew_diagnostic;
+
+/* Errors found by the thread's last sinew_open, sinew_check, sinew_set, sinew_play or sinew_player_open, in order. */
+SINEW_API size_t sinew_diagnostic_count(void);
+SINEW_API sinew_status sinew_diagnostic_at(size_t index, sinew_diagnostic* diagnostic);
+
+/* --- scenes -------------------------------------------------------------------------------------------------------- */
+
+typedef struct sinew_simulation { uint32_t id; } sinew_simulation;
+typedef struct sinew_player { uint32_t id; } sinew_player;
+
+/* Files that a scene names. The library reads no file. */
+typedef struct sinew_image_file {
+    const char* name;    /* as in the scene: "sprites/head.png" */
+    uint32_t width;      /* pixels */
+    uint32_t height;     /* pixels */
+} sinew_image_file;
+typedef struct sinew_model_file {
+    const char* name; /* as in the scene: "models/sail.obj" */
+    const char* text; /* Wavefront OBJ */
+} sinew_model_file;
+
+/* Everything but the text of a scene. All zero is a good start. */
+typedef struct sinew_open_options {
+    const char* name;                 /* of the file, for messages; null: "scene.json" */
+    const char* const* overrides;     /* "path=value" as on the command line: "solver.substeps=16", "mode=classic" */
+    size_t override_count;
+    const sinew_image_file* images;   /* their sizes; the caller paints them. Others are drawn as plain shapes */
+    size_t image_count;
+    const sinew_model_file* models;
+    size_t model_count;
+} sinew_open_options;
+
+/* Opens a scene at its start. `options` may be null. */
+SINEW_API sinew_status sinew_open(const char* scene, const sinew_open_options* options, sinew_simulation* simulation);
+/* Reads a scene and reports its errors, without keeping it. `options` may be null. */
+SINEW_API sinew_status sinew_check(const char* scene, const sinew_open_options* options);
+/* A copy in the present state, which goes on by itself. */
+SINEW_API sinew_status sinew_copy(sinew_simulation simulation, sinew_simulation* copy);
+SINEW_API sinew_status sinew_close(sinew_simulation simulation);
+
+/* JSON text about the engine. `topic`: "schema" (JSON Schema of a scene), "prefabs" (name, about, parameters),
+ * "kinds" (of constraints, in 2D and 3D), "overlays", "tools", "actions" (of a player, with their keys). */
+SINEW_API sinew_status sinew_describe(const char* topic, const char** json);
+
+/* Number of bytes the engine's objects occupy is the caller's matter; the module's heap for texts and arrays: */
+SINEW_API void* sinew_allocate(size_t bytes); /* 8-aligned; null where memory ends */
+SINEW_API void sinew_free(void* memory);      /* null is allowed */
+
+/* --- time ---------------------------------------------------------------------------------------------------------- */
+
+SINEW_API sinew_status sinew_restart(sinew_simulation simulation);
+/* Takes `count` steps of the scene's rate, with the scene's events. */
+SINEW_API sinew_status sinew_step(sinew_simulation simulation, uint32_t count);
+/* Steps until `seconds` of simulated time have passed since the start, to within half a step. */
+SINEW_API sinew_status sinew_run_until(sinew_simulation simulation, double seconds);
+
+/* --- reading ------------------------------------------------------------------------------------------------------- */
+
+typedef struct sinew_info {
+    uint32_t dimension;       /* 2 or 3 */
+    uint32_t real_bytes;      /* 4: float, 8: double */
+    uint32_t particles;       /* rows of the columns */
+    uint32_t constraints;
+    uint32_t figures;         /* indices 0 to figures - 1; some may be unused */
+    uint32_t is_classic;      /* 1: mode "classic" */
+    uint32_t y_is_down;       /* 1: y points down, as on screens */
+    uint32_t read_only;       /* 1: belongs to a player */
+    double rate;              /* steps per second */
+    double seconds;           /* how long the scene is worth watching */
+    double per_metre;         /* units of length in a metre */
+    double per_kilogram;
+    double per_second;        /* units of time in a second: 60 if the scene counts frames */
+    uint32_t view_width;      /* size of the picture that the scene asks for, pixels */
+    uint32_t view_height;
+} sinew_info;
+SINEW_API sinew_status sinew_get_info(sinew_simulation simulation, sinew_info* info);
+
+typedef struct sinew_report {
+    double seconds; /* simulated time, seconds */
+    double steps;
+    double kinetic, potential, stored, energy_lost; /* energies */
+    double stretch_max, stretch_mean;               /* of distances, as fractions of their rest lengths */
+    double max_speed;
+} sinew_report;
+SINEW_API sinew_status sinew_get_report(sinew_simulation simulation, sinew_report* report);
+
+/* Hash of all state relevant to the future: equal on every machine, compiler, instruction set and thread count. */
+SINEW_API sinew_status sinew_state_hash(sinew_simulation simulation, uint64_t* hash);
+
+typedef enum sinew_column {
+    SINEW_POSITION = 0,     /* `dimension` reals a row */
+    SINEW_PREVIOUS = 1,     /* one step ago */
+    SINEW_VELOCITY = 2,
+    SINEW_INVERSE_MASS = 3, /* one real a row; 0: immovable */
+    SINEW_RADIUS = 4,
+    SINEW_FIGURE = 5,       /* uint32_t, index of the figure; ~0 for loose particles */
+    SINEW_CONSTRAINT_ENDS = 6, /* uint32_t, two rows for each distance */
+    SINEW_MOBILITY = 7      /* inverse mass that the constraints see: 0 while pinned */
+} sinew_column;
+
+/* Memory of the simulation, not a copy: valid until the next call that steps or changes it. In WebAssembly any call may
+ * grow the memory and so detach typed arrays made on it. */
+typedef struct sinew_view {
+    const void* data;
+    uint32_t rows;
+    uint32_t components;  /* numbers a row */
+    uint32_t number_bytes; /* 4 or 8 */
+    uint32_t is_integer;   /* 1: uint32_t, 0: float or double */
+} sinew_view;
+SINEW_API sinew_status sinew_get_column(sinew_simulation simulation, sinew_column column, sinew_view* view);
+
+/* Ids name rows that move. */
+typedef uint64_t sinew_particle;
+typedef uint64_t sinew_constraint;
+typedef uint64_t sinew_pin;
+#define SINEW_NO_ID UINT64_MAX
+
+SINEW_API sinew_status sinew_particle_at(sinew_simulation simulation, uint32_t row, sinew_particle* particle);
+SINEW_API sinew_status sinew_row_of(sinew_simulation simulation, sinew_particle particle, uint32_t* row);
+/* "bob/right_hand" */
+SINEW_API sinew_status sinew_find_particle(sinew_simulation simulation, const char* name, sinew_particle* particle);
+SINEW_API sinew_status sinew_find_constraint(sinew_simulation simulation, const char* name, sinew_constraint* constraint);
+/* Empty if the particle has no name. */
+SINEW_API sinew_status sinew_particle_name(sinew_simulation simulation, sinew_particle particle, const char** name);
+
+typedef struct sinew_particle_state {
+    double position[3];
+    double velocity[3];
+    double inverse_mass; /* 0: immovable */
+    double radius;
+    uint32_t figure;     /* ~0: none */
+} sinew_particle_state;
+SINEW_API sinew_status sinew_get_particle(sinew_simulation simulation, sinew_particle particle,
+                                          sinew_particle_state* state);
+
+typedef struct sinew_constraint_state {
+    double measure; /* in the kind's unit: length, radians, area, volume */
+    double error;   /* distance outside the limits; negative below the lower limit */
+    double strain;  /* error as a fraction of the violated limit; of angles the error itself */
+    double tension; /* newtons (or the scene's unit of force), positive when pulling */
+} sinew_constraint_state;
+SINEW_API sinew_status sinew_get_constraint(sinew_simulation simulation, sinew_constraint constraint,
+                                            sinew_constraint_state* state);
+/* Kinds are numbered from 0 as in sinew_describe("kinds"); SINEW_BAD_ARGUMENT for a kind the dimension has not. */
+SINEW_API sinew_status sinew_constraint_count(sinew_simulation simulation, uint32_t kind, uint32_t* count);
+SINEW_API sinew_status sinew_constraint_at(sinew_simulation simulation, uint32_t kind, uint32_t row,
+                                           sinew_constraint* constraint);
+
+typedef struct sinew_figure {
+    const char* name;
+    const char* prefab;
+    uint32_t particles;
+    uint32_t is_quarantined; /* 1: frozen, because a number became infinite or not-a-number */
+} sinew_figure;
+/* SINEW_NOT_FOUND for an unused index. */
+SINEW_API sinew_status sinew_figure_at(sinew_simulation simulation, uint32_t index, sinew_figure* figure);
+
+typedef struct sinew_event {
+    double seconds;   /* simulated time */
+    const char* what; /* "torn", "parted", "quarantined", or the name of a scene event */
+    const char* where; /* figure or particle; may be empty */
+    uint32_t islands; /* "parted": number of islands of the figure; else 0 */
+} sinew_event;
+/* Events since the start; at most 10,000 are kept. */
+SINEW_API sinew_status sinew_event_count(sinew_simulation simulation, uint32_t* count);
+SINEW_API sinew_status sinew_event_at(sinew_simulation simulation, uint32_t index, sinew_event* event);
+
+/* --- the scene of a simulation -------------------------------------------------------------------------------------- */
+
+/* The scene as a file states it, with all edits; cut constraints are in an event at the start. */
+SINEW_API sinew_status sinew_scene_text(sinew_simulation simulation, const char** json);
+/* Values that a form can show: a JSON array of {path, name, value, type, unit, low, high, choices, help}. Paths are
+ * those of overrides; low, high and choices are absent where there are none. */
+SINEW_API sinew_status sinew_parameters(sinew_simulation simulation, const char** json);
+/* Sets one value of the running scene by an override "path=value"; figures that it does not concern go on unchanged. */
+SINEW_API sinew_status sinew_set(sinew_simulation simulation, const char* override_pair);
+
+/* --- edits --------------------------------------------------------------------------------------------------------- */
+
+typedef struct sinew_point { double x, y, z; } sinew_point;
+
+typedef struct sinew_particle_spec {
+    sinew_point position, velocity;
+    double mass;   /* above 0; INFINITY: immovable */
+    double radius;
+} sinew_particle_spec;
+SINEW_API sinew_status sinew_add_particle(sinew_simulation simulation, const sinew_particle_spec* spec,
+                                          sinew_particle* particle);
+SINEW_API sinew_status sinew_remove_particle(sinew_simulation simulation, sinew_particle particle);
+
+typedef struct sinew_constraint_spec {
+    double low, high;       /* limits of the measure; low > high: the present measure exactly */
+    double compliance;      /* 1 / stiffness; 0: rigid */
+    double max_force;       /* 0: without limit */
+    double breaking_strain; /* 0: never breaks */
+} sinew_constraint_spec;
+/* SINEW_BAD_ARGUMENT if `count` is not the number of particles of the kind. `spec` may be null: rigid as it is. */
+SINEW_API sinew_status sinew_add_constraint(sinew_simulation simulation, uint32_t kind, const sinew_particle* particles,
+                                            size_t count, const sinew_constraint_spec* spec,
+                                            sinew_constraint* constraint);
+SINEW_API sinew_status sinew_remove_constraint(sinew_simulation simulation, sinew_constraint constraint);
+
+SINEW_API sinew_status sinew_set_position(sinew_simulation simulation, sinew_particle particle, sinew_point position);
+SINEW_API sinew_status sinew_set_velocity(sinew_simulation simulation, sinew_particle particle, sinew_point velocity);
+SINEW_API sinew_status sinew_set_mass(sinew_simulation simulation, sinew_particle particle, double mass);
+/* A force for the next step; calls add up. */
+SINEW_API sinew_status sinew_apply_force(sinew_simulation simulation, sinew_particle particle, sinew_point force);
+SINEW_API sinew_status sinew_apply_impulse(sinew_simulation simulation, sinew_particle particle, sinew_point impulse);
+
+/* Holds a particle where it is. */
+SINEW_API sinew_status sinew_pin_particle(sinew_simulation simulation, sinew_particle particle, sinew_pin* pin);
+/* Target at the end of the next step, approached in a straight line. */
+SINEW_API sinew_status sinew_move_pin(sinew_simulation simulation, sinew_pin pin, sinew_point target);
+SINEW_API sinew_status sinew_unpin(sinew_simulation simulation, sinew_pin pin);
+
+/* --- pointer ------------------------------------------------------------------------------------------------------- */
+
+/* Grabs the nearest particle within `radius` (the scene's unit of length), or a point between several, as a pointer
+ * does: with a force of 100 times gravity at most. SINEW_NOT_FOUND if nothing movable is there. 2D. */
+SINEW_API sinew_status sinew_grab(sinew_simulation simulation, sinew_point at, double radius);
+/* Grabs one particle. */
+SINEW_API sinew_status sinew_grab_particle(sinew_simulation simulation, sinew_particle particle);
+/* Target of the held point at the end of the next step. */
+SINEW_API sinew_status sinew_drag(sinew_simulation simulation, sinew_point to);
+SINEW_API sinew_status sinew_let_go(sinew_simulation simulation);
+/* Position of the pointer, for pins that follow it. */
+SINEW_API sinew_status sinew_point_at(sinew_simulation simulation, sinew_point at);
+/* Cuts every distance that crosses the line, as seen in the scene's own view; `count` (may be null) is the number cut. */
+SINEW_API sinew_status sinew_cut(sinew_simulation simulation, sinew_point from, sinew_point to, uint32_t* count);
+
+/* --- picture ------------------------------------------------------------------------------------------------------- */
+
+typedef enum sinew_shape {
+    SINEW_POLYLINE = 0, /* `count` points joined by a stroke of `width` pixels, round caps and joins */
+    SINEW_LOOP = 1,     /* the same, closed */
+    SINEW_DISC = 2,     /* a point, filled, `width` pixels in diameter */
+    SINEW_POLYGON = 3,  /* `count` points, filled (even-odd) */
+    SINEW_IMAGE = 4,    /* an image mapped onto a grid of points, rows of `across`; `color` is blended over opaque pixels */
+    SINEW_TEXT = 5,     /* a line of text centred on one point, letters `width` pixels high */
+    SINEW_PANE = 6      /* the rectangle between two corners, filled; later items are clipped to it */
+} sinew_shape;
+
+typedef struct sinew_item {
+    uint32_t shape; /* a sinew_shape */
+    uint32_t first; /* index of the first point */
+    uint32_t count; /* of points */
+    float width;    /* pixels */
+    float color[4]; /* red, green, blue, alpha: sRGB, straight alpha, 0 to 1 */
+    uint32_t number; /* index of the image, or of the text */
+    uint32_t across; /* points in a row of an image's grid */
+} sinew_item;
+
+/* A display list in pixels: x right, y down, origin at the top left. Items are painted in order. Valid until the object
+ * is drawn again or closed. */
+typedef struct sinew_picture {
+    uint32_t width, height; /* pixels */
+    float background[4];
+    const float* points;    /* two floats a point */
+    uint32_t point_count;
+    const sinew_item* items;
+    uint32_t item_count;
+    uint32_t text_count;
+    uint32_t image_count;
+} sinew_picture;
+
+/* `overlays`: bit i is overlay i of sinew_describe("overlays"). */
+SINEW_API sinew_status sinew_draw(sinew_simulation simulation, uint32_t width, uint32_t height, uint32_t overlays,
+                                  sinew_picture* picture);
+SINEW_API sinew_status sinew_picture_text(sinew_simulation simulation, uint32_t index, const char** text);
+/* Name of an image, as in the scene. */
+SINEW_API sinew_status sinew_picture_image(sinew_simulation simulation, uint32_t index, const char** name);
+/* Position of a pixel of a picture of that size in a 2D scene, and the pixel of a position. */
+SINEW_API sinew_status sinew_unproject(sinew_simulation simulation, uint32_t width, uint32_t height, double x, double y,
+                                       sinew_point* position);
+SINEW_API sinew_status sinew_project(sinew_simulation simulation, uint32_t width, uint32_t height, sinew_point position,
+                                     double* x, double* y);
+
+/* --- player -------------------------------------------------------------------------------------------------------- */
+
+/* Opens a scene in a player, running, with a picture of the size that the scene asks for. `options` may be null. */
+SINEW_API sinew_status sinew_play(const char* scene, const sinew_open_options* options, sinew_player* player);
+/* Opens another scene in the player; on failure the old one goes on. */
+SINEW_API sinew_status sinew_player_open(sinew_player player, const char* scene, const sinew_open_options* options);
+/* Continues as an edited scene; figures that are the same in both keep their state. Can be undone. */
+SINEW_API sinew_status sinew_player_become(sinew_player player, const char* scene, const sinew_open_options* options);
+SINEW_API sinew_status sinew_player_close(sinew_player player);
+/* The simulation of a pane (0, and 1 in a split view), for reading. Valid until the player is closed or split. */
+SINEW_API sinew_status sinew_player_simulation(sinew_player player, uint32_t pane, sinew_simulation* simulation);
+
+/* Size of the picture in pixels, and pixels per nominal pixel (2 on a dense display). */
+SINEW_API sinew_status sinew_player_resize(sinew_player player, uint32_t width, uint32_t height, double density);
+/* Advances real time and takes the steps due. */
+SINEW_API sinew_status sinew_player_advance(sinew_player player, double seconds);
+/* The picture with the pointer's marks, interpolated between the last two steps. */
+SINEW_API sinew_status sinew_player_draw(sinew_player player, sinew_picture* picture);
+SINEW_API sinew_status sinew_player_picture_text(sinew_player player, uint32_t index, const char** text);
+SINEW_API sinew_status sinew_player_picture_image(sinew_player player, uint32_t index, const char** name);
+
+/* Input; positions are pixels of the picture. */
+typedef enum sinew_button { SINEW_LEFT = 0, SINEW_MIDDLE = 1, SINEW_RIGHT = 2 } sinew_button;
+SINEW_API sinew_status sinew_player_pointer(sinew_player player, double x, double y);
+SINEW_API sinew_status sinew_player_leave(sinew_player player); /* the pointer has left the picture */
+SINEW_API sinew_status sinew_player_press(sinew_player player, sinew_button button);
+SINEW_API sinew_status sinew_player_release(sinew_player player, sinew_button button);
+/* Notches of the wheel, positive away from the user: enlarges, or changes the time scale where the scene says so. */
+SINEW_API sinew_status sinew_player_scroll(sinew_player player, double notches);
+/* A gesture of two fingers: displacement of their middle, ratio of their distances. */
+SINEW_API sinew_status sinew_player_pinch(sinew_player player, double dx, double dy, double factor);
+/* Moves the picture by pixels; turns the camera of a 3D scene about its target (in 2D: pans). */
+SINEW_API sinew_status sinew_player_pan(sinew_player player, double dx, double dy);
+SINEW_API sinew_status sinew_player_orbit(sinew_player player, double dx, double dy);
+/* Enlarges by a factor about the pointer. */
+SINEW_API sinew_status sinew_player_zoom(sinew_player player, double factor);
+/* Fingers on a screen: one is the pointer with its left button, two pan and zoom. `phase` 0: down, 1: moved, 2: up. */
+SINEW_API sinew_status sinew_player_touch(sinew_player player, int64_t finger, uint32_t phase, double x, double y);
+/* A key of the window: "p", "[", "escape", "ctrl+z". `is_down` 0: released. */
+SINEW_API sinew_status sinew_player_key(sinew_player player, const char* name, uint32_t is_down);
+
+/* An action by its name in sinew_describe("actions"): "pause", "step", "back", "restart", "undo", "redo", "gravity",
+ * "wind", "mode", "split", "theme", "see_all", "projection", "slower", "faster". */
+SINEW_API sinew_status sinew_player_do(sinew_player player, const char* action);
+SINEW_API sinew_status sinew_player_pause(sinew_player player, uint32_t on);
+/* Simulated seconds per real second, 0.01 to 8. */
+SINEW_API sinew_status sinew_player_time_scale(sinew_player player, double scale);
+/* Restores a step of the last minute (see sinew_player_state) and pauses. */
+SINEW_API sinew_status sinew_player_go_to(sinew_player player, double step);
+/* Sets one value of the scene; `goes_on` merges the edit with the preceding one of the same path (a slider moves). */
+SINEW_API sinew_status sinew_player_set(sinew_player player, const char* path, const char* value, uint32_t goes_on);
+SINEW_API sinew_status sinew_player_tool(sinew_player player, const char* name);
+/* Prefab of the tool "spawn", with its parameters as a JSON object (null: none). */
+SINEW_API sinew_status sinew_player_prefab(sinew_player player, const char* prefab, const char* parameters);
+SINEW_API sinew_status sinew_player_overlays(sinew_player player, uint32_t overlays);
+/* "light" or "dark"; empty: the scene's own. */
+SINEW_API sinew_status sinew_player_theme(sinew_player player, const char* theme);
+
+typedef struct sinew_player_state {
+    double step, first_step, end_step; /* of the timeline: now, earliest and latest that can be restored */
+    double time_scale;
+    double share;        /* of the step in progress, 0 to 1 */
+    uint32_t is_paused;
+    uint32_t panes;      /* 1, or 2 in a split view */
+    uint32_t is_edited;  /* differs from the scene that was opened */
+    uint32_t is_holding; /* the pointer holds something */
+    uint32_t overlays;
+    const char* tool;
+    const char* theme;   /* shown */
+    const char* hovered; /* name of the particle under the pointer; may be empty */
+    const char* selected;
+    const char* message; /* a line about the last action; may be empty */
+    const char* undo;    /* name of the edit that undo would take back; empty: none */
+    const char* redo;
+} sinew_player_state;
+SINEW_API sinew_status sinew_player_get_state(sinew_player player, sinew_player_state* state);
+/* Takes the next event off the queue as a JSON object: {"what": "grab", "particle": "bob/head"}. SINEW_NOT_FOUND when
+ * there is none. The queue keeps the last 1000. */
+SINEW_API sinew_status sinew_player_next_event(sinew_player player, const char** json);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

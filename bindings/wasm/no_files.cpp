@@ -1,0 +1,55 @@
+// The files of the player (apps/play/files.h) and of pictures (canvas/) on a page, which has none.
+#include "apps/play/files.h"
+#include "canvas/formats.h"
+
+namespace sinew {
+namespace {
+
+constexpr const char* no_files = "there are no files here";
+
+} // namespace
+
+namespace play {
+
+std::filesystem::file_time_type time_written(const std::filesystem::path&) {
+    return {};
+}
+
+canvas::Failure write_file(const std::filesystem::path&, const std::string&) {
+    return no_files;
+}
+
+void remove_file(const std::filesystem::path&) {}
+
+std::filesystem::path free_path(const std::filesystem::path& wanted) {
+    return wanted;
+}
+
+std::optional<std::string> read_file(const std::filesystem::path&, std::size_t) {
+    return std::nullopt;
+}
+
+std::string full_path(const std::filesystem::path& path) {
+    return path.string();
+}
+
+} // namespace play
+
+namespace canvas {
+
+Opened open(const std::filesystem::path&, const FrameFormat&) {
+    return {nullptr, no_files};
+}
+
+Failure Writer::frame(const Picture&) {
+    return no_files;
+}
+
+Failure Writer::finish() {
+    return no_files;
+}
+
+void PartialFile::discard() {}
+
+} // namespace canvas
+} // namespace sinew

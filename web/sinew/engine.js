@@ -1,0 +1,140 @@
+import { SceneErrors, SinewError, status } from "./errors.js";
+import { Memory } from "./memory.js";
+import { Player } from "./player.js";
+import { Simulation } from "./simulation.js";
+
+/** The ABI of bindings/c/sinew.h that this package is written for. */
+export const abi = 1;
+
+/** An instance of the module, with a memory of its own. */
+export class Engine {
+    constructor(instance) {
+        this.exports = instance.exports;
+        this.exports._initialize?.();
+        const found = this.exports.sinew_abi?.();
+        if (found !== abi) throw new Error(`the module has ABI ${found}, the package needs ${abi}: they are of different versions`);
+        this.data = new Memory(this.exports);
+        this.abi = found;
+        this.version = this.data.textAt(this.exports.sinew_version());
+        this.simd = this.data.textAt(this.exports.sinew_simd());
+        this.overlayNames = this.overlays().map((overlay) => overlay.name);
+    }
+
+    get memory() {
+        return this.exports.memory;
+    }
+
+    get bytes() {
+        return this.memory.buffer.byteLength;
+    }
+
+    open(scene, options = {}) {
+        return new Simulation(this, this.opened("sinew_open", scene, options));
+    }
+
+    play(scene, options = {}) {
+        return new Player(this, this.opened("sinew_play", scene, options));
+    }
+
+    check(scene, options = {}) {
+        try {
+            this.withScene(scene, options, (text, more) => this.call("sinew_check", text, more));
+            return [];
+        } catch (error) {
+            if (error instanceof SceneErrors) return error.errors;
+            throw error;
+        }
+    }
+
+    schema() { return this.describe("schema"); }
+    prefabs() { return this.describe("prefabs"); }
+    overlays() { return this.describe("overlays"); }
+    tools() { return this.describe("tools"); }
+    actions() { return this.describe("actions"); }
+    kinds(dimension) { return this.describe("kinds")[dimension]; }
+
+    // --- calls ----------------------------------------------------------------------------------------------------
+
+    /** Calls a function of the C face; throws if it fails. */
+    call(name, ...given) {
+        const result = this.exports[name](...given);
+        if (result !== status.ok) this.fail(result);
+    }
+
+    /** The same, but false for status.notFound. */
+    finds(name, ...given) {
+        const result = this.exports[name](...given);
+        if (result !== status.ok && result !== status.notFound) this.fail(result);
+        return result === status.ok;
+    }
+
+    fail(result) {
+        const message = this.data.textAt(this.exports.sinew_message());
+        const errors = result === status.badScene ? this.diagnostics() : [];
+        throw errors.length > 0 ? new SceneErrors(errors, message) : new SinewError(result, message);
+    }
+
+    describe(topic) {
+        return this.data.within((arena) => {
+            this.call("sinew_describe", arena.text(topic), this.data.result);
+            return JSON.parse(this.data.textFrom(this.data.result));
+        });
+    }
+
+    diagnostics() {
+        const { data } = this;
+        return Array.from({ length: this.exports.sinew_diagnostic_count() }, (_, i) => {
+            this.call("sinew_diagnostic_at", i, data.result);
+            const [source, path, message, help, text] = [0, 4, 8, 12, 16].map((at) => data.textFrom(data.result + at));
+            const [line, column, length, isOverride] = [20, 24, 28, 32].map((at) => data.uint(data.result + at));
+            return { line, column, length, path, message, help, source, isOverride: isOverride !== 0, text };
+        });
+    }
+
+    opened(name, scene, options) {
+        this.withScene(scene, options, (text, more) => this.call(name, text, more, this.data.result));
+        return this.data.uint(this.data.result);
+    }
+
+    /** Calls work(text, options) with the addresses of a scene's text and its sinew_open_options. */
+    withScene(scene, options, work) {
+        const text = typeof scene === "string" ? scene : JSON.stringify(scene);
+        return this.data.within((arena) => work(arena.text(text), optionsIn(arena, options)));
+    }
+
+    overlayBits(overlays = 0) {
+        if (typeof overlays === "number") return overlays;
+        return overlays.reduce((bits, name) => {
+            const number = this.overlayNames.indexOf(name);
+            if (number < 0) throw new SinewError(status.badArgument, `no overlay is called "${name}"`);
+            return bits | (1 << number);
+        }, 0);
+    }
+
+    overlaysOf(bits) {
+        return this.overlayNames.filter((_, i) => bits & (1 << i));
+    }
+}
+
+/** Overrides as "path=value": values other than texts are JSON. */
+function pairs(overrides) {
+    if (Array.isArray(overrides)) return overrides;
+    return Object.entries(overrides).map(([path, value]) => `${path}=${valueText(value)}`);
+}
+
+/** A value as an override states it. */
+export function valueText(value) {
+    return typeof value === "string" ? value : JSON.stringify(value);
+}
+
+function optionsIn(arena, { name, overrides = [], images = {}, models = {} }) {
+    const texts = pairs(overrides).map((pair) => arena.text(pair));
+    const sizes = Object.entries(images).flatMap(([file, { width, height }]) => [arena.text(file), width, height]);
+    const files = Object.entries(models).flatMap(([file, text]) => [arena.text(file), arena.text(text)]);
+    return arena.uints([
+        name ? arena.text(name) : 0,
+        arena.uints(texts), texts.length,
+        arena.uints(sizes), sizes.length / 3,
+        arena.uints(files), files.length / 2,
+    ]);
+}

@@ -1,0 +1,379 @@
+/**
+ * Sinew in JavaScript: an engine of Verlet points and constraints, compiled to WebAssembly. Same core and same bits as
+ * the native library; one thread. Works in browsers, workers and Node 20.
+ *
+ * Lengths, times and forces are in the units of the scene, angles in radians, pointer positions in pixels of the picture.
+ */
+
+/** The ABI of the module that this package expects; `load` refuses another. */
+export const abi: number;
+
+/** Where the module is: an address, its bytes, a compiled module, or the response of a fetch. */
+export type ModuleSource = string | URL | ArrayBuffer | ArrayBufferView | WebAssembly.Module | Response | Promise<Response>;
+
+/** Loads an engine. Without a source: sinew.wasm beside this file. Each engine has a memory of its own. */
+export function load(source?: ModuleSource): Promise<Engine>;
+
+/** The same functions as properties: `import Sinew from "sinew"; await Sinew.load()`. */
+declare const Sinew: { load: typeof load; abi: number; catalogue: typeof catalogue; Canvas2DPainter: typeof Canvas2DPainter };
+export default Sinew;
+
+// --- scenes -------------------------------------------------------------------------------------------------------
+
+/** The scenes of the catalogue, in the order of lists. Scene texts are part of the package; nothing is fetched. */
+export function catalogue(): Promise<CatalogueScene[]>;
+
+export interface CatalogueScene {
+    name: string;               // "ragdoll"
+    title: string;              // "Ragdoll"
+    about: string;              // a sentence or two
+    source: string;             // source of the idea
+    category: "basics" | "ropes" | "cloth" | "bodies" | "characters" | "machines" | "other";
+    dimension: 2 | 3;
+    seconds: number;            // how long it is worth watching
+    size: [number, number];     // of the picture that the scene asks for, pixels
+    /** Values worth a slider: those the file states. */
+    parameters: SceneParameter[];
+    /** Modes ("classic") for which the file has settings of its own. Every scene runs in both modes: {overrides: {mode: "classic"}}. */
+    modes: string[];
+    /** The file. */
+    text: string;
+    /** Images the scene shows, by name ("sprites/head.png"): files of the package under `images/`. */
+    images: Record<string, { width: number; height: number }>;
+    /** Texts of OBJ files by name. A scene of the catalogue is thus its own options: engine.open(scene.text, scene). */
+    models: Record<string, string>;
+}
+
+/** A value of a scene that a form can show. */
+export interface SceneParameter {
+    path: string;               // as in an override: "figures.bob.height"
+    name: string;               // last step of the path in words: "height"
+    value: number | string | boolean | number[];
+    type: "number" | "integer" | "text" | "truth" | "point";
+    unit: string;               // "px", "m/s^2"; may be empty
+    low?: number;               // range; absent: without limit
+    high?: number;
+    choices?: string[];         // of a text
+    help: string;
+}
+
+export interface OpenOptions {
+    /** Name of the file in messages; "scene.json" by default. */
+    name?: string;
+    /** `path=value` as on the command line: ["solver.substeps=16", "mode=classic"], or an object of the same. */
+    overrides?: string[] | Record<string, unknown>;
+    /** Sizes of images by the names in the scene. Without any, plain shapes are drawn instead. */
+    images?: Record<string, { width: number; height: number }>;
+    /** Texts of OBJ files by the names in the scene. */
+    models?: Record<string, string>;
+}
+
+/** An error in a scene, for its author. */
+export interface SceneError {
+    line: number;               // from 1
+    column: number;             // from 1, in characters
+    length: number;             // characters
+    path: string;               // JSON pointer: "/figures/0/mass"
+    message: string;
+    help: string;               // may be empty
+    source: string;             // the file, or "<command line>"
+    isOverride: boolean;        // true: line and column count in the override
+    text: string;               // as the command prints it, with the line and a mark below
+}
+
+/** Thrown for a scene with errors. */
+export class SceneErrors extends Error {
+    errors: SceneError[];
+}
+
+/** Thrown for anything else: a closed object, an unknown name. */
+export class SinewError extends Error {
+    status: number;             // a sinew_status of bindings/c/sinew.h
+}
+
+// --- engine -------------------------------------------------------------------------------------------------------
+
+export interface Engine {
+    readonly version: string;   // of the engine: "0.9.0"
+    readonly abi: number;
+    readonly simd: string;      // "simd128"
+    readonly memory: WebAssembly.Memory;
+
+    /** Opens a scene at its start, from JSON text or an object. Throws SceneErrors. */
+    open(scene: string | object, options?: OpenOptions): Simulation;
+    /** Opens a scene in the interactive player. Throws SceneErrors. */
+    play(scene: string | object, options?: OpenOptions): Player;
+    /** The errors of a scene; empty if there are none. */
+    check(scene: string | object, options?: OpenOptions): SceneError[];
+    /** JSON Schema of scene files, for an editor's completion. */
+    schema(): object;
+    prefabs(): { name: string; about: string; parameters: SceneParameter[] }[];
+    overlays(): { name: string; about: string }[];
+    tools(): { name: string; key: string; about: string }[];
+    actions(): { name: string; key: string; about: string }[];
+    /** Kinds of constraints of a dimension, in the order of their numbers. */
+    kinds(dimension: 2 | 3): { name: string; particles: number }[];
+    /** Bytes of WebAssembly memory. */
+    readonly bytes: number;
+}
+
+export type Reals = Float32Array | Float64Array;
+export type Point = [number, number] | [number, number, number];
+/** Ids stay valid while rows move. A name ("bob/head") is accepted wherever an id is. */
+export type ParticleId = bigint;
+export type ConstraintId = bigint;
+export type PinId = bigint;
+
+export interface Report {
+    seconds: number;            // simulated
+    steps: number;
+    kinetic: number; potential: number; stored: number; // energies
+    energyLost: number;         // in impacts, since the start
+    stretchMax: number; stretchMean: number;            // of distances, as fractions of rest lengths
+    maxSpeed: number;
+}
+
+export interface SceneEvent {
+    seconds: number;
+    what: string;               // "torn", "parted", "quarantined", or the name of a scene event
+    where: string;              // figure or particle
+    islands: number;            // "parted": number of islands of the figure
+}
+
+/** A running scene without a pointer. */
+export interface Simulation {
+    readonly dimension: 2 | 3;
+    readonly precision: "float" | "double";
+    readonly rate: number;      // steps per second
+    readonly seconds: number;   // how long the scene is worth watching
+    readonly size: [number, number]; // of its picture, pixels
+    readonly yIsDown: boolean;
+    readonly particleCount: number;
+    readonly constraintCount: number;
+    /** True for the simulation of a player, which alone may change it. */
+    readonly isReadOnly: boolean;
+    readonly isClosed: boolean;
+
+    /** Takes steps of the scene's rate. */
+    step(count?: number): void;
+    /** Steps until so much simulated time has passed since the start. */
+    runUntil(seconds: number): void;
+    restart(): void;
+    /** A copy in the present state, which goes on by itself. */
+    copy(): Simulation;
+    /** Frees the memory. Also `using`: Symbol.dispose. */
+    dispose(): void;
+    [Symbol.dispose](): void;
+
+    /** Hash of the state, 16 hexadecimal digits; the same as that of `sinew run --json`. */
+    hash(): string;
+    report(): Report;
+    events(since?: number): SceneEvent[];
+
+    /**
+     * Columns of the particles: views of the engine's memory, `dimension` numbers a row (one for masses and radii).
+     * Every access gives a view that is valid until the next call; do not keep it.
+     */
+    readonly positions: Reals;
+    readonly previous: Reals;
+    readonly velocities: Reals;
+    readonly inverseMasses: Reals;
+    /** Inverse masses as the constraints see them: 0 while pinned. */
+    readonly mobilities: Reals;
+    readonly radii: Reals;
+    readonly figureIndices: Uint32Array;
+    /** Rows of the ends of every distance, two each. */
+    readonly ends: Uint32Array;
+
+    figures(): { index: number; name: string; prefab: string; particles: number; isQuarantined: boolean }[];
+    particle(nameOrRow: string | number): ParticleId;
+    constraint(name: string): ConstraintId;
+    nameOf(particle: ParticleId): string;
+    stateOf(particle: ParticleId | string): { position: number[]; velocity: number[]; inverseMass: number; radius: number; figure: number };
+    loadOf(constraint: ConstraintId | string): { measure: number; error: number; strain: number; tension: number };
+    constraintsOf(kind: string | number): ConstraintId[];
+
+    addParticle(spec: { position: Point; velocity?: Point; mass?: number; radius?: number }): ParticleId;
+    removeParticle(particle: ParticleId | string): void;
+    /** `low` and `high` limit the measure; without them the present measure is kept exactly. */
+    addConstraint(kind: string | number, particles: (ParticleId | string)[],
+        spec?: { low?: number; high?: number; compliance?: number; maxForce?: number; breakingStrain?: number }): ConstraintId;
+    removeConstraint(constraint: ConstraintId | string): void;
+    setPosition(particle: ParticleId | string, position: Point): void;
+    setVelocity(particle: ParticleId | string, velocity: Point): void;
+    setMass(particle: ParticleId | string, mass: number): void;
+    applyForce(particle: ParticleId | string, force: Point): void;
+    applyImpulse(particle: ParticleId | string, impulse: Point): void;
+    pin(particle: ParticleId | string): PinId;
+    movePin(pin: PinId, target: Point): void;
+    unpin(pin: PinId): void;
+
+    /** Grabs what is nearest within `radius` (2D), or a particle; false if nothing movable is there. */
+    grab(at: Point | ParticleId | string, radius?: number): boolean;
+    drag(to: Point): void;
+    letGo(): void;
+    /** Position of the pointer, for pins that follow it. */
+    pointAt(at: Point): void;
+    /** Cuts every distance that crosses the line; returns their number. */
+    cut(from: Point, to: Point): number;
+
+    /** The scene as a file states it, with all edits. */
+    sceneText(): string;
+    parameters(): SceneParameter[];
+    /** Sets one value of the running scene. Throws SceneErrors. */
+    set(path: string, value: unknown): void;
+
+    /** The picture through the view that the scene asks for. Valid until the next draw. */
+    draw(width?: number, height?: number, overlays?: string[] | number): Picture;
+    /** Position of a pixel of the picture in a 2D scene. */
+    toScene(pixel: [number, number], width?: number, height?: number): Point;
+    /** Pixel of a position. */
+    toPixel(position: Point, width?: number, height?: number): [number, number];
+}
+
+// --- picture ------------------------------------------------------------------------------------------------------
+
+export const Shape: {
+    readonly polyline: 0; readonly loop: 1; readonly disc: 2; readonly polygon: 3;
+    readonly image: 4; readonly text: 5; readonly pane: 6;
+};
+
+/** A display list in pixels: x right, y down. Items are painted in order. Typed arrays are views of the engine's memory. */
+export interface Picture {
+    readonly width: number;
+    readonly height: number;
+    /** Red, green, blue, alpha: sRGB, straight alpha, 0 to 1. */
+    readonly background: [number, number, number, number];
+    /** x, y of every point. */
+    readonly points: Float32Array;
+    readonly length: number;        // number of items
+    /** Ten 32-bit words an item: shape, first point, count, width (float), red, green, blue, alpha (floats), number, across. */
+    readonly words: Uint32Array;
+    readonly floats: Float32Array;  // the same memory
+    /** Texts of items of shape `text`, by `number`. */
+    readonly texts: string[];
+    /** Names of images, by `number`. */
+    readonly images: string[];
+    item(index: number): PictureItem;
+    [Symbol.iterator](): Iterator<PictureItem>;
+    /** A copy that outlives the next draw and can be posted to another thread. */
+    copy(): Picture;
+}
+
+export interface PictureItem {
+    shape: number;                  // a value of Shape
+    points: Float32Array;           // x, y, ...
+    width: number;                  // pixels: of a stroke, of a disc, of letters
+    color: [number, number, number, number];
+    number: number;                 // of the image or text
+    across: number;                 // points in a row of an image's grid
+}
+
+export interface Painter {
+    paint(picture: Picture): void;
+    /** Images by the names in the scene. */
+    setImage(name: string, image: CanvasImageSource): void;
+    dispose(): void;
+}
+
+/** Paints pictures with a 2D context: of a canvas, an OffscreenCanvas, or anything with the same methods. */
+export class Canvas2DPainter implements Painter {
+    constructor(context: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D, options?: { font?: string });
+    paint(picture: Picture): void;
+    setImage(name: string, image: CanvasImageSource): void;
+    dispose(): void;
+}
+
+/** Paints pictures with WebGL2: strokes and discs as antialiased quads. `preserveDrawingBuffer` for screenshots. */
+export class WebGL2Painter implements Painter {
+    constructor(canvas: HTMLCanvasElement | OffscreenCanvas, options?: { font?: string; preserveDrawingBuffer?: boolean });
+    paint(picture: Picture): void;
+    setImage(name: string, image: CanvasImageSource): void;
+    dispose(): void;
+}
+
+// --- player -------------------------------------------------------------------------------------------------------
+
+export interface PlayerState {
+    step: number; firstStep: number; endStep: number; // of the timeline: now, earliest and latest restorable
+    timeScale: number;          // simulated seconds per real second
+    share: number;              // of the step in progress
+    isPaused: boolean;
+    panes: number;              // 2 in a split view: classic and physical
+    isEdited: boolean;
+    isHolding: boolean;
+    overlays: string[];
+    tool: string;
+    theme: "light" | "dark";
+    hovered: string;            // name of the particle under the pointer; may be empty
+    selected: string;
+    message: string;            // a line about the last action
+    undo: string;               // name of the edit that undo would take back; empty: none
+    redo: string;
+}
+
+export type PlayerEvent = { what: string } & Record<string, unknown>;
+export type Button = "left" | "middle" | "right";
+
+/** The interactive player of the window: clock, tools, camera, undo, timeline. */
+export interface Player {
+    /** The running scene of the pane, for reading. */
+    readonly simulation: Simulation;
+    pane(index: number): Simulation;
+    readonly isClosed: boolean;
+    dispose(): void;
+    [Symbol.dispose](): void;
+
+    /** Opens another scene; throws SceneErrors and keeps the old one. */
+    open(scene: string | object, options?: OpenOptions): void;
+    /** Continues as an edited scene: figures that are the same in both keep their state. Can be undone. */
+    become(scene: string | object, options?: OpenOptions): void;
+
+    /** Size of the picture in pixels, and pixels per nominal pixel (devicePixelRatio). */
+    resize(width: number, height: number, density?: number): void;
+    /** Advances real time, in seconds, and takes the steps due. */
+    advance(seconds: number): void;
+    draw(): Picture;
+
+    // input, in pixels of the picture
+    pointerMove(x: number, y: number): void;
+    pointerDown(button?: Button): void;
+    pointerUp(button?: Button): void;
+    pointerLeave(): void;
+    /** Notches of the wheel, positive away from the user. */
+    wheel(notches: number): void;
+    pinch(dx: number, dy: number, factor: number): void;
+    touch(finger: number, phase: "down" | "move" | "up", x: number, y: number): void;
+    /** A key of the window: "p", "[", "escape", "ctrl+z". */
+    key(name: string, isDown?: boolean): void;
+
+    pan(dx: number, dy: number): void;
+    orbit(dx: number, dy: number): void;
+    zoom(factor: number): void;
+
+    /** An action by its name in engine.actions(): "pause", "step", "back", "restart", "undo", "gravity", "split"... */
+    do(action: string): void;
+    pause(on?: boolean): void;
+    step(): void;
+    stepBack(): void;
+    restart(): void;
+    undo(): void;
+    redo(): void;
+    goTo(step: number): void;
+    setTimeScale(scale: number): void;
+    setTool(name: string): void;
+    /** Prefab of the tool "spawn". */
+    setPrefab(name: string, parameters?: object): void;
+    setOverlays(overlays: string[] | number): void;
+    /** "light", "dark", or "" for the scene's own. */
+    setTheme(theme: string): void;
+
+    parameters(): SceneParameter[];
+    /** Sets one value of the scene; `goesOn` merges with the preceding edit of the same path. Throws SinewError. */
+    set(path: string, value: unknown, goesOn?: boolean): void;
+    sceneText(): string;
+    hash(): string;
+    state(): PlayerState;
+    /** Takes all events since the last call. */
+    events(): PlayerEvent[];
+}

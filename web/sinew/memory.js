@@ -1,0 +1,108 @@
+// The memory of a module: texts and structs in and out. Typed arrays are made anew when the memory has grown.
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
+/** Bytes for the results of one call: the largest struct of bindings/c/sinew.h has 88. */
+const resultBytes = 256;
+
+export class Memory {
+    constructor(exports) {
+        this.exports = exports;
+        this.result = this.allocate(resultBytes);
+    }
+
+    get buffer() {
+        return this.exports.memory.buffer;
+    }
+
+    get view() {
+        if (this.cachedView?.buffer !== this.buffer) this.cachedView = new DataView(this.buffer);
+        return this.cachedView;
+    }
+
+    get bytes() {
+        if (this.cachedBytes?.buffer !== this.buffer) this.cachedBytes = new Uint8Array(this.buffer);
+        return this.cachedBytes;
+    }
+
+    allocate(bytes) {
+        const at = this.exports.sinew_allocate(bytes);
+        if (at === 0) throw new RangeError(`no memory for ${bytes} bytes`);
+        return at;
+    }
+
+    uint(at) { return this.view.getUint32(at, true); }
+    float(at) { return this.view.getFloat32(at, true); }
+    double(at) { return this.view.getFloat64(at, true); }
+    id(at) { return this.view.getBigUint64(at, true); }
+
+    /** The text at an address, up to its zero byte. */
+    textAt(at) {
+        const bytes = this.bytes;
+        return decoder.decode(bytes.subarray(at, bytes.indexOf(0, at)));
+    }
+
+    /** The text whose address is at an address. */
+    textFrom(at) {
+        return this.textAt(this.uint(at));
+    }
+
+    /** Calls `work` with an arena, whose memory is freed afterwards. */
+    within(work) {
+        const arena = new Arena(this);
+        try {
+            return work(arena);
+        } finally {
+            arena.free();
+        }
+    }
+}
+
+/** Arguments of one call. */
+class Arena {
+    constructor(memory) {
+        this.memory = memory;
+        this.taken = [];
+    }
+
+    allocate(bytes) {
+        const at = this.memory.allocate(bytes);
+        this.taken.push(at);
+        return at;
+    }
+
+    text(text) {
+        const bytes = encoder.encode(text);
+        const at = this.allocate(bytes.length + 1);
+        this.memory.bytes.set(bytes, at);
+        this.memory.bytes[at + bytes.length] = 0;
+        return at;
+    }
+
+    doubles(numbers) {
+        const at = this.allocate(8 * numbers.length);
+        numbers.forEach((number, i) => this.memory.view.setFloat64(at + 8 * i, number, true));
+        return at;
+    }
+
+    ids(ids) {
+        const at = this.allocate(8 * ids.length);
+        ids.forEach((id, i) => this.memory.view.setBigUint64(at + 8 * i, id, true));
+        return at;
+    }
+
+    uints(numbers) {
+        const at = this.allocate(4 * numbers.length);
+        numbers.forEach((number, i) => this.memory.view.setUint32(at + 4 * i, number, true));
+        return at;
+    }
+
+    point([x, y, z = 0]) {
+        return this.doubles([x, y, z]);
+    }
+
+    free() {
+        for (const at of this.taken) this.memory.exports.sinew_free(at);
+    }
+}

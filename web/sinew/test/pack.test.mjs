@@ -1,0 +1,40 @@
+// The packed package installs without a network, and its README's examples run as they stand.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { after, test } from "node:test";
+import { brotliCompressSync, constants } from "node:zlib";
+import { moduleBytes } from "./engine_for_tests.mjs";
+
+const packageFolder = fileURLToPath(new URL("..", import.meta.url));
+const folder = await mkdtemp(path.join(tmpdir(), "sinew-pack-"));
+after(() => rm(folder, { recursive: true }));
+
+const hasNpm = spawnSync("npm", ["--version"]).status === 0;
+const npm = (...words) => execFileSync("npm", words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+
+test("the packed package installs offline", { skip: !hasNpm }, async () => {
+    const [{ filename, files }] = JSON.parse(npm("pack", packageFolder, "--json"));
+    const names = files.map((file) => file.path);
+    for (const wanted of ["index.js", "index.d.ts", "sinew.wasm", "catalogue.js", "README.md", "painters/webgl2.js"])
+        assert.ok(names.includes(wanted), wanted);
+    assert.ok(!names.some((name) => name.startsWith("test/") || name.startsWith("tools/")));
+    await writeFile(path.join(folder, "package.json"), '{"type": "module"}');
+    npm("install", "--offline", "--no-audit", "--no-fund", `./${filename}`);
+});
+
+test("the example of the README runs and prints what it says", { skip: !hasNpm }, async () => {
+    const readme = await readFile(path.join(packageFolder, "README.md"), "utf8");
+    const [, code, printed] = /```js\n(import[^]*?)```\n[^]*?```\n([^]*?)```/.exec(readme);
+    assert.ok(code.trim().split("\n").length <= 10, "ten lines");
+    await writeFile(path.join(folder, "example.js"), code);
+    assert.equal(execFileSync("node", ["example.js"], { cwd: folder, encoding: "utf8" }), printed);
+});
+
+test("the module travels in at most 250 KB", () => {
+    const { length } = brotliCompressSync(moduleBytes, { params: { [constants.BROTLI_PARAM_SIZE_HINT]: moduleBytes.length } });
+    assert.ok(length <= 250 * 1024, `${length} bytes`);
+});
