@@ -1,3 +1,5 @@
+#include "sinew/solver/colliders.h"
+#include "sinew/solver/contact/figure_contact.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
 #include "sinew/solver/profile.h"
@@ -15,6 +17,7 @@ template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& 
     if (world.settings.mode == Mode::classic) detail::make_room_for_widest(world, solver.scratch);
     hold_in_limits(world, solver);
     apply_random_pushes(world);
+    begin_contacts(world);
 }
 
 template <int D, class Real> void forget_forces(Particles<D, Real>& particles) {
@@ -24,6 +27,7 @@ template <int D, class Real> void forget_forces(Particles<D, Real>& particles) {
 }
 
 template <int D, class Real> void end(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
+    end_contacts(world);
     tear(world, solver, dt);
     for (auto& pin : world.pins) pin.from = pin.target;
     forget_forces(world.particles);
@@ -44,6 +48,7 @@ template <int D, class Real> class Sweep {
     void run() {
         if (solver_.sweep_state.size() == 0 && !driven_) return;
         begin_sweep(world_, solver_, h_);
+        find_contact_features(world_, solver_);
         links_ = solver_.sweep_state.link_columns(distances().multiplier.data());
         if (all_is_plain())
             run_components();
@@ -69,7 +74,8 @@ template <int D, class Real> class Sweep {
     Substep make_substep(int number) { return Substep(world_, solver_, kernels_, links_, number, substeps_, h_); }
 
     bool all_is_plain() const {
-        return plan_.others.empty() && !driven_ && solver_.blocks.attached_trees.empty() && !solver_.budgets.any;
+        return plan_.others.empty() && !driven_ && solver_.blocks.attached_trees.empty() && !solver_.budgets.any &&
+               !has_figure_contacts(solver_);
     }
 
     void run_substeps() {
@@ -86,6 +92,10 @@ template <int D, class Real> class Sweep {
         limiter.begin();
         for (const auto& tile : plan_.tiles) substep.predict(tile);
         note_energy(world_, solver_);
+        const Real share = Real(number) / Real(substeps_), last_share = Real(number - 1) / Real(substeps_);
+        detail::FigureContact<D, Real> contacts(world_, solver_, h_, last_share, share,
+                                                h_ * Real(substeps_ - number + 1));
+        contacts.begin();
         detail::PortCoupling<D, Real> ports(world_, solver_, h_, number);
         ports.begin();
         for (bool again = false;; again = true) {
@@ -97,12 +107,14 @@ template <int D, class Real> class Sweep {
             if (ports.take(again)) break;
             ports.begin_again();
         }
+        contacts.solve();
         hold(substep);
         limiter.find_gains();
         for (const auto& tile : plan_.tiles) substep.advance(tile);
         take_back_gains(world_, solver_, h_);
         limiter.take_gains();
         for (const auto& tile : plan_.tiles) substep.rebound(tile);
+        contacts.relax();
         if (driven_) slip(world_, solver_, h_);
     }
 
