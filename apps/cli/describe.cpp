@@ -25,7 +25,8 @@ struct Topic {
     std::string_view last() const { return std::string_view(path).substr(path.rfind('.') + 1); } // npos + 1 is 0
     /// Name on the command line: "rope".
     std::string_view name() const { return shadowed ? std::string_view(path) : last(); }
-    auto depth() const { return std::ranges::count(path, '.'); }
+    /// Outer topics first; a prefab before what is called alike elsewhere, such as the collider `box`.
+    auto rank() const { return std::pair(std::ranges::count(path, '.'), !path.starts_with("figures.")); }
 };
 
 /// Record in a field: the field itself, or the elements of a list or map; null if none.
@@ -59,7 +60,7 @@ std::vector<Topic> topics_of(const Layouts& shapes) {
         {"scene", "A scene file", &shapes.scene},
         {"limits", "Limits beyond which a scene is refused; set on the command line only", &shapes.limits}};
     collect(topics, shapes.scene, "");
-    std::ranges::stable_sort(topics, {}, &Topic::depth);
+    std::ranges::stable_sort(topics, {}, &Topic::rank);
     std::set<std::string_view> taken;
     for (auto& topic : topics) topic.shadowed = !taken.insert(topic.last()).second;
     return topics;

@@ -3,6 +3,7 @@
 #include "sinew/picture/backdrop.h"
 #include "sinew/picture/brush.h"
 #include "sinew/picture/cloth_painter.h"
+#include "sinew/picture/collider_painter.h"
 #include "sinew/picture/face.h"
 #include "sinew/picture/order.h"
 #include "sinew/picture/traces.h"
@@ -46,6 +47,7 @@ template <class WorldT> class Drawer {
         if (D == 3) draw_floors(scene_, view_, theme_, picture_);
         if (!scene_.view.plain) shadows();
         if (D == 2) draw_walls(scene_, view_, theme_, wall_thickness * unit_, picture_);
+        draw_colliders(world_, view_, theme_, wall_thickness * unit_, picture_);
         draw_traces(scene_, context_.history, view_, picture_);
         for (std::size_t i = 0; i < world_.figures.size(); ++i) figure(world_.figures[i], i);
     }

@@ -3,6 +3,7 @@
 #include "sinew/constraint/kind_table.h"
 #include "sinew/math/color.h"
 #include "sinew/math/color_names.h"
+#include "sinew/scene/colliders.h"
 #include "sinew/scene/types.h"
 
 #include <algorithm>
@@ -44,6 +45,7 @@ class ValueCheck {
         for (std::size_t i = 0; i < scene_.looks.size(); ++i)
             look(scene_.looks[i].second, "/looks" + json::pointer_step(scene_.looks[i].first));
         bounds();
+        for (std::size_t i = 0; i < scene_.colliders.size(); ++i) collider(scene_.colliders[i], i);
         for (std::size_t i = 0; i < scene_.pins.size(); ++i)
             detail::visit_held(scene_.pins[i].driver, [&](const auto& driver) {
                 if constexpr (requires { driver.keys; }) keys(driver.keys, under("pins", i, "keys"));
@@ -226,6 +228,14 @@ class ValueCheck {
                 document_.error(
                     fmt::format("{}/{}/at", place, i),
                     fmt::format("{} is not after {}, the time of the key before it", keys[i].at, keys[i - 1].at));
+    }
+
+    void collider(const ColliderSection& section, std::size_t index) {
+        check_collider(section, index, scene_.dimension, document_);
+        if (!section.motion) return;
+        detail::visit_held(section.motion->driver, [&](const auto& driver) {
+            if constexpr (requires { driver.keys; }) keys(driver.keys, under("colliders", index, "motion/keys"));
+        });
     }
 
     void bounds() {

@@ -176,6 +176,37 @@ template <class Variant> struct WithByHand;
 template <class... Prefab> struct WithByHand<TypeList<Prefab...>> { using type = std::variant<ByHand, Prefab...>; };
 } // namespace detail
 
+/// Contact of a figure with colliders and other figures.
+struct ContactSection {
+    std::optional<double> radius;
+    bool figures = false;
+    bool itself = false;
+    double friction = 0.5;
+    std::vector<int> layers{0};
+    std::optional<std::vector<int>> touches;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.radius, Field{.name = "radius",
+                                 .help = "Radius of all particles and links; the prefab's if left out",
+                                 .unit = unit::length,
+                                 .low = 0,
+                                 .high = 1e6});
+        visit(self.figures, Field{.name = "figures",
+                                  .help = "Contact with other figures that have this switched on (physical mode)"});
+        visit(self.itself,
+              Field{.name = "itself",
+                    .help = "Contact of its particles and links with each other, except for neighbours on a link"});
+        visit(self.friction,
+              Field{.name = "friction",
+                    .help = "Coefficient of Coulomb friction against other figures; the smaller one counts",
+                    .low = 0,
+                    .high = 100});
+        visit(self.layers, Field{.name = "layers", .help = "Layers it belongs to", .low = 0, .high = 31});
+        visit(self.touches,
+              Field{.name = "touches", .help = "Layers it touches; all if left out", .low = 0, .high = 31});
+    }
+};
+
 struct FigureSection {
     std::string name;
     Point at{};
@@ -185,6 +216,7 @@ struct FigureSection {
     std::optional<double> relaxation, split;
     std::string direct;
     std::string integrator;
+    ContactSection contact;
     std::vector<std::pair<std::string, Look>> looks;
     detail::WithByHand<Prefabs>::type made; ///< a prefab with its parameters, or by hand
 
@@ -212,6 +244,7 @@ struct FigureSection {
         visit(self.integrator, Field{.name = "integrator",
                                      .help = "solver.rules.integrator for this figure; the rules' value if left out",
                                      .choices = integrator_names});
+        visit(self.contact, Field{.name = "contact", .help = "Contact with colliders and other figures"});
         visit(self.looks, Field{.name = "looks", .help = "Looks by part; \"all\" for the whole figure"});
         visit(self.made, Field{.name = "prefab", .help = "Type of the figure; by_hand if left out"});
     }

@@ -1,9 +1,11 @@
 #include "sinew/assert/assert.h"
 #include "sinew/math/random.h"
 #include "sinew/scene/check.h"
+#include "sinew/scene/colliders.h"
 #include "sinew/scene/join.h"
 #include "sinew/scene/scene.h"
 #include "sinew/scene/types.h"
+#include "sinew/solver/colliders.h"
 #include "sinew/solver/edit.h"
 
 #include <algorithm>
@@ -20,6 +22,7 @@ template <int D, class Real> class WorldBuilder {
         settings();
         forces();
         bounds();
+        colliders();
         for (const auto& figure : scene_.figures) add(figure);
         for (const auto& constraint : scene_.constraints) join(world_, constraint);
         for (const auto& section : scene_.pins) hold(section);
@@ -117,6 +120,23 @@ template <int D, class Real> class WorldBuilder {
         }
     }
 
+    void colliders() {
+        for (std::size_t i = 0; i < scene_.colliders.size(); ++i)
+            for (const auto& collider : colliders_of<D, Real>(scene_.colliders[i], i, up()))
+                add_collider(world_, collider);
+    }
+
+    void touch(FigureIndex figure, const ContactSection& contact) {
+        set_contact(world_, figure,
+                    {.figures = contact.figures,
+                     .itself = contact.itself,
+                     .friction = contact.friction,
+                     .filter = filter_of(contact.layers, contact.touches)});
+        if (!contact.radius) return;
+        for (const auto id : world_.figures[figure].particles)
+            if (const auto row = row_of(world_, id)) world_.particles.radius[*row] = Real(*contact.radius);
+    }
+
     void add(const FigureSection& section) {
         const auto name = name_of(section);
         FigureIndex figure = no_figure;
@@ -124,6 +144,7 @@ template <int D, class Real> class WorldBuilder {
         SINEW_ASSERT(has_figure(world_, figure), "a section of the scene makes a figure");
         world_.figures[figure].direct = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
         if (!section.integrator.empty()) world_.figures[figure].integrator = integrator(section.integrator);
+        touch(figure, section.contact);
         for (const auto id : world_.figures[figure].particles) speed_up(id, section.velocity);
         for (const auto& [particle, kick] : section.kicks)
             if (const auto id = find_particle(world_, std::string(name) + "/" + particle)) speed_up(*id, kick);

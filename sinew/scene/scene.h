@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/scene/collider_section.h"
 #include "sinew/scene/document.h"
 #include "sinew/scene/event_section.h"
 #include "sinew/scene/figure_section.h"
@@ -150,6 +151,7 @@ struct Scene {
     PointerSection pointer;
     WorldSection world;
     SolverSection solver;
+    std::vector<ColliderSection> colliders;
     std::vector<FigureSection> figures;
     std::vector<ConstraintSection> constraints;
     std::vector<PinSection> pins;
@@ -170,6 +172,8 @@ struct Scene {
         visit(self.pointer, Field{.name = "pointer", .help = "Effects of the pointer"});
         visit(self.world, Field{.name = "world", .help = "Gravity, damping, walls and forces"});
         visit(self.solver, Field{.name = "solver", .help = "Mode, precision and settings of the solver"});
+        visit(self.colliders,
+              Field{.name = "colliders", .help = "Rigid shapes that figures touch: obstacles, terrain"});
         visit(self.figures, Field{.name = "figures", .help = "Figures: prefabs, or particles by hand"});
         visit(self.constraints, Field{.name = "constraints", .help = "Constraints between figures"});
         visit(self.pins, Field{.name = "pins", .help = "Pins: particles that are held or driven"});

@@ -2,6 +2,7 @@
 
 #include "sinew/assert/assert.h"
 #include "sinew/scene/reader.h"
+#include "sinew/session/collider_motion.h"
 #include "sinew/session/doer.h"
 #include "sinew/session/focus.h"
 #include "sinew/session/view.h"
@@ -27,6 +28,16 @@ template <class WorldT> auto& solver_of(AnySolver& any) {
 }
 
 template <class WorldT> using VectorOf = typename WorldT::Vector;
+
+/// In the order of EventType.
+constexpr std::array event_names = {"torn", "quarantined", "touched", "parted"};
+
+/// Touches are reported for sensors; of obstacles and the ground there would be too many.
+template <class WorldT> bool is_worth_noting(const WorldT& world, const Event& event) {
+    if (event.type != EventType::touched && event.type != EventType::parted) return true;
+    const auto row = world.collider_slots.find(event.collider);
+    return row && world.colliders[*row].is_sensor;
+}
 
 template <class WorldT> bool is_link(const Event& torn) {
     return torn.constraint.kind == kind_number<Distance, WorldT::dimension>;
@@ -213,6 +224,8 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
 /// The scene's pins are the last pins of the world, in the scene's order; a name with a star stands for several pins.
 void Session::find_driven() {
     winder_.find(scene_, world_);
+    const double now = std::visit([](const auto& world) { return world.time; }, world_);
+    move_colliders(scene_, pointer_, now, Arrival::at_once, world_);
     driven_.clear();
     std::visit(
         [&]<class WorldT>(WorldT& world) {
@@ -257,6 +270,8 @@ void Session::hold_around(WorldT& world, ParticleId middle, const GrabEvent& gra
 
 void Session::drive() {
     const int up = scene_.units.up == "-y" ? -1 : 1;
+    const double now = std::visit([](const auto& world) { return world.time; }, world_);
+    move_colliders(scene_, pointer_, now + step_length(scene_), Arrival::in_a_step, world_);
     std::visit(
         [&]<class WorldT>(WorldT& world) {
             const double then = world.time + step_length(scene_);
@@ -361,8 +376,9 @@ void Session::note_events() {
             bool any_torn = false;
             for (const auto& event : world.events) {
                 any_torn = any_torn || event.type == EventType::torn;
-                note(event.type == EventType::torn ? "torn" : "quarantined",
-                     event.figure < world.figures.size() ? world.figures[event.figure].name : "");
+                if (is_worth_noting(world, event))
+                    note(event_names[std::size_t(event.type)],
+                         event.figure < world.figures.size() ? world.figures[event.figure].name : "");
                 if (event.type == EventType::torn && is_link<std::decay_t<decltype(world)>>(event))
                     gone.push_back(event.ends);
             }

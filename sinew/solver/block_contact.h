@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/math/random.h"
+#include "sinew/solver/block_planes.h"
 #include "sinew/solver/block_solve.h"
 #include "sinew/solver/block_state.h"
 
@@ -14,27 +15,30 @@ template <int D, class Real> class BlockContact {
     using Vector = Vec<D, double>;
     using Matrix = sinew::Matrix<D, double>;
 
-    explicit BlockContact(BlockState<D, Real>& state) : state_(state), world_(state.world) {}
+    explicit BlockContact(BlockState<D, Real>& state) : state_(state), world_(state.world), planes_(state) {}
 
     /// Decides at the start of a substep whether the block may reach a plane. After a touch the block counts as near
     /// for the rest of the step.
     void look() {
         near_ = touched_;
-        if (world_.bounds.empty() || near_) return;
+        if (!planes_.any() || (near_ && world_.colliders.empty())) return;
         const double h = state_.substep();
         for (const auto& node : state_.unknowns()) {
             const double reach = h * (norm(node.velocity) + h * norm(node.push)) * 2;
             for (const auto& plane : world_.bounds) near_ = near_ || depth(node, plane) > -reach;
+            if (planes_.is_any_collider_near(node, reach)) near_ = true;
         }
     }
     bool near() const { return near_; }
 
     /// True if a node is beyond a plane, even if `look` found all planes far away.
     bool struck() {
-        for (const auto& plane : world_.bounds)
-            for (const auto& node : state_.unknowns())
-                if (depth(node, plane) > 0) return touched_ = true;
-        return false;
+        if (!planes_.any()) return false;
+        bool any = false;
+        for (const auto& node : state_.unknowns())
+            planes_.each(node, [&](const Plane& plane) { any = any || planes_.depth(node, plane) > 0; });
+        touched_ = touched_ || any;
+        return any;
     }
 
     /// Adds all terms to the equations. `hardest` is the penalty stiffness of a link. True if all terms able to release
@@ -48,15 +52,16 @@ template <int D, class Real> class BlockContact {
                     pull(node, world_.pins[i], hardest);
         if (near_)
             for (auto& node : state_.unknowns())
-                for (const auto& plane : world_.bounds) press(node, plane, hardest);
+                planes_.each(node, [&](const Plane& plane) { press(node, plane, hardest); });
         return decisions_ == before;
     }
 
     /// Moves nodes beyond a plane onto the plane.
     void lift() {
-        for (const auto& plane : world_.bounds)
-            for (auto& node : state_.unknowns())
-                node.place += cast<double>(plane.normal) * maximum(depth(node, plane), 0.0);
+        for (auto& node : state_.unknowns())
+            planes_.each(node, [&](const Plane& plane) {
+                node.place += plane.normal * maximum(planes_.depth(node, plane), 0.0);
+            });
     }
 
     /// Scales the multipliers of pins to a substep of the given length, as pins of the sweep report them.
@@ -72,13 +77,14 @@ template <int D, class Real> class BlockContact {
     /// Same as `hold`, for velocities: a node leaves a plane with the restitution after a blow; a resting node stays.
     void rebound(double k) {
         if (!near_) return;
-        for (auto& node : state_.unknowns())
-            for (const auto& plane : world_.bounds) rebound(node, plane, k);
+        for (auto& node : state_.unknowns()) planes_.each(node, [&](const Plane& plane) { rebound(node, plane, k); });
     }
 
   private:
+    using Plane = BlockPlane<D>;
     BlockState<D, Real>& state_;
     World<D, Real>& world_;
+    BlockPlanes<D, Real> planes_;
     bool near_ = false, touched_ = false;
     SolveProgress progress_{};
     std::uint64_t decisions_ = 0; ///< hash of all decisions: contact, sliding, saturation
@@ -87,6 +93,7 @@ template <int D, class Real> class BlockContact {
         return double(plane.offset) + double(world_.particles.radius[node.row]) -
                dot(cast<double>(plane.normal), node.place);
     }
+    double depth(const BlockNode<D>& node, const Plane& plane) const { return planes_.depth(node, plane); }
 
     void decide(int choice) { decisions_ = random::mix(decisions_ + std::uint64_t(choice)); }
 
@@ -107,19 +114,20 @@ template <int D, class Real> class BlockContact {
     }
 
     /// Contact with Coulomb friction, both so stiff that nothing sinks or creeps visibly.
-    void press(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) {
-        const auto normal = cast<double>(plane.normal);
+    void press(BlockNode<D>& node, const Plane& plane, double k) {
+        const auto& normal = plane.normal;
         const double pressure = k * depth(node, plane);
         decide(pressure > 0);
         if (!(pressure > 0)) return;
+        if (plane.collider != planes_.none) planes_.note(plane.collider, node.row, pressure * state_.substep());
         node.diagonal += outer(normal * k, normal);
         node.residual += normal * pressure;
-        if (!(plane.friction > Real(0))) return;
-        const auto move = node.place - node.start;
+        if (!(plane.friction > 0)) return;
+        const auto move = node.place - node.start - plane.surface_move;
         const auto slip = move - normal * dot(normal, move);
         const auto last = last_move(node);
         const bool across = led_across(slip, last - normal * dot(normal, last));
-        const double pressing = pressing_depth(node, plane), friction = double(plane.friction);
+        const double pressing = pressing_depth(node, plane), friction = plane.friction;
         auto force = slip * k;
         Matrix growth;
         const bool slides = bound(force, growth, k, friction * k * pressing, across);
@@ -133,9 +141,9 @@ template <int D, class Real> class BlockContact {
 
     /// Depth whose pressure bounds the friction, m. The depth of a node just behind the plane tells little of the final
     /// pressure: a cautious iteration lets such a node slide without friction.
-    double pressing_depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
+    double pressing_depth(const BlockNode<D>& node, const Plane& plane) const {
         const double now = depth(node, plane);
-        const bool knew = progress_.share > 0 && now + dot(cast<double>(plane.normal), last_move(node)) > 0;
+        const bool knew = progress_.share > 0 && now + dot(plane.normal, last_move(node)) > 0;
         return knew || !cautious() ? now : 0;
     }
 
@@ -167,14 +175,15 @@ template <int D, class Real> class BlockContact {
     /// True if a move led from one side to the other.
     static bool led_across(const Vector& now, const Vector& moved) { return dot(now, now - moved) < 0; }
 
-    void rebound(BlockNode<D>& node, const HalfSpace<D, Real>& plane, double k) const {
+    void rebound(BlockNode<D>& node, const Plane& plane, double k) const {
         if (!(depth(node, plane) > 0)) return;
         const double h = state_.substep();
-        const auto normal = cast<double>(plane.normal);
+        const auto& normal = plane.normal;
         const auto struck = cast<double>(world_.particles.velocity[node.row]) + node.push * h;
-        const double approach = -dot(normal, struck), resting = 4 * h * norm(node.push);
-        const double away = approach > resting ? double(plane.restitution) * approach : 0;
-        const double missing = away - dot(normal, node.velocity);
+        const double carried = dot(normal, plane.surface_move) / h;
+        const double approach = carried - dot(normal, struck), resting = 4 * h * norm(node.push);
+        const double away = approach > resting ? plane.restitution * approach : 0;
+        const double missing = away + carried - dot(normal, node.velocity);
         if (!(missing > 0)) return;
         node.diagonal += outer(normal * k, normal);
         node.residual += normal * (k * missing);

@@ -85,7 +85,8 @@ template <int D, class Real> class BlockGraph {
 
     Direct direct_of(Row particle) const {
         const auto figure = particles_.figure[particle];
-        return figure < world_.figures.size() ? world_.figures[figure].direct : Direct::automatic;
+        if (figure >= world_.figures.size()) return Direct::automatic;
+        return world_.figures[figure].collides ? Direct::off : world_.figures[figure].direct;
     }
 
   private:

@@ -39,8 +39,13 @@ template <int D, class Real> class BlockState {
     std::span<CableRow> ways() const { return std::span(blocks.ways).subspan(block.first_way, block.ways); }
 
     double substep() const { return h_; }
+    /// Fractions of the frame at the ends of the substep.
+    double from() const { return from_; }
+    double to() const { return to_; }
     /// True if pins or their targets may do work.
     bool motorized() const { return motorized_; }
+    /// Notes that a moving collider may do work in this substep.
+    void be_motorized() { motorized_ = true; }
     /// True if only fields and planes change the energy.
     bool works_alone() const { return !motorized_ && !block.is_motorized; }
 

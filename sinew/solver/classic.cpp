@@ -1,3 +1,4 @@
+#include "sinew/solver/collider_sweep.h"
 #include "sinew/solver/free_motion.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
@@ -230,6 +231,20 @@ template <int D, class Real> class ClassicStep {
         for (const auto& plane : world_.bounds)
             for (Row row = 0; row < p_.size(); ++row)
                 if (p_.mobility[row] > Real(0)) hit(plane, row);
+        for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) hit(world_.colliders[i], i);
+    }
+
+    /// A collider is a wall at each contact, where it will be at the end of the step.
+    void hit(const collide::Collider<D, Real>& collider, std::uint32_t index) {
+        const collide::MovingCollider<D, Real> moving(collider, Real(1), Real(1));
+        for (Row row = 0; row < p_.size(); ++row) {
+            if (!(p_.mobility[row] > Real(0)) || !touch(collider.filter, detail::filter_of(world_, row))) continue;
+            moving.contacts(p_.previous[row], p_.position[row], p_.radius[row], [&](const auto& contact) {
+                world_.contacts.touched[row] = index + 1;
+                const auto& surface = contact.surface;
+                if (!collider.is_sensor) hit({surface.normal, dot(surface.normal, surface.point)}, row);
+            });
+        }
     }
 
     /// Moves a particle back onto a wall; with a bounce, x_prev is mirrored: the normal velocity is reversed, whatever

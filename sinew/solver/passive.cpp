@@ -31,7 +31,8 @@ template <int D, class Real> bool find_limited(World<D, Real>& world, Budgets<D>
     };
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
-            if (limits_turn(table, row) && table.figure[row] < count && !in_block(table.members[row])) {
+            if (limits_turn(table, row) && table.figure[row] < count && !world.figures[table.figure[row]].collides &&
+                !in_block(table.members[row])) { // blows of others give a figure energy
                 if (!any) figures.assign(count, {});
                 any = figures[table.figure[row]].passive = true;
             }

@@ -12,6 +12,7 @@
 namespace sinew {
 
 template <int D, class Real> struct World;
+template <int D, class Real> struct ContactRoom;
 
 struct SolverOptions {
     int threads = 0; ///< threads of a step; 0: the number of cores. Results do not depend on the number
@@ -19,11 +20,12 @@ struct SolverOptions {
 
 template <int D, class Real> struct Solver {
     SolverOptions options;
-    Blocks<D> blocks;                       ///< constraints solved at once instead of in the sweep
-    SweepState<D, Real> sweep_state;        ///< plan and columns of the sweep
-    Budgets<D> budgets;                     ///< limits on the energy added by constraints of figures
-    std::vector<Vec<D, Real>> scratch;      ///< points and gradients of the widest constraint
-    std::shared_ptr<const char> identity{}; ///< a journal read by this solver carries the same
+    Blocks<D> blocks;                               ///< constraints solved at once instead of in the sweep
+    SweepState<D, Real> sweep_state;                ///< plan and columns of the sweep
+    Budgets<D> budgets;                             ///< limits on the energy added by constraints of figures
+    std::shared_ptr<ContactRoom<D, Real>> contacts; ///< of figures with each other; none before the first
+    std::vector<Vec<D, Real>> scratch;              ///< points and gradients of the widest constraint
+    std::shared_ptr<const char> identity{};         ///< a journal read by this solver carries the same
 
     Solver() = default;
     explicit Solver(const SolverOptions& options) : options(options) {}

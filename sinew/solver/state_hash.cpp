@@ -68,6 +68,33 @@ class Digest {
         const auto& [normal, offset, restitution, friction] = plane;
         add(normal, offset, restitution, friction);
     }
+
+    template <int D, class Real> void add_one(const collide::Pose<D, Real>& pose) {
+        const auto& [position, rotation] = pose;
+        add(position, rotation.number);
+    }
+    template <int D, class Real> void add_one(const collide::Collider<D, Real>& collider) {
+        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, name, tag] = collider;
+        add(shape.index(), from, target, restitution, friction, filter.layers, filter.mask, one_way, is_sensor);
+        std::visit([&](const auto& held) { add_shape(held); }, shape);
+    }
+    template <int D, class Real> void add_shape(const collide::HalfSpace<D, Real>& plane) {
+        add(plane.normal, plane.offset);
+    }
+    template <int D, class Real> void add_shape(const collide::Sphere<D, Real>& sphere) { add(sphere.radius); }
+    template <int D, class Real> void add_shape(const collide::Capsule<D, Real>& capsule) {
+        add(capsule.a, capsule.b, capsule.radius);
+    }
+    template <int D, class Real> void add_shape(const collide::Box<D, Real>& box) { add(box.half); }
+    template <class Real> void add_shape(const collide::Polygon<2, Real>& polygon) { add(polygon.corners); }
+    template <class Real> void add_shape(const collide::Chain<2, Real>& chain) { add(chain.points, chain.is_closed); }
+    template <class Real> void add_shape(const collide::Mesh<3, Real>& mesh) {
+        add(mesh.corners());
+        for (const auto& [a, b, c] : mesh.triangles()) add(a, b, c);
+    }
+    template <class Real> void add_shape(const collide::HeightField<3, Real>& field) {
+        add(field.columns, field.spacing, field.height);
+    }
 };
 
 } // namespace
@@ -98,10 +125,22 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     for (const auto& pin : world.pins)
         if (pin.hold != Hold::fixed || pin.steers()) digest.add(pin.hold, pin.steer, pin.steer_damping);
     for (const auto& figure : world.figures) digest.add(figure.in_use(), figure.direct, figure.tethers);
+    for (std::size_t i = 0; i < world.figures.size(); ++i) {
+        const auto& [layers, mask] = world.figures[i].filter;
+        if (world.figures[i].collides || !(world.figures[i].filter == collide::Filter{}))
+            digest.add(i, layers, mask, world.figures[i].collides, world.figures[i].touches_itself,
+                       world.figures[i].friction);
+    }
     for (std::size_t i = 0; i < world.figures.size(); ++i)
         if (world.figures[i].integrator) digest.add(i, *world.figures[i].integrator);
     for (const auto& force : world.forces) digest.add(force);
     for (const auto& plane : world.bounds) digest.add(plane);
+    for (const auto& collider : world.colliders) digest.add(collider);
+    for (const auto& pair : world.contacts.touching) digest.add(pair.particle, pair.collider);
+    for (const auto& [key, multiplier, friction] : world.contacts.kept) {
+        for (const auto particle : key.particle) digest.add(particle);
+        digest.add(key.collider, key.feature, multiplier, friction);
+    }
     return digest.value();
 }
 

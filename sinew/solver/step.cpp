@@ -1,4 +1,6 @@
 #include "sinew/assert/assert.h"
+#include "sinew/solver/colliders.h"
+#include "sinew/solver/contact/figure_contact.h"
 #include "sinew/solver/momentum_keeper.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
@@ -17,6 +19,7 @@ template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& 
     if (world.settings.mode == Mode::classic) detail::make_room_for_widest(world, solver.scratch);
     hold_in_limits(world, solver);
     apply_random_pushes(world);
+    begin_contacts(world);
 }
 
 template <int D, class Real> void forget_forces(Particles<D, Real>& particles) {
@@ -26,6 +29,7 @@ template <int D, class Real> void forget_forces(Particles<D, Real>& particles) {
 }
 
 template <int D, class Real> void end(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
+    end_contacts(world);
     tear(world, solver, dt);
     for (auto& pin : world.pins) pin.from = pin.target;
     forget_forces(world.particles);
@@ -45,6 +49,7 @@ template <int D, class Real> class Sweep {
     void run() {
         if (solver_.sweep_state.size() == 0 && !driven_) return;
         begin_sweep(world_, solver_, h_);
+        find_contact_features(world_, solver_);
         links_ = solver_.sweep_state.link_columns(distances().multiplier.data());
         if (all_is_plain())
             run_components();
@@ -71,7 +76,8 @@ template <int D, class Real> class Sweep {
     Substep make_substep(int number) { return Substep(world_, solver_, kernels_, links_, number, substeps_, h_); }
 
     bool all_is_plain() const {
-        return plan_.others.empty() && !driven_ && solver_.blocks.attached_trees.empty() && !solver_.budgets.any;
+        return plan_.others.empty() && !driven_ && solver_.blocks.attached_trees.empty() && !solver_.budgets.any &&
+               !has_figure_contacts(solver_);
     }
 
     void run_substeps() {
@@ -93,6 +99,10 @@ template <int D, class Real> class Sweep {
         const bool keeps = !solver_.sweep_state.everyone_alike;
         if (keeps) keeper_.note(solver_.sweep_state.bodies.list, 1);
         note_energy(world_, solver_);
+        const Real share = Real(number) / Real(substeps_), last_share = Real(number - 1) / Real(substeps_);
+        detail::FigureContact<D, Real> contacts(world_, solver_, h_, last_share, share,
+                                                h_ * Real(substeps_ - number + 1));
+        contacts.begin();
         detail::PortCoupling<D, Real> ports(world_, solver_, h_, number);
         ports.begin();
         for (bool again = false;; again = true) {
@@ -104,6 +114,7 @@ template <int D, class Real> class Sweep {
             if (ports.take(again)) break;
             ports.begin_again();
         }
+        contacts.solve();
         hold(substep);
         limiter.find_gains();
         for (const auto& tile : plan_.tiles) substep.advance(tile);
@@ -111,6 +122,7 @@ template <int D, class Real> class Sweep {
         if (keeps) keeper_.restore(solver_.sweep_state.bodies.list);
         limiter.take_gains();
         for (const auto& tile : plan_.tiles) substep.rebound(tile);
+        contacts.relax();
         if (driven_) slip(world_, solver_, h_);
     }
 

@@ -1,61 +1,15 @@
 #pragma once
 
+#include "sinew/solver/collider_sweep.h"
 #include "sinew/solver/decay.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
+#include "sinew/solver/substep_mover.h"
 
 #include <algorithm>
 
 /// Phases of a substep, each for the particles of a tile. The order is in step.cpp.
 namespace sinew::detail {
-
-/// Constraints act on the predicted position place + move, and correct the displacement move = h v. Differences of
-/// large coordinates are never taken, so float loses least. Displacements are bounded by the width of the world:
-/// positions stay finite.
-template <int D, class RealT> struct SubstepMover {
-    using Real = RealT;
-    static constexpr int dimension = D;
-    SweepState<D, Real>& sweep_state;
-    Real h;
-    Real per_h = Real(1) / h;
-    Real furthest = furthest_move(h);
-    bool first_iteration = true;
-
-    Vec<D, Real> point(Row row) const { return point_at(sweep_state.slot_of[row]); }
-    Vec<D, Real> point_at(Row slot) const { return sweep_state.place_at(slot) + sweep_state.move_at(slot); }
-    Real weight(Row row) const { return sweep_state.mobility[sweep_state.slot_of[row]]; }
-    Real alpha(Real compliance) const { return minimum(compliance * per_h * per_h, limit::measure<Real>); }
-    Real most(Real max_force) const { return minimum(max_force * h * h, limit::multiplier<Real>); }
-    Real share(Real damping_time) const { return minimum(damping_time * per_h, limit::coordinate<Real>); }
-    /// damping_time (dC/dt - motor_speed), at the present velocities; `rate` is the rate of the limits.
-    template <class Stencil>
-    Real ahead(const Stencil& stencil, std::span<const Row> members, Real damping_time, Real rate) const {
-        Real own = -rate;
-        stencil.each([&](std::size_t i) {
-            own += dot(stencil.gradient[i], sweep_state.velocity_at(sweep_state.slot_of[members[i]]));
-        });
-        return own * damping_time;
-    }
-    void push(Row row, const Vec<D, Real>& displacement) { push_at(sweep_state.slot_of[row], displacement); }
-    void push_at(Row slot, const Vec<D, Real>& displacement) {
-        sweep_state.set_move(slot, clamp_components(sweep_state.move_at(slot) + displacement, furthest));
-    }
-
-    /// Corrections along the gradient at the start of the substep (SHAKE: Ryckaert, Ciccotti and Berendsen 1977)
-    /// conserve the energy of a swing; along the gradient at the end they dissipate it. If the two directions disagree,
-    /// only the latter still corrects.
-    template <class Stencil> void choose_direction(Stencil& stencil, std::span<const Row> members) const {
-        stencil.each([&](std::size_t i) { stencil.points[i] = sweep_state.place_at(sweep_state.slot_of[members[i]]); });
-        stencil.evaluate(stencil.points, stencil.direction);
-        Real along = 0, now = 0, then = 0;
-        stencil.each([&](std::size_t i) {
-            along += dot(stencil.gradient[i], stencil.direction[i]);
-            now += dot(stencil.gradient[i], stencil.gradient[i]);
-            then += dot(stencil.direction[i], stencil.direction[i]);
-        });
-        if (along < Real(least_agreement) * maximum(now, then)) stencil.direction = stencil.gradient;
-    }
-};
 
 template <int D, class Real> class Substep {
   public:
@@ -84,7 +38,7 @@ template <int D, class Real> class Substep {
     /// middle of this one. Drag scales mobilities by the same factor as the push, so a weight at rest pulls with its
     /// full weight at any damping.
     void predict(const Tile& tile) {
-        if (!world_.bounds.empty())
+        if (has_walls(world_))
             for (Row slot = tile.first; slot < tile.last; ++slot) p_.rebound[swept_.row_of[slot]] = {};
         if (swept_.everyone_alike) {
             weigh(tile);
@@ -209,23 +163,26 @@ template <int D, class Real> class Substep {
         if (tethered_) tether(tile);
     }
 
-    /// Contact with planes: non-penetration, and Coulomb friction, which shortens the tangential displacement by
-    /// friction times the normal correction. Approaches too fast for resting contact are recorded for rebound().
+    /// Contact with planes, then with colliders.
     void keep_in_bounds(const Tile& tile) {
+        const PlaneContact<D, Real> contact(world_, solver_, mover_);
         for (const auto& plane : world_.bounds) {
             const Real lowest = kernels_.lowest(motion_, plane.normal.component.data(), tile.first, tile.last);
             if (lowest > plane.offset + swept_.largest_radius) continue;
-            for (Row slot = tile.first; slot < tile.last; ++slot) keep_in(plane, slot);
+            for (Row slot = tile.first; slot < tile.last; ++slot) contact.keep_in(plane, slot);
         }
+        if (!world_.colliders.empty())
+            ColliderSweep<D, Real>(world_, swept_, contact, mover_, share_ - share_of_substep_, share_)
+                .keep_out(tile.first, tile.last);
     }
 
     /// x += h v. The rounding error is carried to the next substep: otherwise a float particle slower than half a unit
     /// in the last place per substep would not move.
     void advance(const Tile& tile) { kernels_.advance(motion_, tile.first, tile.last); }
 
-    /// Applies the restitution of planes to particles that struck one.
+    /// Applies the restitution of planes and colliders to particles that struck one.
     void rebound(const Tile& tile) {
-        if (world_.bounds.empty()) return;
+        if (!has_walls(world_)) return;
         for (Row slot = tile.first; slot < tile.last; ++slot) {
             const auto& struck = p_.rebound[swept_.row_of[slot]];
             const Real speed = norm(struck);
@@ -246,7 +203,7 @@ template <int D, class Real> class Substep {
     /// Ends this substep and begins the next one, if any, in one pass where particles move independently (only gravity,
     /// no planes, no soft pins).
     void go_on(const Tile& tile, Substep* next) {
-        if (!swept_.everyone_alike || !world_.bounds.empty() || has_soft_pins(tile)) {
+        if (!swept_.everyone_alike || has_walls(world_) || has_soft_pins(tile)) {
             hold(tile);
             advance(tile);
             rebound(tile);
@@ -347,24 +304,6 @@ template <int D, class Real> class Substep {
                 part(mover_, ends, row, clamp(Real(0), table.low(row), table.high(row)));
                 correct_row(std::span(solver_.scratch), table, row, mover_);
             }
-    }
-
-    void keep_in(const HalfSpace<D, Real>& plane, Row slot) {
-        if (swept_.mobility[slot] == Real(0)) return;
-        const Row row = swept_.row_of[slot];
-        const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, mover_.point_at(slot));
-        if (!(depth > Real(0))) return;
-        if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
-        const auto move = swept_.move_at(slot);
-        const Real approach = -dot(plane.normal, move);
-        const auto along = move + plane.normal * approach;
-        const Real stopped = minimum(depth, mover_.furthest);
-        const Real slowed = minimum(Real(1), plane.friction * stopped * inverse_or_zero(norm(along)));
-        mover_.push_at(slot, plane.normal * stopped - along * slowed);
-        if (!mover_.first_iteration) return;
-        const Real resting = Real(4) * mover_.h * norm(push_on(world_, row, swept_.place_at(slot)).acceleration);
-        if (approach * mover_.per_h > resting)
-            p_.rebound[row] += plane.normal * (plane.restitution * approach * mover_.per_h);
     }
 };
 

@@ -62,9 +62,9 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, R
         sweep_state.any_pin_soft = sweep_state.any_pin_soft || !pin.hard();
     }
     auto& bodies = sweep_state.bodies;
-    bodies.touched.assign(world.bounds.empty() || bodies.list.empty() ? 0 : sweep_state.size(), 0);
+    bodies.touched.assign(!has_walls(world) || bodies.list.empty() ? 0 : sweep_state.size(), 0);
     sweep_state.largest_radius = 0;
-    if (world.bounds.empty()) return;
+    if (!has_walls(world)) return;
     for (const Row row : sweep_state.row_of)
         sweep_state.largest_radius = maximum(sweep_state.largest_radius, world.particles.radius[row]);
 }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
+#include "sinew/collide/collider.h"
 #include "sinew/constraint/kinds.h"
 #include "sinew/solver/column.h"
+#include "sinew/solver/contacts.h"
 #include "sinew/solver/figure.h"
 #include "sinew/solver/force.h"
 #include "sinew/solver/id.h"
@@ -286,6 +288,8 @@ template <class Real> struct Settings {
 enum class EventType : std::uint8_t {
     torn,        ///< a constraint exceeded its breaking strain and was removed
     quarantined, ///< a figure or a loose particle became non-finite and is frozen; a figure until release_quarantine()
+    touched,     ///< a particle and a collider came into contact
+    parted,      ///< a particle and a collider ceased to touch
 };
 
 struct Event {
@@ -293,7 +297,9 @@ struct Event {
     FigureIndex figure = no_figure;
     ConstraintId constraint{};        ///< torn: id of the removed constraint
     std::array<ParticleId, 2> ends{}; ///< torn: its first particle and its last
-    ParticleId particle{};            ///< quarantined: the first non-finite particle
+    ParticleId particle{};            ///< quarantined: the first non-finite particle; touched, parted: the particle
+    ColliderId collider{};            ///< touched, parted
+    double impulse = 0;               ///< touched: of the first step, newton seconds
 };
 
 /// Largest number of events of a step. Further constraints tear in the next step.
@@ -320,6 +326,9 @@ template <int D, class RealT> struct World {
     Slots<PinTag> pin_slots;
     std::vector<Force<D, Real>> forces;
     std::vector<HalfSpace<D, Real>> bounds;
+    std::vector<collide::Collider<D, Real>> colliders; ///< colliders.h adds, moves and removes them
+    Slots<ColliderTag> collider_slots;
+    Contacts<D, Real> contacts;
     std::vector<Figure> figures; ///< by FigureIndex; a removed figure leaves an unused entry
     NameTable<FigureIndex> figure_names;
     Stamp figure_stamp;             ///< generation of the next figure added
@@ -335,6 +344,11 @@ template <int D, class RealT> struct World {
     std::vector<Event> events; ///< reported by the last step
     Journal journal;           ///< changes for the solver to follow
 };
+
+/// True if planes or colliders hold particles.
+template <class WorldT> bool has_walls(const WorldT& world) {
+    return !world.bounds.empty() || !world.colliders.empty();
+}
 
 /// True for the index of a living figure.
 template <class WorldT> bool has_figure(const WorldT& world, FigureIndex figure) {

@@ -1,3 +1,5 @@
+#include "sinew/solver/colliders.h"
+
 #include "bench/cases.h"
 #include "tests/worlds.h"
 
@@ -90,6 +92,38 @@ TYPED_TEST(Allocation, AStepAllocatesNothing) {
             EXPECT_GE(torn, 1U);
             EXPECT_EQ(quarantined, 1U);
         }
+}
+
+/// Balls and a rope that fall on shapes, and on each other where `touching`.
+template <class World> World obstacle_course(bool touching) {
+    using Real = typename World::Real;
+    using Vector = typename World::Vector;
+    World world;
+    fall(world, 10);
+    add_collider(world, collide::Collider<World::dimension, Real>{
+                            .shape = collide::HalfSpace<World::dimension, Real>{Vector::axis(1), -2}});
+    add_collider(
+        world, collide::Collider<World::dimension, Real>{.shape = collide::Sphere<World::dimension, Real>{Real(0.5)}});
+    chain(world, 12, at<Vector>(-1, 0.6), at<Vector>(0.2, 0));
+    const auto figure = add_figure(world, "balls");
+    set_contact(world, figure, {.itself = touching});
+    for (int i = 0; i < 40; ++i)
+        add_particle(
+            world,
+            {.position = at<Vector>(-1 + 0.21 * (i % 10), 1 + 0.3 * (i / 10)), .radius = Real(0.1), .figure = figure});
+    return world;
+}
+
+TYPED_TEST(Allocation, AStepWithContactsAllocatesNothingOnceWarm) {
+    using Real = typename TypeParam::Real;
+    for (const bool touching : {false, true}) {
+        auto world = obstacle_course<typename TypeParam::World>(touching);
+        world.events.reserve(events_per_step);
+        run(world, touching ? 3 : 0.1);
+        const long before = allocations;
+        for (int i = 0; i < 60; ++i) step(world, Real(1.0 / 60));
+        EXPECT_EQ(allocations - before, 0) << touching;
+    }
 }
 
 TEST(Allocation, AStepOfWhatIsMeasuredAllocatesNothing) {

@@ -23,7 +23,7 @@ struct Handles {
     std::vector<FigureId> figures;
 };
 
-struct Place {
+struct Playground {
     World2 world;
     Handles handles;
 };
@@ -35,7 +35,7 @@ class Calls {
     int below(int count) { return int(random::whole(0, count - 1, seed_, 0, drawn_++)); }
 
     /// One call upon `here`; some of its handles are those of `there`.
-    void call(Place& here, const Place& there) {
+    void call(Playground& here, const Playground& there) {
         here_ = &here, there_ = &there;
         using Call = void (Calls::*)();
         static constexpr std::array calls = {&Calls::add_row, &Calls::add_box, &Calls::join, &Calls::unjoin,
@@ -46,8 +46,8 @@ class Calls {
 
   private:
     std::uint64_t seed_, drawn_ = 0;
-    Place* here_ = nullptr;
-    const Place* there_ = nullptr;
+    Playground* here_ = nullptr;
+    const Playground* there_ = nullptr;
     static constexpr std::size_t many = 60; ///< particles: of more, no more are made
 
     World2& world() { return here_->world; }
@@ -169,7 +169,7 @@ TEST(HandleCalls, OneThatStandsForNothingDoesNothingAndSaysSo) {
     constexpr int calls = 2000;
     for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(10, 500)); ++seed) {
         Calls any(seed);
-        Place here, there;
+        Playground here, there;
         World2 snapshot;
         for (int i = 0; i < calls; ++i) {
             any.call(here, there);

@@ -38,7 +38,7 @@ template <int D> struct PortGroup {
     std::uint32_t first = 0, members = 0;        ///< range of Ports::members
     std::uint32_t first_spring = 0, springs = 0; ///< range of Ports::springs
     std::uint32_t first_anchor = 0, anchors = 0; ///< range of Ports::anchors
-    bool motorized = false;                         ///< moved by a winch or a motor
+    bool motorized = false;                      ///< moved by a winch or a motor
     double stored = 0;                           ///< energy in the springs at the begin of the substep
     double length = 0;                           ///< of the longest link, metres
     double share = 1;                            ///< factor of the velocities at the end of the substep, 0..1

@@ -1,0 +1,140 @@
+#pragma once
+
+#include "sinew/collide/filter.h"
+#include "sinew/collide/shape.h"
+
+#include <limits>
+#include <string>
+
+namespace sinew::collide {
+
+/// A rigid shape that particles touch: at rest, or moved from outside.
+template <int D, class Real> struct Collider {
+    Shape<D, Real> shape{};
+    Pose<D, Real> from{};   ///< at the start of the step
+    Pose<D, Real> target{}; ///< at the end of the step; interpolated over the substeps
+    Real restitution = 0;   ///< share of the approach speed given back, 0..1
+    Real friction = 0;      ///< Coulomb's coefficient
+    Filter filter{};
+    Vec<D, Real>
+        one_way{}; ///< solid only for contacts with a normal along this direction, in the shape's frame; or zero
+    bool is_sensor = false; ///< touched without a push
+    std::string name{};
+    std::uint32_t tag = ~std::uint32_t(0); ///< chosen by the owner; in a scene: index of its section
+
+    bool is_at_rest() const { return from == target; }
+    /// Pose after a fraction of the step.
+    Pose<D, Real> pose_at(Real share) const {
+        return is_at_rest() ? target : Pose<D, Real>::between(from, target, share);
+    }
+    bool is_solid_along(const Vec<D, Real>& local_normal) const {
+        constexpr Real half = Real(0.5);
+        return one_way == Vec<D, Real>{} || dot(one_way, local_normal) > half * norm(one_way);
+    }
+};
+
+/// Box around a collider during a whole step. A turning shape stays within the sphere about its origin.
+template <int D, class Real> BoundingBox<D, Real> bounds_in_step(const Collider<D, Real>& collider) {
+    auto box = bounds(collider.shape, collider.from);
+    if (collider.is_at_rest()) return box;
+    const auto end = bounds(collider.shape, collider.target);
+    box.include(end.low);
+    box.include(end.high);
+    if (collider.from.rotation == collider.target.rotation || !(box.high[0] < box.huge)) return box;
+    Real reach = 0;
+    for (const auto* pose : {&collider.from, &collider.target}) {
+        const auto around = bounds(collider.shape, *pose);
+        const auto far = Vec<D, Real>::map([&](int i) {
+            return maximum(absolute(around.low[i] - pose->position[i]), absolute(around.high[i] - pose->position[i]));
+        });
+        reach = maximum(reach, norm(far));
+    }
+    BoundingBox<D, Real> turned;
+    turned.include(collider.from.position);
+    turned.include(collider.target.position);
+    turned = turned.grown(reach);
+    turned.include(box.low);
+    turned.include(box.high);
+    return turned;
+}
+
+/// A contact of a sphere with a collider, during part of a step.
+template <int D, class Real> struct ColliderContact {
+    SurfacePoint<D, Real> surface{}; ///< at the end
+    Vec<D, Real> surface_move{};     ///< displacement of the surface
+};
+
+/// Contacts of spheres with one collider that moves between two poses.
+template <int D, class Real> class MovingCollider {
+  public:
+    using Vector = Vec<D, Real>;
+
+    MovingCollider(const Collider<D, Real>& collider, Real from_share, Real to_share)
+        : collider_(collider), before_(collider.pose_at(from_share)), after_(collider.pose_at(to_share)) {}
+
+    /// Calls visit(contact) with the contacts of a sphere that moves from one place to another. A motion long against
+    /// the radius is swept: the contact is the first one on the way, and no wall is too thin. Seen from the collider.
+    template <class Visit> void contacts(const Vector& from, const Vector& to, Real radius, Visit&& visit) const {
+        const auto begun = before_.to_local(from), ended = after_.to_local(to);
+        BoundingBox<D, Real> near;
+        near.include(begun);
+        near.include(ended);
+        std::visit(
+            [&](const auto& shape) {
+                visit_parts(shape, near.grown(radius), [&](const auto& part) {
+                    const auto surface = contact_of(part, begun, ended, radius);
+                    if (surface) visit(ColliderContact<D, Real>{to_world(after_, *surface), move_of(surface->point)});
+                });
+            },
+            collider_.shape);
+    }
+
+  private:
+    const Collider<D, Real>& collider_;
+    Pose<D, Real> before_, after_;
+
+    Vector move_of(const Vector& local) const {
+        return collider_.is_at_rest() ? Vector{} : after_.to_world(local) - before_.to_world(local);
+    }
+
+    template <class Part>
+    std::optional<SurfacePoint<D, Real>> contact_of(const Part& part, const Vector& begun, const Vector& ended,
+                                                    Real radius) const {
+        constexpr Real half = Real(0.5);
+        const auto move = ended - begun;
+        if (one_sided<Part>() && part.nearest(begun).distance < -depth_of(part, begun, move, radius))
+            return std::nullopt;
+        std::optional<SurfacePoint<D, Real>> surface;
+        if (dot(move, move) > square(half * radius))
+            if (const auto impact = sweep(part, begun, move, radius)) surface = impact->surface;
+        if (!surface) surface = part.nearest(ended);
+        const bool touches = dot(surface->normal, ended - surface->point) < radius;
+        if (!touches || !owns(part, *surface) || !collider_.is_solid_along(surface->normal)) return std::nullopt;
+        if (collider_.one_way != Vector{} && !comes_from_outside(part, *surface, begun, move, radius))
+            return std::nullopt;
+        return surface;
+    }
+
+    /// Depth behind a one-sided part from which a sphere is still pushed out: contacts give a little.
+    template <class Part> static Real depth_of(const Part& part, const Vector& begun, const Vector& move, Real radius) {
+        constexpr Real half = Real(0.5), little = Real(64) * std::numeric_limits<Real>::epsilon(), some = Real(0.02);
+        Real size = 0;
+        if constexpr (one_sided<Part>()) size = norm(part.b - part.a);
+        return half * radius + little * norm(begun) + some * (norm(move) + size);
+    }
+    /// True for a sphere that approaches, and began in front.
+    template <class Part>
+    static bool comes_from_outside(const Part& part, const SurfacePoint<D, Real>& surface, const Vector& begun,
+                                   const Vector& move, Real radius) {
+        constexpr Real little = Real(64) * std::numeric_limits<Real>::epsilon(), some = Real(0.02);
+        const Real slop = some * (radius + norm(move)) + little * norm(begun);
+        return dot(surface.normal, move) < Real(0) && part.nearest(begun).distance >= radius - slop;
+    }
+    template <class Part> static constexpr bool one_sided() {
+        return requires(const Part& part, SurfacePoint<D, Real> surface) {
+            part.owns(surface);
+        };
+    }
+};
+
+} // namespace sinew::collide

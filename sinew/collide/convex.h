@@ -1,0 +1,69 @@
+#pragma once
+
+#include "sinew/collide/surface_point.h"
+
+#include <limits>
+#include <optional>
+
+/// Contacts of any convex part with `nearest(point)`, in the part's frame. The signed distance to a convex set is a
+/// convex function, with the normal for gradient: all algorithms rest on that alone.
+namespace sinew::collide {
+
+/// Nearest approach of the segment a-b. The slope of the distance along the segment, dot(normal, b - a), only grows, so
+/// its zero is found by bisection.
+template <class Part, int D, class Real>
+SegmentApproach<D, Real> nearest_to_segment(const Part& part, const Vec<D, Real>& a, const Vec<D, Real>& b) {
+    const auto ab = b - a;
+    const auto at = [&](Real t) { return SegmentApproach<D, Real>{t, part.nearest(a + ab * t)}; };
+    const auto slope = [&](const SegmentApproach<D, Real>& point) { return dot(point.surface.normal, ab); };
+    auto low = at(0), high = at(1);
+    if (slope(low) >= Real(0)) return low;
+    if (slope(high) <= Real(0)) return high;
+    constexpr int halvings = std::numeric_limits<Real>::digits / 2 + 6; // the distance is flat at its minimum
+    for (int i = 0; i < halvings; ++i) {
+        const auto middle = at((low.t + high.t) * Real(0.5));
+        (slope(middle) < Real(0) ? low : high) = middle;
+    }
+    return low.surface.distance < high.surface.distance ? low : high;
+}
+
+/// First contact of a capsule whose axis a-b moves by move_a, move_b; a sphere for a == b. The plane through the
+/// nearest surface point has the part behind it and the axis before it, hence advancing until the axis meets the plane
+/// never passes the contact (Newton's method from the outside of a convex function).
+template <class Part, int D, class Real>
+std::optional<Impact<D, Real>> sweep(const Part& part, const Vec<D, Real>& a, const Vec<D, Real>& b,
+                                     const Vec<D, Real>& move_a, const Vec<D, Real>& move_b, Real radius) {
+    constexpr int most = 64;
+    const Real scale = norm(a) + norm(b) + norm(move_a) + norm(move_b) + radius;
+    const Real rounding = Real(16) * std::numeric_limits<Real>::epsilon() * scale;
+    Real time = 0;
+    for (int i = 0;; ++i) {
+        const auto approach = nearest_to_segment(part, a + move_a * time, b + move_b * time);
+        const auto& n = approach.surface.normal;
+        const Real speed = -minimum(dot(n, move_a), dot(n, move_b));
+        if (!(speed > Real(0))) return std::nullopt;
+        const Real gap = approach.surface.distance - radius;
+        if (gap <= rounding || i == most) return Impact<D, Real>{time, approach.surface};
+        time += gap / speed;
+        if (!(time <= Real(1))) return std::nullopt;
+    }
+}
+
+/// First contact of a moving sphere; of a ray for radius 0.
+template <class Part, int D, class Real>
+std::optional<Impact<D, Real>> sweep(const Part& part, const Vec<D, Real>& from, const Vec<D, Real>& move,
+                                     Real radius) {
+    constexpr int most = 64;
+    const Real rounding = Real(16) * std::numeric_limits<Real>::epsilon() * (norm(from) + norm(move) + radius);
+    Real time = 0;
+    for (int i = 0;; ++i) {
+        const auto surface = part.nearest(from + move * time);
+        const Real speed = -dot(surface.normal, move), gap = surface.distance - radius;
+        if (!(speed > Real(0))) return std::nullopt;
+        if (gap <= rounding || i == most) return Impact<D, Real>{time, surface};
+        time += gap / speed;
+        if (!(time <= Real(1))) return std::nullopt;
+    }
+}
+
+} // namespace sinew::collide

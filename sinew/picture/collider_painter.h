@@ -1,0 +1,15 @@
+#pragma once
+
+#include "sinew/picture/picture.h"
+#include "sinew/picture/theme.h"
+#include "sinew/scene/scene.h"
+#include "sinew/session/view.h"
+
+/// Drawing of colliders, behind all figures. Sensors are not drawn.
+namespace sinew {
+
+template <int D, class Real>
+void draw_colliders(const World<D, Real>& world, const View& view, const Theme& theme, float thickness,
+                    Picture& picture);
+
+} // namespace sinew

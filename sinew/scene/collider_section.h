@@ -1,0 +1,170 @@
+#pragma once
+
+#include "sinew/scene/driver_section.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// Shapes that everything in the scene touches: the section "colliders" of a scene file.
+namespace sinew {
+
+struct HalfSpaceShape {
+    static constexpr std::string_view name = "half_space";
+    static constexpr std::string_view about = "Everything behind a plane without end.";
+    Point normal{{0, 1, 0}};
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.normal, Field{.name = "normal", .help = "Normal of the plane, towards the free side"});
+    }
+};
+
+struct SphereShape {
+    static constexpr std::string_view name = "sphere";
+    static constexpr std::string_view about = "A sphere; a circle in the plane.";
+    double radius = 0.5;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.radius, Field{.name = "radius", .help = "Radius", .unit = unit::length, .low = 1e-6, .high = 1e6});
+    }
+};
+
+struct CapsuleShape {
+    static constexpr std::string_view name = "capsule";
+    static constexpr std::string_view about = "A segment with a radius: a rod with round ends.";
+    Point from{}, to{{1, 0, 0}};
+    double radius = 0.1;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.from, Field{.name = "from", .help = "Beginning of the axis, from \"at\"", .unit = unit::length});
+        visit(self.to, Field{.name = "to", .help = "End of the axis, from \"at\"", .unit = unit::length});
+        visit(self.radius, Field{.name = "radius", .help = "Radius", .unit = unit::length, .low = 1e-6, .high = 1e6});
+    }
+};
+
+struct BoxShape {
+    static constexpr std::string_view name = "box";
+    static constexpr std::string_view about = "A box, or a rectangle in the plane, about \"at\".";
+    Point size{{1, 1, 1}};
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.size,
+              Field{.name = "size", .help = "Lengths of the edges", .unit = unit::length, .low = 1e-6, .high = 1e6});
+    }
+};
+
+struct PolygonShape {
+    static constexpr std::string_view name = "polygon";
+    static constexpr std::string_view about = "A polygon without crossings (2D); one with dents becomes several parts.";
+    std::vector<Point> points;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.points,
+              Field{.name = "points", .help = "Corners in order, from \"at\"", .unit = unit::length, .required = true});
+    }
+};
+
+struct ChainShape {
+    static constexpr std::string_view name = "chain";
+    static constexpr std::string_view about = "Terrain (2D): segments with one solid side.";
+    std::vector<Point> points;
+    bool closed = false;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.points, Field{.name = "points",
+                                 .help = "Points from \"at\"; the free side is above a chain from left to right",
+                                 .unit = unit::length,
+                                 .required = true});
+        visit(self.closed, Field{.name = "closed", .help = "An edge from the last point to the first"});
+    }
+};
+
+struct MeshShape {
+    static constexpr std::string_view name = "mesh";
+    static constexpr std::string_view about = "Triangles (3D), each solid behind.";
+    std::vector<Point> points;
+    std::vector<std::array<int, 3>> triangles;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.points,
+              Field{.name = "points", .help = "Corners, from \"at\"", .unit = unit::length, .required = true});
+        visit(self.triangles, Field{.name = "triangles",
+                                    .help = "Numbers of three corners each, counter-clockwise seen from the free side",
+                                    .low = 0,
+                                    .required = true});
+    }
+};
+
+struct HeightFieldShape {
+    static constexpr std::string_view name = "height_field";
+    static constexpr std::string_view about = "A landscape over a square grid (3D).";
+    std::vector<std::vector<double>> heights;
+    double spacing = 1;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.heights, Field{.name = "heights",
+                                  .help = "Rows of heights: rows follow each other along z, numbers along x",
+                                  .unit = unit::length,
+                                  .required = true});
+        visit(self.spacing,
+              Field{.name = "spacing", .help = "Side of a cell", .unit = unit::length, .low = 1e-6, .high = 1e6});
+    }
+};
+
+/// Motion of a collider; what it touches is carried along.
+struct MotionSection {
+    double spin = 0;
+    std::optional<Driver> driver;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.spin, Field{.name = "spin",
+                               .help = "Angular velocity, counter-clockwise on screen; in 3D about \"axis\"",
+                               .unit = {.time = -1, .angle = true},
+                               .low = -200 * pi<double>,
+                               .high = 200 * pi<double>});
+        visit(self.driver, Field{.name = "driver", .help = "Motion of the position; none if left out"});
+    }
+};
+
+struct ColliderSection {
+    std::string name;
+    std::variant<HalfSpaceShape, SphereShape, CapsuleShape, BoxShape, PolygonShape, ChainShape, MeshShape,
+                 HeightFieldShape>
+        shape;
+    Point at{};
+    double angle = 0;
+    Point axis{{0, 0, 1}};
+    double bounce = 0;
+    double friction = 0.5;
+    std::vector<int> layers{0};
+    std::optional<std::vector<int>> touches;
+    std::optional<Point> one_way;
+    bool sensor = false;
+    std::optional<MotionSection> motion;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.name, Field{.name = "name", .help = "Name, for events"});
+        visit(self.shape, Field{.name = "shape", .help = "Shape", .required = true});
+        visit(self.at, Field{.name = "at", .help = "Position", .unit = unit::length});
+        visit(self.angle, Field{.name = "angle",
+                                .help = "Orientation, counter-clockwise on screen; in 3D about \"axis\"",
+                                .unit = unit::angle});
+        visit(self.axis, Field{.name = "axis", .help = "Axis of the angle and of the spin (3D)"});
+        visit(self.bounce, Field{.name = "bounce",
+                                 .help = "Coefficient of restitution: share of the approach speed given back",
+                                 .low = 0,
+                                 .high = 1});
+        visit(self.friction,
+              Field{.name = "friction", .help = "Coefficient of Coulomb friction", .low = 0, .high = 100});
+        visit(self.layers, Field{.name = "layers", .help = "Layers it belongs to", .low = 0, .high = 31});
+        visit(self.touches,
+              Field{.name = "touches", .help = "Layers it touches; all if left out", .low = 0, .high = 31});
+        visit(self.one_way,
+              Field{.name = "one_way", .help = "Direction of the only solid side: [0, 1] holds what falls on it"});
+        visit(self.sensor, Field{.name = "sensor", .help = "Reports touches, and lets everything through"});
+        visit(self.motion, Field{.name = "motion", .help = "Motion in time"});
+    }
+};
+
+} // namespace sinew

@@ -1,0 +1,182 @@
+#include "sinew/scene/colliders.h"
+
+#include "sinew/collide/decompose.h"
+#include "sinew/scene/check.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sinew {
+namespace {
+
+std::uint32_t bits(const std::vector<int>& layers) {
+    std::uint32_t sum = 0;
+    for (const int layer : layers) sum |= std::uint32_t(1) << layer;
+    return sum;
+}
+
+std::vector<Vec2<double>> in_plane(const std::vector<Point>& points) {
+    std::vector<Vec2<double>> plane;
+    for (const auto& point : points) plane.push_back(point.as<2, double>());
+    return plane;
+}
+
+/// Shapes of a section; a shape of the other dimension has none.
+template <int D, class Real> struct ShapesOf {
+    using Vector = Vec<D, Real>;
+    using Shapes = std::vector<collide::Shape<D, Real>>;
+    int up;
+
+    Shapes operator()(const HalfSpaceShape& plane) const {
+        return {collide::HalfSpace<D, Real>{direction(plane.normal.as<D, Real>()), 0}};
+    }
+    Shapes operator()(const SphereShape& sphere) const { return {collide::Sphere<D, Real>{Real(sphere.radius)}}; }
+    Shapes operator()(const CapsuleShape& capsule) const {
+        return {collide::Capsule<D, Real>{capsule.from.as<D, Real>(), capsule.to.as<D, Real>(), Real(capsule.radius)}};
+    }
+    Shapes operator()(const BoxShape& box) const { return {collide::Box<D, Real>{box.size.as<D, Real>() * Real(0.5)}}; }
+    Shapes operator()(const PolygonShape& polygon) const {
+        Shapes shapes;
+        if constexpr (D == 2)
+            for (const auto& part : collide::convex_parts(in_plane(polygon.points))) {
+                collide::Polygon<2, Real> convex;
+                for (const auto& corner : part) convex.corners.push_back(cast<Real>(corner));
+                shapes.push_back(convex);
+            }
+        return shapes;
+    }
+    Shapes operator()(const ChainShape& chain) const {
+        if constexpr (D == 2) {
+            collide::Chain<2, Real> terrain{{}, chain.closed};
+            for (const auto& point : chain.points) terrain.points.push_back(point.as<2, Real>());
+            if (up < 0) std::reverse(terrain.points.begin(), terrain.points.end());
+            return {terrain};
+        } else {
+            return {};
+        }
+    }
+    Shapes operator()(const MeshShape& mesh) const {
+        if constexpr (D == 3) {
+            std::vector<Vector> corners;
+            for (const auto& point : mesh.points) corners.push_back(point.as<3, Real>());
+            std::vector<std::array<std::uint32_t, 3>> triangles;
+            for (const auto& [a, b, c] : mesh.triangles)
+                triangles.push_back({std::uint32_t(a), std::uint32_t(b), std::uint32_t(c)});
+            return {collide::Mesh<3, Real>(std::move(corners), std::move(triangles))};
+        } else {
+            return {};
+        }
+    }
+    Shapes operator()(const HeightFieldShape& field) const {
+        if constexpr (D == 3) {
+            collide::HeightField<3, Real> landscape{.spacing = Real(field.spacing), .height = {}};
+            landscape.columns = field.heights.empty() ? 0 : std::uint32_t(field.heights.front().size());
+            for (const auto& row : field.heights)
+                for (const double height : row) landscape.height.push_back(Real(height));
+            return {landscape};
+        } else {
+            return {};
+        }
+    }
+};
+
+/// Reports what is wrong with a shape.
+struct ShapeCheck {
+    std::size_t index;
+    int dimension;
+    Document& document;
+
+    void error(std::string_view key, const std::string& message, const std::string& help = {}) const {
+        document.error(under("colliders", index, key), message, help);
+    }
+    void expect_dimension(int wanted, std::string_view name) const {
+        if (dimension != wanted)
+            error("shape",
+                  fmt::format("a {} is a shape of {} dimensions, and this scene has {}", name, wanted, dimension));
+    }
+
+    void operator()(const HalfSpaceShape& plane) const {
+        if (plane.normal == Point{}) error("normal", "a normal needs a length");
+    }
+    void operator()(const SphereShape&) const {}
+    void operator()(const CapsuleShape&) const {}
+    void operator()(const BoxShape&) const {}
+    void operator()(const PolygonShape& polygon) const {
+        expect_dimension(2, polygon.name);
+        if (collide::convex_parts(in_plane(polygon.points)).empty())
+            error("points", "these corners enclose no area, or their edges cross",
+                  "list at least three corners in order around the polygon");
+    }
+    void operator()(const ChainShape& chain) const {
+        expect_dimension(2, chain.name);
+        if (chain.points.size() < 2)
+            error("points", fmt::format("a chain needs at least 2 points, found {}", chain.points.size()));
+    }
+    void operator()(const MeshShape& mesh) const {
+        expect_dimension(3, mesh.name);
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+            for (const int corner : mesh.triangles[i])
+                if (std::size_t(corner) >= mesh.points.size()) {
+                    error(fmt::format("triangles/{}", i),
+                          fmt::format("there is no point {}; the points are 0 to {}", corner, mesh.points.size() - 1));
+                    return;
+                }
+    }
+    void operator()(const HeightFieldShape& field) const {
+        expect_dimension(3, field.name);
+        const auto& rows = field.heights;
+        if (rows.size() < 2 || rows.front().size() < 2)
+            return error("heights", "a landscape needs at least 2 rows of 2 heights");
+        for (std::size_t i = 1; i < rows.size(); ++i)
+            if (rows[i].size() != rows.front().size())
+                error(fmt::format("heights/{}", i), fmt::format("this row has {} heights, and the first one {}",
+                                                                rows[i].size(), rows.front().size()));
+    }
+};
+
+} // namespace
+
+collide::Filter filter_of(const std::vector<int>& layers, const std::optional<std::vector<int>>& touches) {
+    return {bits(layers), touches ? bits(*touches) : ~std::uint32_t(0)};
+}
+
+template <int D, class Real>
+collide::Rotation<D, Real> rotation_of(const ColliderSection& section, double time, int up) {
+    const double angle = (section.angle + (section.motion ? section.motion->spin * time : 0)) * up;
+    if constexpr (D == 2)
+        return collide::Rotation<2, Real>::of(Real(angle));
+    else
+        return collide::Rotation<3, Real>::of(section.axis.as<3, Real>(), Real(angle));
+}
+
+template <int D, class Real>
+std::vector<collide::Collider<D, Real>> colliders_of(const ColliderSection& section, std::size_t index, int up) {
+    std::vector<collide::Collider<D, Real>> colliders;
+    for (auto& shape : std::visit(ShapesOf<D, Real>{up}, section.shape)) {
+        collide::Collider<D, Real> collider{.shape = std::move(shape),
+                                            .target = {section.at.as<D, Real>(), rotation_of<D, Real>(section, 0, up)},
+                                            .restitution = Real(section.bounce),
+                                            .friction = Real(section.friction),
+                                            .filter = filter_of(section.layers, section.touches),
+                                            .is_sensor = section.sensor,
+                                            .name = section.name,
+                                            .tag = std::uint32_t(index)};
+        if (section.one_way) collider.one_way = collider.target.turn_back(section.one_way->as<D, Real>());
+        colliders.push_back(std::move(collider));
+    }
+    return colliders;
+}
+
+void check_collider(const ColliderSection& section, std::size_t index, int dimension, Document& document) {
+    std::visit(ShapeCheck{index, dimension, document}, section.shape);
+    if (section.one_way && *section.one_way == Point{})
+        document.error(under("colliders", index, "one_way"), "a direction needs a length");
+    if (section.axis == Point{}) document.error(under("colliders", index, "axis"), "an axis needs a length");
+}
+
+#define SINEW_SCENE_COLLIDERS(D, Real)                                                                                 \
+    template collide::Rotation<D, Real> rotation_of<D, Real>(const ColliderSection&, double, int);                     \
+    template std::vector<collide::Collider<D, Real>> colliders_of<D, Real>(const ColliderSection&, std::size_t, int);
+SINEW_INSTANTIATE(SINEW_SCENE_COLLIDERS)
+
+} // namespace sinew

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "sinew/collide/broadphase.h"
+#include "sinew/solver/contact/contact_row.h"
+#include "sinew/solver/contact/link_projector.h"
+#include "sinew/solver/solver.h"
+
+namespace sinew {
+
+/// Contacts of colliding figures during a step: everything that follows from the rest of the world.
+template <int D, class Real> struct ContactRoom {
+    bool is_active = false;     ///< some figure collides
+    std::vector<Row> particles; ///< rows of the particles of colliding figures
+    std::vector<ContactSegment> segments;
+    std::vector<char> by_rows;    ///< per slot of the sweep: held by rows of contact, not plane by plane
+    std::vector<char> in_segment; ///< per particle
+    std::vector<char> is_exact;   ///< per slot of the sweep: links at the particle are exact, or there are none
+    std::vector<std::array<Row, 2>> links; ///< pairs of linked particles, in order
+
+    collide::Broadphase<D, Real> broadphase;
+    std::vector<collide::BoundingBox<D, Real>> boxes;
+    std::vector<ContactCandidate> candidates;
+    std::vector<Vec<D, Real>> expected, velocity; ///< per particle of `particles`: place and motion when listed
+    Real listed_at = 0;                           ///< time since the list was made
+    Real margin = 0;                              ///< deviation for which the list is valid, metres
+
+    std::vector<ContactRow<D, Real>> rows;
+    std::vector<KeptContact<D, Real>> spare;
+    detail::LinkProjector<D, Real> projector;
+};
+
+/// Work space of the contacts, made on demand.
+template <int D, class Real> ContactRoom<D, Real>& contact_room(Solver<D, Real>& solver) {
+    if (!solver.contacts) solver.contacts = std::make_shared<ContactRoom<D, Real>>();
+    return *solver.contacts;
+}
+
+/// True if figures touch each other in this step.
+template <int D, class Real> bool has_figure_contacts(const Solver<D, Real>& solver) {
+    return solver.contacts && solver.contacts->is_active;
+}
+
+/// contact_features.cpp: lists the features of the colliding figures, before a sweep.
+template <int D, class Real> void find_contact_features(World<D, Real>& world, Solver<D, Real>& solver);
+/// contact_features.cpp: lists the pairs of features that may touch, where the last list no longer holds; `left` is the
+/// rest of the step, `h` a substep.
+template <int D, class Real>
+void find_contact_candidates(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h);
+
+} // namespace sinew

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/phases.h"
+#include "sinew/solver/substep_mover.h"
+
+/// Contact of a swept particle with a plane; a collider is a plane at each contact.
+namespace sinew::detail {
+
+template <int D, class Real> class PlaneContact {
+  public:
+    PlaneContact(World<D, Real>& world, Solver<D, Real>& solver, SubstepMover<D, Real>& mover)
+        : world_(world), p_(world.particles), swept_(solver.sweep_state), mover_(mover),
+          by_rows_(has_figure_contacts(solver) ? solver.contacts->by_rows.data() : nullptr) {}
+
+    /// Non-penetration, and Coulomb friction, which shortens the tangential displacement relative to the surface by
+    /// friction times the normal correction. Approaches too fast for resting contact are recorded for rebound().
+    /// Returns the normal correction.
+    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_move = {}) const {
+        if (swept_.mobility[slot] == Real(0) || (by_rows_ && by_rows_[slot])) return 0;
+        const Row row = swept_.row_of[slot];
+        const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, mover_.point_at(slot));
+        if (!(depth > Real(0))) return 0;
+        if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
+        const auto move = swept_.move_at(slot) - surface_move;
+        const Real approach = -dot(plane.normal, move);
+        const auto along = move + plane.normal * approach;
+        const Real stopped = minimum(depth, mover_.furthest);
+        const Real slowed = minimum(Real(1), plane.friction * stopped * inverse_or_zero(norm(along)));
+        mover_.push_at(slot, plane.normal * stopped - along * slowed);
+        if (!mover_.first_iteration) return stopped;
+        const Real resting = Real(4) * mover_.h * norm(push_on(world_, row, swept_.place_at(slot)).acceleration);
+        const Real carried = dot(plane.normal, surface_move) * mover_.per_h;
+        if (approach * mover_.per_h > resting)
+            p_.rebound[row] += plane.normal * maximum(Real(0), plane.restitution * approach * mover_.per_h + carried);
+        return stopped;
+    }
+
+  private:
+    World<D, Real>& world_;
+    Particles<D, Real>& p_;
+    SweepState<D, Real>& swept_;
+    SubstepMover<D, Real>& mover_;
+    const char* by_rows_; ///< per slot: held by rows of contact instead
+};
+
+} // namespace sinew::detail

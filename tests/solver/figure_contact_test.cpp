@@ -1,0 +1,218 @@
+#include "sinew/solver/colliders.h"
+
+#include "tests/worlds.h"
+
+namespace sinew::SINEW_TEST_FILE {
+namespace {
+
+using namespace test;
+
+template <class RealT> struct Figures2 : ::testing::Test {};
+using Precisions = ::testing::Types<float, double>;
+
+template <class Real> using FlatWorld = test::Stepped<2, Real>;
+template <class Real> using V2 = Vec<2, Real>;
+
+template <class Real> FigureIndex add_touching(FlatWorld<Real>& world, double friction, bool itself = false) {
+    const auto figure = add_figure(world, "figure" + std::to_string(world.figures.size()));
+    set_contact(world, figure, {.figures = true, .itself = itself, .friction = friction});
+    return figure;
+}
+
+/// A rigid square of four particles and six links; its outline is `size` wide, radii included.
+template <class Real>
+std::vector<ParticleId> add_crate(FlatWorld<Real>& world, double x, double y, double size, double mass, double turn = 0,
+                                  double friction = 0.5) {
+    constexpr double radius = 0.02;
+    const auto figure = add_touching(world, friction);
+    const double half = size / 2 - radius, c = std::cos(turn), s = std::sin(turn);
+    std::vector<ParticleId> corners;
+    for (const auto& [u, v] : {std::pair{-half, -half}, {half, -half}, {half, half}, {-half, half}})
+        corners.push_back(add_particle(world, {.position = {{Real(x + c * u - s * v), Real(y + s * u + c * v)}},
+                                               .mass = Real(mass / 4),
+                                               .radius = Real(radius),
+                                               .figure = figure}));
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t k = i + 1; k < 4; ++k) add<Distance>(world, {corners[i], corners[k]}, {.figure = figure});
+    Piece inside{.mark = Mark::fill};
+    for (const auto id : corners) inside.particles.push_back(id), world.figures[figure].particles.push_back(id);
+    world.figures[figure].pieces.push_back(inside);
+    return corners;
+}
+
+template <class Real> void add_ground(FlatWorld<Real>& world, double angle = 0, double friction = 0.5) {
+    fall(world, 10);
+    world.bounds.push_back({{{Real(-std::sin(angle)), Real(std::cos(angle))}}, 0, 0, Real(friction)});
+}
+
+template <class Real> double mean_speed(const FlatWorld<Real>& world) {
+    double sum = 0;
+    for (const auto& velocity : world.particles.velocity) sum += double(norm(velocity));
+    return sum / double(world.particles.size());
+}
+
+template <class Real> V2<Real> middle_of(const FlatWorld<Real>& world, const std::vector<ParticleId>& ids) {
+    V2<Real> sum{};
+    for (const auto id : ids) sum += *position_of(world, id) * (Real(1) / Real(ids.size()));
+    return sum;
+}
+
+TYPED_TEST_SUITE(Figures2, Precisions);
+
+TYPED_TEST(Figures2, AStackOfTenRests) {
+    using Real = TypeParam;
+    FlatWorld<Real> world;
+    add_ground(world);
+    std::vector<std::vector<ParticleId>> crates;
+    for (int i = 0; i < 10; ++i) crates.push_back(add_crate(world, 0.01 * (i % 3), 0.5 + i, 1, 1));
+    run(world, 10);
+    EXPECT_LT(mean_speed(world), 1e-3);
+    EXPECT_LT(stretch(world).max, 1e-3);
+    for (int i = 0; i < 10; ++i) {
+        const auto middle = middle_of(world, crates[std::size_t(i)]);
+        EXPECT_NEAR(double(middle[1]), 0.5 + i, 0.02);
+        EXPECT_NEAR(double(middle[0]), 0.01 * (i % 3), 0.01);
+    }
+}
+
+// A crate on a slope of angle a slides if and only if tan a > mu, and then with g (sin a - mu cos a).
+TYPED_TEST(Figures2, ACrateSlidesIffItsSlopeIsSteeperThanFriction) {
+    using Real = TypeParam;
+    const double mu = 0.5, degree = pi<double> / 180;
+    for (const double beyond : {-0.5, 0.5, 8.0}) {
+        FlatWorld<Real> world;
+        const double angle = std::atan(mu) + beyond * degree;
+        add_ground(world, angle, mu);
+        const auto crate = add_crate(world, -std::sin(angle) / 2, std::cos(angle) / 2, 1, 1, angle);
+        run(world, 0.5);
+        const auto begun = middle_of(world, crate);
+        const double speed = double(norm(*velocity_of(world, crate[0])));
+        run(world, 1);
+        const double way = double(norm(middle_of(world, crate) - begun));
+        const double expected = beyond < 0 ? 0 : speed + 10 * (std::sin(angle) - mu * std::cos(angle)) / 2;
+        EXPECT_NEAR(way, expected, 0.02 * expected + 1e-4) << beyond;
+    }
+}
+
+// Equal discs exchange nothing but momentum: without friction and rebound both go on at half the speed.
+TYPED_TEST(Figures2, ABlowKeepsMomentumAndIsSharedByMass) {
+    using Real = TypeParam;
+    for (const double ratio : {1.0, 5.0, 100.0}) {
+        FlatWorld<Real> world;
+        const auto one = add_touching(world, 0), two = add_touching(world, 0);
+        const auto striker = add_particle(
+            world,
+            {.position = {{-1, 0}}, .velocity = {{4, 0}}, .mass = Real(ratio), .radius = Real(0.2), .figure = one});
+        const auto struck = add_particle(world, {.position = {{0, 0}}, .mass = 1, .radius = Real(0.2), .figure = two});
+        run(world, 1);
+        const double common = 4 * ratio / (ratio + 1);
+        EXPECT_NEAR(double((*velocity_of(world, striker))[0]), common, 1e-3 * common);
+        EXPECT_NEAR(double((*velocity_of(world, struck))[0]), common, 1e-3 * common);
+        EXPECT_GT(double((*position_of(world, struck))[0] - (*position_of(world, striker))[0]), 0.399);
+    }
+}
+
+TYPED_TEST(Figures2, ABulletDoesNotCrossACrate) {
+    using Real = TypeParam;
+    for (int i = 0; i < 20; ++i) {
+        FlatWorld<Real> world;
+        add_crate(world, 0, 0, 1, 1000);
+        const auto figure = add_touching(world, 0.5);
+        const auto bullet = add_particle(world, {.position = {{Real(-3 - 0.17 * i), Real(-0.4 + 0.04 * i)}},
+                                                 .velocity = {{1000, 0}},
+                                                 .mass = Real(0.01),
+                                                 .radius = Real(0.02),
+                                                 .figure = figure});
+        run(world, 0.2);
+        EXPECT_LT(double((*position_of(world, bullet))[0]), 0.5) << i;
+    }
+}
+
+TYPED_TEST(Figures2, LooseDiscsFillABoxAndRest) {
+    using Real = TypeParam;
+    FlatWorld<Real> world;
+    add_ground(world);
+    world.bounds.push_back({{{1, 0}}, -1, 0, Real(0.5)});
+    world.bounds.push_back({{{-1, 0}}, -1, 0, Real(0.5)});
+    const auto figure = add_touching(world, 0.5, true);
+    constexpr int discs = 120;
+    for (int i = 0; i < discs; ++i)
+        add_particle(world,
+                     {.position = {{Real(-0.85 + 0.21 * (i % 9) + 0.03 * (i / 9 % 2)), Real(0.2 + 0.22 * (i / 9))}},
+                      .radius = Real(0.1),
+                      .figure = figure});
+    run(world, 10);
+    EXPECT_LT(mean_speed(world), 1e-3);
+    double overlap = 0;
+    const auto& p = world.particles;
+    for (Row a = 0; a < p.size(); ++a)
+        for (Row b = a + 1; b < p.size(); ++b)
+            overlap = std::max(overlap, 0.2 - double(distance(p.position[a], p.position[b])));
+    EXPECT_LT(overlap, 0.01);
+}
+
+TYPED_TEST(Figures2, WhatDoesNotCollidePasses) {
+    using Real = TypeParam;
+    FlatWorld<Real> world;
+    const auto one = add_touching(world, 0), two = add_touching(world, 0);
+    set_contact(world, two, {});
+    const auto striker =
+        add_particle(world, {.position = {{-1, 0}}, .velocity = {{4, 0}}, .radius = Real(0.2), .figure = one});
+    add_particle(world, {.position = {{0, 0}}, .radius = Real(0.2), .figure = two});
+    run(world, 1);
+    EXPECT_NEAR(double((*position_of(world, striker))[0]), 3, 1e-5);
+}
+
+// A rope lies across a crate's corner: its links, not only its particles, stay outside.
+TYPED_TEST(Figures2, ARopeOverACrateDoesNotPassThroughItsCorners) {
+    using Real = TypeParam;
+    FlatWorld<Real> world;
+    world.settings.damping = Real(0.5);
+    add_ground(world);
+    const auto crate = add_crate(world, 0, 0.5, 1, 50);
+    const auto figure = add_touching(world, 0.5);
+    std::vector<ParticleId> rope;
+    for (int i = 0; i <= 8; ++i) {
+        rope.push_back(add_particle(world, {.position = {{Real(-1 + 0.25 * i), Real(1.3)}},
+                                            .mass = Real(0.1),
+                                            .radius = Real(0.03),
+                                            .figure = figure}));
+        world.figures[figure].particles.push_back(rope.back());
+        if (i > 0) add<Distance>(world, {rope[std::size_t(i) - 1], rope[std::size_t(i)]}, {.figure = figure});
+    }
+    Piece line{.mark = Mark::stroke};
+    for (const auto id : rope) line.particles.push_back(id);
+    world.figures[figure].pieces.push_back(line);
+    run(world, 6);
+    for (const auto corner : {crate[2], crate[3]})
+        for (std::size_t i = 0; i + 1 < rope.size(); ++i) {
+            const auto a = *position_of(world, rope[i]), b = *position_of(world, rope[i + 1]),
+                       c = *position_of(world, corner);
+            const auto t = collide::nearest_parameter(a, b, c);
+            EXPECT_GT(double(distance(a + (b - a) * t, c)), 0.05 - 0.01);
+        }
+    EXPECT_LT(double((*position_of(world, rope[0]))[1]), 0.9);
+    EXPECT_LT(stretch(world).max, 1e-3);
+}
+
+// Kept multipliers are state: a copy goes on alike, on any number of threads.
+TYPED_TEST(Figures2, CopiesHaveTheSameFuture) {
+    using Real = TypeParam;
+    FlatWorld<Real> world;
+    add_ground(world);
+    for (int i = 0; i < 12; ++i) add_crate(world, 0.3 * (i % 4), 0.7 + 1.1 * i, 0.8, 1 + i % 3, 0.4 * i);
+    const auto figure = add_touching(world, 0.5, true);
+    for (int i = 0; i < 20; ++i)
+        add_particle(world,
+                     {.position = {{Real(-1 + 0.23 * i), Real(8 + 0.1 * i)}}, .radius = Real(0.1), .figure = figure});
+    for (int i = 0; i < 120; ++i) {
+        FlatWorld<Real> copy = world;
+        copy.solver.options.threads = 3;
+        step(world, Real(1.0 / 60));
+        step(copy, Real(1.0 / 60));
+        ASSERT_EQ(state_hash(copy), state_hash(world)) << i;
+    }
+}
+
+} // namespace
+} // namespace sinew::SINEW_TEST_FILE
