@@ -56,9 +56,8 @@ struct Curtain {
                       "Random extra strength of each thread, as a share of breaking_strain: 1 is up to twice as strong",
                   .low = 0,
                   .high = 1e3});
-        visit(self.drawn, Field{.name = "drawn",
-                                .help = "Drawn as threads, as filled cells, or both",
-                                .choices = Cloth::drawings});
+        visit(self.drawn,
+              Field{.name = "drawn", .help = "Drawn as threads, as filled cells, or both", .choices = Cloth::drawings});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of a drawn thread; collision radius is half",
                                     .unit = unit::length,

@@ -10,8 +10,8 @@
 #include "sinew/solver/edit.h"
 #include "sinew/solver/islands.h"
 #include "sinew/solver/measure.h"
-#include "sinew/solver/split.h"
 #include "sinew/solver/solver.h"
+#include "sinew/solver/split.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +81,9 @@ void Session::run_until(double seconds) {
 }
 
 void Session::set_options(const SolverOptions& options) {
-    std::visit([&]<class WorldT>(const WorldT&) { solver_.emplace<Solver<WorldT::dimension, typename WorldT::Real>>(options); }, world_);
+    std::visit([&]<class WorldT>(
+                   const WorldT&) { solver_.emplace<Solver<WorldT::dimension, typename WorldT::Real>>(options); },
+               world_);
 }
 
 void Session::prepare() {

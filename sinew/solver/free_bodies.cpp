@@ -74,7 +74,8 @@ template <int D, class Real> class FreeBodyFinder {
         }
     }
 
-    /// Marks components with pins or ports, of colliding figures, and those with a constraint that acts otherwise than in pairs.
+    /// Marks components with pins or ports, of colliding figures, and those with a constraint that acts otherwise than
+    /// in pairs.
     void hold() {
         const auto& figure = world_.particles.figure;
         for (Row slot = 0; slot < state_.size(); ++slot)

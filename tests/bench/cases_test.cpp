@@ -74,7 +74,7 @@ TEST(Cases, RagdollsAreFifteenPointsTwentyOneSticksAndLimits) {
 TEST(Cases, AreSweptAsTheTextbookDoesUnlessTheyAreDirect) {
     for (const auto* name : {"ropes-3", "ragdolls-3"}) {
         test::Stepped<3, float> swept = world_of<float>(*find_case(name)),
-             direct = world_of<float>(*find_case(std::string(name) + "-direct"));
+                                direct = world_of<float>(*find_case(std::string(name) + "-direct"));
         prepare(swept), prepare(direct);
         EXPECT_TRUE(swept.solver.blocks.nodes.empty());
         EXPECT_FALSE(direct.solver.blocks.nodes.empty());
