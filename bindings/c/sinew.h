@@ -48,7 +48,14 @@ SINEW_API const char* sinew_simd(void);
 
 /* --- failures ---------------------------------------------------------------------------------------------------- */
 
-typedef enum sinew_status {
+/* Every int is a value of an enumeration, in C++ as in C: a wrong one is an error, not undefined. */
+#ifdef __cplusplus
+#define SINEW_INT : int
+#else
+#define SINEW_INT
+#endif
+
+typedef enum sinew_status SINEW_INT {
     SINEW_OK = 0,
     SINEW_BAD_HANDLE = 1,   /* no open simulation or player has this handle */
     SINEW_BAD_ID = 2,       /* the particle, constraint, pin or figure is gone or never was */
@@ -167,7 +174,7 @@ SINEW_API sinew_status sinew_get_report(sinew_simulation simulation, sinew_repor
 /* Hash of all state relevant to the future: equal on every machine, compiler, instruction set and thread count. */
 SINEW_API sinew_status sinew_state_hash(sinew_simulation simulation, uint64_t* hash);
 
-typedef enum sinew_column {
+typedef enum sinew_column SINEW_INT {
     SINEW_POSITION = 0, /* `dimension` reals a row */
     SINEW_PREVIOUS = 1, /* one step ago */
     SINEW_VELOCITY = 2,
@@ -314,7 +321,7 @@ SINEW_API sinew_status sinew_cut(sinew_simulation simulation, sinew_point from, 
 
 /* --- picture ----------------------------------------------------------------------------------------------------- */
 
-typedef enum sinew_shape {
+typedef enum sinew_shape SINEW_INT {
     SINEW_POLYLINE = 0, /* `count` points joined by a stroke of `width` pixels, round caps and joins */
     SINEW_LOOP = 1,     /* the same, closed */
     SINEW_DISC = 2,     /* a point, filled, `width` pixels in diameter */
@@ -382,7 +389,7 @@ SINEW_API sinew_status sinew_player_picture_text(sinew_player player, uint32_t i
 SINEW_API sinew_status sinew_player_picture_image(sinew_player player, uint32_t index, const char** name);
 
 /* Input; positions are pixels of the picture. */
-typedef enum sinew_button { SINEW_LEFT = 0, SINEW_MIDDLE = 1, SINEW_RIGHT = 2 } sinew_button;
+typedef enum sinew_button SINEW_INT { SINEW_LEFT = 0, SINEW_MIDDLE = 1, SINEW_RIGHT = 2 } sinew_button;
 SINEW_API sinew_status sinew_player_pointer(sinew_player player, double x, double y);
 SINEW_API sinew_status sinew_player_leave(sinew_player player); /* the pointer has left the picture */
 SINEW_API sinew_status sinew_player_press(sinew_player player, sinew_button button);
