@@ -18,7 +18,7 @@ void Workers::share_out(const SharedWork& work) {
 }
 
 /// Alone, the stages are ready one after the other.
-bool Relay::begin(int stage) {
+bool WavefrontScheduler::begin(int stage) {
     auto& done = stages_[std::size_t(stage)].done;
     const auto seen = done.load();
     const bool ready = seen % 2 == 0 && seen / 2 < turns_ && (stage == 0 || turn_of(stage - 1) > seen / 2);
@@ -26,7 +26,7 @@ bool Relay::begin(int stage) {
     return ready;
 }
 
-int Relay::next_from(int stage) {
+int WavefrontScheduler::next_from(int stage) {
     for (int i = 0; i < count_; ++i)
         if (const int other = (stage + i) % count_; begin(other)) return other;
     return count_;
