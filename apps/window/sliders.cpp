@@ -8,7 +8,6 @@
 #include "apps/window/label.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -163,15 +162,6 @@ class Form {
     }
 };
 
-/// Layout of a section of the scene.
-const Layout& layout_named(std::string_view name) {
-    static const Layout scene = scene_layout();
-    const auto found = std::find_if(scene.parts.begin(), scene.parts.end(),
-                                    [&](const Layout& part) { return part.field.name == name; });
-    assert(found != scene.parts.end());
-    return *found;
-}
-
 } // namespace
 
 void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
@@ -191,8 +181,8 @@ void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
         title(name);
         form.record(layout, own ? &own->value : nullptr, name);
     };
-    section(layout_named("world"), "world");
-    section(layout_named("solver"), "solver");
+    section(section_layout("world"), "world");
+    section(section_layout("solver"), "solver");
     const auto* own = json::find(root, "figures");
     if (const auto* figures = own ? own->value.as<json::Array>() : nullptr) {
         constexpr std::size_t most = 12; // figures; larger crowds are edited in the file

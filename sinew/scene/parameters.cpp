@@ -147,7 +147,8 @@ class ParameterCollector {
     }
 };
 
-/// Layout of a section of the scene.
+} // namespace
+
 const Layout& section_layout(std::string_view name) {
     static const Layout scene = scene_layout();
     const auto found = std::find_if(scene.parts.begin(), scene.parts.end(),
@@ -155,8 +156,6 @@ const Layout& section_layout(std::string_view name) {
     assert(found != scene.parts.end());
     return *found;
 }
-
-} // namespace
 
 bool acts_in(std::string_view mode, const std::string& path) {
     const auto known = of_any_figure(path);

@@ -23,6 +23,9 @@ json::Array parameters_of(const Scene& scene, std::size_t most_figures = 12);
 /// Parameters of a prefab with their defaults in metres, kilograms and seconds; paths are names.
 json::Array parameters_of(const Layout& prefab);
 
+/// Layout of a section of a scene, which must exist: "world", "solver".
+const Layout& section_layout(std::string_view name);
+
 /// Layout of one figure of a scene; the prefabs are the alternatives of the choice in it.
 const Layout& figure_layout();
 
