@@ -26,12 +26,12 @@ JSON
 fail() { echo "$1"; echo "--- what happened:"; tail -30 "$events"; cat "$folder/errors"; exit 1; }
 # Waits until the events say so, so many times.
 until_said() {
-    for _ in $(seq 200); do
+    for _ in $(seq 600); do
         [ "$(grep -c "$1" "$events" || true)" -ge "${2:-1}" ] && return
         kill -0 $game 2>/dev/null || fail "the window is gone while waiting for $1"
         sleep 0.05
     done
-    fail "not in 10 s: $1"
+    fail "not in 30 s: $1"
 }
 key() { xdotool key --clearmodifiers "$1"; sleep 0.1; }
 hashes() { grep "\"what\": \"$1\"" "$events" | sed 's/.*"hash": "\([^"]*\)".*/\1/'; }

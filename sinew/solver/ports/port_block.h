@@ -45,7 +45,8 @@ template <int D, class Real> class PortBlock {
         for (auto& node : unknowns()) swept_.mobility[slot(node)] = 0;
         for (auto& port : ports()) {
             port.impulse = {};
-            swept_.set_move(slot(blocks_.nodes[port.node]), cast<Real>(port.free_move));
+            const auto move = clamp_components(port.free_move, furthest());
+            swept_.set_move(slot(blocks_.nodes[port.node]), cast<Real>(move));
         }
     }
 
@@ -73,12 +74,11 @@ template <int D, class Real> class PortBlock {
     }
 
     void store() {
-        const double furthest = double(furthest_move(Real(h_)));
         const auto drift = is_held() ? Vector{} : drift_of();
         for (auto& node : unknowns()) {
             const auto s = slot(node);
             const auto move = node.place - begin_of(node) - drift;
-            swept_.set_move(s, cast<Real>(clamp_components(move, furthest)));
+            swept_.set_move(s, cast<Real>(clamp_components(move, furthest())));
             swept_.mobility[s] = Real(blocks_.ports.mobilities[s]);
         }
         for (auto& link : links()) link.before = link.tension;
@@ -108,6 +108,9 @@ template <int D, class Real> class PortBlock {
         return swept_.slot_of[node.row];
     }
     Vector begin_of(const BlockNode<D>& node) const { return cast<double>(swept_.place_at(slot(node))); }
+
+    /// Bound of a displacement within which float stays finite.
+    double furthest() const { return double(furthest_move(Real(h_))); }
 
     bool is_tethered() const {
         const auto tethers = links().last(block_.load_tethers);
