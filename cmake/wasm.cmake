@@ -9,23 +9,23 @@ foreach(name IN ITEMS fmt nlohmann xxhash.h)
 endforeach()
 
 set(all)
-foreach(folder IN ITEMS sinew apps/play bindings/c bindings/wasm)
+foreach(folder IN ITEMS sinew player bindings/c bindings/wasm)
     sinew_sources(${folder})
     list(APPEND all ${sources})
 endforeach()
 list(APPEND all ${PROJECT_SOURCE_DIR}/canvas/beside.cpp) # put_beside: a picture of pictures
-list(FILTER all EXCLUDE REGEX "/apps/play/(files|folder|script)[.]cpp") # bindings/wasm/no_files.cpp
-list(FILTER all EXCLUDE REGEX "/kernel_avx[0-9]+[.]cpp")
+list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp") # bindings/wasm/no_files.cpp
+list(FILTER all EXCLUDE REGEX "/targets/avx[0-9]+[.]cpp")
 # Every step is compiled for speed; what reads scenes, builds figures and answers a pointer, for size.
 set(small ${all})
-list(FILTER small INCLUDE REGEX "/sinew/(scene|prefab|session|picture)/|/apps/|/bindings/|/canvas/")
+list(FILTER small INCLUDE REGEX "/sinew/(scene|prefab|session|picture)/|/player/|/apps/|/bindings/|/canvas/")
 set(fast ${all})
 list(REMOVE_ITEM fast ${small})
 add_library(wasm_small OBJECT ${small})
 target_compile_options(wasm_small PRIVATE -Oz)
 add_library(wasm_fast OBJECT ${fast})
 target_compile_options(wasm_fast PRIVATE -O2)
-file(GLOB kernels ${PROJECT_SOURCE_DIR}/sinew/solver/kernel_*.cpp)
+file(GLOB kernels ${PROJECT_SOURCE_DIR}/sinew/solver/simd/targets/*.cpp)
 set_source_files_properties(${kernels} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 add_executable(sinew_wasm $<TARGET_OBJECTS:wasm_small> $<TARGET_OBJECTS:wasm_fast>)
