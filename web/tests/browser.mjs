@@ -15,7 +15,7 @@ export const desktop = { viewport: { width: 1280, height: 800 } };
 export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
 /** Serves a folder below a path of its own, as a host of many sites would. A folder without index.html gets an empty page. */
-async function serve(root) {
+async function serve(root, headers) {
     const base = "/some/where/";
     const server = createServer(async (request, response) => {
         const { pathname } = new URL(request.url, "http://host");
@@ -24,7 +24,7 @@ async function serve(root) {
             assert.ok(name.startsWith(base));
             const file = path.join(root, path.normalize(name.slice(base.length)));
             const body = pathname === base && !existsSync(file) ? "<!doctype html><link rel=icon href=data:,>" : await readFile(file);
-            response.writeHead(200, { "content-type": types[path.extname(name)] ?? "application/octet-stream" }).end(body);
+            response.writeHead(200, { "content-type": types[path.extname(name)] ?? "application/octet-stream", ...headers }).end(body);
         } catch {
             response.writeHead(404).end();
         }
@@ -34,9 +34,9 @@ async function serve(root) {
 }
 
 /** A browser and a server for the tests of a file: `using` closes neither, so end it in `after`. */
-export async function visit(root = dist) {
+export async function visit(root = dist, headers = {}) {
     const folder = await mkdtemp(path.join(os.tmpdir(), "sinew-"));
-    const [server, browser] = await Promise.all([serve(root), chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: flags })]);
+    const [server, browser] = await Promise.all([serve(root, headers), chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: flags })]);
     return {
         address: server.address,
         server,
