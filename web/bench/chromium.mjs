@@ -9,7 +9,7 @@ import { cases, contenders, head, row, steps } from "./run.mjs";
 
 const wanted = process.argv[2] ?? "";
 const slice = 10;       // steps between looks at the clock
-const longest = 30_000; // milliseconds of processor time
+const longest = 10_000; // milliseconds of processor time
 const coarse = 5;       // milliseconds of a step that the processor time of a page can tell
 
 /** A contender that is not installed throws when it is asked for, and not before. */

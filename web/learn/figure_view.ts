@@ -88,7 +88,7 @@ export class FigureView {
         const elsewhere = current === slider.high ? slider.low : slider.high;
         const lines = (value: number): string => figure.code?.(value) ?? sceneText(essence(figure.scene(value)), this.columns);
         this.code.replaceChildren(...markedLines(lines(current), lines(elsewhere)).map(({ line, isMarked }) => el(isMarked ? "mark" : "span", {}, `${line}\n`)));
-        this.value.textContent = slider.words ? slider.words(current) : `${number(current)}${slider.unit ? ` ${slider.unit}` : ""}`;
+        this.value.textContent = slider.words ? slider.words(current) : `${number(current)}${slider.unit === "°" ? "°" : slider.unit ? ` ${slider.unit}` : ""}`;
         this.range.setAttribute("aria-valuetext", this.value.textContent);
         const { min, max, value } = this.range;
         this.range.style.setProperty("--share", `${(100 * (Number(value) - Number(min))) / (Number(max) - Number(min))}%`);

@@ -183,7 +183,10 @@ async function aSecondIn(page) {
 
 /** Thumbnails that stand still: all that are in sight. */
 async function stillGallery(page) {
-    await page.waitForFunction(() => [...document.querySelectorAll(".card canvas")].filter((canvas) => canvas.getBoundingClientRect().top < innerHeight + 60).every((canvas) => canvas.classList.contains("drawn")), null, { timeout: 60_000 });
+    await page.waitForFunction(() => {
+        const inSight = [...document.querySelectorAll(".card canvas")].filter((canvas) => canvas.getBoundingClientRect().top < innerHeight);
+        return inSight.length > 5 && inSight.every((canvas) => canvas.classList.contains("drawn"));
+    }, null, { timeout: 60_000 });
 }
 
 async function stillLesson(page) {

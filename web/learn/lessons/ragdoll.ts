@@ -7,7 +7,7 @@ export const ragdoll: Lesson = {
     id: "ragdoll",
     title: "A ragdoll",
     before: [
-        `A man is fifteen points: head, shoulders, elbows, hands, hips, knees, feet. Bones are sticks between them. Elbows and knees are angles with limits, so that they bend one way
+        `A man is fourteen points: head and neck, and two each of shoulders, elbows, hands, hips, knees and feet. Bones are sticks between them. Elbows and knees are angles with limits, so that they bend one way
          only. A hand that is pinned hangs him up.`,
         `Muscles are angles that want a value, but are only so strong: above their largest torque they give way.`,
     ],
