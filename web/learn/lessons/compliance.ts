@@ -38,7 +38,7 @@ b = b.plus(push.times(1 / massB));      // before each substep: force = 0`,
     },
     after: [
         `A weight of 2 kg pulls with m·g = 1960 kg px/s². Times the compliance, that is how far it hangs, with any number of substeps, on any machine. The method is called <b>XPBD</b>: position based
-         dynamics with a memory of the force, so that a constraint stops to pull when it pulls as hard as its spring would.`,
+         dynamics with a memory of the force, so that a constraint stops pulling when it pulls as hard as its spring would.`,
     ],
     source: "Macklin, Müller and Chentanez: XPBD, 2016.",
 };
