@@ -47,7 +47,7 @@ export class SceneEditor {
                     highlightActiveLine(), EditorView.lineWrapping, highlightSelectionMatches(), json(), syntaxHighlighting(colors), look,
                     autocompletion({ override: [completionsOf(engine.schema())] }),
                     keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap]),
-                    EditorView.contentAttributes.of({ tabindex: "0", "aria-label": "Text of the scene. Escape, then Tab leaves the editor." }),
+                    EditorView.contentAttributes.of({ tabindex: "0", "aria-label": "Text of the scene" }),
                     EditorView.updateListener.of((update) => {
                         if (update.docChanged && !update.transactions.some((one) => one.annotation(fromOutside))) changed(this.text);
                     }),

@@ -6,7 +6,13 @@ type Context<C extends Canvas> = C extends HTMLCanvasElement ? CanvasRenderingCo
 export function context2d<C extends Canvas>(canvas: C): Context<C> {
     const context = canvas.getContext("2d", { alpha: false, willReadFrequently: isSoftware() });
     if (!context) throw new Error("This browser has no 2D canvas.");
+    smooth(context as Context<C>);
     return context as Context<C>;
+}
+
+/** Images that are drawn smaller keep their details; to be called again after a canvas has another size. */
+export function smooth(context: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D): void {
+    context.imageSmoothingQuality = "medium";
 }
 
 let known: boolean | null = null;

@@ -1,5 +1,5 @@
 import { Canvas2DPainter, type Engine, type OpenOptions, type Player } from "../sinew/index.js";
-import { context2d } from "./context.js";
+import { context2d, smooth } from "./context.js";
 import type { Assets } from "./engine.js";
 import { Pointer } from "./pointer.js";
 
@@ -78,6 +78,7 @@ export class Stage {
         if (this.canvas.width !== width || this.canvas.height !== height) {
             this.canvas.width = width;
             this.canvas.height = height;
+            smooth(this.context);
         }
         this.player.resize(width, height, density);
         this.fitWidth();
