@@ -24,7 +24,7 @@ file tests/any_test.cpp '#include "apps/cli/commands.h"'
 passes "a tree that points down"
 
 file sinew/math/bad.h '#pragma once' '#include "sinew/world/world.h"'
-refuses "maths that includes the solver" 'sinew/math/bad.h:2: error: sinew/math may not include sinew/solver'
+refuses "maths that includes the world" 'sinew/math/bad.h:2: error: sinew/math may not include sinew/world'
 rm "$tree/sinew/math/bad.h"
 file sinew/session/bad.cpp ' #  include <canvas/raster.h>'
 refuses "a session that draws" 'sinew/session/bad.cpp:1: error: sinew/session may not include canvas'
@@ -38,8 +38,8 @@ rm "$tree/canvas/bad.h"
 file canvas/bad.h '#include "tests/any.h"'
 refuses "a room that includes the tests" 'names no room'
 rm "$tree/canvas/bad.h"
-file player/bad.cpp '#include "apps/cli/commands.h"'
-refuses "a room that includes the one around it" 'player may not include apps ("apps/cli/commands.h")'
-rm "$tree/player/bad.cpp"
+file apps/window/bad.cpp '#include "apps/cli/commands.h"'
+refuses "a room that includes the one around it" 'apps/window may not include apps ("apps/cli/commands.h")'
+rm "$tree/apps/window/bad.cpp"
 file sinew/attic/old.h 'struct Old {};'
 refuses "a folder that is no room" 'not in the list of rooms'
