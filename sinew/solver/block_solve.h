@@ -2,6 +2,8 @@
 
 #include "sinew/solver/block_equations.h"
 
+#include <utility>
+
 /// Substep of a block: Newton's method on
 ///
 ///     sum inertia/2 |x - aim|^2  +  sum tension C + k/2 C^2,        C = (|x_b - x_a|^2 - limit^2) / 2
@@ -30,6 +32,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
     /// Treats links as very stiff springs from now on: lengths that cannot all be kept share the error.
     void use_penalty() { elastic_ = true; }
+
+    /// Iterates until rounding is all that is left, from now on.
+    void be_precise() { is_precise_ = true; }
 
     /// Lets joints swing past their limits from now on, and bounce afterwards (block_bounce.h).
     void allow_overshoot() { bounce_ = true; }
@@ -111,7 +116,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     static constexpr double good_enough = 1e-7;
     static constexpr double braces_give = 1e-6;
     static constexpr double hardly = 1e-5;        ///< relative move after which the next would be too small to matter
-    static constexpr double hardly_light = 1e-10; ///< same where an error would be a velocity of light parts
+    static constexpr double hardly_light = 1e-10; ///< same where light trees have velocities
+    static constexpr double precise = 1e-11, nearly_precise = 1e-8; ///< same where `is_precise_`
+    static constexpr double stagnant = 0.25;      ///< ratio to the last move, above which the iteration only rounds
     static constexpr double crude = 1e-3;         ///< violation above which the multipliers of light trees mean nothing
     static constexpr double hardly_pulled = 3e-3; ///< same for a tension
     static constexpr double acceptable = 1e-5;
@@ -129,9 +136,10 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     using Base::add, Base::clear_entries, Base::bends_, Base::ways_, Base::block_, Base::h_, Base::per_h_;
     double reach_ = 0;
     SolveProgress progress_{};
+    double moved_before_ = 0; ///< `moved_` of the iteration before
     double moved_ = 0, tightened_ = 0,
            strongest_ = 0; ///< largest move of a node, change of a tension, and tension in an iteration
-    bool elastic_ = false, bounce_ = false;
+    bool elastic_ = false, bounce_ = false, is_precise_ = false;
     bool releases_ = true; ///< limits may be released in this iteration
     bool let_go_ = false;  ///< a limit was released since `patience` was last checked
     double slight_ = 0;    ///< tension that counts as zero
@@ -297,13 +305,17 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
     bool steady() const {
         return moved_ <= (Base::has_light_trees_ ? hardly_light : hardly) * reach_ &&
-               tightened_ <= hardly_pulled * strongest_;
+               tightened_ <= hardly_pulled * strongest_ && (!is_precise_ || is_rounding());
+    }
+    /// True if the last move was no more than rounding.
+    bool is_rounding() const {
+        return moved_ <= precise * reach_ || (moved_ <= nearly_precise * reach_ && moved_ > stagnant * moved_before_);
     }
 
     void take_step(double most) {
         const double share = progress_.share = minimum(most, trusted_share());
         ++progress_.iteration;
-        moved_ = 0;
+        moved_before_ = std::exchange(moved_, 0);
         for (auto& node : unknowns()) {
             node.place += node.move * share;
             moved_ = maximum(moved_, largest_component(node.move));

@@ -56,10 +56,16 @@ template <int D, class Real> class BlockStep {
     /// True if only force fields act from outside.
     bool is_free() const { return state_.fixed().empty() && !state_.motorized() && !contact_.near(); }
 
+    /// Fits tolerances to light parts; and to free flight, which must not depend on how fast the whole flies.
+    void fit(Solve& solve) const {
+        if (moves_alone()) solve.find_light_trees();
+        if (is_free()) solve.be_precise();
+    }
+
     void advance(double from, double to, int depth) {
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
-        if (moves_alone()) solve.find_light_trees();
+        fit(solve);
         Energy energy(solve, is_free());
         if (!swung_) {
             if (!project_positions(solve)) return solve_infeasible(from, to);
@@ -126,7 +132,7 @@ template <int D, class Real> class BlockStep {
     void step_backward_euler(double from, double to, int depth) {
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
-        if (moves_alone()) solve.find_light_trees();
+        fit(solve);
         const Energy energy(solve, is_free());
         project_positions(solve);
         const double kinetic = solve.kinetic();
