@@ -29,6 +29,7 @@ template <int D> struct BlockNode {
     Vec<D, double> push{};     ///< acceleration by all force fields, m/s^2
     Vec<D, double> aim{}; ///< position without constraints, m; in project_block_velocities the velocity before, m/s
     double inertia = 0;   ///< stiffness towards `aim`: mass / h^2, twice as much in a midpoint step, kg/s^2
+    double behind = 0, rest = 0; ///< masses on both sides of the link to the next node, kg (direct/light_trees.h)
     Matrix<D, double> diagonal{};
     Vec<D, double> residual{}, move{};
 };
@@ -105,6 +106,7 @@ template <int D> struct DistanceRow : BlockLimit {
     double length = 0;          ///< limit used for scaling, m
     double per_length2 = 0;     ///< 1 / length^2
     double give = 0;            ///< offset of the active limit, in (length^2 - limit^2) / 2
+    double share = 1;           ///< mass that hangs on the link, as a fraction of the block's (direct/light_trees.h)
     bool strikes = false;       ///< moves out past a limit at the end of a swing (direct/joint_stops.h)
     Vec<D, double> start{}, along{};
 

@@ -28,7 +28,7 @@ TEST(FreeFlight, WhatHappensInsideDoesNotDependOnTheVelocityOfTheWhole) {
             if (still.world.particles.size() == 0) return;
             still.fly(lasting(0.25));
             flying.fly(lasting(0.25));
-            EXPECT_LE(parted(still.world, flying.world), 1e-8 * still.size()) << prefab.name << " in " << D << "D";
+            EXPECT_LE(parted(still.world, flying.world), 1e-9 * still.size()) << prefab.name << " in " << D << "D";
         }
     });
 }

@@ -2,6 +2,7 @@
 
 #include "sinew/solver/direct/angle_rows.h"
 #include "sinew/solver/direct/cable_rows.h"
+#include "sinew/solver/direct/light_trees.h"
 
 /// Linear equations of a block, assembled by links, angles and cables, and measurements of the block.
 namespace sinew::detail {
@@ -17,6 +18,7 @@ template <int D> class BlockEquations {
         for (const auto& node : unknowns()) {
             total_mass_ += node.mass;
             weight_ += node.mass * norm(node.push);
+            lightest_ = minimum(lightest_, node.mass);
         }
         stiffness_ = relative * total_mass_ * per_h_ * per_h_;
     }
@@ -40,6 +42,14 @@ template <int D> class BlockEquations {
     double weight() const { return weight_; }
     /// Penalty stiffness of a rigid link of length 1.
     double stiffness() const { return stiffness_; }
+    /// Penalty stiffness of one rigid link, relative to `stiffness()`: the mass that the link moves, relative to all.
+    double share(const DistanceRow<D>& link) const { return has_light_trees_ ? link.share : 1; }
+    /// Fits penalties and tolerances to light trees from now on. Only for a block on which nothing acts but fields and
+    /// immovable nodes.
+    void find_light_trees() {
+        has_light_trees_ = lightest_ < light * total_mass_ && LightTrees<D>(blocks_, block_).run(total_mass_);
+    }
+
     /// True for a spring; stiffer than the penalty counts as rigid.
     bool soft(const DistanceRow<D>& link) const { return link.compliance * stiffness_ > 1; }
 
@@ -115,6 +125,8 @@ template <int D> class BlockEquations {
     double h_, per_h_;
     bool ranges_bounce_ = false;
     double total_mass_ = 0, weight_ = 0, stiffness_ = 0;
+    double lightest_ = 1e300;      ///< mass of the lightest node, kg
+    bool has_light_trees_ = false; ///< `share` of the links is in use
 };
 
 } // namespace sinew::detail

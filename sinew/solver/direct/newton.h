@@ -2,6 +2,8 @@
 
 #include "sinew/solver/direct/equations.h"
 
+#include <utility>
+
 /// Substep of a block: Newton's method on
 ///
 ///     sum inertia/2 |x - aim|^2  +  sum tension C + k/2 C^2,        C = (|x_b - x_a|^2 - limit^2) / 2
@@ -31,6 +33,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// Treats links as very stiff springs from now on: lengths that cannot all be kept share the error.
     void use_penalty() { elastic_ = true; }
 
+    /// Iterates until rounding is all that is left, from now on.
+    void be_precise() { is_precise_ = true; }
+
     /// Lets joints swing past their limits from now on, and bounce afterwards (direct/joint_stops.h).
     void allow_overshoot() { bounce_ = true; }
 
@@ -50,7 +55,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// Solves for every `place`. `hold()` adds external terms to the equations. False if the solve did not converge.
     template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
         set_out(rule);
-        for (auto& node : unknowns()) node.place = node.start + flight(rule, node);
+        for (auto& node : unknowns()) node.place = node.start + guess(rule, node);
         return iterate(rule, most_iterations, hold);
     }
 
@@ -111,6 +116,10 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     static constexpr double good_enough = 1e-7;
     static constexpr double braces_give = 1e-6;
     static constexpr double hardly = 1e-5;        ///< relative move after which the next would be too small to matter
+    static constexpr double hardly_light = 1e-10; ///< same where light trees have velocities
+    static constexpr double precise = 1e-11, nearly_precise = 1e-8; ///< same where `is_precise_`
+    static constexpr double stagnant = 0.25;      ///< ratio to the last move, above which the iteration only rounds
+    static constexpr double crude = 1e-3;         ///< violation above which the multipliers of light trees mean nothing
     static constexpr double hardly_pulled = 3e-3; ///< same for a tension
     static constexpr double acceptable = 1e-5;
     static constexpr double absurd = 100;
@@ -127,11 +136,13 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     using Base::add, Base::clear_entries, Base::bends_, Base::ways_, Base::block_, Base::h_, Base::per_h_;
     double reach_ = 0;
     SolveProgress progress_{};
+    double moved_before_ = 0; ///< `moved_` of the iteration before
     double moved_ = 0, tightened_ = 0,
            strongest_ = 0; ///< largest move of a node, change of a tension, and tension in an iteration
-    bool elastic_ = false, bounce_ = false;
-    bool let_go_ = false; ///< a limit was released since `patience` was last checked
-    double slight_ = 0;   ///< tension that counts as zero
+    bool elastic_ = false, bounce_ = false, is_precise_ = false;
+    bool releases_ = true; ///< limits may be released in this iteration
+    bool let_go_ = false;  ///< a limit was released since `patience` was last checked
+    double slight_ = 0;    ///< tension that counts as zero
 
     double mobility(std::uint32_t i) const {
         return i < block_.first_node + block_.unknowns ? inverse_or_zero(node(i).mass) : 0;
@@ -142,6 +153,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         for (int i = 0;; ++i) {
             if (i > 0 && steady() && worst_error() <= good_enough && agrees(hold)) return true;
             const double worst = assemble(rule);
+            releases_ = !Base::has_light_trees_ || worst <= crude;
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
             if (i > 1 && block_.braced() && worst <= braces_give && worst > 0.5 * last && moved_ <= hardly * reach_)
@@ -166,6 +178,12 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
     Vector flight(Rule rule, const BlockNode<D>& node) const {
         return rule == Rule::place ? Vector{} : node.velocity * h_;
+    }
+
+    /// Displacement from which the iteration starts: the free flight. Light parts whirl too fast for that, and heavy
+    /// ones hardly move in a substep.
+    Vector guess(Rule rule, const BlockNode<D>& node) const {
+        return Base::has_light_trees_ ? Vector{} : flight(rule, node);
     }
 
     /// Sets inertia and the positions without constraints, and chooses the active limits.
@@ -217,7 +235,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
                 spring(rule, link, now);
                 continue;
             }
-            const double k = hardest * link.per_length2;
+            const double k = hardest * link.per_length2 * Base::share(link);
             const double length2 = dot(now, now);
             const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
             if (link.side == 0 && !bounces(link)) link.activate(above, below, good_enough * square(link.length));
@@ -278,40 +296,47 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             const auto change = node(link.b).move - node(link.a).move;
             most = maximum(most, dot(change, change) * link.per_length2);
             link.pull += link.stiffness * dot(link.along, change);
-            tightened_ = maximum(tightened_, absolute(link.pull - link.tension) * link.length);
+            tightened_ = maximum(tightened_, absolute(link.pull - link.tension) * link.length / Base::share(link));
             strongest_ = maximum(strongest_, absolute(link.pull) * link.length);
         }
         most = maximum(most, ways_.largest_change2());
         return most > square(most_change) ? most_change / square_root(most) : 1;
     }
 
-    bool steady() const { return moved_ <= hardly * reach_ && tightened_ <= hardly_pulled * strongest_; }
+    bool steady() const {
+        return moved_ <= (Base::has_light_trees_ ? hardly_light : hardly) * reach_ &&
+               tightened_ <= hardly_pulled * strongest_ && (!is_precise_ || is_rounding());
+    }
+    /// True if the last move was no more than rounding.
+    bool is_rounding() const {
+        return moved_ <= precise * reach_ || (moved_ <= nearly_precise * reach_ && moved_ > stagnant * moved_before_);
+    }
 
     void take_step(double most) {
         const double share = progress_.share = minimum(most, trusted_share());
         ++progress_.iteration;
-        moved_ = 0;
+        moved_before_ = std::exchange(moved_, 0);
         for (auto& node : unknowns()) {
             node.place += node.move * share;
             moved_ = maximum(moved_, largest_component(node.move));
         }
         for (auto& link : links())
-            if (!soft(link)) renew(link, link.pull, share);
+            if (!soft(link)) renew(link, link.pull, share, slight_ * Base::share(link));
         for (auto& bend : bends_.all())
             if (!bends_.soft(bend)) {
-                renew(bend, bend.pull + bend.stiffness * bends_.change(bend), share);
+                renew(bend, bend.pull + bend.stiffness * bends_.change(bend), share, slight_);
                 bend.tension = clamp(bend.tension, -bend.most, bend.most);
             }
         for (auto& way : ways_.all())
             if (!ways_.soft(way)) {
-                renew(way, way.pull + way.stiffness * ways_.change(way), share);
+                renew(way, way.pull + way.stiffness * ways_.change(way), share, slight_);
                 way.tension = clamp(way.tension, -way.most, way.most);
             }
     }
 
-    /// Updates the multiplier. A limit whose multiplier has the wrong sign is released, unless activated more than
-    /// `most_flips` times in this substep.
-    void renew(BlockLimit& limit, double next, double share) {
+    /// Updates the multiplier. A limit whose multiplier has the wrong sign, by more than `slight`, is released, unless
+    /// activated more than `most_flips` times in this substep.
+    void renew(BlockLimit& limit, double next, double share, double slight) {
         if (elastic_) {
             limit.tension = 0;
             limit.side = limit.one_sided() && next * limit.side < 0 ? 0 : limit.side;
@@ -319,7 +344,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         }
         limit.tension = limit.side != 0 ? limit.tension + share * (next - limit.tension) : 0;
         const bool undecided = limit.flips > most_flips;
-        if (limit.one_sided() && !undecided && next * limit.side < -slight_)
+        if (releases_ && limit.one_sided() && !undecided && next * limit.side < -slight)
             limit.side = 0, limit.tension = 0, let_go_ = true;
     }
 

@@ -23,7 +23,7 @@ template <int D, class Hold> void project_block_velocities(BlockEquations<D>& bl
         block.clear_entries();
         for (auto& link : block.links()) {
             link.along = at(link.b).place - at(link.a).place;
-            const double k = hardest * link.per_length2;
+            const double k = hardest * link.per_length2 * block.share(link);
             const double rate = dot(link.along, at(link.b).velocity - at(link.a).velocity);
             const double pull = link.pull + k * rate;
             const bool resists = !link.one_sided() || (link.tension > 0 && pull > 0) || (link.tension < 0 && pull < 0);

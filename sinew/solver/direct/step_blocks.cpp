@@ -51,12 +51,21 @@ template <int D, class Real> class BlockStep {
     bool refine(Solve& solve) {
         return solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness(), solve.progress()); });
     }
+    /// True if only force fields and immovable nodes act from outside.
+    bool moves_alone() const { return state_.works_alone() && !contact_.near(); }
     /// True if only force fields act from outside.
     bool is_free() const { return state_.fixed().empty() && !state_.motorized() && !contact_.near(); }
+
+    /// Fits tolerances to light parts; and to free flight, which must not depend on how fast the whole flies.
+    void fit(Solve& solve) const {
+        if (moves_alone()) solve.find_light_trees();
+        if (is_free()) solve.be_precise();
+    }
 
     void advance(double from, double to, int depth) {
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
+        fit(solve);
         Energy energy(solve, is_free());
         if (!swung_) {
             if (!project_positions(solve)) return solve_infeasible(from, to);
@@ -123,6 +132,7 @@ template <int D, class Real> class BlockStep {
     void step_backward_euler(double from, double to, int depth) {
         load(from, to);
         Solve solve(state_.blocks, state_.block, state_.substep());
+        fit(solve);
         const Energy energy(solve, is_free());
         project_positions(solve);
         const double kinetic = solve.kinetic();
@@ -255,9 +265,17 @@ template <int D, class Real> class BlockStep {
 
     /// Projects the velocities. Returns the energy lost, J.
     double project_velocities(Solve& solve, const Energy& energy) {
+        constexpr int few = 3, many = 30;
+        constexpr double rounding = 1e-6;
         const double kinetic = solve.kinetic();
-        detail::project_block_velocities(solve, [&](double k) { contact_.rebound(k); });
-        if (!contact_.near() && state_.works_alone()) energy.slow_down(kinetic); // no gain, rounding aside
+        const auto gains = [&] { return moves_alone() && !(solve.kinetic() <= (1 + rounding) * kinetic); };
+        for (const int rounds : {few, many}) {
+            detail::project_block_velocities(
+                solve, [&](double k) { contact_.rebound(k); }, rounds);
+            if (!gains()) break;
+            for (auto& node : state_.unknowns()) node.velocity = node.aim; // a projection gains nothing: not converged
+        }
+        if (moves_alone()) energy.slow_down(kinetic);
         return kinetic - solve.kinetic();
     }
 

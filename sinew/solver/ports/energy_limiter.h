@@ -118,13 +118,39 @@ template <int D, class Real> class EnergyLimiter {
         }
         return spin;
     }
-    /// Turns the velocities of a free group until its angular momentum is the due one.
+    /// Turns the velocities of a free group until its angular momentum is the due one. The energy of the rotation is
+    /// taken from the rest of the motion: a lost spin gained back must not be gained twice.
     void restore_spin(const PortGroup<D>& group) {
-        auto missing = Motion::of(bodies(group), place_of);
-        missing.spin = group.spin - missing.spin;
-        const auto rate = missing.rate_of(bodies(group), place_of);
-        for (const auto s : members(group))
-            swept_.set_move(s, cast<Real>(move(s) + turning(rate, place(s) - missing.center)));
+        const auto now = Motion::of(bodies(group), place_of);
+        auto missing = now;
+        missing.spin = group.spin - now.spin;
+        const auto drift = now.momentum * inverse_or_zero(now.mass);
+        const Frame present{now.center, drift, now.rate_of(bodies(group), place_of)};
+        const Frame due{now.center, drift, present.rate + missing.rate_of(bodies(group), place_of)};
+        const double inner = energy_beside(group, present), rise = energy_between(group, present, due);
+        const double share = rise > 0 ? square_root(maximum(0.0, 1 - rise * inverse_or_zero(inner))) : 1;
+        for (const auto s : members(group)) {
+            const auto own = move(s) - present.at(place(s));
+            swept_.set_move(s, cast<Real>(due.at(place(s)) + own * share));
+        }
+    }
+    /// Energy of the motion relative to a frame, times h^2.
+    double energy_beside(const PortGroup<D>& group, const Frame& frame) const {
+        double sum = 0;
+        for (const auto s : members(group)) {
+            const auto own = move(s) - frame.at(place(s));
+            sum += 0.5 * mass(s) * dot(own, own);
+        }
+        return sum;
+    }
+    /// Energy that a group gains about its centre if it turns as one frame in place of the other, times h^2.
+    double energy_between(const PortGroup<D>& group, const Frame& one, const Frame& other) const {
+        double sum = 0;
+        for (const auto s : members(group)) {
+            const auto from = one.at(place(s)) - one.velocity, to = other.at(place(s)) - other.velocity;
+            sum += 0.5 * mass(s) * (dot(to, to) - dot(from, from));
+        }
+        return sum;
     }
 
     /// True if constraints multiplied the motion of a group, and moved particles by more than a link.
