@@ -15,8 +15,9 @@ foreach(folder IN ITEMS sinew apps/play bindings/c bindings/wasm)
 endforeach()
 list(APPEND all ${PROJECT_SOURCE_DIR}/canvas/beside.cpp) # put_beside: a picture of pictures
 list(FILTER all EXCLUDE REGEX "/apps/play/(files|folder|script)[.]cpp") # bindings/wasm/no_files.cpp
-list(FILTER all EXCLUDE REGEX "/kernel_avx[0-9]+[.]cpp")
-# Every step is compiled for speed; what reads scenes, builds figures and answers a pointer, for size.
+list(FILTER all EXCLUDE REGEX "/kernel_(avx[0-9]+|one)[.]cpp")
+# The kernels are compiled for speed, the solver around them for size as long as it costs little speed; what reads
+# scenes, builds figures and answers a pointer, for size.
 set(small ${all})
 list(FILTER small INCLUDE REGEX "/sinew/(scene|prefab|session|picture)/|/apps/|/bindings/|/canvas/")
 set(fast ${all})
@@ -24,14 +25,16 @@ list(REMOVE_ITEM fast ${small})
 add_library(wasm_small OBJECT ${small})
 target_compile_options(wasm_small PRIVATE -Oz)
 add_library(wasm_fast OBJECT ${fast})
-target_compile_options(wasm_fast PRIVATE -O2)
+target_compile_options(wasm_fast PRIVATE -Oz)
 file(GLOB kernels ${PROJECT_SOURCE_DIR}/sinew/solver/kernel_*.cpp)
-set_source_files_properties(${kernels} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set_source_files_properties(${kernels} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS -O2)
+# Every engine of WebAssembly that runs the module has its SIMD.
+set_property(SOURCE sinew/solver/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_NO_ONE)
 
 add_executable(sinew_wasm $<TARGET_OBJECTS:wasm_small> $<TARGET_OBJECTS:wasm_fast>)
 foreach(part IN ITEMS wasm_small wasm_fast)
     target_compile_options(${part} PRIVATE -ffp-contract=off -fvisibility=hidden)
-    target_compile_definitions(${part} PRIVATE NDEBUG FMT_HEADER_ONLY JSON_NOEXCEPTION)
+    target_compile_definitions(${part} PRIVATE NDEBUG FMT_HEADER_ONLY FMT_STATIC_THOUSANDS_SEPARATOR=',' JSON_NOEXCEPTION)
     target_include_directories(${part} PRIVATE ${PROJECT_SOURCE_DIR})
     target_include_directories(${part} SYSTEM PRIVATE ${host_headers})
     sinew_warnings(${part})

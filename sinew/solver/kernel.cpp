@@ -31,7 +31,11 @@ const KernelSet* set_of(Simd simd) {
         return &kernels_sse2;
 #endif
     default:
+#if defined(SINEW_NO_ONE)
+        return &kernels_sse2;
+#else
         return &kernels_one;
+#endif
     }
 }
 
@@ -44,8 +48,10 @@ std::atomic<Simd>& in_use() {
 
 bool has_simd(Simd simd) {
     switch (simd) {
+#if !defined(SINEW_NO_ONE)
     case Simd::one:
         return true;
+#endif
 #if !defined(SINEW_NO_SSE2)
     case Simd::sse2:
         return true;
