@@ -12,6 +12,7 @@
 #include "sinew/solver/journal.h"
 #include "sinew/solver/limit.h"
 #include "sinew/solver/limit_columns.h"
+#include "sinew/solver/world_types.h"
 
 #include <array>
 #include <cstdint>
@@ -386,8 +387,5 @@ template <class WorldT, class Visit> void visit_table(WorldT& world, int kind, V
         if (number++ == kind) visit(table);
     });
 }
-
-/// Instantiates a template for every type of world: SINEW_INSTANTIATE(X) with X(D, Real).
-#define SINEW_INSTANTIATE(X) X(2, float) X(2, double) X(3, float) X(3, double)
 
 } // namespace sinew

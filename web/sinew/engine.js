@@ -6,8 +6,11 @@ import { Simulation } from "./simulation.js";
 /** The ABI of bindings/c/sinew.h that this package is written for. */
 export const abi = 1;
 
-/** An instance of the module, with a memory of its own. */
+/** An instance of the module, with a memory of its own. Worlds of float are in a second one: loadFloat in index.js. */
 export class Engine {
+    /** The engine whose worlds are of float, once loaded. */
+    float = undefined;
+
     constructor(instance) {
         this.exports = instance.exports;
         this.exports._initialize?.();
@@ -29,20 +32,32 @@ export class Engine {
     }
 
     open(scene, options = {}) {
-        return new Simulation(this, this.opened("sinew_open", scene, options));
+        return this.ofPrecision((engine) => new Simulation(engine, engine.opened("sinew_open", scene, options)));
     }
 
     play(scene, options = {}) {
-        return new Player(this, this.opened("sinew_play", scene, options));
+        return this.ofPrecision((engine) => new Player(engine, engine.opened("sinew_play", scene, options)));
     }
 
     check(scene, options = {}) {
         try {
-            this.withScene(scene, options, (text, more) => this.call("sinew_check", text, more));
+            this.ofPrecision((engine) =>
+                engine.withScene(scene, options, (text, more) => engine.call("sinew_check", text, more)));
             return [];
         } catch (error) {
             if (error instanceof SceneErrors) return error.errors;
             throw error;
+        }
+    }
+
+    /** Calls work(engine) with this engine, then with the one of float if the scene's precision is the other. */
+    ofPrecision(work) {
+        try {
+            return work(this);
+        } catch (error) {
+            const isOther = error instanceof SceneErrors && error.errors.some(({ path }) => path === "/solver/precision");
+            if (!this.float || !isOther) throw error;
+            return work(this.float);
         }
     }
 

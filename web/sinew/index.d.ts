@@ -14,8 +14,14 @@ export type ModuleSource = string | URL | ArrayBuffer | ArrayBufferView | WebAss
 /** Loads an engine. Without a source: sinew.wasm beside this file. Each engine has a memory of its own. */
 export function load(source?: ModuleSource): Promise<Engine>;
 
+/**
+ * Loads the module whose worlds are of float (`"precision": "float"`), sinew-float.wasm beside this file, for an engine
+ * whose worlds are of double. From then on the engine opens both; returns the engine.
+ */
+export function loadFloat(engine: Engine, source?: ModuleSource): Promise<Engine>;
+
 /** The same functions as properties: `import Sinew from "sinew"; await Sinew.load()`. */
-declare const Sinew: { load: typeof load; abi: number; catalogue: typeof catalogue; Canvas2DPainter: typeof Canvas2DPainter };
+declare const Sinew: { load: typeof load; loadFloat: typeof loadFloat; abi: number; catalogue: typeof catalogue; Canvas2DPainter: typeof Canvas2DPainter };
 export default Sinew;
 
 // --- scenes -------------------------------------------------------------------------------------------------------

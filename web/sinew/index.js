@@ -32,9 +32,14 @@ export async function load(source = new URL("./sinew.wasm", import.meta.url)) {
     return new Engine(await WebAssembly.instantiate(await compiled(source), {}));
 }
 
+export async function loadFloat(engine, source = new URL("./sinew-float.wasm", import.meta.url)) {
+    engine.float ??= await load(source);
+    return engine;
+}
+
 export async function catalogue() {
     return (await import("./catalogue.js")).scenes;
 }
 
-export { abi, Canvas2DPainter, PictureCopy, SceneErrors, Shape, SinewError, status, WebGL2Painter };
-export default { load, abi, catalogue, Canvas2DPainter };
+export { abi, Canvas2DPainter, PictureCopy, SceneErrors, Shape, SinewError, loadFloat, status, WebGL2Painter };
+export default { load, loadFloat, abi, catalogue, Canvas2DPainter };
