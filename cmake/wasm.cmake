@@ -31,22 +31,40 @@ foreach(declaration IN LISTS declarations)
     list(APPEND exports -Wl,--export=${name})
 endforeach()
 
-# sinew_module(NAME REAL): bin/NAME.wasm, with worlds of one precision, and the linker's map beside it.
-function(sinew_module name real)
-    add_executable(${name} ${all})
-    target_compile_options(${name} PRIVATE -Oz ${SINEW_WASM_FLAGS} -ffp-contract=off -fvisibility=hidden -fno-threadsafe-statics
+# A last -O0 keeps clang from running any wasm-opt of the machine.
+function(sinew_wasm_options name real)
+    target_compile_options(${name} PRIVATE -Oz -ffp-contract=off -fvisibility=hidden -fno-threadsafe-statics
         -fno-c++-static-destructors)
     target_compile_definitions(${name} PRIVATE NDEBUG FMT_HEADER_ONLY FMT_STATIC_THOUSANDS_SEPARATOR=',' JSON_NOEXCEPTION
         SINEW_ONE_PRECISION=${real})
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
     target_include_directories(${name} SYSTEM PRIVATE ${host_headers})
     sinew_warnings(${name})
-    # A last -O0 keeps clang from running any wasm-opt of the machine.
     target_link_options(${name} PRIVATE -mexec-model=reactor -Wl,--strip-all -Wl,--gc-sections -Wl,-z,stack-size=1048576
-        -Wl,-Map=${PROJECT_BINARY_DIR}/bin/${name}.map ${exports} ${SINEW_WASM_LINK} -O0)
+        -Wl,-Map=${PROJECT_BINARY_DIR}/bin/${name}.map ${exports} -O0)
     set_target_properties(${name} PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endfunction()
 
-sinew_module(sinew double)
-sinew_module(sinew-float float)
-add_custom_target(sinew_wasm DEPENDS sinew sinew-float)
+# What divides work among threads is compiled twice: for one thread, and for shared memory.
+set(shared ${all})
+list(FILTER shared INCLUDE REGEX "/solver/(step|quarantine|wavefront|workers[a-z_]*)[.]cpp|/wasm/serve[.]cpp")
+list(REMOVE_ITEM all ${shared})
+
+# sinew_modules(NAME REAL): bin/NAME.wasm, with worlds of one precision, bin/NAME-threads.wasm, and the linker's maps.
+function(sinew_modules name real)
+    add_library(${name}-objects OBJECT ${all})
+    sinew_wasm_options(${name}-objects ${real})
+    foreach(module IN ITEMS ${name} ${name}-threads)
+        add_executable(${module} ${shared} $<TARGET_OBJECTS:${name}-objects>)
+        sinew_wasm_options(${module} ${real})
+    endforeach()
+    # thread_local is for stopwatches, which no page has: plain in every object. Nothing that workers call allocates, so
+    # the C library may do without atomics.
+    target_compile_options(${name}-threads PRIVATE -matomics -mbulk-memory -Dthread_local=)
+    target_link_options(${name}-threads PRIVATE -Wl,--shared-memory -Wl,--no-check-features -Wl,--import-memory
+        -Wl,--initial-memory=33554432 -Wl,--max-memory=1073741824 -Wl,--export=__stack_pointer -Wl,--export=sinew_serve)
+endfunction()
+
+sinew_modules(sinew double)
+sinew_modules(sinew-float float)
+add_custom_target(sinew_wasm DEPENDS sinew sinew-threads sinew-float sinew-float-threads)

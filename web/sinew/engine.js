@@ -11,24 +11,37 @@ export class Engine {
     /** The engine whose worlds are of float, once loaded. */
     float = undefined;
 
-    constructor(instance) {
+    /** The workers that compute with it. */
+    workers = [];
+
+    /** @param memory the memory, unless the module has one of its own */
+    constructor(instance, memory = instance.exports.memory) {
         this.exports = instance.exports;
+        this.memory = memory;
         this.exports._initialize?.();
         const found = this.exports.sinew_abi?.();
         if (found !== abi) throw new Error(`the module has ABI ${found}, the package needs ${abi}: they are of different versions`);
-        this.data = new Memory(this.exports);
+        this.data = new Memory(this.exports, memory);
         this.abi = found;
         this.version = this.data.textAt(this.exports.sinew_version());
         this.simd = this.data.textAt(this.exports.sinew_simd());
         this.overlayNames = this.overlays().map((overlay) => overlay.name);
     }
 
-    get memory() {
-        return this.exports.memory;
-    }
-
     get bytes() {
         return this.memory.buffer.byteLength;
+    }
+
+    /** Number of threads that share the steps of large worlds. */
+    get threads() {
+        return 1 + this.workers.length;
+    }
+
+    /** Ends the workers. The engine must not be used any more. */
+    stop() {
+        this.float?.stop();
+        for (const worker of this.workers) worker.terminate();
+        this.workers = [];
     }
 
     open(scene, options = {}) {
