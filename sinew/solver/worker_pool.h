@@ -36,8 +36,8 @@ template <class Ready> bool soon(Ready&& ready) {
 
 class WorkerPool {
   public:
-    /// Does the work, together with the threads that serve. `start(threads)` may start threads and returns their number,
-    /// the caller's included. False if another caller uses the pool.
+    /// Does the work, together with the threads that serve. `start(threads)` may start threads and returns their
+    /// number, the caller's included. False if another caller uses the pool.
     template <class Start> bool run(const SharedWork& work, Start&& start) {
         if (in_use_.exchange(true)) return false;
         const int wanted = std::min(work.threads, work.parts);
