@@ -14,8 +14,7 @@ detail::WorkerPool& pool() {
     return all;
 }
 
-/// The module is loaded in threads that do not know each other's variables on construction: the first, the page's own,
-/// makes the pool.
+/// Made with the module's other variables, by the page's thread: those that serve come later.
 [[maybe_unused]] const auto& made = pool();
 
 } // namespace
