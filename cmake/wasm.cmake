@@ -47,7 +47,7 @@ endfunction()
 
 # What divides work among threads is compiled twice: for one thread, and for shared memory.
 set(shared ${all})
-list(FILTER shared INCLUDE REGEX "/solver/(step|quarantine|wavefront|workers[a-z_]*)[.]cpp|/wasm/serve[.]cpp")
+list(FILTER shared INCLUDE REGEX "/solver/([a-z_]+/)?(step|quarantine|wavefront|workers[a-z_]*)[.]cpp|/wasm/serve[.]cpp")
 list(REMOVE_ITEM all ${shared})
 
 # sinew_modules(NAME REAL): bin/NAME.wasm, with worlds of one precision, bin/NAME-threads.wasm, and the linker's maps.
