@@ -1,8 +1,8 @@
 #include "bench/measure.h"
 
 #include "sinew/simulation.h"
-#include "sinew/solver/edit.h"
-#include "sinew/solver/kernel.h"
+#include "sinew/solver/simd/kernel.h"
+#include "sinew/world/edit.h"
 
 #include "bench/memory.h"
 #include "bench/textbook.h"

@@ -1,6 +1,6 @@
 #include "bench/work.h"
 
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/solver/world.h"
+#include "sinew/world/world.h"
 
 #include <cstdint>
 #include <span>

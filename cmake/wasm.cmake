@@ -9,16 +9,16 @@ foreach(name IN ITEMS fmt nlohmann xxhash.h)
 endforeach()
 
 set(all)
-foreach(folder IN ITEMS sinew apps/play bindings/c bindings/wasm)
+foreach(folder IN ITEMS sinew player bindings/c bindings/wasm)
     sinew_sources(${folder})
     list(APPEND all ${sources})
 endforeach()
 list(APPEND all ${PROJECT_SOURCE_DIR}/canvas/beside.cpp) # put_beside: a picture of pictures
-list(FILTER all EXCLUDE REGEX "/apps/play/(files|folder|script)[.]cpp") # bindings/wasm/no_files.cpp
-list(FILTER all EXCLUDE REGEX "/kernel_(avx[0-9]+|one)[.]cpp") # every engine has SIMD
-set_property(SOURCE sinew/solver/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_NO_ONE)
+list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp") # bindings/wasm/no_files.cpp
+list(FILTER all EXCLUDE REGEX "/targets/(avx[0-9]+|one)[.]cpp") # every engine has SIMD
+set_property(SOURCE sinew/solver/simd/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_NO_ONE)
 # The kernels, where the time goes, are compiled for speed, and all else for size.
-set_source_files_properties(sinew/solver/kernel_sse2.cpp PROPERTIES
+set_source_files_properties(sinew/solver/simd/targets/sse2.cpp PROPERTIES
     SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS -O2)
 
 # The exports are the functions that the C header declares.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sinew/solver/solver.h"
-#include "sinew/solver/world.h"
+#include "sinew/world/world.h"
 
 namespace sinew {
 

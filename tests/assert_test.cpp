@@ -1,5 +1,5 @@
 #include "sinew/assert/assert.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include <gtest/gtest.h>
 #include <string>

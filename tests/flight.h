@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/solver/measure.h"
+#include "sinew/world/measure.h"
 
 #include "tests/prefab/make.h"
 #include "tests/stepped.h"

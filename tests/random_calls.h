@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sinew/prefab/prefabs.h"
-#include "sinew/solver/cut.h"
+#include "sinew/topology/cut.h"
 
 #include "tests/worlds.h"
 

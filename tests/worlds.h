@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sinew/math/random.h"
-#include "sinew/solver/edit.h"
-#include "sinew/solver/measure.h"
+#include "sinew/world/edit.h"
+#include "sinew/world/measure.h"
 
 #include "tests/constants.h"
 #include "tests/sanitized.h"

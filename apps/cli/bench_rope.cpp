@@ -1,5 +1,5 @@
 #include "sinew/sinew.h"
-#include "sinew/solver/cut.h"
+#include "sinew/topology/cut.h"
 
 #include "apps/cli/bench_options.h"
 #include "apps/cli/console.h"

@@ -1,6 +1,6 @@
 #include "sinew/constraint/kind_table.h"
-#include "sinew/solver/islands.h"
-#include "sinew/solver/rig.h"
+#include "sinew/world/islands.h"
+#include "sinew/world/rig.h"
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"

@@ -7,10 +7,10 @@
 #include "apps/cli/json_line.h"
 #include "apps/cli/scene_file.h"
 #include "apps/cli/stepping.h"
-#include "apps/play/keys.h"
-#include "apps/play/script.h"
-#include "apps/play/tool.h"
 #include "canvas/interrupt.h"
+#include "player/keys.h"
+#include "player/script.h"
+#include "player/tool.h"
 #ifdef SINEW_WINDOW
 #include "apps/window/window.h"
 #endif

@@ -1,7 +1,7 @@
 #include "apps/cli/stepping.h"
 
 #include "sinew/simulation.h"
-#include "sinew/solver/waiting.h"
+#include "sinew/solver/progress_report.h"
 
 #include "apps/cli/console.h"
 #include "canvas/interrupt.h"

@@ -3,7 +3,7 @@
 #include "sinew/scene/json.h"
 #include "sinew/scene/text.h"
 #include "sinew/session/pick.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"

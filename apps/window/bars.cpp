@@ -1,7 +1,7 @@
 #include "apps/window/bars.h"
 
-#include "apps/play/tool.h"
 #include "apps/window/label.h"
+#include "player/tool.h"
 
 #include <algorithm>
 #include <cstdio>

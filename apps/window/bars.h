@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/play/play.h"
 #include "apps/window/arrangement.h"
 #include "apps/window/look.h"
+#include "player/play.h"
 
 namespace sinew::window {
 

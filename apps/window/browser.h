@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/play/play.h"
 #include "apps/window/look.h"
 #include "apps/window/thumbnails.h"
+#include "player/play.h"
 
 #include <array>
 

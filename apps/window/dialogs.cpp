@@ -1,8 +1,8 @@
 #include "apps/window/dialogs.h"
 
-#include "apps/play/folder.h"
-#include "apps/play/tool.h"
 #include "apps/window/label.h"
+#include "player/folder.h"
+#include "player/tool.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/play/play.h"
 #include "apps/window/look.h"
+#include "player/play.h"
 
 #include <array>
 #include <string>

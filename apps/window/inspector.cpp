@@ -1,6 +1,6 @@
 #include "apps/window/inspector.h"
 
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include "apps/window/label.h"
 

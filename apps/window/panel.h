@@ -1,11 +1,11 @@
 #pragma once
 
-#include "apps/play/play.h"
 #include "apps/window/arrangement.h"
 #include "apps/window/browser.h"
 #include "apps/window/dialogs.h"
 #include "apps/window/look.h"
 #include "apps/window/statistics.h"
+#include "player/play.h"
 
 namespace sinew::window {
 

@@ -4,7 +4,7 @@
 #include "sinew/scene/reader.h"
 #include "sinew/scene/writer.h"
 
-#include "apps/play/files.h"
+#include "player/files.h"
 
 #include <cstdlib>
 #include <fstream>

@@ -4,8 +4,8 @@
 #include "sinew/scene/parameters.h"
 #include "sinew/scene/text.h"
 
-#include "apps/play/scene_edit.h"
 #include "apps/window/label.h"
+#include "player/scene_edit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "sinew/solver/profile.h"
 
-#include "apps/play/play.h"
 #include "apps/window/look.h"
+#include "player/play.h"
 
 #include <deque>
 

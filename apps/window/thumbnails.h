@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/play/shelf.h"
+#include "player/shelf.h"
 
 #include <condition_variable>
 #include <cstdint>

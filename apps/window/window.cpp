@@ -1,12 +1,12 @@
 #include "apps/window/window.h"
 
-#include "apps/play/touch.h"
 #include "apps/window/gl_painter.h"
 #include "apps/window/keyboard.h"
 #include "apps/window/panel.h"
 #include "apps/window/screen.h"
 #include "apps/window/settings.h"
 #include "canvas/interrupt.h"
+#include "player/touch.h"
 
 #include <algorithm>
 #include <backends/imgui_impl_opengl3.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/play/play.h"
+#include "player/play.h"
 
 #include <optional>
 #include <string>

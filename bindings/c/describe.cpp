@@ -3,9 +3,9 @@
 #include "sinew/scene/parameters.h"
 #include "sinew/scene/text.h"
 
-#include "apps/play/tool.h"
 #include "bindings/c/player.h"
 #include "bindings/c/simulation.h"
+#include "player/tool.h"
 
 #include <algorithm>
 #include <array>

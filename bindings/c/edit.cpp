@@ -1,4 +1,4 @@
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include "sinew/constraint/kind_table.h"
 #include "sinew/session/pick.h"

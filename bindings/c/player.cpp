@@ -3,8 +3,8 @@
 #include "sinew/scene/text.h"
 #include "sinew/session/pick.h"
 
-#include "apps/play/scene_edit.h"
-#include "apps/play/tool.h"
+#include "player/scene_edit.h"
+#include "player/tool.h"
 
 #include <algorithm>
 #include <cmath>

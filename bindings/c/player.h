@@ -1,9 +1,9 @@
 #pragma once
 
-#include "apps/play/play.h"
-#include "apps/play/touch.h"
 #include "bindings/c/reading.h"
 #include "bindings/c/simulation.h"
+#include "player/play.h"
+#include "player/touch.h"
 
 #include <deque>
 #include <memory>

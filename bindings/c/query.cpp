@@ -1,7 +1,7 @@
 #include "sinew/constraint/kind_table.h"
 #include "sinew/scene/text.h"
 #include "sinew/session/pick.h"
-#include "sinew/solver/measure.h"
+#include "sinew/world/measure.h"
 
 #include "bindings/c/simulation.h"
 

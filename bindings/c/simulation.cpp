@@ -1,12 +1,12 @@
 #include "bindings/c/simulation.h"
 
 #include "sinew/scene/text.h"
-#include "sinew/solver/kernel.h"
-#include "sinew/solver/measure.h"
+#include "sinew/solver/simd/kernel.h"
 #include "sinew/version.h"
+#include "sinew/world/measure.h"
 
-#include "apps/play/scene_edit.h"
 #include "bindings/c/reading.h"
+#include "player/scene_edit.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -3,9 +3,9 @@
 #include "sinew/picture/picture.h"
 #include "sinew/session/session.h"
 
-#include "apps/play/play.h"
 #include "bindings/c/failure.h"
 #include "bindings/c/handles.h"
+#include "player/play.h"
 
 #include <array>
 #include <optional>

@@ -1,6 +1,6 @@
-// The files of the player (apps/play/files.h) and of pictures (canvas/) on a page, which has none.
-#include "apps/play/files.h"
+// The files of the player (player/files.h) and of pictures (canvas/) on a page, which has none.
 #include "canvas/formats.h"
+#include "player/files.h"
 
 namespace sinew {
 namespace {

@@ -3,7 +3,7 @@
 #include "sinew/picture/picture.h"
 #include "sinew/picture/spine.h"
 #include "sinew/picture/wardrobe.h"
-#include "sinew/solver/figure.h"
+#include "sinew/world/figure.h"
 
 namespace sinew {
 

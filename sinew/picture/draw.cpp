@@ -8,7 +8,7 @@
 #include "sinew/picture/order.h"
 #include "sinew/picture/traces.h"
 #include "sinew/picture/wardrobe.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sinew/constraint/kinds.h"
-#include "sinew/solver/edit.h"
 #include "sinew/solver/phases.h"
+#include "sinew/world/edit.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "sinew/assert/assert.h"
 #include "sinew/math/record.h"
 #include "sinew/math/trig.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include <array>
 #include <string>

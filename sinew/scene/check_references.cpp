@@ -1,6 +1,6 @@
 #include "sinew/scene/check.h"
 #include "sinew/scene/types.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -5,8 +5,8 @@
 #include "sinew/scene/join.h"
 #include "sinew/scene/scene.h"
 #include "sinew/scene/types.h"
-#include "sinew/solver/colliders.h"
-#include "sinew/solver/edit.h"
+#include "sinew/solver/contact/colliders.h"
+#include "sinew/world/edit.h"
 
 #include <algorithm>
 

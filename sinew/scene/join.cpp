@@ -2,7 +2,7 @@
 
 #include "sinew/constraint/kind_table.h"
 #include "sinew/scene/check.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #include "sinew/scene/trace_section.h"
 #include "sinew/scene/units.h"
 #include "sinew/scene/world_section.h"
-#include "sinew/solver/world.h"
+#include "sinew/world/world.h"
 
 #include <optional>
 #include <string>

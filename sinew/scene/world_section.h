@@ -2,7 +2,7 @@
 
 #include "sinew/math/point.h"
 #include "sinew/math/record.h"
-#include "sinew/solver/figure.h"
+#include "sinew/world/figure.h"
 
 #include <array>
 #include <cstdint>

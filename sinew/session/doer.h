@@ -3,7 +3,7 @@
 #include "sinew/math/random.h"
 #include "sinew/scene/join.h"
 #include "sinew/scene/scene.h"
-#include "sinew/solver/cut.h"
+#include "sinew/topology/cut.h"
 
 namespace sinew {
 

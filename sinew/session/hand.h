@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sinew/scene/scene.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include <optional>
 #include <span>

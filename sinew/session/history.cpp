@@ -1,8 +1,8 @@
 #include "sinew/session/history.h"
 
 #include "sinew/assert/assert.h"
-#include "sinew/solver/edit.h"
-#include "sinew/solver/measure.h"
+#include "sinew/world/edit.h"
+#include "sinew/world/measure.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "sinew/session/session.h"
 #include "sinew/session/transplant.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include <algorithm>
 #include <cmath>

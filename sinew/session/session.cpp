@@ -6,12 +6,12 @@
 #include "sinew/session/doer.h"
 #include "sinew/session/focus.h"
 #include "sinew/session/view.h"
-#include "sinew/solver/cut.h"
-#include "sinew/solver/edit.h"
-#include "sinew/solver/islands.h"
-#include "sinew/solver/measure.h"
 #include "sinew/solver/solver.h"
-#include "sinew/solver/split.h"
+#include "sinew/topology/cut.h"
+#include "sinew/topology/vertex_split.h"
+#include "sinew/world/edit.h"
+#include "sinew/world/islands.h"
+#include "sinew/world/measure.h"
 
 #include <algorithm>
 #include <cmath>

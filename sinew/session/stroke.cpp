@@ -1,6 +1,6 @@
 #include "sinew/session/stroke.h"
 
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 namespace sinew {
 

@@ -1,7 +1,7 @@
 #include "sinew/session/transplant.h"
 
 #include "sinew/assert/assert.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include <span>
 #include <vector>

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "sinew/math/limit.h"
 #include "sinew/math/matrix.h"
-#include "sinew/solver/bonds.h"
 #include "sinew/solver/elimination.h"
-#include "sinew/solver/limit.h"
-#include "sinew/solver/ports/ports.h"
+#include "sinew/solver/ports.h"
+#include "sinew/world/constraint_adjacency.h"
 
 #include <array>
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace sinew {
 /// A particle of a block. Equation of a node:   diagonal move + sum of entries = residual.
 template <int D> struct BlockNode {
     Row row = 0;
-    std::uint32_t slot = 0; ///< slot of the particle, stable while rows move (block_rows.h)
+    std::uint32_t slot = 0; ///< slot of the particle, stable while rows move (direct/look_up_rows.h)
     double mass = 0;
     Vec<D, double> start{};    ///< position at the start of the substep, m
     Vec<D, double> place{};    ///< position at the end of the substep, m
@@ -105,7 +105,7 @@ template <int D> struct DistanceRow : BlockLimit {
     double length = 0;          ///< limit used for scaling, m
     double per_length2 = 0;     ///< 1 / length^2
     double give = 0;            ///< offset of the active limit, in (length^2 - limit^2) / 2
-    bool strikes = false;       ///< moves out past a limit at the end of a swing (block_bounce.h)
+    bool strikes = false;       ///< moves out past a limit at the end of a swing (direct/joint_stops.h)
     Vec<D, double> start{}, along{};
 
     /// True for a joint's range: a low limit well below the high one.

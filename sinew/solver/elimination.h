@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
-#include "sinew/solver/id.h"
+#include "sinew/table/id.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sinew/solver/solver.h"
-#include "sinew/solver/world.h"
+#include "sinew/world/world.h"
 
 /// Phases of a step, each in a separate file.
 namespace sinew {
@@ -9,7 +9,7 @@ namespace sinew {
 /// Largest acceleration, m/s^2: the largest force on the lightest particle.
 template <class Real> constexpr Real largest_acceleration = limit::force<Real>* limit::mass<Real>;
 
-/// force.cpp: forces on a particle, at the present position or another: dv/dt = acceleration - drag_rate v.
+/// sweep/forces.cpp: forces on a particle, at the present position or another: dv/dt = acceleration - drag_rate v.
 template <int D, class Real> struct Push {
     Vec<D, Real> acceleration{};
     Real drag_rate = 0;
@@ -19,8 +19,10 @@ template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, 
     return push_on(world, row, world.particles.position[row]);
 }
 
-/// force.cpp: hands out the forces that strike one particle a step, into particles.force.
+/// sweep/forces.cpp: hands out the forces that strike one particle a step, into particles.force.
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
+/// Zeroes particles.force, which acts during one step.
+template <int D, class Real> void forget_forces(World<D, Real>& world);
 
 /// quarantine.cpp: freezes figures and loose particles that are not finite, at their last finite positions; clamps
 /// finite values to the stated limits. Saves the positions before the step.
@@ -30,8 +32,8 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world, Solver<D
 /// torn distance takes along the constraints that both ends belong to.
 template <int D, class Real> void tear(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 
-/// swept.cpp: sets the constants of a sweep in substeps of length h; gathers the particles of slots [first, last) into
-/// columns, and scatters them back.
+/// sweep/gather.cpp: sets the constants of a sweep in substeps of length h; gathers the particles of slots [first,
+/// last) into columns, and scatters them back.
 template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, Real>& solver, Real h);
 template <int D, class Real> void gather(World<D, Real>& world, Solver<D, Real>& solver, Real h, Row first, Row last);
 template <int D, class Real> void scatter(World<D, Real>& world, Solver<D, Real>& solver, Row first, Row last);
@@ -39,8 +41,8 @@ template <int D, class Real> void scatter(World<D, Real>& world, Solver<D, Real>
 /// plan.cpp: plans the sweep of everything outside the blocks; entirely if `anew`, otherwise the changed parts.
 template <int D, class Real> void make_plan(World<D, Real>& world, Solver<D, Real>& solver, bool anew);
 
-/// block_step.cpp: moves every block over a step; tensions are reported as multipliers of a substep of the given
-/// length.
+/// direct/step_blocks.cpp: moves every block over a step; tensions are reported as multipliers of a substep of the
+/// given length.
 template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, Real>& solver, Real dt, Real substep);
 
 /// ports/find_ports.cpp: finds the ports between blocks and sweep; after planning, finds the swept constraints at
@@ -51,8 +53,9 @@ template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Rea
 /// free_bodies.cpp: after planning, finds what nothing holds.
 template <int D, class Real> void find_free_bodies(World<D, Real>& world, Solver<D, Real>& solver);
 
-/// passive.cpp: angle limits must not add energy to a figure. Finds the figures for which this is guaranteed, notes
-/// their energy before the constraints act, and removes the energy added. Room for budgets is reserved before the step.
+/// sweep/energy_budgets.cpp: angle limits must not add energy to a figure. Finds the figures for which this is
+/// guaranteed, notes their energy before the constraints act, and removes the energy added. Room for budgets is
+/// reserved before the step.
 template <int D, class Real> void make_room_for_budgets(World<D, Real>& world, Solver<D, Real>& solver);
 template <int D, class Real> void find_passive(World<D, Real>& world, Solver<D, Real>& solver);
 template <int D, class Real> void note_energy(World<D, Real>& world, Solver<D, Real>& solver);

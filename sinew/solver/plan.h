@@ -1,10 +1,10 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
+#include "sinew/solver/batch_parameters.h"
 #include "sinew/solver/block.h"
-#include "sinew/solver/kernel.h"
-#include "sinew/solver/levels.h"
-#include "sinew/solver/run_parameters.h"
+#include "sinew/solver/level_structure.h"
+#include "sinew/solver/simd/kernel.h"
 
 #include <algorithm>
 #include <compare>
@@ -58,7 +58,7 @@ struct Component {
     std::uint32_t first_tether = 0, tethers = 0;
     PlanPlace begin{}; ///< offsets of the component's entries
     Extent particles{}, links{};
-    bool small = false;                       ///< may be laid out with others of the same shape (plan_sheets.h)
+    bool small = false;                       ///< may be laid out with others of the same shape (batch/components.h)
     std::uint32_t copies = 0;                 ///< interleaved copies of one shape; 0 for a single one
     std::uint32_t first_body = 0, bodies = 0; ///< range of FreeBodies::list that begins here
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/solver/moments.h"
+#include "sinew/math/moments.h"
 
 namespace sinew::detail {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sinew/solver/block.h"
-#include "sinew/solver/passive.h"
-#include "sinew/solver/swept.h"
+#include "sinew/solver/energy_budgets.h"
+#include "sinew/solver/sweep_state.h"
 
 #include <memory>
 #include <vector>

@@ -1,5 +1,5 @@
 #include "sinew/prefab/prefabs.h"
-#include "sinew/solver/measure.h"
+#include "sinew/world/measure.h"
 
 #include "tests/sanitized.h"
 #include "tests/stepped.h"

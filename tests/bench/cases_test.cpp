@@ -1,4 +1,4 @@
-#include "sinew/solver/measure.h"
+#include "sinew/world/measure.h"
 
 #include "bench/cases.h"
 #include "bench/measure.h"

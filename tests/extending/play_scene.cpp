@@ -1,8 +1,8 @@
 #include "sinew/scene/layout.h"
 #include "sinew/scene/scene.h"
-#include "sinew/solver/edit.h"
-#include "sinew/solver/measure.h"
 #include "sinew/solver/solver.h"
+#include "sinew/world/edit.h"
+#include "sinew/world/measure.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
 #include "sinew/session/session.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include "tests/paths.h"
 #include "tests/stepped.h"

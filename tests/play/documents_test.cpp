@@ -1,8 +1,8 @@
-#include "sinew/solver/measure.h"
+#include "sinew/world/measure.h"
 
-#include "apps/play/files.h"
-#include "apps/play/folder.h"
-#include "apps/play/script.h"
+#include "player/files.h"
+#include "player/folder.h"
+#include "player/script.h"
 #include "tests/canvas/scratch_folder.h"
 #include "tests/play/game.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/play/script.h"
+#include "player/script.h"
 #include "tests/paths.h"
 #include "tests/text_of.h"
 

@@ -1,9 +1,9 @@
-#include "sinew/solver/measure.h"
+#include "sinew/world/measure.h"
 
-#include "apps/play/clock.h"
-#include "apps/play/scene_edit.h"
-#include "apps/play/script.h"
-#include "apps/play/touch.h"
+#include "player/clock.h"
+#include "player/scene_edit.h"
+#include "player/script.h"
+#include "player/touch.h"
 #include "tests/play/game.h"
 #include "tests/sanitized.h"
 

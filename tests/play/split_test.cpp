@@ -1,4 +1,4 @@
-#include "apps/play/script.h"
+#include "player/script.h"
 #include "tests/canvas/scratch_folder.h"
 #include "tests/play/game.h"
 

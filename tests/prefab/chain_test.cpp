@@ -1,5 +1,5 @@
 #include "sinew/math/random.h"
-#include "sinew/solver/measure.h"
+#include "sinew/world/measure.h"
 
 #include "tests/prefab/make.h"
 #include "tests/stepped.h"

@@ -1,6 +1,6 @@
 #include "sinew/math/random.h"
 #include "sinew/prefab/prefabs.h"
-#include "sinew/solver/measure.h"
+#include "sinew/world/measure.h"
 
 #include "tests/stepped.h"
 #include "tests/thorough.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sinew/session/session.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include "tests/paths.h"
 #include "tests/scene/models.h"

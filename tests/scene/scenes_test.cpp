@@ -1,6 +1,6 @@
 #include "sinew/scene/layout.h"
 #include "sinew/scene/scene.h"
-#include "sinew/solver/measure.h"
+#include "sinew/world/measure.h"
 
 #include "tests/paths.h"
 #include "tests/scene/laws.h"

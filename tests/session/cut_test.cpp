@@ -1,7 +1,7 @@
 #include "sinew/picture/draw.h"
 #include "sinew/session/session.h"
 #include "sinew/session/view.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include "tests/stepped.h"
 

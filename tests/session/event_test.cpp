@@ -1,6 +1,6 @@
 #include "sinew/scene/reader.h"
 #include "sinew/session/session.h"
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
 #include "tests/session/places.h"
 

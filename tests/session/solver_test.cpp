@@ -1,8 +1,8 @@
 #include "sinew/math/random.h"
 #include "sinew/prefab/prefabs.h"
 #include "sinew/simulation.h"
-#include "sinew/solver/environment.h"
-#include "sinew/solver/measure.h"
+#include "sinew/world/environment.h"
+#include "sinew/world/measure.h"
 
 #include "tests/scene/scene_runs.h"
 #include "tests/thorough.h"

@@ -1,4 +1,4 @@
-#include "sinew/solver/colliders.h"
+#include "sinew/solver/contact/colliders.h"
 
 #include "tests/worlds.h"
 

@@ -1,4 +1,4 @@
-#include "sinew/solver/measure.h"
+#include "sinew/world/measure.h"
 
 #include "tests/stepped.h"
 #include "tests/worlds.h"

@@ -1,4 +1,4 @@
-#include "sinew/solver/kernel.h"
+#include "sinew/solver/simd/kernel.h"
 
 #include <algorithm>
 #include <cmath>

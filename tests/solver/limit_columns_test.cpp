@@ -1,4 +1,4 @@
-#include "sinew/solver/limit_columns.h"
+#include "sinew/table/limit_columns.h"
 
 #include <gtest/gtest.h>
 

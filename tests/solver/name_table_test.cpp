@@ -1,4 +1,4 @@
-#include "sinew/solver/name_table.h"
+#include "sinew/table/name_table.h"
 
 #include <gtest/gtest.h>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "sinew/math/random.h"
-#include "sinew/solver/measure.h"
-#include "sinew/solver/waiting.h"
+#include "sinew/solver/progress_report.h"
+#include "sinew/world/measure.h"
 
 #include "tests/sanitized.h"
 #include "tests/stepped.h"

@@ -1,5 +1,5 @@
-#include "sinew/solver/colliders.h"
-#include "sinew/solver/query.h"
+#include "sinew/solver/contact/colliders.h"
+#include "sinew/world/query.h"
 
 #include "tests/worlds.h"
 

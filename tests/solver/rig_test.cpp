@@ -1,4 +1,4 @@
-#include "sinew/solver/rig.h"
+#include "sinew/world/rig.h"
 
 #include "tests/prefab/make.h"
 #include "tests/stepped.h"

@@ -1,5 +1,5 @@
-#include "sinew/solver/cut.h"
-#include "sinew/solver/islands.h"
+#include "sinew/topology/cut.h"
+#include "sinew/world/islands.h"
 
 #include "tests/prefab/make.h"
 #include "tests/worlds.h"

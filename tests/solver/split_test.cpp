@@ -1,4 +1,4 @@
-#include "sinew/solver/cut.h"
+#include "sinew/topology/cut.h"
 
 #include "tests/prefab/make.h"
 #include "tests/sanitized.h"

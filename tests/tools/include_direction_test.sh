@@ -16,14 +16,14 @@ refuses() {
 
 passes "an empty tree"
 file sinew/math/vec.h '#include <cmath>'
-file sinew/solver/world.h '#include "sinew/math/vec.h"' '// #include "canvas/raster.h"'
-file sinew/sinew.h '#include "sinew/solver/world.h"'
+file sinew/world/world.h '#include "sinew/math/vec.h"' '// #include "canvas/raster.h"'
+file sinew/sinew.h '#include "sinew/world/world.h"'
 file canvas/raster.cpp '#include "sinew/session/picture.h"' '#include <cairo.h>'
 file apps/cli/main.cpp '#include "apps/cli/commands.h"' '#include "canvas/raster.h"'
 file tests/any_test.cpp '#include "apps/cli/commands.h"'
 passes "a tree that points down"
 
-file sinew/math/bad.h '#pragma once' '#include "sinew/solver/world.h"'
+file sinew/math/bad.h '#pragma once' '#include "sinew/world/world.h"'
 refuses "maths that includes the solver" 'sinew/math/bad.h:2: error: sinew/math may not include sinew/solver'
 rm "$tree/sinew/math/bad.h"
 file sinew/session/bad.cpp ' #  include <canvas/raster.h>'
@@ -38,8 +38,8 @@ rm "$tree/canvas/bad.h"
 file canvas/bad.h '#include "tests/any.h"'
 refuses "a room that includes the tests" 'names no room'
 rm "$tree/canvas/bad.h"
-file apps/play/bad.cpp '#include "apps/cli/commands.h"'
-refuses "a room that includes the one around it" 'apps/play may not include apps ("apps/cli/commands.h")'
-rm "$tree/apps/play/bad.cpp"
+file player/bad.cpp '#include "apps/cli/commands.h"'
+refuses "a room that includes the one around it" 'player may not include apps ("apps/cli/commands.h")'
+rm "$tree/player/bad.cpp"
 file sinew/attic/old.h 'struct Old {};'
 refuses "a folder that is no room" 'not in the list of rooms'

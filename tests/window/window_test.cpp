@@ -1,8 +1,8 @@
-#include "sinew/solver/edit.h"
+#include "sinew/world/edit.h"
 
-#include "apps/play/keys.h"
-#include "apps/play/tool.h"
 #include "apps/window/window.h"
+#include "player/keys.h"
+#include "player/tool.h"
 #include "tests/canvas/golden_picture.h"
 #include "tests/canvas/scratch_folder.h"
 #include "tests/paths.h"

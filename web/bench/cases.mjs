@@ -5,7 +5,7 @@ const world = { gravity: [0, -9.81] };
 
 function cloth(side) {
     return {
-        name: `cloth ${side}x${side}`,
+        name: `cloth ${side} x ${side}`,
         scene: { sinew: 1, world, solver, figures: [{ prefab: "cloth", columns: side, rows: side, spacing: 0.03, pins: "corners", mass: side * side }] },
     };
 }
@@ -15,11 +15,13 @@ const rope = {
     scene: { sinew: 1, world, solver, figures: [{ prefab: "rope", length: 2, segments: 100, weight: 100, angle: 45 }] },
 };
 
+/** Each hangs by a hand. The limits of its joints are Sinew's alone: the others get its points and sticks. */
 const ragdolls = {
-    name: "100 ragdolls",
+    name: "100 ragdolls that hang by a hand",
     scene: {
-        sinew: 1, world: { ...world, bounds: { planes: [{ normal: [0, 1] }] } }, solver,
-        figures: Array.from({ length: 100 }, (_, i) => ({ prefab: "ragdoll", name: `r${i}`, at: [1.5 * (i % 10), 1.5 + 2.2 * Math.floor(i / 10)] })),
+        sinew: 1, world, solver,
+        figures: Array.from({ length: 100 }, (_, i) => ({ prefab: "ragdoll", name: `r${i}`, at: [1.5 * (i % 10), 2.2 * Math.floor(i / 10)] })),
+        pins: Array.from({ length: 100 }, (_, i) => ({ particle: `r${i}/left_hand` })),
     },
 };
 

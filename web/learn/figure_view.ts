@@ -8,6 +8,8 @@ import type { Lesson, Slider } from "./lesson.js";
 import { essence, markedLines, sceneText } from "./scene_text.js";
 
 const readingEvery = 120; // milliseconds
+const letterWidth = 7.85; // pixels of a letter of code
+const narrowest = 40;     // letters of a line
 
 /** A live figure with its slider, its reading and the lines that make it. */
 export class FigureView {
@@ -46,6 +48,7 @@ export class FigureView {
         this.stage.player.setTheme(theme());
         if (figure.split) this.stage.player.do("split");
         this.stage.onframe = () => this.afterFrame();
+        this.showLines(); // now that their width is known
         this.stage.wake();
     }
 
@@ -83,13 +86,19 @@ export class FigureView {
     private showLines(): void {
         const { figure } = this.lesson, { slider } = figure, { current } = this;
         const elsewhere = current === slider.high ? slider.low : slider.high;
-        const lines = (value: number): string => figure.code?.(value) ?? sceneText(essence(figure.scene(value)));
+        const lines = (value: number): string => figure.code?.(value) ?? sceneText(essence(figure.scene(value)), this.columns);
         this.code.replaceChildren(...markedLines(lines(current), lines(elsewhere)).map(({ line, isMarked }) => el(isMarked ? "mark" : "span", {}, `${line}\n`)));
-        this.value.textContent = slider.words ? slider.words(current) : `${number(current)}${slider.unit ? ` ${slider.unit}` : ""}`;
+        this.value.textContent = slider.words ? slider.words(current) : `${number(current)}${slider.unit === "°" ? "°" : slider.unit ? ` ${slider.unit}` : ""}`;
         this.range.setAttribute("aria-valuetext", this.value.textContent);
         const { min, max, value } = this.range;
         this.range.style.setProperty("--share", `${(100 * (Number(value) - Number(min))) / (Number(max) - Number(min))}%`);
         void writeAddress({ text: this.text(), pairs: [] }).then((fragment) => (this.link.href = `../${fragment}`));
+    }
+
+    /** Characters that fit in a line of code. */
+    private get columns(): number {
+        const { clientWidth } = this.code.parentElement!;
+        return Math.max(Math.floor(clientWidth / letterWidth), narrowest);
     }
 
     private afterFrame(): void {
@@ -97,7 +106,7 @@ export class FigureView {
         if (!stage || now - this.readAt < readingEvery) return;
         this.readAt = now;
         const { simulation } = stage.player;
-        if (figure.reading) this.reading.textContent = figure.reading(simulation, this.current);
+        if (figure.reading) this.reading.textContent = figure.reading(simulation, this.current, figure.split ? stage.player.pane(1) : undefined);
         if (figure.repeats && simulation.report().seconds > figure.repeats && !stage.player.state().isHolding) stage.player.restart();
     }
 

@@ -27,8 +27,8 @@ export interface Figure {
     repeats?: number;
     /** Classic and physical mode side by side. */
     split?: boolean;
-    /** A line about the running scene, in words and numbers. */
-    reading?: (simulation: Simulation, value: number) => string;
+    /** A line about the running scene, in words and numbers; `right` is the other side of a split figure. */
+    reading?: (simulation: Simulation, value: number, right?: Simulation) => string;
     /** What to try. */
     task: string;
     /** Lines to show in place of the scene's. */

@@ -1,25 +1,27 @@
 import type { Scene } from "./lesson.js";
 
-const widest = 92; // characters of a line
+const usual = 84; // characters of a line
 
-/** A scene as people write it: short things on one line. */
-export function sceneText(scene: Scene): string {
-    return written(scene, "");
+/** A scene as people write it: short things on one line, of at most `widest` characters where that is possible. */
+export function sceneText(scene: Scene, widest = usual): string {
+    return written(scene, "", widest, widest);
 }
 
-function written(value: unknown, indent: string): string {
+/** `taken`: characters of the line before the value. */
+function written(value: unknown, indent: string, widest: number, taken = indent.length): string {
     const short = oneLine(value);
-    if (indent !== "" && indent.length + short.length <= widest || typeof value !== "object" || value === null) return short;
+    if (taken + short.length < widest || typeof value !== "object" || value === null) return short;
+    if (Array.isArray(value) && value.length === 1) return `[${written(value[0], indent, widest, taken)}]`;
     const deeper = `${indent}  `;
     const parts = Array.isArray(value)
-        ? value.map((item) => written(item, deeper))
-        : Object.entries(value).map(([key, item]) => `${JSON.stringify(key)}: ${written(item, deeper)}`);
+        ? value.map((item) => written(item, deeper, widest))
+        : Object.entries(value).map(([key, item]) => `${JSON.stringify(key)}: ${written(item, deeper, widest, deeper.length + key.length + 4)}`);
     const [open, close] = Array.isArray(value) ? ["[", "]"] : ["{", "}"];
-    return parts.length === 0 ? open + close : `${open}\n${packed(parts, deeper)}\n${indent}${close}`;
+    return parts.length === 0 ? open + close : `${open}\n${packed(parts, deeper, widest)}\n${indent}${close}`;
 }
 
 /** Short neighbours share a line. */
-function packed(parts: string[], indent: string): string {
+function packed(parts: string[], indent: string, widest: number): string {
     const lines: string[] = [];
     for (const part of parts) {
         const last = lines.at(-1);

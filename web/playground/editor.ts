@@ -1,5 +1,5 @@
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { json } from "@codemirror/lang-json";
 import { bracketMatching, HighlightStyle, indentOnInput, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
@@ -46,8 +46,8 @@ export class SceneEditor {
                     lineNumbers(), lintGutter(), history(), drawSelection(), indentOnInput(), bracketMatching(), closeBrackets(),
                     highlightActiveLine(), EditorView.lineWrapping, highlightSelectionMatches(), json(), syntaxHighlighting(colors), look,
                     autocompletion({ override: [completionsOf(engine.schema())] }),
-                    keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap, indentWithTab]),
-                    EditorView.contentAttributes.of({ tabindex: "0", "aria-label": "Text of the scene. Escape, then Tab leaves the editor." }),
+                    keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap]),
+                    EditorView.contentAttributes.of({ tabindex: "0", "aria-label": "Text of the scene" }),
                     EditorView.updateListener.of((update) => {
                         if (update.docChanged && !update.transactions.some((one) => one.annotation(fromOutside))) changed(this.text);
                     }),

@@ -22,14 +22,27 @@ export function filmVideo(stage: Stage): Film {
     if (!type) throw new Error("This browser cannot record a film.");
     const recorder = new MediaRecorder(stage.canvas.captureStream(30), { mimeType: type, videoBitsPerSecond: 6_000_000 });
     const parts: Blob[] = [];
-    recorder.addEventListener("dataavailable", (event) => parts.push(event.data));
-    recorder.start(500);
+    recorder.addEventListener("dataavailable", ({ data }) => data.size > 0 && parts.push(data));
+    recorder.start(250);
+    const begun = filled(parts);
     return {
-        end: () => new Promise((resolve) => {
-            recorder.addEventListener("stop", () => resolve({ blob: new Blob(parts, { type }), ending: type.includes("mp4") ? "mp4" : "webm" }));
-            recorder.stop();
-        }),
+        async end() {
+            await begun; // a film that ends before its first frame is encoded would be an empty file
+            await new Promise((resolve) => {
+                recorder.addEventListener("stop", resolve);
+                recorder.stop();
+            });
+            return { blob: new Blob(parts, { type }), ending: type.includes("mp4") ? "mp4" : "webm" };
+        },
     };
+}
+
+const longestWait = 10_000; // milliseconds for the first frame of a film
+
+/** Waits until a list has something. */
+async function filled(parts: Blob[]): Promise<void> {
+    const until = performance.now() + longestWait;
+    while (parts.length === 0 && performance.now() < until) await new Promise((resolve) => setTimeout(resolve, 50));
 }
 
 const gifSide = 480; // pixels of the longer side

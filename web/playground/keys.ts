@@ -18,6 +18,7 @@ export function connectKeys(app: App, help: HTMLDialogElement): void {
         "]": () => app.openNeighbour(1),
         s: () => void app.savePicture(),
         v: () => app.toggleFilm(),
+        home: () => app.stage!.seeAll(),
         "ctrl+s": () => app.saveScene(),
         "ctrl+o": () => app.chooseFile(),
     };

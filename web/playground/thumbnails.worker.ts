@@ -1,4 +1,5 @@
 import { Canvas2DPainter, type CatalogueScene, type Simulation } from "../sinew/index.js";
+import { context2d } from "../shared/context.js";
 import { loadEngine } from "../shared/engine.js";
 
 export type Order =
@@ -43,9 +44,7 @@ self.addEventListener("message", ({ data }: MessageEvent<Order>) => {
 });
 
 function open({ name, canvas }: Order & { order: "open" }): void {
-    const context = canvas.getContext("2d", { alpha: false });
-    if (!context) return;
-    const painter = new Canvas2DPainter(context, { font: "system-ui, sans-serif" });
+    const painter = new Canvas2DPainter(context2d(canvas), { font: "system-ui, sans-serif" });
     thumbnails.set(name, { name, canvas, painter, scene: null, simulation: null, theme: "", visible: true, time: 0, drawnAt: 0, cost: 1 });
 }
 

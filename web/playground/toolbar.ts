@@ -47,7 +47,7 @@ export class Toolbar {
         this.undo = iconButton("undo", "undo  (ctrl+z)", () => (stage.player.undo(), changed()));
         this.redo = iconButton("redo", "do again  (ctrl+y)", () => (stage.player.redo(), changed()));
         this.root.append(group, el("div", { class: "group" }, this.undo, this.redo,
-            iconButton("home", "see everything  (home)", () => (stage.player.do("see_all"), changed()))));
+            iconButton("home", "see everything  (home)", () => (stage.seeAll(), changed()))));
         rove(this.root);
     }
 

@@ -1,4 +1,5 @@
 import { Canvas2DPainter, type Engine, type OpenOptions, type Player } from "../sinew/index.js";
+import { context2d, smooth } from "./context.js";
 import type { Assets } from "./engine.js";
 import { Pointer } from "./pointer.js";
 
@@ -17,6 +18,8 @@ export class Stage {
     /** Time that stepping and painting took, milliseconds, smoothed. */
     workTime = 0;
 
+    /** How much the width of the canvas takes a 3D scene away, as a zoom. */
+    private fitted = 1;
     private request = 0;
     private last = 0;
     private isStale = true;
@@ -26,10 +29,8 @@ export class Stage {
     private readonly onvisibility = (): void => this.wake();
 
     private constructor(readonly canvas: HTMLCanvasElement, readonly engine: Engine, readonly player: Player, private readonly assets: Assets, text: string) {
-        const context = canvas.getContext("2d", { alpha: false });
-        if (!context) throw new Error("This browser has no 2D canvas.");
-        this.context = context;
-        this.painter = new Canvas2DPainter(context, { font: "'Inter Variable', system-ui, sans-serif" });
+        this.context = context2d(canvas);
+        this.painter = new Canvas2DPainter(this.context, { font: "'Inter Variable', system-ui, sans-serif" });
         this.loadImages(text);
         this.pointer = new Pointer(canvas, () => player, () => this.wake());
         this.observers = [new ResizeObserver(() => this.resize()), new IntersectionObserver((entries) => {
@@ -49,6 +50,7 @@ export class Stage {
     /** Opens another scene in the same player; throws SceneErrors and keeps the old one. */
     show(scene: string, options: OpenOptions = {}): void {
         this.player.open(scene, { ...this.assets.optionsOf(scene), ...options });
+        this.fitted = 1;
         this.loadImages(scene);
         this.resize();
     }
@@ -76,10 +78,29 @@ export class Stage {
         if (this.canvas.width !== width || this.canvas.height !== height) {
             this.canvas.width = width;
             this.canvas.height = height;
+            smooth(this.context);
         }
         this.player.resize(width, height, density);
+        this.fitWidth();
         this.paint();
         this.wake();
+    }
+
+    /** The camera of a 3D scene fits its height: on a narrow canvas it goes back until the width fits, too. */
+    private fitWidth(): void {
+        const { simulation } = this.player;
+        if (simulation.dimension !== 3) return;
+        const [width, height] = simulation.size;
+        const wanted = Math.min((this.canvas.width * height) / (this.canvas.height * width), 1);
+        if (wanted !== this.fitted) this.player.zoom(wanted / this.fitted);
+        this.fitted = wanted;
+    }
+
+    /** Everything in sight again. */
+    seeAll(): void {
+        this.player.do("see_all");
+        this.fitted = 1;
+        this.resize();
     }
 
     /** Paints at least one more frame; call after any change. */

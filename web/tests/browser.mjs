@@ -1,5 +1,6 @@
 // A server of the built site, and Chromium to visit it with.
 import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createServer } from "node:http";
 import os from "node:os";
@@ -13,16 +14,17 @@ const flags = ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--disab
 export const desktop = { viewport: { width: 1280, height: 800 } };
 export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-/** Serves web/dist below a path of its own, as a host of many sites would. */
-async function serve() {
+/** Serves a folder below a path of its own, as a host of many sites would. A folder without index.html gets an empty page. */
+async function serve(root, headers) {
     const base = "/some/where/";
     const server = createServer(async (request, response) => {
         const { pathname } = new URL(request.url, "http://host");
         const name = pathname.endsWith("/") ? `${pathname}index.html` : pathname;
         try {
             assert.ok(name.startsWith(base));
-            const body = await readFile(path.join(dist, path.normalize(name.slice(base.length))));
-            response.writeHead(200, { "content-type": types[path.extname(name)] ?? "application/octet-stream" }).end(body);
+            const file = path.join(root, path.normalize(name.slice(base.length)));
+            const body = pathname === base && !existsSync(file) ? "<!doctype html><link rel=icon href=data:,>" : await readFile(file);
+            response.writeHead(200, { "content-type": types[path.extname(name)] ?? "application/octet-stream", ...headers }).end(body);
         } catch {
             response.writeHead(404).end();
         }
@@ -32,12 +34,13 @@ async function serve() {
 }
 
 /** A browser and a server for the tests of a file: `using` closes neither, so end it in `after`. */
-export async function visit() {
+export async function visit(root = dist, headers = {}) {
     const folder = await mkdtemp(path.join(os.tmpdir(), "sinew-"));
-    const [server, browser] = await Promise.all([serve(), chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: flags })]);
+    const [server, browser] = await Promise.all([serve(root, headers), chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: flags })]);
     return {
         address: server.address,
         server,
+        browser,
         folder,
         /** Runs `work` on a page, which may neither complain nor ask another host for anything. */
         async on(options, where, work) {

@@ -138,6 +138,11 @@ test("time: pause, a step, a step back, slow motion, restart, the last minute", 
         assert.equal(await hash(), here, "a step back leads to the same bits");
         await page.getByRole("radio", { name: /^¼/ }).click();
         assert.equal((await state(page)).timeScale, 0.25);
+        const timeline = page.getByRole("slider", { name: "Step of the last minute" });
+        await timeline.fill(String(step - 2));
+        assert.equal((await state(page)).step, step - 2, "the timeline leads back");
+        await timeline.fill(String(step));
+        assert.equal(await hash(), here, "and forth again, to the same bits");
         await page.keyboard.press("r");
         assert.ok(await page.evaluate(() => window.sinew.stage.player.simulation.report().steps) < step);
     }));
@@ -147,6 +152,9 @@ test("both modes run side by side, and classic alone", () =>
         await playing(page);
         await page.getByRole("radio", { name: /^both/ }).click();
         assert.equal((await state(page)).panes, 2);
+        await steps(page, 40);
+        const hashes = await page.evaluate(() => [0, 1].map((pane) => window.sinew.stage.player.pane(pane).hash()));
+        assert.notEqual(hashes[0], hashes[1], "each side goes its own way");
         await page.getByRole("radio", { name: /^classic/ }).click();
         assert.equal((await state(page)).panes, 1);
         assert.equal(await page.getByRole("radio", { name: /^classic/ }).getAttribute("aria-checked"), "true");

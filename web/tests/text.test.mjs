@@ -1,7 +1,9 @@
 // The scene as text, its errors, and as an address.
 import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
+import { promisify } from "node:util";
 import { desktop, playing, visit } from "./browser.mjs";
 
 let site;
@@ -116,14 +118,60 @@ test("the scene is saved as JSON, the picture as PNG", () =>
         assert.equal(png.subarray(1, 4).toString(), "PNG");
     }));
 
-test("a film is recorded as GIF and as WebM", () =>
+test("share copies an address that another browser opens as the same scene", () =>
+    site.on(desktop, "#scene=rope&mode=classic", async (page) => {
+        await playing(page);
+        await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+        await page.evaluate(() => window.sinew.stage.player.set("figures.rope.weight", 21));
+        await page.getByRole("button", { name: "share" }).click();
+        await page.locator("#message.shown", { hasText: "copied" }).waitFor();
+        const [address, text] = await page.evaluate(async () => [await navigator.clipboard.readText(), window.sinew.stage.player.sceneText()]);
+        assert.match(text, /"weight": ?21/);
+        await site.on(desktop, address.slice(site.address.length), async (other) => {
+            await playing(other);
+            assert.equal(await other.evaluate(() => window.sinew.stage.player.sceneText()), text);
+        });
+    }));
+
+test("a saved scene opens again as a file, and by pasting", () =>
+    site.on(desktop, "#scene=box", async (page) => {
+        await playing(page);
+        const text = await page.evaluate(() => window.sinew.stage.player.sceneText());
+        await page.evaluate(() => (location.hash = "#scene=rope"));
+        await page.waitForFunction(() => window.sinew.opened.name === "rope");
+        const paste = (text) => page.evaluate((text) => {
+            const clipboardData = new DataTransfer();
+            clipboardData.setData("text/plain", text);
+            document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true }));
+        }, text);
+        await paste(text);
+        await page.waitForFunction(() => window.sinew.opened.name === "pasted scene");
+        assert.equal(await page.evaluate(() => window.sinew.stage.player.sceneText()), text);
+        await page.locator("summary", { hasText: "save" }).click();
+        const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByRole("button", { name: "open a file" }).click()]);
+        await chooser.setFiles({ name: "mine.json", mimeType: "application/json", buffer: Buffer.from(text) });
+        await page.waitForFunction(() => window.sinew.opened.name === "mine");
+        await paste("{\"sinew\": 1, \"figurs\": []}");
+        await page.locator("#message.shown", { hasText: "figurs" }).waitFor();
+    }));
+
+/** Frames and size of a film, as ffprobe counts them. */
+async function probed(file) {
+    const { stdout } = await promisify(execFile)("ffprobe", ["-v", "error", "-count_frames", "-select_streams", "v", "-show_entries", "stream=nb_read_frames,width,height", "-of", "json", file]);
+    return JSON.parse(stdout).streams[0];
+}
+
+test("a film is recorded as GIF and as WebM", { timeout: 120_000 }, () =>
     site.on(desktop, "#scene=rope", async (page) => {
         await playing(page);
         for (const [name, begins] of [["film (GIF)", "GIF89a"], ["film (WebM)", "\x1aE\xdf\xa3"]]) {
             await page.locator("summary", { hasText: "save" }).click();
             await page.getByRole("button", { name }).click();
-            await page.waitForTimeout(900);
+            await page.waitForTimeout(1500);
             const [download] = await Promise.all([page.waitForEvent("download", { timeout: 90_000 }), page.getByRole("button", { name: "recording" }).click()]);
-            assert.equal((await readFile(await download.path())).subarray(0, begins.length).toString("latin1"), begins);
+            const file = await download.path();
+            assert.equal((await readFile(file)).subarray(0, begins.length).toString("latin1"), begins);
+            const { nb_read_frames, width, height } = await probed(file);
+            assert.ok(nb_read_frames >= 2 && width > 200 && height > 100, `${name}: ${nb_read_frames} frames, ${width} x ${height}`);
         }
     }));

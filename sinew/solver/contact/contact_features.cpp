@@ -1,4 +1,4 @@
-#include "sinew/solver/collider_sweep.h"
+#include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/solver/contacts.h"
+#include "sinew/world/contacts.h"
 
 namespace sinew {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sinew/solver/swept.h"
-#include "sinew/solver/world.h"
+#include "sinew/solver/sweep_state.h"
+#include "sinew/world/world.h"
 
 #include <algorithm>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/solver/collider_sweep.h"
+#include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
 
 /// Rows of contact at the start of a substep: nearest points, normals and gaps of all listed pairs, and of particles

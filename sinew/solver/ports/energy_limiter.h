@@ -3,7 +3,7 @@
 #include "sinew/solver/project.h"
 #include "sinew/solver/rigid_motion.h"
 #include "sinew/solver/solver.h"
-#include "sinew/solver/world.h"
+#include "sinew/world/world.h"
 
 #include <ranges>
 

@@ -1,5 +1,5 @@
 #include "sinew/assert/assert.h"
-#include "sinew/solver/block_rows.h"
+#include "sinew/solver/direct/look_up_rows.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/ports/load_tethers.h"
 

@@ -3,7 +3,7 @@
 #include "sinew/assert/assert.h"
 #include "sinew/solver/ports/port_response.h"
 #include "sinew/solver/solver.h"
-#include "sinew/solver/world.h"
+#include "sinew/world/world.h"
 
 /// A block with ports, in one substep. Before the sweep the block is solved with the impulses of the last substep at
 /// the ports; during the sweep the ports are linear about this solution; afterwards the block takes the new impulses.

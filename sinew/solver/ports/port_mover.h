@@ -2,7 +2,7 @@
 
 #include "sinew/assert/assert.h"
 #include "sinew/solver/ports/port_response.h"
-#include "sinew/solver/substep.h"
+#include "sinew/solver/sweep/substep.h"
 
 #include <utility>
 

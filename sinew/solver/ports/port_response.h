@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
-#include "sinew/solver/block_solve.h"
+#include "sinew/solver/direct/newton.h"
 
 /// Response of a block's ports to impulses there, with the links held: W = J (M + h^2 K)^-1 J^T, from the factorised
 /// equations and unit impulses.

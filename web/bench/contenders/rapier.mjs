@@ -1,4 +1,4 @@
-import RAPIER from "@dimforge/rapier2d-compat";
+import RAPIER from "@dimforge/rapier2d-simd-compat";
 
 export const name = "rapier2d";
 

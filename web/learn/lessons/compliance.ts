@@ -26,11 +26,19 @@ export const compliance: Lesson = {
         }),
         slider: { label: "compliance of the left one", unit: "s²/kg", low: 0, high: 0.12, step: 0.001, value: 0.05 },
         reading: (simulation, value) => `should hang ${(weight * value).toFixed(1)} px lower: m · g · compliance; it is ${((simulation.positions[3] ?? 0) - 140).toFixed(1)} px lower now`,
+        code: (value) => `const compliance = ${value};             // how far for how much force
+const soft = compliance / (dt * dt);
+const error = between.length() - 120;   // px
+const more = (-error - soft * force) / (1 / massA + 1 / massB + soft);
+force += more;                          // what the spring has pulled so far
+const push = between.times(more / between.length());
+a = a.minus(push.times(1 / massA));
+b = b.plus(push.times(1 / massB));      // before each substep: force = 0`,
         task: "Wait until it is at rest, and compare with the formula. Then bounce it.",
     },
     after: [
         `A weight of 2 kg pulls with m·g = 1960 kg px/s². Times the compliance, that is how far it hangs, with any number of substeps, on any machine. The method is called <b>XPBD</b>: position based
-         dynamics with a memory of the force, so that a constraint stops to pull when it pulls as hard as its spring would.`,
+         dynamics with a memory of the force, so that a constraint stops pulling when it pulls as hard as its spring would.`,
     ],
     source: "Macklin, Müller and Chentanez: XPBD, 2016.",
 };

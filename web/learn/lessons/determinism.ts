@@ -9,6 +9,9 @@ const arm = (name: string, color: string, shift: number): object => ({
 
 const shiftOf = (value: number): number => (value >= 0 ? 0 : 10 ** value);
 
+/** A number as an exponent is written. */
+const raised = (value: number): string => String(value).replace("-", "⁻").replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]!);
+
 export const determinism: Lesson = {
     id: "determinism",
     title: "The same, to the last bit",
@@ -23,7 +26,7 @@ export const determinism: Lesson = {
             figures: [arm("blue", "#3f6fb5", shiftOf(value)), arm("red", "#e4572e", 0)],
             traces: [{ of: "blue/foot", seconds: 1 }, { of: "red/foot", seconds: 1 }],
         }),
-        slider: { label: "the blue one starts to the side by", low: -13, high: 0, step: 1, value: 0, words: (value) => (value >= 0 ? "nothing" : `10^${value} px`) },
+        slider: { label: "the blue one starts to the side by", low: -13, high: 0, step: 1, value: 0, words: (value) => (value >= 0 ? "nothing" : `10${raised(value)} px`) },
         restarts: true,
         repeats: 60,
         reading: (simulation) => {
@@ -31,11 +34,13 @@ export const determinism: Lesson = {
             const apart = Math.hypot((at[4] ?? 0) - (at[half + 4] ?? 0), (at[5] ?? 0) - (at[half + 5] ?? 0));
             return `${simulation.report().steps} steps; ${apart === 0 ? "not apart at all" : `${apart.toExponential(1)} px apart`}; hash ${simulation.hash()}`;
         },
-        task: "With 10^-13 px, when do you see two? And with 10^-6? Press restart: do they ever do something else?",
-        code: () => `const before = simulation.hash();   // one number over the whole state
+        task: "With 10⁻¹³ px, when do you see two? And with 10⁻⁶? Press restart: do they ever do something else?",
+        code: () => `simulation.restart();
+simulation.step(600);
+const first = simulation.hash();   // one number over the whole state
 simulation.restart();
 simulation.step(600);
-console.assert(simulation.hash() === before); // here, and on every machine`,
+console.assert(simulation.hash() === first); // here, and on every machine`,
     },
     after: [
         `A double pendulum is chaotic: a difference grows tenfold about every half second, until nothing is the same. So if two computers differed in the last bit of a single square root, they would soon show another scene. Yet a scene of Sinew ends

@@ -19,7 +19,7 @@ export const rope: Lesson = {
         slider: { label: "weight on the right", unit: "kg", low: 1, high: 1000, step: 1, value: 100, logarithmic: true },
         restarts: true,
         split: true,
-        reading: (simulation) => `left: ${stretch(simulation)}`,
+        reading: (left, _, right) => `left: ${stretch(left)}; right: ${right ? stretch(right) : "–"}`,
         task: "Swing both. Make the right one a thousand times heavier than its rope.",
     },
     after: [

@@ -33,9 +33,12 @@ b = b.minus(push);                     // and the other half`,
         `Sinew says the same in a scene file: a constraint <code>between</code> two particles, with its <code>rest</code> length.`,
     ],
     questions: [
-        ["What is theta?", `Theta (θ) is just the Greek letter that people use for an angle, as they use x for a number they do not know yet. In the tutorials it is the direction from one
+        ["What is theta? And adj, opp, hyp and mid?", `They are only for drawing. <em>adj</em> and <em>opp</em> are how far the stick goes across and down, <em>hyp</em> is its length by Pythagoras,
+            <em>mid</em> the point halfway: where to put the picture of the stick. Theta (θ) is just the Greek letter that people use for an angle, as they use x for a number they do not know yet. In the tutorials it is the direction from one
             end of a stick to the other, and it is needed for one thing only: to <em>draw</em> a picture of the stick, which has to be turned. <code>atan2(dy, dx)</code> answers:
             “if I go dx to the right and dy down, which way do I look?” The physics never asks.`],
+        ["Mine stretches without end. I wrote (error − length) / 2.", `Divide: <code>error / length / 2</code>. The line from a to b is as long as the stick. You want a piece of it, half of the error long, so you
+            need the <em>share</em> of the line that this is. A minus in place of the stroke moves the points by whole stick lengths, and each step makes it worse.`],
         ["How do you understand this? My head is too small.", `Nobody understands it all at once, and nobody has to. Cover the figure and do it with a pencil: two dots, 10 cm apart, that should be 8 cm apart.
             The error is 2. Move each dot 1 cm towards the other. You have just done every line of the code. All the rest of this course is doing it many times.`],
     ],

@@ -1,0 +1,316 @@
+#include "sinew/scene/text.h"
+
+#include "player/files.h"
+#include "player/play.h"
+#include "player/scene_edit.h"
+
+#include <algorithm>
+#include <utility>
+
+/// Files: opening, saving, path requests, drafts.
+namespace sinew::play {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_bytes = 256u << 20; // limit of a saved state
+constexpr std::size_t most_recent = 8;
+constexpr double draft_every = 5; // seconds
+constexpr std::string_view draft_origin = "// from ";
+
+constexpr const char* empty_scene = R"({
+  "sinew": 1,
+  "about": "A scene of your own: draw ropes, forms and cloths, and put in prefabs with the tools at the left.",
+  "view": {"center": [0, 1.4], "height": 3.4},
+  "world": {"gravity": [0, -9.81], "damping": 0.2, "bounds": {"planes": [{"normal": [0, 1]}], "friction": 0.5}}
+})";
+
+bool is_file_name(const std::string& word) {
+    return word.find_first_of("./") != std::string::npos;
+}
+
+std::string extension_for(Purpose purpose) {
+    if (purpose == Purpose::picture) return ".png";
+    if (purpose == Purpose::film) return ".mp4";
+    return purpose == Purpose::save_state ? ".state.json" : ".json";
+}
+
+} // namespace
+
+// --- opening ---------------------------------------------------------------------------------------------------------
+
+void Play::open(const std::string& scene, std::vector<Override> overrides) {
+    unless_lost("open another scene", [this, scene, overrides = std::move(overrides)] { open_now(scene, overrides); });
+}
+
+void Play::open_now(const std::string& scene, std::vector<Override> overrides) {
+    if (is_file_name(scene))
+        if (const auto text = read_file(scene, most_bytes); text && is_state(*text)) return open_state(scene);
+    auto fetched = shelf_.fetch(scene, overrides);
+    if (!fetched.opened) return report_problem(std::move(fetched.problem));
+    let_go_of_everything();
+    name_ = scene;
+    overrides_ = std::move(overrides);
+    begin(std::move(fetched));
+    if (is_file_name(scene)) note_recent(scene);
+    tell("scene", {{"name", name_}});
+}
+
+void Play::open_neighbour(int by) {
+    const auto& names = shelf_.names;
+    if (names.empty()) return;
+    const auto found = std::find(names.begin(), names.end(), name_);
+    const auto count = std::ptrdiff_t(names.size());
+    const auto here = found == names.end() ? (by > 0 ? -1 : 0) : found - names.begin();
+    open(names[std::size_t((here + by + count) % count)]);
+}
+
+void Play::open_text(const std::string& text, const std::string& name) {
+    unless_lost("open another scene", [this, text, name] {
+        auto fetched = shelf_.read(text, name, {});
+        if (!fetched.opened) return report_problem(std::move(fetched.problem));
+        let_go_of_everything();
+        name_ = name;
+        overrides_.clear();
+        begin(std::move(fetched));
+        tell("scene", {{"name", name_}});
+    });
+}
+
+void Play::open_clipboard() {
+    const auto text = clipboard ? clipboard() : std::string();
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        return report_problem("the clipboard holds no text: copy a scene file's text first");
+    open_text(text, "clipboard");
+}
+
+void Play::copy_scene() {
+    if (!set_clipboard) return;
+    set_clipboard(saved_text());
+    message = "copied the scene as text";
+    tell("copied");
+}
+
+void Play::copy_hash() {
+    if (!set_clipboard) return;
+    set_clipboard(hash());
+    message = "copied the hash";
+    tell("copied", {{"hash", hash()}});
+}
+
+void Play::open_new() {
+    open_text(empty_scene, "untitled");
+}
+
+void Play::note_recent(const fs::path& path) {
+    auto full = full_path(path);
+    std::erase(recent, full);
+    recent.insert(recent.begin(), std::move(full));
+    if (recent.size() > most_recent) recent.resize(most_recent);
+}
+
+// --- running states --------------------------------------------------------------------------------------------------
+
+void Play::open_state(const fs::path& path) {
+    const auto text = read_file(path, most_bytes);
+    Restoration restoration(text.value_or(""), path.string(), shelf_);
+    if (!restoration.problem().empty()) return report_problem(restoration.problem());
+    let_go_of_everything();
+    restoration_ = std::move(restoration);
+    restored_from_ = path;
+    tell("restoring", {{"path", path.string()}});
+    if (ready()) return; // advance() continues between pictures
+    restoration_->advance();
+    end_restoration();
+}
+
+void Play::end_restoration() {
+    auto tape = restoration_->finish();
+    auto problem = restoration_->problem();
+    const auto from = restoration_->from();
+    restoration_.reset();
+    if (!tape) return report_problem(std::move(problem));
+    std::vector<Pane> panes;
+    panes.push_back({std::move(*tape), {}});
+    name_ = restored_from_.string();
+    overrides_.clear();
+    path_.clear();
+    beside_ = from;
+    begin(std::move(panes));
+    note_recent(restored_from_);
+    tell("restored", {{"path", name_}, {"hash", hash()}});
+}
+
+bool Play::save_state(const fs::path& path) {
+    let_go_of_everything();
+    const auto text = state_text(tape().recipe(), beside_.empty() ? "" : full_path(beside_), hash());
+    if (auto failure = write_file(path, text)) return report_problem(std::move(*failure)), false;
+    message = "saved " + full_path(path);
+    note_recent(path);
+    tell("saved_state", {{"path", path.string()}, {"hash", hash()}});
+    return true;
+}
+
+// --- saving ----------------------------------------------------------------------------------------------------------
+
+std::string Play::saved_text() const {
+    return text_of(panes_[own_pane_].tape.session());
+}
+
+bool Play::would_lose() const {
+    return is_edited() && saved_text() != saved_as_;
+}
+
+bool Play::save(const fs::path& path) {
+    if (auto failure = write_file(path, saved_text())) return report_problem(std::move(*failure)), false;
+    path_ = beside_ = path;
+    written_ = time_written(path_);
+    name_ = path.string();
+    overrides_.clear();
+    saved_edits_ = tape().edits();
+    saved_as_ = saved_text();
+    drop_draft();
+    note_recent(path);
+    message = "saved " + full_path(path);
+    tell("saved", {{"path", path.string()}});
+    return true;
+}
+
+void Play::save_or_ask() {
+    save_then({});
+}
+
+/// Scenes of the catalogue are never overwritten.
+void Play::save_then(std::function<void()> go_on) {
+    const bool own = !path_.empty() && is_file_name(name_);
+    if (!own) return ask_for_path(Purpose::save, std::move(go_on));
+    if (save(path_) && go_on) go_on();
+}
+
+void Play::ask_for_path(Purpose purpose, std::function<void()> then) {
+    let_go_of_everything();
+    const auto stem = fs::path(name_).stem().stem().string();
+    const auto folder = !path_.empty() && is_file_name(name_) ? path_.parent_path() : fs::path();
+    const auto wanted = purpose == Purpose::open ? folder / "" : free_path(folder / (stem + extension_for(purpose)));
+    path_request = PathRequest{purpose, full_path(wanted), std::move(then)};
+    constexpr std::array names = {"open", "save", "save_state", "picture", "film"};
+    tell("asks_for_path", {{"purpose", names[std::size_t(purpose)]}, {"suggested", path_request->suggested.string()}});
+}
+
+void Play::choose(const fs::path& path) {
+    if (!path_request || path.empty()) return;
+    const auto request = *std::exchange(path_request, std::nullopt);
+    switch (request.purpose) {
+    case Purpose::open:
+        return open(path.string());
+    case Purpose::save:
+        if (save(path) && request.then) request.then();
+        return;
+    case Purpose::save_state:
+        return void(save_state(path));
+    case Purpose::picture:
+        return screenshot(path);
+    case Purpose::film:
+        return toggle_recording(path);
+    }
+}
+
+// --- questions -------------------------------------------------------------------------------------------------------
+
+void Play::unless_lost(const std::string& verb, std::function<void()> go_on) {
+    if (!would_lose()) return go_on();
+    let_go_of_everything();
+    const auto saves = [this, go_on] { save_then(go_on); };
+    const auto drops = [this, go_on] {
+        saved_edits_ = tape().edits();
+        drop_draft();
+        go_on();
+    };
+    question = Question{"Save the changes to " + fs::path(name_).stem().string() + "?",
+                        "They are lost if you " + verb + " without saving.",
+                        {{"save", "Save", saves}, {"discard", "Don't save", drops}, {"cancel", "Cancel", {}}}};
+    tell("asks", {{"question", question->title}});
+}
+
+void Play::answer(std::size_t number) {
+    if (!question || number >= question->answers.size()) return;
+    const auto chosen = std::exchange(question, std::nullopt)->answers[number];
+    tell("answer", {{"answer", chosen.name}});
+    if (chosen.act) chosen.act();
+}
+
+bool Play::answer(std::string_view name) {
+    if (!question) return false;
+    for (std::size_t i = 0; i < question->answers.size(); ++i)
+        if (question->answers[i].name == name) return answer(i), true;
+    return false;
+}
+
+void Play::close() {
+    if (question)
+        answer(question->answers.size() - 1);
+    else if (path_request)
+        path_request.reset();
+    else if (!problem_.empty())
+        problem_.clear();
+    else if (help)
+        help = false;
+    else if (settings)
+        settings = false;
+    else if (restoration_)
+        restoration_.reset();
+    else
+        ask_to_quit();
+}
+
+void Play::ask_to_quit() {
+    unless_lost("quit", [this] { quit = true; });
+}
+
+// --- drafts ----------------------------------------------------------------------------------------------------------
+
+void Play::write_draft() {
+    if (draft_.empty() || !would_lose()) return;
+    const auto origin = beside_.empty() ? "" : concat(draft_origin, full_path(beside_), "\n");
+    if (!write_file(draft_, origin + saved_text())) tell("draft", {{"path", draft_.string()}});
+    draft_edits_ = tape().edits();
+}
+
+/// Writes the draft while edits are unsaved; otherwise removes it.
+void Play::tend_draft(double seconds) {
+    since_draft_ += seconds;
+    if (draft_.empty() || since_draft_ < draft_every || draft_edits_ == tape().edits()) return;
+    since_draft_ = 0;
+    if (would_lose()) return write_draft();
+    drop_draft();
+}
+
+void Play::drop_draft() {
+    if (!draft_.empty()) remove_file(draft_);
+    draft_edits_ = tape().edits();
+}
+
+void Play::offer_draft() {
+    const auto text = read_file(draft_, most_bytes);
+    if (!text) return;
+    const auto forget = [this] { drop_draft(); };
+    const auto open = [this, text = *text] {
+        const auto line = text.substr(0, text.find('\n'));
+        const fs::path origin = line.starts_with(draft_origin) ? line.substr(draft_origin.size()) : "";
+        auto fetched = shelf_.read(text, "draft", origin);
+        if (!fetched.opened) return report_problem(std::move(fetched.problem));
+        name_ = "unsaved " + origin.stem().string();
+        overrides_.clear();
+        begin(std::move(fetched));
+        beside_ = origin;
+        saved_edits_ = never_saved;
+        saved_as_.clear();
+        tell("scene", {{"name", name_}});
+    };
+    question = Question{"Open what was not saved last time?",
+                        "Sinew ended while a scene had changes that were not saved. They were kept.",
+                        {{"open", "Open them", open}, {"discard", "Discard", forget}, {"later", "Later", {}}}};
+    tell("asks", {{"question", question->title}});
+}
+
+} // namespace sinew::play

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "player/eye.h"
+#include "player/tape.h"
+
+#include <cstddef>
+
+namespace sinew::play {
+
+/// A session in its part of the picture. A split view has two panes side by side, which step together.
+struct Pane {
+    Timeline tape;
+    CameraController eye;
+    std::size_t told = 0; ///< number of the session's events reported so far
+};
+
+} // namespace sinew::play

@@ -1,0 +1,101 @@
+#include "sinew/math/trig.h"
+#include "sinew/picture/theme.h"
+
+#include "canvas/beside.h"
+#include "canvas/formats.h"
+#include "player/files.h"
+#include "player/play.h"
+#include "player/tool.h"
+
+#include <algorithm>
+#include <utility>
+
+/// Pictures of a game on the screen, as screenshots and as films.
+namespace sinew::play {
+namespace {
+
+constexpr double film_rate = 30; // frames per second
+
+/// Scene files are named by their paths, scenes of the catalogue by a word.
+std::string stem_of(const std::string& name) {
+    return std::filesystem::path(name).stem().string();
+}
+
+} // namespace
+
+/// Draws a ring around the particles to be grabbed by a press.
+void Play::highlight(Picture& picture) const {
+    if (!hovered || busy_ || !over_ || question || path_request) return;
+    const auto place =
+        hovered->members.size() == 1 ? place_of(session().world(), hovered->members) : std::optional(hovered->place);
+    const auto seen = place ? view().see(place->as<3, double>()) : std::nullopt;
+    if (!seen) return;
+    const auto& colors = theme_called(shown_theme());
+    constexpr int corners = 24;
+    const auto unit = float(density_);
+    std::array<Vec2<float>, corners> ring;
+    for (int i = 0; i < corners; ++i) {
+        const double turn = 2 * pi<double> * i / corners;
+        ring[std::size_t(i)] = seen->pixel + Vec2<float>{{float(cosine(turn)), float(sine(turn))}} * (9 * unit);
+    }
+    picture.add(Shape::loop, ring, 4.5F * unit, colors.background);
+    picture.add(Shape::loop, ring, 2 * unit, colors.palette[0]);
+    picture.add(Shape::disc, std::span(&seen->pixel, 1), 5 * unit, colors.palette[0]);
+}
+
+void Play::switch_theme() {
+    theme = shown_theme() == "dark" ? "light" : "dark";
+}
+
+void Play::screenshot(std::filesystem::path path) {
+    screenshots_.push_back(path.empty() ? free_path("out/" + stem_of(name_) + ".png") : std::move(path));
+}
+
+void Play::toggle_recording(std::filesystem::path path) {
+    if (film_) {
+        const auto failure = film_->finish();
+        film_.reset();
+        if (failure) return report_problem(*failure);
+        message = "recorded " + full_path(film_path_);
+        return tell("recorded", {{"path", film_path_.string()}});
+    }
+    film_path_ = path.empty() ? free_path("out/" + stem_of(name_) + ".mp4") : std::move(path);
+    const auto size =
+        is_split() ? canvas::size_beside(panes_.size(), pane_width(0), height_) : canvas::BesideSize{width_, height_};
+    auto opened = canvas::open(film_path_, {.width = size.width, .height = size.height, .fps = film_rate});
+    if (opened.failure) return report_problem(*opened.failure);
+    film_ = std::move(opened.writer);
+    film_width_ = size.width, film_height_ = size.height;
+    film_due_ = 0;
+    message = "recording; V ends it";
+    tell("recording", {{"path", film_path_.string()}});
+}
+
+/// A recording ends when the size of the picture changes.
+void Play::take_pictures(const Picture& picture) {
+    for (const auto& path : std::exchange(screenshots_, {})) {
+        auto opened = canvas::open(path, {.width = picture.width, .height = picture.height});
+        auto failure = opened.failure;
+        if (!failure) failure = opened.writer->frame(picture);
+        if (!failure) failure = opened.writer->finish();
+        if (failure) {
+            report_problem(*failure);
+            continue;
+        }
+        message = "screenshot " + full_path(path);
+        tell("screenshot", {{"path", path.string()}});
+    }
+    if (film_ && (picture.width != film_width_ || picture.height != film_height_)) toggle_recording();
+    for (; film_ && film_due_ <= 0; film_due_ += 1 / film_rate)
+        if (auto failure = film_->frame(picture)) {
+            film_.reset();
+            return report_problem(*failure);
+        }
+}
+
+double Play::hint_strength() const {
+    constexpr double shown = 10, fades = 1; // seconds
+    return hint ? std::clamp((shown - hint_age_) / fades, 0.0, 1.0) : 0;
+}
+
+} // namespace sinew::play

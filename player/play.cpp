@@ -1,0 +1,328 @@
+#include "player/play.h"
+
+#include "sinew/world/measure.h"
+
+#include "player/files.h"
+#include "player/tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace sinew::play {
+namespace {
+
+constexpr double a_notch = 1.15;    // magnification per notch of the wheel
+constexpr double most_notches = 20; // per event
+constexpr double look_every = 0.5;  // seconds between checks of the scene's file
+
+bool follows_pointer(const PinSection& pin) {
+    return pin.driver && std::holds_alternative<PointerDriver>(*pin.driver);
+}
+
+bool has_hover(const std::vector<std::pair<std::string, sinew::Look>>& looks) {
+    return std::any_of(looks.begin(), looks.end(), [](const auto& look) { return !look.second.hover.empty(); });
+}
+
+/// True if moving the pointer without a button affects the scene.
+bool feels_pointer(const Scene& scene) {
+    return scene.solver.rules.hover_freezes || has_hover(scene.looks) ||
+           std::any_of(scene.pins.begin(), scene.pins.end(), follows_pointer) ||
+           std::any_of(scene.figures.begin(), scene.figures.end(),
+                       [](const FigureSection& figure) { return has_hover(figure.looks); });
+}
+
+} // namespace
+
+std::vector<std::unique_ptr<Tool>> all_tools() {
+    std::vector<std::unique_ptr<Tool>> all;
+#define SINEW_MAKE(name) all.push_back(tool::name());
+    SINEW_TOOLS(SINEW_MAKE)
+#undef SINEW_MAKE
+    return all;
+}
+
+Play::Play(SceneLibrary shelf, std::string scene, std::vector<Override> overrides)
+    : shelf_(std::move(shelf)), tools_(all_tools()) {
+    open_now(scene, std::move(overrides));
+}
+
+/// An unfinished film is finished, to be playable.
+Play::~Play() {
+    if (film_) (void)film_->finish();
+}
+
+// --- scenes ----------------------------------------------------------------------------------------------------------
+
+void Play::begin(Fetched fetched) {
+    path_ = beside_ = std::move(fetched.path);
+    written_ = time_written(path_);
+    std::vector<Pane> panes;
+    panes.push_back({Timeline(Session(std::move(*fetched.opened))), {}});
+    begin(std::move(panes));
+}
+
+void Play::begin(std::vector<Pane> panes) {
+    problem_.clear();
+    message.clear();
+    hovered.reset(), selected.reset();
+    saved_edits_ = draft_edits_ = 0;
+    const double scale = clock_ ? clock_->scale() : 1;
+    const bool paused = clock_ && clock_->paused();
+    panes_ = std::move(panes);
+    active_ = own_pane_ = 0;
+    saved_as_ = saved_text();
+    clock_.emplace(session().scene().solver.rate);
+    clock_->set_scale(scale);
+    clock_->pause(paused);
+    resize_eyes();
+}
+
+void Play::report_problem(std::string text) {
+    problem_ = std::move(text);
+    tell("problem", {{"text", problem_}});
+}
+
+/// Reads the scene's file again after another program has written it.
+void Play::look_at_file(double seconds) {
+    since_look_ += seconds;
+    if (path_.empty() || since_look_ < look_every) return;
+    since_look_ = 0;
+    const auto written = time_written(path_);
+    if (written == written_) return;
+    written_ = written;
+    if (!would_lose()) return read_again();
+    if (question) return;
+    let_go_of_everything();
+    question = Question{"Read " + std::filesystem::path(name_).filename().string() + " again?",
+                        "The file was changed by another program. What you changed here is lost if it is read again.",
+                        {{"read", "Read it again", [this] { read_again(); }}, {"keep", "Keep what runs", {}}}};
+    tell("asks", {{"question", question->title}});
+}
+
+/// An invalid file leaves the running scene as it is.
+void Play::read_again() {
+    auto fetched = shelf_.fetch(name_, overrides_);
+    if (!fetched.opened) return report_problem(std::move(fetched.problem));
+    let_go_of_everything();
+    const bool split = is_split();
+    if (would_lose()) drop_draft();
+    begin(std::move(fetched));
+    if (split) toggle_split();
+    tell("reloaded", {{"name", name_}});
+}
+
+// --- time ------------------------------------------------------------------------------------------------------------
+
+void Play::advance(double seconds, const std::function<bool()>& enough) {
+    film_due_ -= seconds;
+    if (hint) hint_age_ += seconds;
+    if (restoration_) {
+        restoration_->advance(enough);
+        if (restoration_->done()) end_restoration();
+        return;
+    }
+    look_at_file(seconds);
+    tend_draft(seconds);
+    for (int due = clock_->advance(seconds); due > 0; --due) {
+        each_pane([&] { tape().step(); });
+        tell_happenings();
+        if (enough && due > 1 && enough()) {
+            clock_->forget();
+            break;
+        }
+    }
+    if (over_ && !held_) hovered = pick_here(); // particles move under a resting pointer
+    find_selected_again();
+}
+
+void Play::pause(bool on) {
+    if (clock_->paused() == on) return;
+    clock_->pause(on);
+    tell(on ? "pause" : "resume", {{"hash", hash()}});
+}
+
+void Play::step() {
+    pause(true);
+    each_pane([&] { tape().step(); });
+    tell_happenings();
+    tell("step", {{"hash", hash()}});
+}
+
+void Play::step_back() {
+    pause(true);
+    each_pane([&] {
+        if (tape().now() > tape().first()) tape().go_to(tape().now() - 1);
+    });
+    tell("back", {{"hash", hash()}});
+}
+
+void Play::go_to(std::uint64_t step) {
+    let_go_of_everything();
+    pause(true);
+    each_pane([&] { tape().go_to(step); });
+    tell("scrub", {{"hash", hash()}});
+}
+
+void Play::restart() {
+    let_go_of_everything();
+    each_pane([&] { tape().act(Restart{}); });
+    tell("restart");
+}
+
+// --- input -----------------------------------------------------------------------------------------------------------
+
+void Play::resize(int width, int height, double density) {
+    width_ = std::max(width, 1), height_ = std::max(height, 1);
+    density_ = density > 0 ? density : 1;
+    resize_eyes();
+}
+
+void Play::zoom(double factor) {
+    each_pane([&] { eye().zoom(session(), pointer_, factor); });
+}
+
+void Play::handle(const Input& input) {
+    struct Handler {
+        Play& play;
+        void operator()(const Moved& moved) const { play.moved(moved.to); }
+        void operator()(const Pressed& pressed) const { play.pressed(pressed.button); }
+        void operator()(const Released& released) const { play.released(released.button); }
+        void operator()(const Scrolled& scrolled) const {
+            const double notches = std::clamp(scrolled.notches, -most_notches, most_notches);
+            const auto& scene = play.session().scene();
+            if (scene.pointer.wheel_time_scale > 0 && scene.solver.mode == "classic")
+                return play.tape().act(Quicken{notches * scene.pointer.wheel_time_scale});
+            play.zoom(std::pow(a_notch, notches));
+        }
+        void operator()(const Pinched& pinched) const {
+            play.each_pane([&] { play.eye().pan(play.session(), pinched.by); });
+            play.zoom(pinched.factor);
+        }
+        void operator()(const Key& key) const { play.key(key.name); }
+        void operator()(const KeyUp& key) const {
+            if (key.name == "space") play.space_ = false;
+        }
+        void operator()(const Left&) const { play.over_ = false, play.hovered.reset(); }
+    };
+    std::visit(Handler{*this}, input);
+}
+
+void Play::select(std::optional<Picked> picked) {
+    selected = std::move(picked);
+    selected_names_.clear();
+    if (!selected) return;
+    for (const auto id : selected->members) selected_names_.push_back(name_of(session().world(), id));
+}
+
+/// An edit rebuilds the world with new particle ids but the same names.
+void Play::find_selected_again() {
+    if (!selected) return;
+    const auto& world = session().world();
+    for (std::size_t i = 0; i < selected_names_.size(); ++i) {
+        auto& id = selected->members[i];
+        if (place_of(world, {&id, 1})) continue;
+        const auto named = std::visit([&](const auto& any) { return find_particle(any, selected_names_[i]); }, world);
+        id = named.value_or(id);
+    }
+}
+
+std::optional<Picked> Play::pick_here() const {
+    return pick(session().world(), view(), pointer_, pick_radius * density_);
+}
+
+/// A drag stays in the pane where it began.
+void Play::moved(Vec2<double> to) {
+    const auto last = active_;
+    if (!held_)
+        for (std::size_t i = 0; i < panes_.size(); ++i)
+            if (to[0] >= pane_left(i)) switch_pane(i);
+    to[0] -= pane_left(active_);
+    const auto by = last == active_ ? to - pointer_ : Vec2<double>{};
+    pointer_ = to;
+    over_ = true;
+    if (busy_) return busy_->move(*this);
+    const bool around = held_ == Button::left || held_ == Button::right;
+    if (held_ && (held_ == Button::middle || space_)) return each_pane([&] { eye().pan(session(), by); });
+    if (held_ && around) return each_pane([&] { eye().orbit(session(), by); });
+    hovered = pick_here();
+    if (clock_->paused()) return;
+    each_pane([&] {
+        if (feels_pointer(session().scene()))
+            tape().act(PointAt{view().place_of(pointer_, hovered ? hovered->depth : 1)});
+    });
+}
+
+Tool& Play::current_tool() {
+    for (auto& one : tools_)
+        if (one->name() == tool) return *one;
+    return *tools_.front();
+}
+
+/// With the grab tool, a press on the background turns the camera of a 3D scene.
+void Play::pressed(Button button) {
+    if (held_ || question || restoration_) return;
+    held_ = button;
+    if (button == Button::middle || space_) return;
+    auto& chosen = current_tool();
+    if (button == Button::left && chosen.name() == "grab" && !pick_here()) {
+        selected.reset();
+        if (session().scene().dimension == 3) return;
+    }
+    busy_ = &chosen;
+    if (button == Button::right)
+        for (auto& one : tools_)
+            if (one->name() == "cut") busy_ = one.get();
+    busy_->press(*this);
+    if (session().holds()) hint = false;
+}
+
+void Play::released(Button button) {
+    if (held_ != button) return;
+    held_.reset();
+    if (auto* done = std::exchange(busy_, nullptr)) done->release(*this);
+    hovered = pick_here();
+}
+
+void Play::let_go_of_everything() {
+    if (held_) released(*held_);
+}
+
+void Play::key(const std::string& name) {
+    const auto action = keys.action_of(name);
+    const bool is_page = settings && action == "settings";
+    if (question && name == "return") return answer(0);
+    if ((question || path_request || settings) && action != "close" && !is_page) return;
+    if (name == "space") space_ = true;
+    for (auto& one : tools_)
+        if (one->name() == action) {
+            let_go_of_everything();
+            tool = one->name();
+            message = std::string(one->name()) + ": " + std::string(one->about());
+            return tell("tool", {{"name", one->name()}});
+        }
+    press_key(*this, name);
+}
+
+// --- events ----------------------------------------------------------------------------------------------------------
+
+void Play::tell(std::string what, json::Object more) {
+    if (listener && !muted_) listener({std::move(what), std::move(more)});
+}
+
+std::string Play::hash() const {
+    const auto bits = std::visit([](const auto& world) { return state_hash(world); }, session().world());
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(bits));
+    return text;
+}
+
+void Play::tell_happenings() {
+    const auto& all = session().happenings();
+    auto& told = pane().told;
+    told = std::min(told, all.size()); // the session was restored to an earlier state
+    for (; told < all.size(); ++told) tell(all[told].what, {{"where", all[told].where}});
+}
+
+} // namespace sinew::play

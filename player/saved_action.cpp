@@ -1,0 +1,69 @@
+#include "player/saved_action.h"
+
+#include <memory>
+#include <utility>
+
+namespace sinew::play {
+namespace {
+
+using Saved = decltype(SavedAction::action);
+
+/// Return and Restart are branches of the log, never actions of a recipe; their cases only complete the visitor.
+struct Save {
+    Saved operator()(const PointAt& deed) const { return SavedPointer{deed.place.value_or(Point{})}; }
+    Saved operator()(const Grab& deed) const {
+        SavedGrab grab{.members = {}, .place = deed.place};
+        for (const Row row : deed.members) grab.members.push_back(std::int64_t(row));
+        return grab;
+    }
+    Saved operator()(const Drag& deed) const { return SavedDrag{deed.place}; }
+    Saved operator()(const LetGo&) const { return SavedRelease{}; }
+    Saved operator()(const Slash& deed) const {
+        return SavedCut{deed.line, deed.look.section, deed.look.focus, {deed.look.width, deed.look.height}};
+    }
+    Saved operator()(const Become& deed) const { return SavedEdit{to_json(*deed.scene)}; }
+    Saved operator()(const Return&) const { return SavedRelease{}; }
+    Saved operator()(const Restart&) const { return SavedRelease{}; }
+    Saved operator()(const Quicken& deed) const { return SavedQuicken{deed.by}; }
+    Saved operator()(const Tweak& deed) const {
+        return SavedTweak{std::int64_t(deed.particle), deed.position, deed.velocity, deed.mass};
+    }
+};
+
+struct Load {
+    const std::function<std::optional<Opened>(const json::Value& scene)>& open;
+
+    std::optional<Action> operator()(const SavedPointer& action) const { return PointAt{action.place}; }
+    std::optional<Action> operator()(const SavedGrab& action) const {
+        Grab grab{.members = {}, .place = action.place};
+        for (const auto row : action.members) grab.members.push_back(Row(row));
+        return grab;
+    }
+    std::optional<Action> operator()(const SavedDrag& action) const { return Drag{action.place}; }
+    std::optional<Action> operator()(const SavedRelease&) const { return LetGo{}; }
+    std::optional<Action> operator()(const SavedCut& action) const {
+        return Slash{action.line, {action.view, action.focus, action.picture[0], action.picture[1]}};
+    }
+    std::optional<Action> operator()(const SavedEdit& action) const {
+        auto opened = open(action.scene);
+        if (!opened) return std::nullopt;
+        return Become{std::make_shared<const Scene>(std::move(opened->scene))};
+    }
+    std::optional<Action> operator()(const SavedQuicken& action) const { return Quicken{action.by}; }
+    std::optional<Action> operator()(const SavedTweak& action) const {
+        return Tweak{Row(action.particle), action.position, action.velocity, action.mass};
+    }
+};
+
+} // namespace
+
+SavedAction saved(const LoggedAction& action) {
+    return {std::int64_t(action.step), std::visit(Save{}, action.deed)};
+}
+
+std::optional<Action> deed_of(const SavedAction& action,
+                              const std::function<std::optional<Opened>(const json::Value& scene)>& open) {
+    return std::visit(Load{open}, action.action);
+}
+
+} // namespace sinew::play

@@ -1,0 +1,185 @@
+#include "player/tape.h"
+
+#include "sinew/picture/draw.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sinew::play {
+namespace {
+
+constexpr double remembered = 60;          // seconds of restorable past
+constexpr double between_marks = 0.25;     // seconds between snapshots, doubled when `memory` is used up
+constexpr std::size_t memory = 256u << 20; // bytes of all snapshots, estimated; beyond, half are dropped
+constexpr std::size_t most_edits = 64;
+
+/// Estimated bytes of a copied session, and of each of its parts.
+constexpr std::size_t empty = 50'000, a_particle = 200, a_constraint = 100, a_piece = 150;
+
+std::size_t bytes_of(const Session& session) {
+    return std::visit(
+        [](const auto& world) {
+            std::size_t bytes = empty + world.particles.size() * a_particle;
+            for_each_table(world, [&](const auto& table) { bytes += a_constraint * table.size(); });
+            for (const auto& figure : world.figures) bytes += figure.pieces.size() * a_piece;
+            return bytes;
+        },
+        session.world());
+}
+
+std::uint64_t steps_in(double seconds, const Session& session) {
+    return std::max<std::uint64_t>(std::uint64_t(seconds * session.scene().solver.rate), 1);
+}
+
+/// A new position replaces an earlier one at the same step.
+template <class Moved, class Dones> bool replace_last(Dones& done, std::uint64_t step, Action& deed) {
+    if (!std::holds_alternative<Moved>(deed) || done.empty()) return false;
+    auto& last = done.back();
+    if (last.step != step || !std::holds_alternative<Moved>(last.deed)) return false;
+    last.deed = std::move(deed);
+    return true;
+}
+
+/// True if the state jumps, so that positions before and after must not be interpolated.
+bool leaps(const Action& deed) {
+    return std::holds_alternative<Become>(deed) || std::holds_alternative<Return>(deed) ||
+           std::holds_alternative<Restart>(deed);
+}
+
+} // namespace
+
+Timeline::Timeline(Session session)
+    : session_(std::move(session)), log_(session_), spacing_(steps_in(between_marks, session_)) {
+    mark();
+}
+
+Timeline::Timeline(Session session, ActionLog log)
+    : session_(std::move(session)), log_(std::move(log)), spacing_(steps_in(between_marks, session_)) {
+    mark();
+}
+
+void Timeline::step() {
+    between_.remember(session_.world());
+    session_.step();
+    log_.step();
+    ++now_;
+    if (now_ > end_) {
+        end_ = now_;
+        if (now_ >= marks_.back().step + spacing_) mark();
+    }
+    arrive();
+}
+
+void Timeline::apply(const Action& deed) {
+    carry_out(deed, session_);
+    log_.note(deed, session_);
+    if (leaps(deed)) between_.forget();
+}
+
+Return Timeline::return_here() const {
+    return {std::make_shared<const Session>(session_), log_.now()};
+}
+
+void Timeline::arrive() {
+    const auto here = std::lower_bound(done_.begin(), done_.end(), now_,
+                                       [](const Done& done, std::uint64_t step) { return done.step < step; });
+    for (auto done = here; done != done_.end() && done->step == now_; ++done) apply(done->deed);
+}
+
+void Timeline::go_to(std::uint64_t step) {
+    step = std::clamp(step, first(), end());
+    if (step >= now_ && step < now_ + spacing_) {
+        while (now_ < step) this->step();
+        return;
+    }
+    const auto after = std::upper_bound(marks_.begin(), marks_.end(), step,
+                                        [](std::uint64_t at, const Mark& mark) { return at < mark.step; });
+    const auto& mark = *std::prev(after);
+    between_.forget();
+    session_ = mark.session;
+    log_.go_to(mark.at);
+    now_ = mark.step;
+    arrive();
+    while (now_ < step) this->step();
+}
+
+void Timeline::draw(Picture& picture, OverlaySet overlay, const View& view, double share, const std::string& theme) {
+    const auto own = session_.scene().view.theme;
+    if (!theme.empty()) session_.set_theme(theme);
+    between_.show(session_.world(), share, [&] { sinew::draw(session_, view, picture, overlay); });
+    session_.set_theme(own);
+}
+
+void Timeline::act(Action deed) {
+    forget_the_future();
+    apply(deed);
+    if (!replace_last<Drag>(done_, now_, deed) && !replace_last<PointAt>(done_, now_, deed))
+        done_.push_back({now_, std::move(deed)});
+}
+
+void Timeline::forget_the_future() {
+    while (!done_.empty() && done_.back().step > now_) done_.pop_back();
+    while (marks_.size() > 1 && marks_.back().step > now_) marks_.pop_back();
+    end_ = now_;
+}
+
+/// Adds a snapshot; drops snapshots older than `remembered`, with the actions before the first one left.
+void Timeline::mark() {
+    marks_.push_back({now_, session_, log_.now()});
+    const auto kept = steps_in(remembered, session_);
+    while (marks_.size() > 1 && marks_[1].step + kept <= now_) marks_.pop_front();
+    while (!done_.empty() && done_.front().step < marks_.front().step) done_.pop_front();
+    const auto most = std::max<std::size_t>(memory / bytes_of(session_), 4);
+    if (marks_.size() <= most) return;
+    spacing_ *= 2;
+    std::deque<Mark> every_second;
+    for (std::size_t i = 0; i < marks_.size(); i += 2) every_second.push_back(std::move(marks_[i]));
+    marks_ = std::move(every_second);
+}
+
+void Timeline::edit(Action deed, std::string name, bool goes_on) {
+    if (goes_on && undone_ == 0 && !edits_.empty() && edits_.back().name == name) {
+        auto& last = edits_.back();
+        last.again = deed;
+        act(std::move(deed));
+        if (!std::holds_alternative<Become>(last.again)) finish_edit();
+        return;
+    }
+    while (undone_ > 0) edits_.pop_back(), --undone_;
+    ++edits_made_;
+    Edit edit{std::move(name), Return{}, deed};
+    if (std::holds_alternative<Become>(deed))
+        edit.back = Become{std::make_shared<const Scene>(session_.scene())};
+    else
+        edit.back = return_here();
+    act(std::move(deed));
+    if (!std::holds_alternative<Become>(edit.again)) edit.again = return_here();
+    edits_.push_back(std::move(edit));
+    if (edits_.size() > most_edits) edits_.pop_front();
+}
+
+void Timeline::finish_edit() {
+    if (!edits_.empty()) edits_.back().again = return_here();
+}
+
+void Timeline::forget_edit() {
+    if (edits_.empty()) return;
+    edits_.pop_back();
+    --edits_made_;
+}
+
+bool Timeline::undo() {
+    if (undone_ == edits_.size()) return false;
+    --edits_made_;
+    act(edits_[edits_.size() - 1 - undone_++].back);
+    return true;
+}
+
+bool Timeline::redo() {
+    if (undone_ == 0) return false;
+    ++edits_made_;
+    act(edits_[edits_.size() - undone_--].again);
+    return true;
+}
+
+} // namespace sinew::play

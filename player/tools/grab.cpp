@@ -1,0 +1,95 @@
+#include "player/tool.h"
+
+namespace sinew::play {
+namespace {
+
+json::Array numbers(const Point& point) {
+    json::Array items;
+    for (int i = 0; i < 3; ++i) items.push_back(point[i]);
+    return items;
+}
+
+/// Grabs the nearest particle or particles and drags, in 3D in the plane parallel to the picture.
+class GrabTool final : public Tool {
+    std::string_view name() const override { return "grab"; }
+    std::string_view key() const override { return "a"; }
+    std::string_view about() const override { return "takes hold of what is nearest; let go to throw it"; }
+
+    /// In other panes of a split view grabs the particles of the same names, at any position; without such names, the
+    /// particles under the pointer.
+    void press(Play& play) override {
+        const auto picked = play.pick_here();
+        play.select(picked);
+        holds_.assign(play.pane_count(), {});
+        if (!picked) return;
+        const auto& world = play.session().world();
+        const auto under_pointer = play.active_pane();
+        play.each_pane([&] {
+            const bool other = play.active_pane() != under_pointer;
+            auto own = other ? counterpart(world, *picked, play.session().world(), play.view()) : picked;
+            if (own) return hold(play, *own, other);
+            own = play.pick_here();
+            if (own) hold(play, *own, false);
+        });
+        if (holds_[under_pointer].held)
+            play.tell("grab", {{"particle", name_of(play.session().world(), picked->members.front())}});
+    }
+
+    void hold(Play& play, const Picked& picked, bool other) {
+        auto& hold = holds_[play.active_pane()];
+        play.tape().act(Grab{rows_of(play.session().world(), picked.members), picked.place});
+        hold.held = play.session().holds();
+        hold.depth = picked.depth;
+        if (other && play.session().hand()) hold.offset = cast<double>(picked.pixel) - play.pointer();
+    }
+
+    void move(Play& play) override {
+        play.each_pane([&] {
+            if (!is_held(play)) return;
+            const auto& hold = holds_[play.active_pane()];
+            play.tape().act(Drag{play.view().place_of(play.pointer() + hold.offset, hold.depth)});
+        });
+    }
+
+    void release(Play& play) override {
+        const bool held = is_held(play);
+        play.each_pane([&] {
+            if (is_held(play)) play.tape().act(LetGo{});
+        });
+        holds_.clear();
+        if (!held) return;
+        const auto at = play.selected ? place_of(play.session().world(), play.selected->members) : std::nullopt;
+        play.tell("let_go", at ? json::Object{{"at", numbers(*at)}} : json::Object{});
+    }
+
+    void draw(const Play& play, Picture& picture) const override {
+        const auto* hand = play.session().hand();
+        const auto place = hand ? place_of(play.session().world(), hand->members) : std::nullopt;
+        const auto seen = place ? play.view().see(place->as<3, double>()) : std::nullopt;
+        if (!seen || !is_held(play)) return;
+        const auto& theme = theme_called(play.shown_theme());
+        const std::array line = {seen->pixel, cast<float>(play.pointer() + holds_[play.active_pane()].offset)};
+        const auto unit = float(play.density());
+        picture.add(Shape::polyline, line, 2 * unit, mix(theme.background, theme.pen, 0.6F));
+        picture.add(Shape::disc, std::span(&line[1], 1), 7 * unit, theme.pen);
+    }
+
+    bool is_held(const Play& play) const {
+        return play.active_pane() < holds_.size() && holds_[play.active_pane()].held;
+    }
+
+    struct Hold {
+        bool held = false;
+        double depth = 0;      ///< distance of the grabbed point from the camera
+        Vec2<double> offset{}; ///< from the pointer to the grabbed point, pixels
+    };
+    std::vector<Hold> holds_; ///< per pane
+};
+
+} // namespace
+
+std::unique_ptr<Tool> tool::grab() {
+    return std::make_unique<GrabTool>();
+}
+
+} // namespace sinew::play

@@ -1,0 +1,214 @@
+#pragma once
+
+#include "sinew/assert/assert.h"
+#include "sinew/solver/solver.h"
+#include "sinew/world/world.h"
+
+#include <algorithm>
+
+/// Connected components of the world under simple distances. Each becomes a component of the plan, or shares one with
+/// others of the same shape.
+namespace sinew::detail {
+
+template <int D, class Real> class ComponentFinder {
+  public:
+    static constexpr Row none = ~Row(0);
+    using Links = std::span<const Row>;
+
+    ComponentFinder(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), solver_(solver), distances_(std::get<kind_number<Distance, D>>(world.constraints)),
+          swept_(solver.sweep_state), plan_(solver.sweep_state.plan), room_(solver.sweep_state.room) {}
+
+    /// Finds the components of the swept particles outside kept components. A link to a kept component is reported by
+    /// meet(slot) of a particle there instead, and the result is false.
+    template <class Meet> bool find(Meet&& meet) {
+        if (!take_plain(meet)) return false;
+        join();
+        sort_into_parts();
+        return true;
+    }
+    /// Releases the adjacency lists.
+    void forget_neighbours() { give_back(room_.first_near, room_.near, room_.at, room_.levels); }
+    /// Releases all room of the planner.
+    void forget() {
+        give_back(room_.link_at, room_.left, room_.parent, room_.part_of, room_.members, room_.rank, room_.at,
+                  room_.first_near, room_.near, room_.chained, room_.colour, room_.used, room_.sorted, room_.left_over,
+                  room_.of_tile, room_.left_of_tile, room_.sequences, room_.levels);
+    }
+    bool any() const {
+        bool any = false;
+        each_swept([&](Row) { any = true; });
+        return any;
+    }
+    std::size_t size() const { return room_.parts.size(); }
+
+    std::span<const Row> members(std::size_t part) const {
+        SINEW_ASSERT(part < room_.parts.size(), "the part has been found");
+        return std::span(room_.members).subspan(room_.parts[part].first_member, room_.parts[part].members);
+    }
+    Links links(std::size_t part) const {
+        return std::span(room_.link_at).subspan(room_.parts[part].first_link, room_.parts[part].links);
+    }
+    Row rank(Row link, std::size_t i) const { return room_.rank[end(link, i)]; }
+    Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
+
+    /// Number of consecutive parts, from this one on, of the same shape.
+    std::size_t count_alike(std::size_t part) const {
+        std::size_t count = 1;
+        while (part + count < room_.parts.size() && are_alike(part, part + count)) ++count;
+        return count;
+    }
+
+    void list_neighbours(std::size_t part) const {
+        const auto all = members(part);
+        auto& first = room_.first_near;
+        first.assign(all.size() + 1, 0);
+        for (const Row link : links(part)) ++first[rank(link, 0) + 1], ++first[rank(link, 1) + 1];
+        for (std::size_t i = 0; i < all.size(); ++i) first[i + 1] += first[i];
+        room_.near.resize(first[all.size()]);
+        auto& next = room_.at;
+        next.assign(first.begin(), first.end());
+        for (const Row link : links(part))
+            for (std::size_t i = 0; i < 2; ++i) room_.near[next[rank(link, i)]++] = rank(link, 1 - i);
+    }
+
+  private:
+    World<D, Real>& world_;
+    Solver<D, Real>& solver_;
+    const Constraints<Distance<D>, Real>& distances_;
+    SweepState<D, Real>& swept_;
+    Plan<Real>& plan_;
+    PlanRoom& room_;
+
+    std::size_t particles() const { return world_.particles.size(); }
+
+    /// Releases columns in a large world. A small world keeps the room, because a tear calls for a new plan.
+    template <class... Column> void give_back(Column&... columns) const {
+        constexpr std::size_t small = 100'000;
+        if (distances_.size() > small) ((columns = Column()), ...);
+    }
+
+    /// Visits the swept particles outside kept components.
+    template <class Visit> void each_swept(Visit&& visit) const {
+        const std::span<const char> in_block = world_.particles.in_block;
+        for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)
+            for (end = next_flag(in_block, row, 1); row < end; ++row)
+                if (swept_.slot_of[row] == none) visit(Row(row));
+    }
+
+    /// True for a distance with default split and relaxation, without damping, drive or maximum force. Limits outside
+    /// the range of coordinates are left out: products of three of them would overflow.
+    bool is_plain(Row link) const {
+        constexpr Real far = limit::coordinate<Real>;
+        return distances_.split[link] == Real(0.5) && distances_.relaxation[link] == Real(1) &&
+               !distances_.gives(link) && distances_.damping_time[link] == Real(0) && !distances_.motorized[link] &&
+               distances_.low(link) <= far && distances_.high(link) >= Real(0);
+    }
+
+    bool is_at_port(int kind, Row row) const {
+        const auto& ports = solver_.blocks.ports;
+        bool found = false;
+        if (ports.list.empty()) return found;
+        visit_table(world_, kind, [&](const auto& table) {
+            for (const Row member : table.members[row]) found = found || ports.at[member] != ports.none;
+        });
+        return found;
+    }
+
+    template <class Meet> bool take_plain(Meet&& meet) {
+        bool apart = true;
+        room_.links.clear();
+        plan_.others.clear();
+        for (const auto& run : solver_.blocks.runs) {
+            const bool distances = run.kind == kind_number<Distance, D>;
+            for (Row row = run.rows.first; row < run.rows.last; ++row) {
+                if (distances && is_plain(row)) {
+                    const Row a = swept_.slot_of[end(row, 0)], b = swept_.slot_of[end(row, 1)];
+                    if (a != none && b != none) continue;
+                    room_.links.push_back(row);
+                    if (a == none && b == none) continue;
+                    meet(std::min(a, b));
+                    apart = false;
+                    continue;
+                }
+                if (is_at_port(run.kind, row)) continue;
+                auto* last = plan_.others.empty() ? nullptr : &plan_.others.back();
+                if (!last || last->kind != run.kind || last->rows.last != row)
+                    plan_.others.push_back({run.kind, {row, row}});
+                plan_.others.back().rows.last = row + 1;
+            }
+        }
+        return apart;
+    }
+
+    Row first_of(Row row) {
+        auto& parent = room_.parent;
+        while (parent[row] != row) row = parent[row] = parent[parent[row]];
+        return row;
+    }
+
+    void join() {
+        room_.parent.resize(particles());
+        each_swept([&](Row row) { room_.parent[row] = row; });
+        for (const Row link : room_.links) {
+            const Row a = first_of(end(link, 0)), b = first_of(end(link, 1));
+            room_.parent[std::max(a, b)] = std::min(a, b);
+        }
+    }
+
+    /// Sorts particles and links by component, each in row order, and components by the first particle. Particles
+    /// without links share one component.
+    void sort_into_parts() {
+        auto& parts = room_.parts;
+        parts.clear();
+        room_.part_of.resize(particles());
+        each_swept([&](Row row) { room_.part_of[row] = none; });
+        for (const Row link : room_.links) room_.part_of[end(link, 0)] = room_.part_of[end(link, 1)] = 0;
+        bool any_alone = false;
+        each_swept([&](Row row) {
+            if (room_.part_of[row] == none) {
+                any_alone = true;
+            } else if (const Row first = first_of(row); first == row) {
+                room_.part_of[row] = Row(parts.size());
+                parts.push_back({});
+            } else {
+                room_.part_of[row] = room_.part_of[first];
+            }
+        });
+        if (any_alone) parts.push_back({});
+        each_swept([&](Row row) {
+            if (room_.part_of[row] == none) room_.part_of[row] = Row(parts.size() - 1);
+            ++parts[room_.part_of[row]].members;
+        });
+        for (const Row link : room_.links) ++parts[room_.part_of[end(link, 0)]].links;
+        std::uint32_t member = 0, link = 0;
+        for (auto& part : parts) {
+            part.first_member = member, part.first_link = link;
+            member += part.members, link += part.links;
+            part.members = part.links = 0;
+        }
+        room_.members.resize(member);
+        room_.link_at.resize(link);
+        room_.rank.resize(particles());
+        each_swept([&](Row row) {
+            auto& part = parts[room_.part_of[row]];
+            room_.rank[row] = part.members;
+            room_.members[part.first_member + part.members++] = row;
+        });
+        for (const Row row : room_.links) {
+            auto& part = parts[room_.part_of[end(row, 0)]];
+            room_.link_at[part.first_link + part.links++] = row;
+        }
+        give_back(room_.links);
+    }
+
+    bool are_alike(std::size_t a, std::size_t b) const {
+        const auto first = links(a), second = links(b);
+        if (first.empty() || first.size() != second.size() || members(a).size() != members(b).size()) return false;
+        for (std::size_t i = 0; i < first.size(); ++i)
+            if (rank(first[i], 0) != rank(second[i], 0) || rank(first[i], 1) != rank(second[i], 1)) return false;
+        return true;
+    }
+};
+
+} // namespace sinew::detail

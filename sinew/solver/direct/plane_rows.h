@@ -1,0 +1,93 @@
+#pragma once
+
+#include "sinew/solver/contact/collider_sweep.h"
+#include "sinew/solver/direct/state.h"
+
+/// Planes that hold the nodes of a block: those of the world, and one at each contact with a collider.
+namespace sinew::detail {
+
+template <int D> struct BlockPlane {
+    Vec<D, double> normal{};
+    double offset = 0, restitution = 0, friction = 0;
+    Vec<D, double> surface_move{}; ///< displacement of the surface in the substep
+    std::uint32_t collider = ~std::uint32_t(0);
+};
+
+template <int D, class Real> class BlockPlanes {
+  public:
+    using Vector = Vec<D, double>;
+    using Plane = BlockPlane<D>;
+    static constexpr auto none = ~std::uint32_t(0);
+
+    explicit BlockPlanes(BlockState<D, Real>& state) : state_(state), world_(state.world) {}
+
+    bool any() const { return has_walls(world_); }
+
+    double depth(const BlockNode<D>& node, const Plane& plane) const {
+        return plane.offset + double(world_.particles.radius[node.row]) - dot(plane.normal, node.place);
+    }
+
+    /// Calls visit(plane) for the planes of the world, and the contacts of a node with colliders at its present place.
+    template <class Visit> void each(const BlockNode<D>& node, Visit&& visit) const {
+        for (const auto& plane : world_.bounds)
+            visit(Plane{cast<double>(plane.normal), double(plane.offset), double(plane.restitution),
+                        double(plane.friction)});
+        for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
+            if (!is_near(i, node, 0)) continue;
+            const auto& collider = world_.colliders[i];
+            const collide::MovingCollider<D, Real> moving(collider, Real(state_.from()), Real(state_.to()));
+            moving.contacts(cast<Real>(node.start), cast<Real>(node.place), world_.particles.radius[node.row],
+                            [&](const auto& contact) {
+                                note(i, node.row, 0);
+                                if (!collider.is_sensor) visit(plane_of(collider, contact, i));
+                            });
+        }
+    }
+
+    /// True if a node may touch a collider within a reach of its place; moving colliders then drive the block.
+    bool is_any_collider_near(const BlockNode<D>& node, double reach) const {
+        bool found = false;
+        for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
+            if (!is_near(i, node, reach)) continue;
+            const auto& collider = world_.colliders[i];
+            const Real within = world_.particles.radius[node.row] + Real(reach);
+            if (collider.is_at_rest() &&
+                !collide::nearest(collider.shape, collider.target, cast<Real>(node.place), within))
+                continue;
+            if (!collider.is_at_rest()) state_.be_motorized();
+            found = true;
+        }
+        return found;
+    }
+
+    /// Reports the impulse of a collider on a particle, newton seconds.
+    void note(std::uint32_t collider, Row row, double impulse) const {
+        world_.contacts.touched[row] = collider + 1;
+        world_.contacts.pressed[row] = Real(impulse);
+    }
+
+  private:
+    BlockState<D, Real>& state_;
+    World<D, Real>& world_;
+
+    bool is_near(std::uint32_t collider, const BlockNode<D>& node, double reach) const {
+        collide::BoundingBox<D, Real> box;
+        box.include(cast<Real>(node.start));
+        box.include(cast<Real>(node.place));
+        return touch(world_.colliders[collider].filter, filter_of(world_, node.row)) &&
+               world_.contacts.boxes[collider].overlaps(box.grown(world_.particles.radius[node.row] + Real(reach)));
+    }
+
+    static Plane plane_of(const collide::Collider<D, Real>& collider, const collide::ColliderContact<D, Real>& contact,
+                          std::uint32_t index) {
+        const auto normal = cast<double>(contact.surface.normal);
+        return {normal,
+                dot(normal, cast<double>(contact.surface.point)),
+                double(collider.restitution),
+                double(collider.friction),
+                cast<double>(contact.surface_move),
+                index};
+    }
+};
+
+} // namespace sinew::detail

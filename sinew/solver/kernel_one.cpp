@@ -1,4 +1,0 @@
-#define SINEW_ONE_LANE
-#include "sinew/solver/kernel_text.h"
-
-SINEW_KERNELS(kernels_one)

@@ -1,0 +1,168 @@
+#pragma once
+
+#include "sinew/math/limit.h"
+#include "sinew/math/moments.h"
+#include "sinew/world/world_types.h"
+
+#include <cstddef>
+#include <cstdint>
+
+/// SIMD kernels over many particles. Each function is compiled from the same text for every instruction set
+/// (simd/targets/all.h) and selected at run time; all variants give the same bits.
+namespace sinew {
+
+/// Upper bound on 1 / length^2 of a limit, also used for a limit of zero.
+template <class Real> inline constexpr Real most_per_square = Real(1e30);
+
+/// Variants of most batches: rigid links of consecutive slots. Without suffix all links are alike, `_each` has limits
+/// per link, `_uneven` has ends of unequal or zero mobility.
+enum class LinkKind : unsigned char {
+    other,
+    equality,
+    equality_each,
+    equality_uneven,
+    old_gradient, ///< equality, corrected along the links at the start of the substep
+    old_gradient_each,
+    old_gradient_uneven,
+    inequality, ///< inequality: two limits
+    inequality_each,
+    inequality_uneven
+};
+
+/// Batch of simple distances solved together: between slots a and b, a + 1 and b + 1, ... Any 32 consecutive links (two
+/// packs of 16) are disjoint.
+struct LinkBatch {
+    std::uint32_t a = 0, b = 0; ///< first slots in SweepState; scattered: a is an offset in the lists of ends
+    std::uint32_t count = 0;
+    std::uint32_t row = 0;      ///< first row in the table of distances; with row_step 0 an offset in the list of rows
+    std::uint32_t row_step = 0; ///< from link to link; 0: rows are listed
+    std::uint32_t parameters = 0; ///< index of the first low, high and compliance
+    bool uniform = false;         ///< a single set of parameters
+    bool compliant = false;       ///< some links are compliant
+    bool equality = true;         ///< all links are equalities
+    bool old_gradient = false;    ///< corrected along the links at the start of the substep
+    bool equal_mass = true;       ///< both ends of every link have the same nonzero mobility
+    bool scattered = false;
+    LinkKind kind = LinkKind::other;
+};
+
+/// Columns of the particles (sweep_state.h) and of the plan (plan.h).
+template <int D, class Real> struct DistanceColumns {
+    const Real* place;
+    Real* move;
+    std::size_t apart; ///< stride between components
+    const Real* mobility;
+    const Real *low, *high;
+    const Real* compliance;               ///< for batches with compliant links
+    const Real* quarter_per_square;       ///< 1 / (4 low^2)
+    const std::uint32_t *ends_a, *ends_b; ///< slots of scattered batches
+    const std::uint32_t* rows;            ///< rows of batches with row_step 0
+    Real* multiplier;                     ///< by row
+};
+
+template <class Real> struct DistancePass {
+    Real per_h2 = 0;   ///< 1 / h^2
+    Real shortest = 1; ///< output: a length below limit::shortest_link of a link with a positive limit, otherwise 1
+    bool kept = false; ///< store multipliers, for later iterations or for readers
+    bool last_substep = false;  ///< last substep: multipliers are read after the step
+    bool first = true;          ///< first iteration: multipliers start at zero
+    bool again = false;         ///< repair within an iteration: compliant batches are skipped
+    bool overstretched = false; ///< output: some rigid link was over 2 % too long
+};
+
+/// Anchor of long-range attachments: an upper limit on each particle's distance from a point.
+template <int D, class Real> struct Anchor {
+    Real opposite[D];                  ///< anchor position, negated
+    const Real* half_per_reach_square; ///< 1 / (2 reach^2) by slot; 0: unlimited
+};
+
+/// Motion of particles independently of each other, in a substep.
+template <int D, class Real> struct Motion {
+    Real *place, *move, *residual;
+    std::size_t apart; ///< stride between components
+    const Real* mobility;
+    const Anchor<D, Real>* anchors = nullptr;
+    std::uint32_t anchor_count = 0;
+    Real most = 0;     ///< largest displacement
+    Real furthest = 0; ///< largest coordinate
+    Real add[D];       ///< added to each displacement
+    Real keep = 1;     ///< factor of the displacement, applied before `add`
+};
+
+/// Transposition between vectors by row and columns of components by slot.
+template <int D, class Real> struct Transposition {
+    Real* rows; ///< D numbers each
+    Real* columns;
+    std::size_t apart;           ///< stride between components
+    const std::uint32_t* row_of; ///< by slot
+    std::uint32_t slot_of_last;  ///< slot of the last row, whose load must not pass the end
+    Real by = 1;                 ///< factor applied to every number
+    Real most = 0;               ///< bound on numbers in columns; 0: to_columns copies, without factor or bound
+};
+
+/// Particles of one body.
+template <int D, class Real> struct BodyColumns {
+    const Real* place;
+    Real* move;
+    std::size_t apart; ///< stride between components
+    const Real* mobility;
+    const std::uint32_t* slots; ///< null: `count` slots from `first` on
+    std::uint32_t first, count;
+    Vec<D, double> origin, drift; ///< subtracted from each place and displacement
+};
+
+/// Rotation added to the motion of a body, and the share by which the rest of the motion is slowed down.
+template <int D, class Real> struct BodyTurn {
+    Vec<spins<D>, double> rate;   ///< radians
+    Vec<D, double> center, drift; ///< drift: mean displacement
+    double loss;                  ///< 0..1
+    Real most;                    ///< largest displacement
+};
+
+/// Kernel over the particles in slots [first, last).
+template <int D, class Real> using Moving = void (*)(const Motion<D, Real>&, std::uint32_t first, std::uint32_t last);
+
+template <int D, class Real> struct Kernels {
+    /// Solves a range of batches in order.
+    void (*project)(const DistanceColumns<D, Real>&, DistancePass<Real>&, const LinkBatch* first,
+                    const LinkBatch* last);
+    /// Pulls particles back within reach of the anchors.
+    Moving<D, Real> tether;
+    /// place <- place + move, the rounding error kept in the residual (Kahan 1965).
+    Moving<D, Real> advance;
+    /// move <- keep move + add for movable particles, 0 for others.
+    Moving<D, Real> drift;
+    /// `advance`, then `drift`.
+    Moving<D, Real> go_on;
+    /// Minimum of normal . (place + move).
+    Real (*lowest)(const Motion<D, Real>&, const Real* normal, std::uint32_t first, std::uint32_t last);
+    /// Moments of a body; immovable particles weigh infinitely much.
+    void (*moments)(const BodyColumns<D, Real>&, Moments<D>&);
+    void (*turn)(const BodyColumns<D, Real>&, const BodyTurn<D, Real>&);
+    /// Transposes slots [first, last).
+    void (*to_columns)(const Transposition<D, Real>&, std::uint32_t first, std::uint32_t last);
+    void (*to_rows)(const Transposition<D, Real>&, std::uint32_t first, std::uint32_t last);
+    /// True if all numbers are within [-limit, limit], or [0, limit]; NaN is not.
+    bool (*all_within)(const Real* numbers, std::size_t count, Real limit);
+    bool (*all_within_and_positive)(const Real* numbers, std::size_t count, Real limit);
+};
+
+/// Kernels of an instruction set.
+template <class... Each> struct AllKernels : Each... {};
+using KernelSet = EveryWorld<AllKernels, Kernels>;
+
+enum class Simd { one, sse2, avx2, avx512 };
+
+/// Best instruction set of this processor, or the available one named by the environment's SINEW_SIMD (one, sse2 or
+/// neon, avx2, avx512).
+Simd best_simd();
+/// True if both the processor and the build support the instruction set.
+bool has_simd(Simd simd);
+/// Selects the kernels used from now on. For tests: results do not change by a bit.
+void use_simd(Simd simd);
+const char* name_of(Simd simd);
+Simd simd_in_use();
+
+template <int D, class Real> const Kernels<D, Real>& kernels();
+
+} // namespace sinew

@@ -1,0 +1,329 @@
+#pragma once
+
+#include "sinew/math/lane.h"
+#include "sinew/solver/simd/inverse_length.h"
+#include "sinew/solver/simd/kernel.h"
+
+#include <array>
+#include <limits>
+#include <type_traits>
+
+/// Fast path for most links: rigid, between consecutive slots. Multipliers are computed only on request, and mobilities
+/// are not loaded where both ends move equally readily and take half of the correction each.
+namespace sinew {
+namespace {
+
+using namespace lane;
+
+/// Variant of rigid links to compile a kernel for.
+struct Rigid {
+    bool equality = true;      ///< all links are equalities
+    bool kept = false;         ///< multipliers are stored
+    bool old_gradient = false; ///< corrected along the links at the start of the substep (simd/distance.h)
+    bool equal_mass = true;    ///< both ends of every link have the same nonzero mobility
+};
+
+template <int D, class Real, Rigid rules> struct RigidLinks {
+    using V = Pack<Real, widest<Real>>;
+    static constexpr std::size_t width = std::size_t(widest<Real>);
+
+    const DistanceColumns<D, Real>& columns;
+    DistancePass<Real>& pass;
+    const LinkBatch& run;
+    const Real *place_a, *place_b, *low, *high;
+    Real *move_a, *move_b;
+    std::size_t apart;
+
+    RigidLinks(const DistanceColumns<D, Real>& from, DistancePass<Real>& in, const LinkBatch& of)
+        : columns(from), pass(in), run(of), place_a(from.place + of.a), place_b(from.place + of.b),
+          low(from.quarter_per_square + of.parameters), high(from.high + of.parameters), move_a(from.move + of.a),
+          move_b(from.move + of.b), apart(from.apart) {}
+
+    /// Solves a batch with common limits, or with limits for each link.
+    [[gnu::always_inline]] void solve_uniform() const {
+        if (run.count < width) return carefully(columns, pass, run, 0, run.count);
+        const Wanted same = uniformly_wanted();
+        solve([&](std::size_t) __attribute__((always_inline))->const Wanted& { return same; });
+    }
+    [[gnu::always_inline]] void solve_each() const {
+        if (run.count < width) return carefully(columns, pass, run, 0, run.count);
+        solve([&](std::size_t i) __attribute__((always_inline)) { return wanted_of(i); });
+    }
+    /// Solves a batch of either kind.
+    [[gnu::always_inline]] void solve_any() const { run.uniform ? solve_uniform() : solve_each(); }
+
+  private:
+    /// Limits of the length, as 1 / (4 length^2).
+    struct Wanted {
+        V low, high;
+    };
+
+    struct Link {
+        V a[D], b[D]; ///< displacements of the ends
+        V d[D], e[D]; ///< link at the start of the substep, link now
+        V e2{};
+    };
+
+    /// The last pack begins early enough to be full. Links in both of the last two packs are loaded before the first
+    /// store, and solved twice with equal results.
+    template <class Limits> [[gnu::always_inline]] void solve(Limits&& wanted) const {
+        const std::size_t end = run.count, over = end % width, whole = over == 0 ? end : end - over - width;
+        std::size_t i = 0;
+        for (; i < whole; i += width)
+            if (!all_near({i}, wanted)) [[unlikely]]
+                carefully(columns, pass, run, i, i + width);
+        if (over > 0 && !all_near({i, end - width}, wanted)) [[unlikely]]
+            carefully(columns, pass, run, i, end);
+    }
+
+    /// Solves the packs from each number i on, if the tangent is accurate for all links (see lacking). Otherwise
+    /// returns false and changes nothing.
+    template <std::size_t packs, class Limits>
+    [[gnu::always_inline]] bool all_near(const std::size_t (&i)[packs], Limits&& limits) const {
+        Link link[packs];
+        V half[packs], away[packs];
+#pragma GCC unroll 2
+        for (unsigned p = 0; p < packs; ++p) {
+            const Wanted& wanted = limits(i[p]);
+            link[p] = link_at(i[p]);
+            half[p] = half_tangent(link[p].e2, wanted);
+            away[p] = half[p] * half[p];
+            if constexpr (rules.old_gradient) {
+                const V turned = quarter() - dot(link[p].d, link[p].e) * wanted.low;
+                away[p] = most(away[p], turned * turned);
+                half[p] = along_tangent(half[p], turned);
+            }
+        }
+        if (any_less(near() * near(), away)) [[unlikely]]
+            return false;
+#pragma GCC unroll 2
+        for (unsigned p = 0; p < packs; ++p) {
+            move<true>(i[p], int(width), link[p], half[p]);
+            if constexpr (rules.kept) keep<true>(i[p], int(width), link[p], half[p], limits(i[p]));
+        }
+        return true;
+    }
+
+    /// Solves links [first, last), however far from their limits.
+    [[gnu::noinline]] static void carefully(const DistanceColumns<D, Real>& columns, DistancePass<Real>& pass,
+                                            const LinkBatch& run, std::size_t first, std::size_t last) {
+        const RigidLinks links(columns, pass, run);
+        std::size_t i = first;
+        for (; i + width <= last; i += width) links.template project<true>(i, int(width));
+        if (i < last) links.template project<false>(i, int(last - i));
+    }
+
+    template <bool all> [[gnu::always_inline]] void project(std::size_t i, int count) const {
+        const Wanted wanted = run.uniform ? uniformly_wanted() : wanted_of(i);
+        Link link = link_at(i);
+        const V half =
+            rules.old_gradient ? half_along<all>(link, count, wanted) : half_lacking<all>(link.e2, count, wanted);
+        move<all>(i, count, link, half);
+        if constexpr (rules.kept) keep<all>(i, count, link, half, wanted);
+    }
+
+    /// Stores the multipliers and notes lengths near zero.
+    template <bool all>
+    [[gnu::always_inline]] void keep(std::size_t i, int count, const Link& link, const V& half,
+                                     const Wanted& wanted) const {
+        const V length = root(link.e2), along = rules.old_gradient ? root(dot(link.d, link.d)) : length;
+        V mobility = mobility_of(run.a + i);
+        if constexpr (!rules.equal_mass) mobility = mean_mobility(mobility, mobility_of(run.b + i));
+        if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
+        const V lambda = within(along * half / mobility, spread<V>(limit::multiplier<Real>));
+        const auto has_length = wanted.low < spread<V>(Real(0.1) * most_per_square<Real>);
+        note<all>(i, count, lambda, has_length ? length : spread<V>(Real(1)));
+    }
+
+    /// Half of the relative correction: the share of each end with equal mobilities.
+    template <bool all> [[gnu::always_inline]] V half_lacking(const V& e2, int count, const Wanted& wanted) const {
+        V half = half_tangent(e2, wanted);
+        if constexpr (!all) half = first_lanes(half, count, Real(0));
+        return lacking(
+            half, Real(0.5), [&]() __attribute__((always_inline)) {
+                look_at(half);
+                if constexpr (rules.equality) return e2 * wanted.low * Real(4);
+                return e2 * (half < V{} ? wanted.high : wanted.low) * Real(4);
+            });
+    }
+
+    /// Half of the correction relative to d, the link at the start of the substep; e is the link now:
+    ///
+    ///     (1/sqrt(t) - 1)/2 t/u,   t = e^2 / L^2,   u = d e / L^2;   near t = u = 1 about (1 - t)/4 (2 - u)
+    ///
+    /// Where the link has turned by more than 8 degrees or is at least twice too long, d becomes e.
+    template <bool all> [[gnu::always_inline]] V half_along(Link& link, int count, const Wanted& wanted) const {
+        auto& [a, b, d, e, e2] = link;
+        const V d_e = dot(d, e);
+        V half = half_tangent(e2, wanted), turned = quarter() - d_e * wanted.low;
+        if constexpr (!all) half = first_lanes(half, count, Real(0)), turned = first_lanes(turned, count, Real(0));
+        const V nearly = along_tangent(half, turned), away = most(half * half, turned * turned);
+        if (!any_less(near() * near(), away)) return nearly;
+        look_at(half);
+        const V t = e2 * wanted.low * Real(4), one = spread<V>(Real(1)), zero{};
+        V along = turned * turned < spread<V>(Real(1.0 / 64)) ? d_e : zero; // u from 1/2 to 3/2
+        along = t < spread<V>(Real(4)) ? along : zero;
+        const auto agree = along * along > Real(least_agreement * least_agreement) * (e2 * dot(d, d));
+        const V lack = Real(0.5) / root(most(t, spread<V>(Real(1e-30)))) - Real(0.5);
+        const V part = lack * ((agree ? e2 : one) / (agree ? along : one));
+        for (unsigned k = 0; k < D; ++k) d[k] = near() * near() < away ? (agree ? d[k] : e[k]) : d[k];
+        return near() * near() < away ? part : nearly;
+    }
+
+    [[gnu::always_inline]] void look_at(const V& half) const {
+        if (any(half < spread<V>(Real(0.25) * (1 - overstretched<Real>)))) pass.overstretched = true;
+    }
+
+    [[gnu::always_inline]] static V quarter() {
+        return spread<V>(Real(0.25));
+    }
+    /// Largest `half` for the tangent; larger values take a square root.
+    [[gnu::always_inline]] static V near() {
+        return spread<V>(Real(1.0 / 128));
+    }
+
+    [[gnu::always_inline]] static V half_tangent(const V& e2, const Wanted& wanted) {
+        const V half = quarter() - e2 * wanted.low, zero{};
+        return rules.equality ? half : most(half, zero) + least(quarter() - e2 * wanted.high, zero);
+    }
+    [[gnu::always_inline]] static V along_tangent(const V& half, const V& turned) {
+        return half * (turned * Real(4) + Real(1));
+    }
+    [[gnu::always_inline]] static V dot(const V (&a)[D], const V (&b)[D]) {
+        V sum = a[0] * b[0];
+#pragma GCC unroll 3
+        for (unsigned k = 1; k < D; ++k) sum = sum + a[k] * b[k];
+        return sum;
+    }
+
+    [[gnu::always_inline]] Link link_at(std::size_t i) const {
+        Link link;
+#pragma GCC unroll 3
+        for (unsigned k = 0; k < D; ++k) {
+            const std::size_t at = k * apart + i;
+            link.a[k] = load<V>(move_a + at);
+            link.b[k] = load<V>(move_b + at);
+            link.d[k] = load<V>(place_b + at) - load<V>(place_a + at);
+            link.e[k] = link.d[k] + (link.b[k] - link.a[k]);
+        }
+        link.e2 = dot(link.e, link.e);
+        return link;
+    }
+    template <bool all>
+    [[gnu::always_inline]] void move(std::size_t i, int count, const Link& link, const V& half) const {
+        const Shares shares = shares_of(i, half);
+#pragma GCC unroll 3
+        for (unsigned k = 0; k < D; ++k) {
+            const std::size_t at = k * apart + i;
+            const V& along = rules.old_gradient ? link.d[k] : link.e[k];
+            const V first = along * shares.a, second = rules.equal_mass ? first : along * shares.b;
+            put<all>(move_a + at, link.a[k] - first, count);
+            put<all>(move_b + at, link.b[k] + second, count);
+        }
+    }
+
+    /// Corrections of the ends, relative to the direction of correction.
+    struct Shares {
+        V a, b;
+    };
+    [[gnu::always_inline]] Shares shares_of(std::size_t i, const V& half) const {
+        if constexpr (rules.equal_mass) return {half, half};
+        const V a = mobility_of(run.a + i), b = mobility_of(run.b + i), per = Real(1) / mean_mobility(a, b);
+        return {half * (per * a), half * (per * b)};
+    }
+    [[gnu::always_inline]] V mobility_of(std::size_t slot) const {
+        return load<V>(columns.mobility + slot);
+    }
+    /// Mean of two mobilities; infinity if both ends are immovable, which gives no correction.
+    [[gnu::always_inline]] static V mean_mobility(const V& a, const V& b) {
+        const V mean = (a + b) * Real(0.5);
+        return V{} < mean ? mean : spread<V>(std::numeric_limits<Real>::infinity());
+    }
+
+    template <bool all>
+    [[gnu::always_inline]] void note(std::size_t i, int count, const V& lambda, const V& length) const {
+        if (any(length < spread<V>(limit::shortest_link<Real>))) [[unlikely]]
+            for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, lane_of(length, k));
+        if (run.row_step == 0) {
+            for (int k = 0; k < count; ++k)
+                columns.multiplier[columns.rows[run.row + i + std::size_t(k)]] = lane_of(lambda, k);
+            return;
+        }
+        Real* const to = columns.multiplier + run.row + i * run.row_step;
+        if (run.row_step == 1) return put<all>(to, lambda, count);
+        put_apart<all>(to, lambda, count, run.row_step);
+    }
+
+    [[gnu::always_inline]] Wanted uniformly_wanted() const {
+        return wanted(
+            0, [](const Real* from) __attribute__((always_inline)) { return spread<V>(*from); });
+    }
+    [[gnu::always_inline]] Wanted wanted_of(std::size_t i) const {
+        return wanted(
+            i, [](const Real* from) __attribute__((always_inline)) { return load<V>(from); });
+    }
+    template <class Get> [[gnu::always_inline]] Wanted wanted(std::size_t at, Get&& get) const {
+        Wanted wanted{get(low + at), V{}};
+        if constexpr (!rules.equality) {
+            const V longest = get(high + at);
+            wanted.high = least(Real(0.25) / (longest * longest), spread<V>(Real(0.25) * most_per_square<Real>));
+        }
+        return wanted;
+    }
+};
+
+/// Solves batches of a kind, up to the first of another. Not inlined: together with the other kinds registers would not
+/// suffice.
+template <LinkKind kind, bool kept, int D, class Real>
+[[gnu::noinline]] const LinkBatch* project_kind(const DistanceColumns<D, Real>& columns, DistancePass<Real>& pass,
+                                                const LinkBatch* first, const LinkBatch* last) {
+    using enum LinkKind;
+    constexpr Rigid rules{
+        .equality = kind != inequality && kind != inequality_each && kind != inequality_uneven,
+        .kept = kept,
+        .old_gradient = kind == old_gradient || kind == old_gradient_each || kind == old_gradient_uneven,
+        .equal_mass = kind != equality_uneven && kind != old_gradient_uneven && kind != inequality_uneven};
+    for (; first != last && first->kind == kind; ++first) {
+        const RigidLinks<D, Real, rules> links(columns, pass, *first);
+        if constexpr (kind == equality || kind == old_gradient || kind == inequality)
+            links.solve_uniform();
+        else if constexpr (rules.equal_mass)
+            links.solve_each();
+        else
+            links.solve_any();
+    }
+    return first;
+}
+
+/// Solves batches up to the first of kind `other`, or with multipliers to be accumulated. Equalities need multipliers
+/// only for readers; inequalities also between iterations, to undo part of earlier corrections.
+template <int D, class Real>
+[[gnu::always_inline]] inline const LinkBatch* project_kinds(const DistanceColumns<D, Real>& columns,
+                                                             DistancePass<Real>& pass, const LinkBatch* first,
+                                                             const LinkBatch* last) {
+    using enum LinkKind;
+    using Project =
+        const LinkBatch* (*)(const DistanceColumns<D, Real>&, DistancePass<Real>&, const LinkBatch*, const LinkBatch*);
+    static constexpr auto each = [](auto kept) {
+        return std::array<Project, 10>{nullptr,
+                                       project_kind<equality, kept, D, Real>,
+                                       project_kind<equality_each, kept, D, Real>,
+                                       project_kind<equality_uneven, kept, D, Real>,
+                                       project_kind<old_gradient, kept, D, Real>,
+                                       project_kind<old_gradient_each, kept, D, Real>,
+                                       project_kind<old_gradient_uneven, kept, D, Real>,
+                                       project_kind<inequality, kept, D, Real>,
+                                       project_kind<inequality_each, kept, D, Real>,
+                                       project_kind<inequality_uneven, kept, D, Real>};
+    };
+    static constexpr std::array project{each(std::false_type{}), each(std::true_type{})};
+    while (first != last && first->kind != other) {
+        const bool kept = first->kind < inequality ? pass.last_substep : pass.kept;
+        if (kept && !pass.first) break;
+        first = project[kept][std::size_t(first->kind)](columns, pass, first, last);
+    }
+    return first;
+}
+
+} // namespace
+} // namespace sinew

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "sinew/solver/contact/figure_contact.h"
+#include "sinew/solver/ports/energy_limiter.h"
+#include "sinew/solver/ports/port_coupling.h"
+#include "sinew/solver/sweep/momentum_keeper.h"
+#include "sinew/solver/sweep/projections.h"
+#include "sinew/solver/sweep/substeps.h"
+
+namespace sinew::detail {
+
+/// Substep after substep over all components together, for worlds in which components act on each other: by contacts,
+/// at ports of blocks, through constraints of every kind, by motors.
+template <int D, class Real> class CoupledSweep {
+  public:
+    CoupledSweep(World<D, Real>& world, Solver<D, Real>& solver, const Substeps<D, Real>& substeps, bool motorized)
+        : world_(world), solver_(solver), plan_(solver.sweep_state.plan), substeps_(substeps),
+          motorized_(motorized), keeper_{solver.sweep_state, substeps.kernels()} {}
+
+    void run() {
+        const auto bodies = std::span(solver_.sweep_state.bodies.list);
+        const bool alike = solver_.sweep_state.everyone_alike;
+        gather(world_, solver_, substeps_.h, 0, solver_.sweep_state.size());
+        if (alike) keeper_.note(bodies, substeps_.decay());
+        for (int number = 1; number <= substeps_.count; ++number) {
+            if (motorized_) move_limits(world_, substeps_.h);
+            run_substep(number, alike ? bodies.first(0) : bodies);
+            if (motorized_) slip(world_, solver_, substeps_.h);
+        }
+        if (alike) keeper_.restore(bodies);
+        scatter(world_, solver_, 0, solver_.sweep_state.size());
+    }
+
+  private:
+    World<D, Real>& world_;
+    Solver<D, Real>& solver_;
+    const Plan<Real>& plan_;
+    const Substeps<D, Real>& substeps_;
+    bool motorized_; ///< a limit moves, or has a maximum force
+    MomentumKeeper<D, Real> keeper_;
+
+    /// `bodies` are those whose momenta are kept in this substep.
+    void run_substep(int number, std::span<FreeBody<D>> bodies) {
+        auto substep = substeps_.number(number);
+        EnergyLimiter<D, Real> limiter(world_, solver_, substeps_.h);
+        limiter.begin();
+        for (const auto& tile : plan_.tiles) substep.predict(tile);
+        keeper_.note(bodies, 1);
+        note_energy(world_, solver_);
+        auto contacts = contacts_of(number);
+        contacts.begin();
+        solve_with_ports(substep, number);
+        contacts.solve();
+        hold(substep);
+        limiter.find_gains();
+        for (const auto& tile : plan_.tiles) substep.advance(tile);
+        take_back_gains(world_, solver_, substeps_.h);
+        keeper_.restore(bodies);
+        limiter.take_gains();
+        for (const auto& tile : plan_.tiles) substep.rebound(tile);
+        contacts.relax();
+    }
+
+    FigureContact<D, Real> contacts_of(int number) {
+        const Real last_share = Real(number - 1) / Real(substeps_.count), share = Real(number) / Real(substeps_.count);
+        return {world_, solver_, substeps_.h, last_share, share, substeps_.h * Real(substeps_.count - number + 1)};
+    }
+
+    /// Iterations over all constraints, once more where the linear models of the ports fed in energy.
+    void solve_with_ports(Substep<D, Real>& substep, int number) {
+        PortCoupling<D, Real> ports(world_, solver_, substeps_.h, number);
+        ports.begin();
+        for (bool again = false;; again = true) {
+            for (int i = 0; i < world_.settings.iterations; ++i) {
+                if (i > 0) hold(substep);
+                substep.mover().first_iteration = i == 0;
+                project_all(substep);
+            }
+            if (ports.take(again)) return;
+            ports.begin_again();
+        }
+    }
+
+    /// Runs an iteration over all constraints: ports after everything not at a port, and before the tethers. Components
+    /// with ports are swept again, since most of the load on them comes from outside.
+    void project_all(Substep<D, Real>& substep) {
+        const auto& ports = solver_.blocks.ports;
+        const int rounds = ports.list.empty() ? 1 : 2;
+        const bool first = substep.mover().first_iteration;
+        for (int round = 0; round < rounds; ++round) {
+            substep.mover().first_iteration = first && round == 0;
+            for (std::size_t i = 0; i < plan_.components.size(); ++i)
+                if (round == 0 || ports.components[i]) project(substep, plan_.components[i]);
+            for (const auto& run : plan_.others) project_run(world_, std::span(solver_.scratch), run, substep.mover());
+            PortMover<D, Real>::project_all(world_, solver_, substep.mover());
+            for (std::size_t i = 0; i < plan_.components.size(); ++i)
+                if (round == 0 || ports.components[i]) tether(substep, plan_.components[i]);
+        }
+        substep.mover().first_iteration = first;
+    }
+    void project(Substep<D, Real>& substep, const Component& component) {
+        substep.set_anchors(component);
+        for_each_projection(world_, plan_, substep, component, [&](std::uint32_t, auto&& work) {
+            for (std::uint32_t tile = 0; tile < component.tiles; ++tile) work(tile);
+        });
+    }
+    void tether(Substep<D, Real>& substep, const Component& component) {
+        substep.set_anchors(component);
+        for (const auto& tile : substeps_.tiles_of(component)) substep.tether_in_turn(tile);
+    }
+
+    /// Constraints on single particles, including particles of blocks: pins and planes.
+    void hold(Substep<D, Real>& substep) {
+        for (const auto& tile : plan_.tiles) substep.pull_pins(tile);
+        for (const auto& tile : plan_.tiles) substep.keep_in_bounds(tile);
+    }
+};
+
+} // namespace sinew::detail

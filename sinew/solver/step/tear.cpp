@@ -1,0 +1,80 @@
+#include "sinew/solver/phases.h"
+#include "sinew/solver/project.h"
+#include "sinew/world/remove.h"
+
+#include <algorithm>
+
+namespace sinew {
+namespace {
+
+template <class Table, int D, class Real>
+Real strain_of(const World<D, Real>& world, std::span<Vec<D, Real>> scratch, const Table& table, Row row) {
+    using Kind = typename Table::Kind;
+    const auto members = table.members[row];
+    detail::Stencil<Kind, D, Real> stencil(scratch, members.size());
+    stencil.each([&](std::size_t i) { stencil.points[i] = world.particles.position[members[i]]; });
+    const Real measure = stencil.evaluate(stencil.points, stencil.gradient);
+    return detail::strain<Kind>(measure, table.low(row), table.high(row));
+}
+
+/// Adds the damage of a step; true when the constraint fails.
+template <class Table, class Real> bool wears_out(Table& table, Row row, Real strain_times_time) {
+    if (table.damage_limit[row] == Real(0)) return true;
+    table.damage.set(row, minimum(table.damage[row] + strain_times_time, limit::measure<Real>));
+    return table.damage[row] > table.damage_limit[row];
+}
+
+/// True if both ends of a distance torn in this step are among the members.
+template <int D, class Real> bool lost_a_link(const World<D, Real>& world, std::span<const Row> members) {
+    return std::any_of(world.events.begin(), world.events.end(), [&](const Event& event) {
+        return event.type == EventType::torn && event.constraint.kind == kind_number<Distance, D> &&
+               std::all_of(event.ends.begin(), event.ends.end(), [&](ParticleId end) {
+                   const auto row = world.particles.slots.find(end);
+                   return row && std::find(members.begin(), members.end(), *row) != members.end();
+               });
+    });
+}
+
+template <class Table, int D, class Real>
+bool tears(const World<D, Real>& world, std::span<Vec<D, Real>> scratch, Table& table, Row row, Real dt) {
+    if (table.breaking_strain[row] >= limit::measure<Real> || world.events.size() >= events_per_step) return false;
+    const Real beyond = absolute(strain_of(world, scratch, table, row)) - table.breaking_strain[row];
+    return beyond > Real(0) && wears_out(table, row, beyond * dt);
+}
+
+template <class Table, int D, class Real> void report(World<D, Real>& world, const Table& table, int kind, Row row) {
+    const auto members = table.members[row];
+    const auto& slots = world.particles.slots;
+    world.events.push_back({.type = EventType::torn,
+                            .figure = table.figure[row],
+                            .constraint = {kind, table.slots.id_of(row)},
+                            .ends = {slots.id_of(members.front()), slots.id_of(members.back())}});
+}
+
+} // namespace
+
+template <int D, class Real> void tear(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
+    static_assert(kind_number<Distance, D> == 0, "what hangs on a distance is looked at after it");
+    if (world.settings.mode == Mode::physical && !solver.sweep_state.plan.may_tear) return;
+    bool any_link = false, any = false;
+    int kind = 0;
+    for_each_table(world, [&](auto& table) {
+        bool torn = false;
+        for (Row row = 0; row < table.size(); ++row) {
+            const bool attached = kind > 0 && any_link && lost_a_link(world, table.members[row]);
+            if (!attached && !tears(world, std::span(solver.scratch), table, row, dt)) continue;
+            if (!attached) report(world, table, kind, row);
+            table.torn.set(row, 1);
+            torn = true;
+        }
+        if (torn) detail::erase_constraints(world, table, kind, table.torn.each());
+        any = any || torn;
+        if (kind++ == 0) any_link = torn;
+    });
+    if (any) detail::forget_constraints(world);
+}
+
+#define SINEW_TEAR(D, Real) template void tear(World<D, Real>&, Solver<D, Real>&, Real);
+SINEW_INSTANTIATE(SINEW_TEAR)
+
+} // namespace sinew

@@ -1,0 +1,102 @@
+#include "sinew/math/random.h"
+#include "sinew/solver/phases.h"
+
+#include <cmath>
+#include <type_traits>
+
+namespace sinew {
+namespace {
+
+/// Smooth noise in [-1, 1]: random values at whole t, interpolated by 3 s^2 - 2 s^3; a stream per component.
+template <class Real> Real noise(double t, std::uint64_t seed, std::uint64_t stream) {
+    const double whole = std::floor(t);
+    const auto n = std::uint64_t(std::int64_t(whole));
+    const Real s = Real(t - whole);
+    const Real before = random::symmetric<Real>(seed, stream, n), after = random::symmetric<Real>(seed, stream, n + 1);
+    return before + (after - before) * (s * s * (Real(3) - Real(2) * s));
+}
+
+template <int D, class Real> Vec<D, Real> wind_at(const Wind<D, Real>& wind, const Vec<D, Real>& place, double time) {
+    constexpr double most = 1e15; // gusts: beyond, a double cannot resolve single gusts
+    const double behind = double(dot(place, direction(wind.velocity)) * inverse_or_zero(wind.gust_size));
+    const double t = clamp(time * inverse_or_zero(double(wind.gust_period)), -most, most) - clamp(behind, -most, most);
+    const auto gust =
+        Vec<D, Real>::map([&](int i) { return wind.gust[i] * noise<Real>(t, wind.seed, std::uint64_t(i)); });
+    return clamp_components(wind.velocity + gust, limit::speed<Real>);
+}
+
+/// Adds a field's effect on a particle; an overload per field. Results are clamped to the limits for any parameters.
+template <int D, class Real> struct Adder {
+    const World<D, Real>& world;
+    Row row;
+    const Vec<D, Real>& place;
+    Push<D, Real>& push;
+
+    Real rate(Real strength) const {
+        return clamp(strength * world.particles.inverse_mass[row], Real(0), limit::measure<Real>);
+    }
+    void accelerate(const Vec<D, Real>& acceleration) const {
+        push.acceleration += clamp_components(acceleration, largest_acceleration<Real>);
+    }
+
+    void operator()(const Gravity<D, Real>& gravity) const { accelerate(gravity.acceleration); }
+    void operator()(const Drag<D, Real>& drag) const { push.drag_rate += rate(drag.strength); }
+    void operator()(const Wind<D, Real>& wind) const {
+        accelerate(wind_at(wind, place, world.time) * rate(wind.strength));
+        push.drag_rate += rate(wind.strength);
+    }
+    void operator()(const Attractor<D, Real>& attractor) const {
+        if (!pulls(attractor, world.particles.figure[row])) return;
+        const auto offset = place - attractor.center;
+        const Real softened = square_root(dot(offset, offset) + square(attractor.softness));
+        const Real per_length = inverse_or_zero(softened);
+        const Real pull = clamp(attractor.strength * per_length * per_length, -largest_acceleration<Real>,
+                                largest_acceleration<Real>);
+        accelerate(offset * per_length * -pull);
+    }
+    void operator()(const RandomPush<D, Real>&) const {} // acts once a step: apply_random_pushes
+};
+
+} // namespace
+
+template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& place) {
+    Push<D, Real> push;
+    const Adder<D, Real> add{world, row, place, push};
+    for (const auto& force : world.forces) std::visit(add, force);
+    add.accelerate(world.particles.force[row] * world.particles.inverse_mass[row]);
+    push.acceleration = clamp_components(push.acceleration, largest_acceleration<Real>);
+    push.drag_rate = minimum(push.drag_rate, limit::measure<Real>);
+    return push;
+}
+
+template <int D, class Real> void apply_random_pushes(World<D, Real>& world) {
+    auto& p = world.particles;
+    if (p.size() == 0) return;
+    for (const auto& force : world.forces) {
+        const auto* random_push = std::get_if<RandomPush<D, Real>>(&force);
+        if (!random_push) continue;
+        const auto row = std::size_t(random::whole(0, std::int64_t(p.size()) - 1, random_push->seed, D, world.steps));
+        p.any_force = true;
+        p.force[row] += Vec<D, Real>::map([&](int i) {
+            constexpr Real most = Real(1e9); // whole() draws from fewer than 2^32 numbers
+            const auto low = std::int64_t(clamp(random_push->low[i], -most, most));
+            const auto high = std::int64_t(clamp(random_push->high[i], Real(low), most));
+            return Real(random::whole(low, high, random_push->seed, std::uint64_t(i), world.steps));
+        });
+    }
+}
+
+template <int D, class Real> void forget_forces(World<D, Real>& world) {
+    auto& particles = world.particles;
+    if (!std::exchange(particles.any_force, false)) return;
+    for (auto& force : particles.force)
+        if (force != Vec<D, Real>{}) force = {};
+}
+
+#define SINEW_FORCE(D, Real)                                                                                           \
+    template Push<D, Real> push_on(const World<D, Real>&, Row, const Vec<D, Real>&);                                   \
+    template void apply_random_pushes(World<D, Real>&);                                                                \
+    template void forget_forces(World<D, Real>&);
+SINEW_INSTANTIATE(SINEW_FORCE)
+
+} // namespace sinew

@@ -1,0 +1,107 @@
+#include "sinew/solver/phases.h"
+#include "sinew/solver/simd/kernel.h"
+#include "sinew/world/world.h"
+
+#include <algorithm>
+
+namespace sinew {
+
+namespace {
+
+/// True if an external force acts on a swept particle.
+template <int D, class Real> bool any_force(const World<D, Real>& world, const SweepState<D, Real>& sweep_state) {
+    const auto& p = world.particles;
+    return p.any_force && std::any_of(sweep_state.row_of.begin(), sweep_state.row_of.end(),
+                                      [&](Row row) { return p.force[row] != Vec<D, Real>{}; });
+}
+
+/// Prefetch. Copies of a shape are contiguous in memory but gathered across copies, a pattern no prefetcher foresees;
+/// so the rows are first touched in memory order, a byte per cache line.
+template <int D, class Real, class... T>
+void read_through(const SweepState<D, Real>& sweep_state, Row first, Row last, const std::vector<T>&... columns) {
+    constexpr Row near = 4;
+    constexpr std::size_t line = 64;
+    if (last - first < 2 || sweep_state.row_of[first + 1] <= sweep_state.row_of[first] + near) return;
+    const Row begin = sweep_state.row_of[first], end = sweep_state.row_of[last - 1] + 1;
+    if (end - begin != last - first) return;
+    const auto read = [&](const auto& column) {
+        const volatile char* const bytes = reinterpret_cast<const char*>(column.data() + begin);
+        for (std::size_t at = 0; at < (end - begin) * sizeof column[0]; at += line) (void)bytes[at];
+    };
+    (read(columns), ...);
+}
+
+template <int D, class Real>
+Transposition<D, Real> turning(const SweepState<D, Real>& sweep_state, std::vector<Vec<D, Real>>& rows, Real* columns) {
+    static_assert(sizeof rows[0] == D * sizeof(Real));
+    Transposition<D, Real> all{};
+    all.rows = rows.data()->component.data();
+    all.columns = columns, all.apart = sweep_state.apart();
+    all.row_of = sweep_state.row_of.data(), all.slot_of_last = sweep_state.slot_of.back();
+    return all;
+}
+
+} // namespace
+
+template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, Real>& solver, Real h) {
+    auto& sweep_state = solver.sweep_state;
+    sweep_state.per_h = Real(1) / h;
+    sweep_state.gravity = {};
+    sweep_state.everyone_alike = true;
+    for (const auto& force : world.forces)
+        if (const auto* gravity = std::get_if<Gravity<D, Real>>(&force))
+            sweep_state.gravity += clamp_components(gravity->acceleration, largest_acceleration<Real>);
+        else if (!std::holds_alternative<RandomPush<D, Real>>(force))
+            sweep_state.everyone_alike = false;
+    sweep_state.gravity = clamp_components(sweep_state.gravity, largest_acceleration<Real>);
+    sweep_state.any_force = any_force(world, sweep_state);
+    sweep_state.everyone_alike = sweep_state.everyone_alike && !sweep_state.any_force;
+    sweep_state.any_pin_moves = sweep_state.any_pin_soft = false;
+    for (const auto& pin : world.pins) {
+        sweep_state.any_pin_moves = sweep_state.any_pin_moves || pin.from != pin.target;
+        sweep_state.any_pin_soft = sweep_state.any_pin_soft || !pin.hard();
+    }
+    auto& bodies = sweep_state.bodies;
+    bodies.touched.assign(!has_walls(world) || bodies.list.empty() ? 0 : sweep_state.size(), 0);
+    sweep_state.largest_radius = 0;
+    if (!has_walls(world)) return;
+    for (const Row row : sweep_state.row_of)
+        sweep_state.largest_radius = maximum(sweep_state.largest_radius, world.particles.radius[row]);
+}
+
+template <int D, class Real> void gather(World<D, Real>& world, Solver<D, Real>& solver, Real h, Row first, Row last) {
+    auto& p = world.particles;
+    auto& sweep_state = solver.sweep_state;
+    if (first == last) return;
+    const auto& kernel = kernels<D, Real>();
+    read_through(sweep_state, first, last, p.position, p.residual, p.velocity, p.mobility);
+    kernel.to_columns(turning(sweep_state, p.position, sweep_state.place[0]), first, last);
+    kernel.to_columns(turning(sweep_state, p.residual, sweep_state.residual[0]), first, last);
+    auto moves = turning(sweep_state, p.velocity, sweep_state.move[0]);
+    moves.by = h, moves.most = furthest_move(h);
+    kernel.to_columns(moves, first, last);
+    const Row* const row_of = sweep_state.row_of.data();
+    const Real* const from = p.mobility.data();
+    Real* const to = sweep_state.mobility;
+#pragma GCC unroll 4
+    for (Row slot = first; slot < last; ++slot) to[slot] = from[row_of[slot]];
+}
+
+template <int D, class Real> void scatter(World<D, Real>& world, Solver<D, Real>& solver, Row first, Row last) {
+    auto& p = world.particles;
+    auto& sweep_state = solver.sweep_state;
+    const auto& kernel = kernels<D, Real>();
+    kernel.to_rows(turning(sweep_state, p.position, sweep_state.place[0]), first, last);
+    kernel.to_rows(turning(sweep_state, p.residual, sweep_state.residual[0]), first, last);
+    auto moves = turning(sweep_state, p.velocity, sweep_state.move[0]);
+    moves.by = sweep_state.per_h;
+    kernel.to_rows(moves, first, last);
+}
+
+#define SINEW_SWEPT(D, Real)                                                                                           \
+    template void begin_sweep(World<D, Real>&, Solver<D, Real>&, Real);                                                \
+    template void gather(World<D, Real>&, Solver<D, Real>&, Real, Row, Row);                                           \
+    template void scatter(World<D, Real>&, Solver<D, Real>&, Row, Row);
+SINEW_INSTANTIATE(SINEW_SWEPT)
+
+} // namespace sinew

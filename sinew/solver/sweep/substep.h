@@ -1,0 +1,310 @@
+#pragma once
+
+#include "sinew/math/decay.h"
+#include "sinew/solver/contact/collider_sweep.h"
+#include "sinew/solver/phases.h"
+#include "sinew/solver/project.h"
+#include "sinew/solver/substep_mover.h"
+
+#include <algorithm>
+
+/// Phases of a substep, each for the particles of a tile. The order is in step.cpp.
+namespace sinew::detail {
+
+template <int D, class Real> class Substep {
+  public:
+    Substep(World<D, Real>& world, Solver<D, Real>& solver, const Kernels<D, Real>& kernels,
+            const DistanceColumns<D, Real>& links, int number, int substeps, Real h)
+        : world_(world), solver_(solver), p_(world.particles), swept_(solver.sweep_state), kernels_(kernels),
+          links_(links), mover_{solver.sweep_state, h}, share_(Real(number) / Real(substeps)),
+          share_of_substep_(Real(1) / Real(substeps)), number_(number), last_(number == substeps),
+          tethered_((substeps - number) % 2 == 0), kick_(number == 1 ? Real(0.5) * (world.last_substep + h) : h) {
+        motion_.place = swept_.place[0];
+        motion_.move = swept_.move[0];
+        motion_.residual = swept_.residual[0];
+        motion_.apart = swept_.apart();
+        motion_.mobility = swept_.mobility;
+        motion_.most = mover_.furthest;
+        motion_.furthest = limit::coordinate<Real>;
+        if (swept_.everyone_alike) decay_ = decay_over(kick_);
+        fall(motion_, kick_, decay_);
+    }
+
+    SubstepMover<D, Real>& mover() { return mover_; }
+    /// Factor of velocities by the common damping.
+    Real keep() const { return decay_.keep; }
+
+    /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
+    /// middle of this one. Drag scales mobilities by the same factor as the push, so a weight at rest pulls with its
+    /// full weight at any damping.
+    void predict(const Tile& tile) {
+        if (has_walls(world_))
+            for (Row slot = tile.first; slot < tile.last; ++slot) p_.rebound[swept_.row_of[slot]] = {};
+        if (swept_.everyone_alike) {
+            weigh(tile);
+            kernels_.drift(motion_, tile.first, tile.last);
+        } else {
+            for (Row slot = tile.first; slot < tile.last; ++slot) predict(slot);
+        }
+        move_pins(tile);
+    }
+
+    /// Projects the simple distances of a colour that start in tile `tile`.
+    void project(const Component& component, std::uint32_t number, std::uint32_t tile, bool again = false) {
+        auto& plan = swept_.plan;
+        const auto& color = plan.colors[component.first_color + number];
+        const auto* runs = plan.runs.data();
+        const auto first = plan.first_batch[color.first_batch + tile],
+                   last = plan.first_batch[color.first_batch + tile + 1];
+        if (first == last) return;
+        DistancePass<Real> pass{.per_h2 = mover_.per_h * mover_.per_h,
+                                .kept =
+                                    last_ || world_.settings.iterations > 1 || !solver_.blocks.attached_trees.empty(),
+                                .last_substep = last_,
+                                .first = mover_.first_iteration && !again,
+                                .again = again};
+        kernels_.project(links_, pass, runs + first, runs + last);
+        if (pass.overstretched && component.tethers > 0) plan.tiles[component.first_tile + tile].overstretched = true;
+        if (pass.shortest < limit::shortest_link<Real>) part_heaps(first, last);
+    }
+
+    /// Repair of overstretched links of a tethered component (snapping taut, a hem cracking like a whip): sweeps part
+    /// of the `repair_window` tiles from this one on again. The window ends one tile after the last overstretched tile
+    /// and begins four tiles before the first for each overstretched one. Every tile does so in turn, hence errors
+    /// travel as far as necessary. The colours are swept in reverse: otherwise the first would always bear the errors
+    /// of all others.
+    void repair_overstretch(const Component& component, std::uint32_t tile) {
+        const auto tiles = std::span(swept_.plan.tiles).subspan(component.first_tile, component.tiles);
+        const auto end = std::min(tile + world_.repair_window, component.tiles);
+        std::uint32_t first = end, last = tile, overstretched = 0;
+        for (auto i = tile; i < end; ++i) {
+            if (!tiles[i].overstretched) continue;
+            first = std::min(first, i);
+            last = std::min(i + 2, end);
+            ++overstretched;
+        }
+        if (overstretched == 0) return;
+        first -= std::min(first - tile, 4 * overstretched);
+        tiles[tile].again = std::max(tiles[tile].again, last - first);
+        for (auto i = first; i < last; ++i) {
+            tether(tiles[i]);
+            tiles[i].overstretched = false;
+        }
+        for (auto color = component.colors; color-- > 0;)
+            for (auto i = first; i < last; ++i) project(component, color, i, true);
+    }
+
+    /// A row between two pins is supported by nearly horizontal tethers, which act only while the row is taut; without
+    /// extra passes along the row it sags on the rows below, buckles and never comes to rest. Links within the row
+    /// (colours of reach 0) touch no other tile.
+    void tighten(const Component& component, std::uint32_t number) {
+        const auto& tile = swept_.plan.tiles[component.first_tile + number];
+        if (tile.tightened == 0) return;
+        constexpr std::uint32_t times = 6; // each costs a hanging cloth of 64 x 64 about 2 %
+        for (std::uint32_t i = 0; i < times * tile.tightened; ++i) {
+            if (i % tile.tightened == 0) tether(tile);
+            for (std::uint32_t color = 0; color < component.colors; ++color)
+                if (swept_.plan.colors[component.first_color + color].reach == 0)
+                    project(component, color, number, true);
+        }
+    }
+
+    /// Compliant pins are damped springs to their target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) +
+    /// alpha), e the offset from the target and u the change of e in the substep; the force never exceeds max_force.
+    void pull_pins(const Tile& tile) {
+        for (auto i = tile.first_pin; i < tile.last_pin; ++i) {
+            auto& pin = world_.pins[swept_.plan.pins[i].pin];
+            const Row slot = swept_.plan.pins[i].slot;
+            const Real w = swept_.mobility[slot];
+            if (pin.hard() || w == Real(0)) continue;
+            const Real alpha = mover_.alpha(pin.compliance);
+            // critical damping for stiffness 1/c and mass 1/w is 2 / sqrt(c w); gamma = damper * compliance / h
+            const Real gamma = minimum(Real(2) * pin.damping * square_root(pin.compliance) *
+                                           square_root(inverse_or_zero(w)) * mover_.per_h,
+                                       limit::measure<Real>);
+            const auto goal = pin.from + (pin.target - pin.from) * share_;
+            const auto error = mover_.point_at(slot) - goal;
+            const auto last_goal = pin.from + (pin.target - pin.from) * (share_ - share_of_substep_);
+            const auto drift = error - (swept_.place_at(slot) - last_goal);
+            const auto lambda = mover_.first_iteration ? Vector{} : pin.multiplier;
+            const Real per_resistance = inverse_or_zero(w * (Real(1) + gamma) + alpha);
+            auto next = clamp_components(lambda - (error + lambda * alpha + drift * gamma) * per_resistance,
+                                         limit::multiplier<Real>);
+            if (pin.max_force > Real(0)) {
+                const Real most = pin.max_force * mover_.h * mover_.h;
+                next *= minimum(Real(1), most * inverse_or_zero(norm(next)));
+            }
+            mover_.push_at(slot, (next - lambda) * w);
+            pin.multiplier = next;
+        }
+    }
+
+    /// Sets the anchors of a component's tethers for this substep.
+    void set_anchors(const Component& component) {
+        const auto& plan = swept_.plan;
+        const auto first = plan.tiles[component.first_tile].first;
+        for (std::uint32_t i = 0; i < component.tethers; ++i) {
+            const auto& tether = plan.tethers[component.first_tether + i];
+            const auto& pin = world_.pins[tether.pin];
+            const auto goal = pin.from + (pin.target - pin.from) * share_;
+            for (int k = 0; k < D; ++k) anchors_[i].opposite[k] = -goal[k];
+            anchors_[i].half_per_reach_square = plan.half_per_reach_square.data() + tether.first - first;
+        }
+        motion_.anchors = anchors_.data();
+        motion_.anchor_count = component.tethers;
+    }
+
+    /// Long-range attachments: no particle is further from a hard pin than the links reach.
+    void tether(const Tile& tile) {
+        if (motion_.anchor_count > 0) kernels_.tether(motion_, tile.first, tile.last);
+    }
+    /// Tethers in every second substep, including the last: particles fall little in between (docs/measured/sweep.md).
+    void tether_in_turn(const Tile& tile) {
+        if (tethered_) tether(tile);
+    }
+
+    /// Contact with planes, then with colliders.
+    void keep_in_bounds(const Tile& tile) {
+        const PlaneContact<D, Real> contact(world_, solver_, mover_);
+        for (const auto& plane : world_.bounds) {
+            const Real lowest = kernels_.lowest(motion_, plane.normal.component.data(), tile.first, tile.last);
+            if (lowest > plane.offset + swept_.largest_radius) continue;
+            for (Row slot = tile.first; slot < tile.last; ++slot) contact.keep_in(plane, slot);
+        }
+        if (!world_.colliders.empty())
+            ColliderSweep<D, Real>(world_, swept_, contact, mover_, share_ - share_of_substep_, share_)
+                .keep_out(tile.first, tile.last);
+    }
+
+    /// x += h v. The rounding error is carried to the next substep: otherwise a float particle slower than half a unit
+    /// in the last place per substep would not move.
+    void advance(const Tile& tile) { kernels_.advance(motion_, tile.first, tile.last); }
+
+    /// Applies the restitution of planes and colliders to particles that struck one.
+    void rebound(const Tile& tile) {
+        if (!has_walls(world_)) return;
+        for (Row slot = tile.first; slot < tile.last; ++slot) {
+            const auto& struck = p_.rebound[swept_.row_of[slot]];
+            const Real speed = norm(struck);
+            if (speed == Real(0)) continue;
+            const auto away = struck * inverse_or_zero(speed);
+            const auto velocity = swept_.velocity_at(slot);
+            const auto added = away * maximum(Real(0), speed - dot(away, velocity));
+            swept_.set_move(slot, (velocity + added) * mover_.h);
+        }
+    }
+
+    void hold(const Tile& tile) {
+        tether_in_turn(tile);
+        pull_pins(tile);
+        keep_in_bounds(tile);
+    }
+
+    /// Ends this substep and begins the next one, if any, in one pass where particles move independently (only gravity,
+    /// no planes, no soft pins).
+    void go_on(const Tile& tile, Substep* next) {
+        if (!swept_.everyone_alike || has_walls(world_) || has_soft_pins(tile)) {
+            hold(tile);
+            advance(tile);
+            rebound(tile);
+            if (next) next->predict(tile);
+            return;
+        }
+        tether_in_turn(tile);
+        if (!next) return advance(tile);
+        kernels_.go_on(next->motion_, tile.first, tile.last);
+        next->weigh(tile);
+        next->move_pins(tile);
+    }
+
+  private:
+    using Vector = Vec<D, Real>;
+
+    World<D, Real>& world_;
+    Solver<D, Real>& solver_;
+    Particles<D, Real>& p_;
+    SweepState<D, Real>& swept_;
+    const Kernels<D, Real>& kernels_;
+    const DistanceColumns<D, Real>& links_;
+    SubstepMover<D, Real> mover_;
+    Real share_, share_of_substep_; ///< fraction of the step elapsed at the end of the substep, and per substep
+    int number_;                    ///< 1 to the number of substeps
+    bool last_, tethered_;
+    Real kick_;
+    Decay<Real> decay_; ///< cached: most particles share a rate
+    Motion<D, Real> motion_{};
+    std::array<Anchor<D, Real>, most_tethers> anchors_;
+
+    Decay<Real> decay_over(Real time) const {
+        return Decay<Real>::of(clamp(world_.settings.damping, Real(0), limit::measure<Real>), time);
+    }
+
+    /// Motion under gravity and the common damping.
+    void fall(Motion<D, Real>& motion, Real kick, const Decay<Real>& decay) const {
+        motion.keep = decay.keep;
+        const auto add = clamp_components(swept_.gravity * (kick * decay.yield) * mover_.h, mover_.furthest);
+        for (int i = 0; i < D; ++i) motion.add[i] = add[i];
+    }
+
+    /// Scales mobilities by drag. Kicks are equally long from the second substep on: later substeps change nothing.
+    void weigh(const Tile& tile) {
+        if (decay_.yield == Real(1) || number_ > 2) return;
+        for (Row slot = tile.first; slot < tile.last; ++slot) weigh(slot, decay_.yield);
+    }
+
+    void weigh(Row slot, Real yield) {
+        if (swept_.mobility[slot] > Real(0))
+            swept_.mobility[slot] =
+                maximum(p_.inverse_mass[swept_.row_of[slot]] * yield, std::numeric_limits<Real>::min());
+    }
+
+    bool has_soft_pins(const Tile& tile) const {
+        if (!swept_.any_pin_soft) return false;
+        for (auto i = tile.first_pin; i < tile.last_pin; ++i)
+            if (!world_.pins[swept_.plan.pins[i].pin].hard()) return true;
+        return false;
+    }
+
+    void predict(Row slot) {
+        if (swept_.mobility[slot] == Real(0)) {
+            swept_.set_move(slot, {}); // immovable, unless carried by a pin
+            return;
+        }
+        const auto push = push_on(world_, swept_.row_of[slot], swept_.place_at(slot));
+        const Real rate = clamp(world_.settings.damping + push.drag_rate, Real(0), limit::measure<Real>);
+        if (rate != decay_.rate) decay_ = Decay<Real>::of(rate, kick_);
+        const auto pushed = swept_.move_at(slot) * decay_.keep + push.acceleration * (kick_ * decay_.yield) * mover_.h;
+        swept_.set_move(slot, clamp_components(pushed, mover_.furthest));
+        weigh(slot, decay_.yield);
+    }
+
+    /// Moves particles to their hard pins' targets; the displacement is their velocity. From the second substep on pins
+    /// at rest are skipped.
+    void move_pins(const Tile& tile) {
+        if (number_ > 1 && !swept_.any_pin_moves) return;
+        for (auto i = tile.first_pin; i < tile.last_pin; ++i) {
+            const auto& pin = world_.pins[swept_.plan.pins[i].pin];
+            const Row slot = swept_.plan.pins[i].slot;
+            const bool rests = number_ > 1 && pin.from == pin.target;
+            if (rests || !pin.hard() || p_.quarantined[swept_.row_of[slot]]) continue;
+            const auto goal = pin.from + (pin.target - pin.from) * share_;
+            swept_.set_move(slot, clamp_components(goal - swept_.place_at(slot), mover_.furthest));
+        }
+    }
+
+    void part_heaps(std::uint32_t first, std::uint32_t last) {
+        auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
+        for (auto run = first; run < last; ++run)
+            for (std::uint32_t i = 0; i < swept_.plan.runs[run].count; ++i) {
+                const Row row = swept_.plan.row_of(swept_.plan.runs[run], i);
+                const auto ends = std::as_const(table.members)[row];
+                if (!(table.low(row) > Real(0)) ||
+                    norm(mover_.point(ends[1]) - mover_.point(ends[0])) > limit::shortest_link<Real>)
+                    continue;
+                part(mover_, ends, row, clamp(Real(0), table.low(row), table.high(row)));
+                correct_row(std::span(solver_.scratch), table, row, mover_);
+            }
+    }
+};
+
+} // namespace sinew::detail

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "sinew/assert/assert.h"
+#include "sinew/math/vec.h"
+#include "sinew/solver/free_bodies.h"
+#include "sinew/solver/plan.h"
+#include "sinew/table/id.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace sinew {
+
+/// Particles of the sweep during a step: one column per component, in slots arranged so that particles solved together
+/// are adjacent. Derived from the rest of the world: copies start empty.
+template <int D, class Real> struct SweepState {
+    static constexpr Row none = ~Row(0);
+
+    std::vector<Row> row_of;                          ///< by slot
+    std::vector<Row> slot_of;                         ///< by row; `none` for particles in direct blocks
+    std::array<Real*, D> place{}, move{}, residual{}; ///< move: displacement to the end of the substep
+    Real* mobility = nullptr;                         ///< inverse mass, scaled by drag; 0: immovable
+    Real per_h = 0;
+    bool any_force = false;      ///< some swept particle has an external force in this step
+    bool everyone_alike = false; ///< only gravity acts in this step, equally on all
+    Vec<D, Real> gravity{};
+    Real largest_radius = 0;
+    bool any_pin_moves = false, any_pin_soft = false; ///< in this step
+    Plan<Real> plan;
+    FreeBodies<D> bodies;
+    PlanRoom room;
+    Plan<Real> spare; ///< components set aside while others are laid out before
+    std::vector<Row> spare_rows;
+
+    std::uint32_t size() const { return std::uint32_t(row_of.size()); }
+
+    void give_slot(Row row) {
+        SINEW_ASSERT(slot_of[row] == none, "a particle has one slot");
+        slot_of[row] = size();
+        row_of.push_back(row);
+    }
+
+    void reserve(std::size_t particles) {
+        row_of.reserve(particles);
+        slot_of.reserve(particles);
+        spare_rows.reserve(particles);
+        bodies.reserve(particles);
+        columns_.clear(); // reallocation moves the columns
+        columns_.reserve((particles + 2048) * (3 * D + 1));
+    }
+
+    /// Sizes the columns to the slots; the padding is zero.
+    void make_room() {
+        if (has_room()) return;
+        constexpr std::size_t columns = 3 * D + 1, line = 64;
+        stride_ = stride();
+        used_ = row_of.size();
+        columns_.assign(stride_ * columns + line / sizeof(Real), Real(0));
+        Real* next =
+            columns_.data() + (line - reinterpret_cast<std::uintptr_t>(columns_.data()) % line) % line / sizeof(Real);
+        for (auto* kind : {&place, &move, &residual})
+            for (auto& column : *kind) column = next, next += stride_;
+        mobility = next;
+    }
+
+    /// Stride between the components of a column.
+    std::size_t apart() const {
+        SINEW_ASSERT(std::size_t(place[1] - place[0]) >= row_of.size(), "a column has room for every slot");
+        return std::size_t(place[1] - place[0]);
+    }
+
+    Vec<D, Real> place_at(Row slot) const { return get(place, slot); }
+    Vec<D, Real> move_at(Row slot) const { return get(move, slot); }
+    Vec<D, Real> velocity_at(Row slot) const { return get(move, slot) * per_h; }
+    void set_move(Row slot, const Vec<D, Real>& to) { put(move, slot, to); }
+    Vec<D, Real> residual_at(Row slot) const { return get(residual, slot); }
+
+    static Vec<D, Real> get(const std::array<Real*, D>& columns, Row slot) {
+        return Vec<D, Real>::map([&](int i) { return columns[std::size_t(i)][slot]; });
+    }
+    static void put(const std::array<Real*, D>& columns, Row slot, const Vec<D, Real>& numbers) {
+        for (int i = 0; i < D; ++i) columns[std::size_t(i)][slot] = numbers[i];
+    }
+
+    DistanceColumns<D, Real> link_columns(Real* multiplier) const {
+        DistanceColumns<D, Real> columns{};
+        columns.place = place[0], columns.move = move[0], columns.apart = apart();
+        columns.mobility = mobility;
+        columns.low = plan.parameters.low();
+        columns.high = plan.parameters.high();
+        columns.quarter_per_square = plan.parameters.quarter_per_square();
+        columns.compliance = plan.parameters.compliance();
+        columns.ends_a = plan.ends_a.data();
+        columns.ends_b = plan.ends_b.data();
+        columns.rows = plan.rows.data();
+        columns.multiplier = multiplier;
+        return columns;
+    }
+
+  private:
+    std::vector<Real> columns_;
+    std::size_t stride_ = 0, used_ = 0;
+
+    /// Stride of the columns. Columns a multiple of the page size apart would compete for the same cache lines; each
+    /// starts on a cache line.
+    std::size_t stride() const {
+        constexpr std::size_t page = 4096 / sizeof(Real), apart = 576 / sizeof(Real);
+        return (row_of.size() + page - 1) / page * page + apart;
+    }
+    bool has_room() {
+        if (columns_.empty() || stride() != stride_) return false;
+        const auto clear = [&](Real* column) {
+            std::fill(column + std::min(row_of.size(), used_), column + used_, Real(0));
+        };
+        for (auto* kind : {&place, &move, &residual}) std::for_each(kind->begin(), kind->end(), clear);
+        clear(mobility);
+        used_ = row_of.size();
+        return true;
+    }
+};
+
+} // namespace sinew

@@ -1,0 +1,177 @@
+#include "sinew/assert/assert.h"
+#include "sinew/world/changes.h"
+#include "sinew/world/edit.h"
+
+#include <algorithm>
+
+/// Adding particles and constraints, singly or in bulk.
+namespace sinew {
+namespace {
+
+/// no_figure for an unused index: a figure added later must not own the row.
+template <class WorldT> FigureIndex known(const WorldT& world, FigureIndex figure) {
+    return has_figure(world, figure) ? figure : no_figure;
+}
+
+/// Appends `count` equal rows.
+template <class Table, class Real>
+void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& spec, Interval<Real> limits,
+                 FigureIndex figure) {
+    constexpr auto most = limit::measure<Real>;
+    const Real low = clamp(limits.low, -most, most);
+    table.limits.append(count, low, clamp(limits.high, low, most));
+    table.multiplier.resize(table.multiplier.size() + count);
+    table.compliance.append(count, clamp(spec.compliance, Real(0), most));
+    table.relaxation.append(count, clamp(spec.relaxation, Real(0), Real(1)));
+    table.split.append(count, clamp(spec.split, Real(0), Real(1)));
+    table.max_force.append(count, clamp(spec.max_force, Real(0), most));
+    table.damping_time.append(count, clamp(spec.damping_time, Real(0), limit::step<Real>));
+    table.motor_speed.append(count, Real(0));
+    table.motorized.append(count, 0);
+    table.breaking_strain.append(count, clamp(spec.breaking_strain, Real(0), most));
+    table.damage_limit.append(count, clamp(spec.damage_limit, Real(0), most));
+    table.damage.append(count, Real(0));
+    table.figure.append(count, figure);
+    table.in_block.append(count, 0);
+    table.torn.append(count, 0);
+}
+
+constexpr std::size_t few = 8; // members: most constraints need no heap allocation
+
+bool any_twice(std::span<const Row> rows) {
+    if (rows.size() <= few) {
+        for (auto row = rows.begin(); row != rows.end(); ++row)
+            if (std::find(rows.begin(), row, *row) != row) return true;
+        return false;
+    }
+    std::vector<Row> sorted(rows.begin(), rows.end());
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+template <class Table> bool has_equal_columns(const Table& table) {
+    bool equal = table.members.size() == table.size();
+    Table::columns(table, [&](const auto& column) { equal = equal && column.size() == table.size(); });
+    return equal;
+}
+
+/// Completes rows of a table of which only the members exist. Calls named(id) for each.
+template <int D, class Real, class Table, class Named>
+void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& spec, Named&& named) {
+    constexpr int kind = Kinds<D>::template index_of<typename Table::Kind>;
+    const auto first = Row(table.size()), last = Row(table.members.size());
+    SINEW_ASSERT(first <= last && last <= limit::rows, "members are appended first, within the limit");
+    if (first == last) return;
+    append_rows(table, last - first, spec, spec.limits.value_or(Interval<Real>{0, 0}), known(world, spec.figure));
+    if (table.breaking_strain.back() < limit::measure<Real>) // dependents of every kind tear along, within a step
+        for_each_table(world, [](auto& any) { any.expect_tears(); });
+    for (Row row = first; row < last; ++row) {
+        const ConstraintId id{kind, table.slots.append()};
+        for (const Row member : std::as_const(table).members[row]) detail::note_member(world, table, kind, row, member);
+        if (!spec.limits) {
+            constexpr double most = limit::measure<double>;
+            const auto measure = Real(clamp(constraint_state(world, id)->measure, -most, most));
+            table.limits.set(row, measure, measure);
+        }
+        named(id);
+    }
+    if (world.sweep.empty() || world.sweep.back().kind != kind) world.sweep.push_back({kind, 0});
+    world.sweep.back().count += last - first;
+    SINEW_ASSERT(has_equal_columns(table), "the columns of a table have one length");
+}
+
+/// Velocity of the spec, or the one implied by the position a frame ago.
+template <int D, class Real> Vec<D, Real> velocity_of(const World<D, Real>& world, const ParticleSpec<D, Real>& spec) {
+    if (!spec.previous) return spec.velocity;
+    const auto within = [](const Vec<D, Real>& place) { return clamp_finite(place, limit::coordinate<Real>); };
+    const Real frame = world.settings.frame;
+    const Real per_frame = frame > limit::shortest_step<Real> ? inverse_or_zero(frame) : Real(0);
+    return (within(spec.position) - within(*spec.previous)) * per_frame;
+}
+
+} // namespace
+
+template <int D, class Real> void reserve(World<D, Real>& world, Sizes sizes) {
+    reserve_rows(world.particles, world.particles.size() + sizes.particles);
+    world.particles.slots.reserve(world.particles.size() + sizes.particles);
+    auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
+    reserve_rows(distances, distances.size() + sizes.constraints);
+    distances.members.rows.reserve(distances.size() + sizes.constraints);
+    distances.slots.reserve(distances.size() + sizes.constraints);
+}
+
+template <int D, class Real> ParticleId add_particle(World<D, Real>& world, const ParticleSpec<D, Real>& spec) {
+    auto& p = world.particles;
+    constexpr auto furthest = limit::coordinate<Real>;
+    const auto position = clamp_finite(spec.position, furthest);
+    const auto velocity = clamp_finite(velocity_of(world, spec), limit::speed<Real>);
+    p.position.push_back(position);
+    p.previous.push_back(clamp_finite(spec.previous.value_or(position - velocity * verlet_interval(world)), furthest));
+    p.velocity.push_back(velocity);
+    p.residual.push_back({});
+    p.force.push_back({});
+    p.rebound.push_back({});
+    p.inverse_mass.push_back(inverse_of_mass(spec.mass));
+    p.mobility.push_back(p.inverse_mass.back());
+    p.radius.push_back(is_finite(spec.radius) ? clamp(spec.radius, Real(0), furthest) : spec.radius);
+    p.figure.push_back(known(world, spec.figure));
+    p.quarantined.push_back(0);
+    p.in_block.push_back(0);
+    world.events.reserve(events_per_step);
+    SINEW_ASSERT(p.in_block.size() == p.size(), "the columns of a table have one length");
+    const auto id = p.slots.append();
+    detail::note_particle(world);
+    return id;
+}
+
+template <int D, class Real>
+std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std::span<const ParticleId> members,
+                                           const ConstraintSpec<Real>& spec) {
+    std::array<Row, few> in_place{};
+    std::vector<Row> wide(members.size() > few ? members.size() : 0);
+    const auto rows = members.size() > few ? std::span(wide) : std::span(in_place).first(members.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto row = world.particles.slots.find(members[i]);
+        if (!row) return std::nullopt;
+        rows[i] = *row;
+    }
+    if (any_twice(rows)) return std::nullopt;
+
+    std::optional<ConstraintId> added;
+    visit_table(world, kind, [&](auto& table) {
+        using Kind = typename std::decay_t<decltype(table)>::Kind;
+        if constexpr (Kind::arity == any_arity) {
+            if (int(rows.size()) < Kind::least_arity) return;
+        } else if (rows.size() != std::size_t(Kind::arity)) {
+            return;
+        }
+        if (table.size() == limit::rows) return;
+        table.members.append(rows);
+        complete(world, table, spec, [&](const ConstraintId& id) { added = id; });
+    });
+    return added;
+}
+
+template <int D, class Real>
+void add_distances(World<D, Real>& world, std::span<const std::array<ParticleId, 2>> ends,
+                   const ConstraintSpec<Real>& spec, IdList<ConstraintId>& added) {
+    auto& table = std::get<kind_number<Distance, D>>(world.constraints);
+    const auto& slots = world.particles.slots;
+    for (const auto& [a, b] : ends)
+        if (const auto from = slots.find(a), to = slots.find(b);
+            from && to && from != to && table.members.size() < limit::rows)
+            table.members.rows.push_back({*from, *to});
+    complete(world, table, spec, [&](const ConstraintId& id) { added.push_back(id); });
+}
+
+#define SINEW_ADD(D, Real)                                                                                             \
+    template void reserve(World<D, Real>&, Sizes);                                                                     \
+    template ParticleId add_particle(World<D, Real>&, const ParticleSpec<D, Real>&);                                   \
+    template std::optional<ConstraintId> add_constraint(World<D, Real>&, int, std::span<const ParticleId>,             \
+                                                        const ConstraintSpec<Real>&);                                  \
+    template void add_distances(World<D, Real>&, std::span<const std::array<ParticleId, 2>>,                           \
+                                const ConstraintSpec<Real>&, IdList<ConstraintId>&);
+
+SINEW_INSTANTIATE(SINEW_ADD)
+
+} // namespace sinew

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "sinew/assert/assert.h"
+#include "sinew/world/world.h"
+
+/// Journal of changes between steps: the next step examines only the components of changed particles again
+/// (direct/find_blocks.cpp). Particles are not recorded while Journal::stale, as in a new world or a copy: then
+/// everything is examined.
+namespace sinew::detail {
+
+/// Lists the constraints of each particle, if not listed yet. On demand, since a large world may never need the list.
+template <int D, class Real> void list_bonds(World<D, Real>& world) {
+    auto& adjacency = world.journal.adjacency;
+    if (adjacency.listed()) return;
+    static_assert(Kinds<D>::size <= 1 << (32 - limit::row_bits), "a kind and a row are packed into 32 bits");
+    const auto& particles = world.particles.slots;
+    adjacency.reset(particles.slots());
+    int kind = 0;
+    for_each_table(world, [&](const auto& table) {
+        for (Row row = 0; row < table.size(); ++row)
+            for (const Row member : table.members[row])
+                adjacency.add(particles.slot_of(member), kind, table.slots.slot_of(row));
+        ++kind;
+    });
+}
+
+/// Records the addition of the last particle.
+template <int D, class Real> void note_particle(World<D, Real>& world) {
+    auto& journal = world.journal;
+    journal.changed = true;
+    const auto& slots = world.particles.slots;
+    SINEW_ASSERT(world.particles.size() > 0, "a particle has been added");
+    if (journal.adjacency.listed()) journal.adjacency.make_room(slots.slots());
+    journal.touch(slots.slot_of(Row(world.particles.size() - 1)), Touch::joined);
+}
+
+/// Records a particle becoming movable or immovable.
+template <int D, class Real> void note_mobility(World<D, Real>& world, Row particle) {
+    world.journal.touch(world.particles.slots.slot_of(particle), Touch::mobility);
+}
+
+/// Records a change of mass, on which the plan of the sweep depends.
+template <int D, class Real> void note_weight(World<D, Real>& world, Row particle) {
+    world.journal.touch(world.particles.slots.slot_of(particle), Touch::weight);
+}
+
+/// Records a particle as a new member of a constraint.
+template <int D, class Real, class Table>
+void note_member(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
+    auto& journal = world.journal;
+    journal.changed = true;
+    if (journal.stale && !journal.adjacency.listed()) return;
+    const auto particle = world.particles.slots.slot_of(member);
+    if (journal.adjacency.listed()) journal.adjacency.add(particle, kind, table.slots.slot_of(row));
+    journal.touch(particle, Touch::joined);
+}
+
+/// Records a particle as a member no longer.
+template <int D, class Real, class Table>
+void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
+    auto& journal = world.journal;
+    journal.changed = true;
+    if (journal.stale && !journal.adjacency.listed()) return;
+    const auto particle = world.particles.slots.slot_of(member);
+    auto& adjacency = journal.adjacency;
+    if (adjacency.listed() && !adjacency.remove(particle, kind, table.slots.slot_of(row))) {
+        adjacency.forget();
+        journal.stale = true;
+    }
+    journal.touch(particle, Touch::joined);
+}
+
+/// Records a constraint with a new method of solution.
+template <int D, class Real, class Table> void note_feature(World<D, Real>& world, const Table& table, Row row) {
+    for (const Row member : table.members[row])
+        world.journal.touch(world.particles.slots.slot_of(member), Touch::joined);
+}
+
+/// Records the compaction of rows, or added or removed pins.
+template <int D, class Real> void note_rows(World<D, Real>& world) {
+    world.journal.changed = true;
+    ++world.journal.row_moves;
+}
+
+} // namespace sinew::detail

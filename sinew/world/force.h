@@ -1,0 +1,53 @@
+#pragma once
+
+#include "sinew/math/vec.h"
+#include "sinew/table/id.h"
+
+#include <cstdint>
+#include <variant>
+
+/// Force fields, functions of a particle's position and the time. Any number of fields add up.
+namespace sinew {
+
+/// Uniform acceleration.
+template <int D, class Real> struct Gravity { Vec<D, Real> acceleration{}; };
+
+/// Still air or water: F = -strength v.
+template <int D, class Real> struct Drag {
+    Real strength = 0; ///< force per velocity
+};
+
+/// Moving air: F = strength (u - v), where u = velocity + gust * noise. The noise is smooth in time, travels with the
+/// wind, lies in [-1, 1] and is a pure function of the seed.
+template <int D, class Real> struct Wind {
+    Vec<D, Real> velocity{};
+    Real strength = 0;    ///< force per velocity
+    Vec<D, Real> gust{};  ///< largest change of velocity in a gust
+    Real gust_period = 1; ///< time between gusts
+    Real gust_size = 0;   ///< length of a gust along the wind; 0: everywhere at once
+    std::uint64_t seed = 0;
+};
+
+/// Attraction to a point, repulsion if strength is negative: a = -strength d / (|d|^2 + softness^2)^(3/2), d = x -
+/// center: 1/r^2 far away, linear near the centre, never singular (Plummer 1911).
+template <int D, class Real> struct Attractor {
+    Vec<D, Real> center{};
+    Real strength = 0;              ///< acceleration times length squared
+    Real softness = 1;              ///< length
+    FigureIndex figure = no_figure; ///< pulls the particles of this figure only; no_figure: all
+};
+
+template <int D, class Real> constexpr bool pulls(const Attractor<D, Real>& attractor, FigureIndex figure) {
+    return attractor.figure == no_figure || attractor.figure == figure;
+}
+
+/// Each step, a random particle gets a force whose components are random integers in [low, high] (Roblox wind).
+template <int D, class Real> struct RandomPush {
+    Vec<D, Real> low{}, high{};
+    std::uint64_t seed = 0;
+};
+
+template <int D, class Real>
+using Force = std::variant<Gravity<D, Real>, Drag<D, Real>, Wind<D, Real>, Attractor<D, Real>, RandomPush<D, Real>>;
+
+} // namespace sinew

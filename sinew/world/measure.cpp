@@ -1,0 +1,253 @@
+#include "sinew/world/measure.h"
+
+#include "sinew/world/stencil.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace sinew {
+namespace {
+
+/// Position for a particle's velocity: in the middle of the last substep; at the end for direct blocks and for classic
+/// integrators other than Verlet.
+template <int D, class Real> Vec<D, double> place_of_velocity(const World<D, Real>& world, Row row) {
+    const auto& p = world.particles;
+    const auto place = cast<double>(p.position[row]);
+    if (world.settings.mode == Mode::classic) {
+        if (!has_mean_velocity(integrator_of(world, row))) return place;
+        return (place + cast<double>(p.previous[row])) * 0.5;
+    }
+    if (p.in_block[row]) return place;
+    return place - cast<double>(p.velocity[row]) * (0.5 * double(world.last_substep));
+}
+
+template <int D, class Real> double mass_of(const Particles<D, Real>& p, Row row) {
+    return p.inverse_mass[row] > Real(0) ? 1.0 / double(p.inverse_mass[row]) : 0.0;
+}
+
+template <int D, class Real> struct PotentialOf {
+    double mass;
+    Vec<D, double> place;
+    FigureIndex figure;
+    double operator()(const Gravity<D, Real>& gravity) const {
+        return -mass * dot(cast<double>(gravity.acceleration), place);
+    }
+    double operator()(const Attractor<D, Real>& attractor) const {
+        if (!pulls(attractor, figure)) return 0;
+        const auto offset = place - cast<double>(attractor.center);
+        return -mass * double(attractor.strength) *
+               inverse_or_zero(square_root(dot(offset, offset) + square(double(attractor.softness))));
+    }
+    template <class Other> double operator()(const Other&) const { return 0; }
+};
+
+/// Measure of a constraint at the positions point(row).
+template <class Table, class Point> auto measure_row(const Table& table, Row row, Point&& point) {
+    using Kind = typename Table::Kind;
+    const auto members = table.members[row];
+    using Vector = std::decay_t<decltype(point(Row(0)))>;
+    using Real = std::decay_t<decltype(Vector{}[0])>;
+    if constexpr (Kind::arity == any_arity) {
+        std::vector<Vector> points, gradient(members.size());
+        for (const Row member : members) points.push_back(point(member));
+        return Kind::template evaluate<Real>(points, gradient);
+    } else {
+        std::array<Vector, std::size_t(Kind::arity)> points;
+        for (std::size_t i = 0; i < points.size(); ++i) points[i] = point(members[i]);
+        return Kind::evaluate(points).value;
+    }
+}
+
+template <class Table, class Real>
+ConstraintState state_of(const Table& table, Row row, double measured, Real substep) {
+    using Kind = typename Table::Kind;
+    const double low = double(table.low(row)), high = double(table.high(row));
+    ConstraintState state;
+    state.measure = detail::unwrap<Kind>(measured, low, high);
+    state.error = state.measure - clamp(state.measure, low, high);
+    state.strain = detail::strain<Kind>(measured, low, high);
+    state.tension = -double(table.multiplier[row]) * inverse_or_zero(square(double(substep)));
+    return state;
+}
+
+/// Distances with slack. In a direct block a slack arm weakens an angle spring (direct/angle_rows.h).
+class SlackLinks {
+  public:
+    template <class Distances> explicit SlackLinks(const Distances& distances) {
+        using Real = std::decay_t<decltype(distances.high(0))>;
+        for (Row row = 0; row < distances.size(); ++row)
+            if (distances.low(row) < distances.high(row) && distances.high(row) < limit::coordinate<Real>) {
+                const auto ends = std::minmax({distances.members[row][0], distances.members[row][1]});
+                links_.push_back({ends.first, ends.second, row, double(distances.high(row))});
+            }
+        const auto order = [](const Link& link) { return std::tuple(link.a, link.b, link.row); };
+        std::sort(links_.begin(), links_.end(), [&](const Link& x, const Link& y) { return order(x) < order(y); });
+    }
+
+    /// Fraction of an angle spring's energy: product of (length / max length)^2 over the arms with slack, each at most
+    /// 1.
+    template <class Point> double tautness(std::span<const Row> members, Point&& point) const {
+        double share = 1;
+        for (std::size_t i = 0; i + 1 < members.size(); ++i) {
+            const auto ends = std::minmax({members[i], members[i + 1]});
+            const auto after =
+                std::upper_bound(links_.begin(), links_.end(), ends,
+                                 [](const auto& e, const Link& link) { return e < std::pair(link.a, link.b); });
+            if (after == links_.begin() || (after - 1)->a != ends.first || (after - 1)->b != ends.second) continue;
+            const auto arm = point(ends.second) - point(ends.first);
+            share *= minimum(dot(arm, arm) / square((after - 1)->length), 1.0);
+        }
+        return share;
+    }
+
+  private:
+    struct Link {
+        Row a = 0, b = 0, row = 0;
+        double length = 0;
+    };
+    std::vector<Link> links_;
+};
+
+} // namespace
+
+template <int D, class Real>
+std::optional<ConstraintState> constraint_state(const World<D, Real>& world, const ConstraintId& id) {
+    std::optional<ConstraintState> state;
+    visit_table(world, id.kind, [&](const auto& table) {
+        const auto row = table.slots.find(id.id);
+        if (!row) return;
+        const auto place = [&](Row particle) { return cast<double>(world.particles.position[particle]); };
+        state = state_of(table, *row, measure_row(table, *row, place), world.last_substep);
+    });
+    return state;
+}
+
+namespace {
+
+template <int D, class Real> void add_particle_energy(const World<D, Real>& world, Row row, Energy& sum) {
+    const auto& p = world.particles;
+    if (p.mobility[row] == Real(0)) return;
+    const double mass = mass_of(p, row);
+    const auto velocity = cast<double>(p.velocity[row]);
+    sum.kinetic += 0.5 * mass * dot(velocity, velocity);
+    for (const auto& force : world.forces)
+        sum.potential += std::visit(PotentialOf<D, Real>{mass, place_of_velocity(world, row), p.figure[row]}, force);
+}
+
+/// Energy of the figures for which `counts` is true.
+template <int D, class Real, class Counts> Energy energy_where(const World<D, Real>& world, Counts&& counts) {
+    const auto& p = world.particles;
+    Energy sum;
+    for (Row row = 0; row < p.size(); ++row)
+        if (counts(p.figure[row])) add_particle_energy(world, row, sum);
+    std::optional<SlackLinks> slack;
+    for_each_table(world, [&](const auto& table) {
+        using Kind = typename std::decay_t<decltype(table)>::Kind;
+        for (Row row = 0; row < table.size(); ++row) {
+            if (table.compliance[row] == Real(0) || !counts(table.figure[row])) continue;
+            const auto middle = [&](Row particle) { return place_of_velocity(world, particle); };
+            const auto state = state_of(table, row, measure_row(table, row, middle), world.last_substep);
+            double stored = 0.5 * square(state.error) / double(table.compliance[row]);
+            if constexpr (std::is_same_v<Kind, Angle<D>>)
+                if (stored > 0 && table.in_block[row] && world.settings.mode == Mode::physical) {
+                    if (!slack) slack.emplace(std::get<kind_number<Distance, D>>(world.constraints));
+                    stored *= slack->tautness(table.members[row], middle);
+                }
+            sum.stored += stored;
+        }
+    });
+    for (const auto& pin : world.pins) {
+        const auto row = p.slots.find(pin.particle);
+        if (!row || !(pin.compliance > Real(0)) || !counts(p.figure[*row])) continue;
+        const auto offset = place_of_velocity(world, *row) - cast<double>(pin.target);
+        sum.stored += 0.5 * dot(offset, offset) / double(pin.compliance);
+    }
+    return sum;
+}
+
+} // namespace
+
+template <int D, class Real> Energy energy(const World<D, Real>& world) {
+    auto sum = energy_where(world, [](FigureIndex) { return true; });
+    sum.lost = world.energy_lost;
+    return sum;
+}
+
+template <int D, class Real> Energy energy_of(const World<D, Real>& world, FigureIndex figure) {
+    return energy_where(world, [&](FigureIndex other) { return other == figure; });
+}
+
+template <int D, class Real> Energy energy_of(const World<D, Real>& world, ParticleId id) {
+    Energy sum;
+    if (const auto row = row_of(world, id)) add_particle_energy(world, *row, sum);
+    return sum;
+}
+
+template <int D, class Real> Vec<D, double> momentum(const World<D, Real>& world) {
+    const auto& p = world.particles;
+    Vec<D, double> sum{};
+    for (Row row = 0; row < p.size(); ++row) sum += cast<double>(p.velocity[row]) * mass_of(p, row);
+    return sum;
+}
+
+template <int D, class Real> Vec3<double> angular_momentum(const World<D, Real>& world) {
+    const auto& p = world.particles;
+    Vec3<double> sum{};
+    for (Row row = 0; row < p.size(); ++row) {
+        Vec3<double> arm{}, impulse{};
+        for (int i = 0; i < D; ++i) {
+            arm[i] = place_of_velocity(world, row)[i];
+            impulse[i] = double(p.velocity[row][i]) * mass_of(p, row);
+        }
+        sum += cross(arm, impulse);
+    }
+    return sum;
+}
+
+template <int D, class Real> Vec<D, double> center_of_mass(const World<D, Real>& world) {
+    const auto& p = world.particles;
+    Vec<D, double> sum{};
+    for (Row row = 0; row < p.size(); ++row) sum += cast<double>(p.position[row]) * mass_of(p, row);
+    return sum * inverse_or_zero(total_mass(world));
+}
+
+template <int D, class Real> double total_mass(const World<D, Real>& world) {
+    double sum = 0;
+    for (Row row = 0; row < world.particles.size(); ++row) sum += mass_of(world.particles, row);
+    return sum;
+}
+
+template <int D, class Real> double max_speed(const World<D, Real>& world) {
+    double fastest = 0;
+    for (const auto& velocity : world.particles.velocity) fastest = std::max(fastest, norm(cast<double>(velocity)));
+    return fastest;
+}
+
+template <int D, class Real> Stretch stretch(const World<D, Real>& world) {
+    const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
+    Stretch result{.count = distances.size()};
+    for (Row row = 0; row < distances.size(); ++row) {
+        const auto place = [&](Row particle) { return cast<double>(world.particles.position[particle]); };
+        const double strain =
+            absolute(state_of(distances, row, measure_row(distances, row, place), world.last_substep).strain);
+        result.max = std::max(result.max, strain);
+        result.mean += strain;
+    }
+    if (result.count > 0) result.mean /= double(result.count);
+    return result;
+}
+
+#define SINEW_MEASURE(D, Real)                                                                                         \
+    template std::optional<ConstraintState> constraint_state(const World<D, Real>&, const ConstraintId&);              \
+    template Energy energy(const World<D, Real>&);                                                                     \
+    template Energy energy_of(const World<D, Real>&, FigureIndex);                                                     \
+    template Energy energy_of(const World<D, Real>&, ParticleId);                                                      \
+    template Vec<D, double> momentum(const World<D, Real>&);                                                           \
+    template Vec3<double> angular_momentum(const World<D, Real>&);                                                     \
+    template Vec<D, double> center_of_mass(const World<D, Real>&);                                                     \
+    template double total_mass(const World<D, Real>&);                                                                 \
+    template double max_speed(const World<D, Real>&);                                                                  \
+    template Stretch stretch(const World<D, Real>&);
+SINEW_INSTANTIATE(SINEW_MEASURE)
+
+} // namespace sinew

@@ -1,0 +1,110 @@
+#include "sinew/world/query.h"
+
+namespace sinew {
+namespace {
+
+template <int D> constexpr int link_kind = kind_number<Distance, D>;
+
+/// Calls visit(row, a, b) for the links of a world, with the places of their ends.
+template <int D, class Real, class Visit> void each_link(const World<D, Real>& world, Visit&& visit) {
+    const auto& table = std::get<std::size_t(link_kind<D>)>(world.constraints);
+    const auto& place = world.particles.position;
+    for (Row row = 0; row < table.size(); ++row) {
+        const auto ends = table.members[row];
+        if (ties(table, row)) visit(table.slots.id_of(row), place[ends[0]], place[ends[1]]);
+    }
+}
+
+template <int D, class Real> collide::Filter layers_of(const World<D, Real>& world, Row row) {
+    const auto figure = world.particles.figure[row];
+    return figure < world.figures.size() ? world.figures[figure].filter : collide::Filter{};
+}
+
+template <int D, class Real> void keep_first(std::optional<RayHit<D, Real>>& first, const RayHit<D, Real>& hit) {
+    if (!first || hit.time < first->time) first = hit;
+}
+
+} // namespace
+
+template <int D, class Real>
+std::optional<NearParticle<D, Real>> nearest_particle(const World<D, Real>& world, const Vec<D, Real>& point,
+                                                      Real reach) {
+    std::optional<NearParticle<D, Real>> best;
+    const auto& p = world.particles;
+    for (Row row = 0; row < p.size(); ++row) {
+        const Real apart = distance(p.position[row], point) - p.radius[row];
+        if (apart <= reach && (!best || apart < best->distance)) best = {p.slots.id_of(row), apart};
+    }
+    return best;
+}
+
+template <int D, class Real>
+std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>& world, const Vec<D, Real>& point, Real reach) {
+    std::optional<NearLink<D, Real>> best;
+    each_link(world, [&](const auto& id, const Vec<D, Real>& a, const Vec<D, Real>& b) {
+        const Real t = collide::nearest_parameter(a, b, point);
+        const Real apart = distance(a + (b - a) * t, point);
+        if (apart <= reach && (!best || apart < best->distance)) best = {{link_kind<D>, id}, t, apart};
+    });
+    return best;
+}
+
+template <int D, class Real>
+std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D, Real>& from, const Vec<D, Real>& move,
+                                        Real radius, collide::Filter filter) {
+    std::optional<RayHit<D, Real>> first;
+    const auto& p = world.particles;
+    for (Row row = 0; row < p.size(); ++row) {
+        if (!(p.radius[row] > Real(0)) || !touch(filter, layers_of(world, row))) continue;
+        const collide::Sphere<D, Real> sphere{p.radius[row]};
+        if (const auto impact = collide::sweep(sphere, from - p.position[row], move, radius))
+            keep_first(first, {.time = impact->time,
+                               .point = p.position[row] + impact->surface.point,
+                               .normal = impact->surface.normal,
+                               .particle = p.slots.id_of(row)});
+    }
+    for (Row row = 0; row < world.colliders.size(); ++row) {
+        const auto& collider = world.colliders[row];
+        if (collider.is_sensor || !touch(filter, collider.filter)) continue;
+        if (const auto impact = collide::sweep(collider.shape, collider.target, from, move, radius))
+            keep_first(first, {.time = impact->time,
+                               .point = impact->surface.point,
+                               .normal = impact->surface.normal,
+                               .collider = world.collider_slots.id_of(row),
+                               .is_collider = true});
+    }
+    return first;
+}
+
+template <int D, class Real>
+std::vector<ParticleId> overlapping_particles(const World<D, Real>& world, const collide::Shape<D, Real>& shape,
+                                              const collide::Pose<D, Real>& pose) {
+    std::vector<ParticleId> found;
+    const auto& p = world.particles;
+    for (Row row = 0; row < p.size(); ++row)
+        if (collide::nearest(shape, pose, p.position[row], p.radius[row])) found.push_back(p.slots.id_of(row));
+    return found;
+}
+
+template <int D, class Real>
+std::vector<ConstraintId> overlapping_links(const World<D, Real>& world, const collide::Shape<D, Real>& shape,
+                                            const collide::Pose<D, Real>& pose) {
+    std::vector<ConstraintId> found;
+    each_link(world, [&](const auto& id, const Vec<D, Real>& a, const Vec<D, Real>& b) {
+        if (collide::nearest_to_segment(shape, pose, a, b, Real(0))) found.push_back({link_kind<D>, id});
+    });
+    return found;
+}
+
+#define SINEW_QUERY(D, Real)                                                                                           \
+    template std::optional<NearParticle<D, Real>> nearest_particle(const World<D, Real>&, const Vec<D, Real>&, Real);  \
+    template std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>&, const Vec<D, Real>&, Real);          \
+    template std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>&, const Vec<D, Real>&, const Vec<D, Real>&,  \
+                                                     Real, collide::Filter);                                           \
+    template std::vector<ParticleId> overlapping_particles(const World<D, Real>&, const collide::Shape<D, Real>&,      \
+                                                           const collide::Pose<D, Real>&);                             \
+    template std::vector<ConstraintId> overlapping_links(const World<D, Real>&, const collide::Shape<D, Real>&,        \
+                                                         const collide::Pose<D, Real>&);
+SINEW_INSTANTIATE(SINEW_QUERY)
+
+} // namespace sinew

@@ -1,0 +1,130 @@
+#include "sinew/solver/level_structure.h"
+
+#include "bench/shuffle.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace sinew::SINEW_TEST_FILE {
+namespace {
+
+using Number = std::uint32_t;
+
+/// Who is whose neighbour, under numbers in no order but for those that keep theirs.
+struct Joined {
+    std::vector<Number> number; ///< of a place
+    std::vector<Number> place;  ///< of a number
+    std::vector<Number> first, near;
+
+    Joined(Number places, Number kept, const std::set<std::pair<Number, Number>>& links) : number(places) {
+        std::iota(number.begin(), number.end(), Number(0));
+        std::vector<Number> others(number.begin() + kept, number.end());
+        bench::shuffle(others, 7);
+        std::copy(others.begin(), others.end(), number.begin() + kept);
+        place.resize(places);
+        for (Number i = 0; i < places; ++i) place[number[i]] = i;
+        std::vector<std::vector<Number>> of(places);
+        for (const auto& [a, b] : links) of[number[a]].push_back(number[b]), of[number[b]].push_back(number[a]);
+        first.push_back(0);
+        for (const auto& neighbours : of) {
+            near.insert(near.end(), neighbours.begin(), neighbours.end());
+            first.push_back(Number(near.size()));
+        }
+    }
+
+    /// As places.
+    std::vector<std::vector<Number>> rows() const {
+        LevelStructure levels;
+        levels.find(first, near);
+        std::vector<std::vector<Number>> rows(levels.size());
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            for (const Number at : levels[i]) rows[i].push_back(place[at]);
+        return rows;
+    }
+};
+
+enum class Diagonals { none, one, both };
+
+std::set<std::pair<Number, Number>> grid(Number columns, Number rows, Diagonals diagonals) {
+    std::set<std::pair<Number, Number>> links;
+    for (Number r = 0; r < rows; ++r)
+        for (Number c = 0; c < columns; ++c) {
+            const Number at = r * columns + c;
+            if (c + 1 < columns) links.insert({at, at + 1});
+            if (r + 1 < rows) links.insert({at, at + columns});
+            if (c + 1 == columns || r + 1 == rows) continue;
+            if (diagonals != Diagonals::none) links.insert({at, at + columns + 1});
+            if (diagonals == Diagonals::both) links.insert({at + 1, at + columns});
+        }
+    return links;
+}
+
+class GridsInNoOrder : public testing::TestWithParam<Diagonals> {};
+
+TEST_P(GridsInNoOrder, LieInTheirRowsAgain) {
+    constexpr Number columns = 17, rows = 23;
+    const Joined joined(columns * rows, columns, grid(columns, rows, GetParam()));
+    const auto found = joined.rows();
+    ASSERT_EQ(found.size(), rows);
+    for (Number r = 0; r < rows; ++r) {
+        ASSERT_EQ(found[r].size(), columns) << r;
+        for (Number c = 0; c < columns; ++c) EXPECT_EQ(found[r][c], r * columns + c) << r << ", " << c;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(LevelStructure, GridsInNoOrder,
+                         testing::Values(Diagonals::none, Diagonals::one, Diagonals::both), [](const auto& grid) {
+                             return std::string(grid.param == Diagonals::none  ? "Without"
+                                                : grid.param == Diagonals::one ? "WithOneDiagonal"
+                                                                               : "WithBothDiagonals");
+                         });
+
+/// Each once, and never further from its neighbours than a row.
+void expect_rows_of_neighbours(const Joined& joined) {
+    const auto rows = joined.rows();
+    std::vector<Number> row_of(joined.place.size(), ~Number(0));
+    for (Number r = 0; r < rows.size(); ++r)
+        for (const Number place : rows[r]) {
+            EXPECT_EQ(row_of[place], ~Number(0)) << place;
+            row_of[place] = r;
+        }
+    for (Number i = 0; i < joined.place.size(); ++i)
+        for (auto k = joined.first[i]; k < joined.first[i + 1]; ++k) {
+            const auto a = row_of[joined.place[i]], b = row_of[joined.place[joined.near[k]]];
+            EXPECT_LE(std::max(a, b) - std::min(a, b), 1U);
+        }
+}
+
+TEST(LevelStructure, BeginAtOneParticleOfWhatHasNoEdge) {
+    constexpr Number around = 12;
+    std::set<std::pair<Number, Number>> links; // a torus
+    for (Number r = 0; r < around; ++r)
+        for (Number c = 0; c < around; ++c) {
+            links.insert({r * around + c, r * around + (c + 1) % around});
+            links.insert({r * around + c, (r + 1) % around * around + c});
+        }
+    const Joined joined(around * around, 0, links);
+    expect_rows_of_neighbours(joined);
+    EXPECT_EQ(joined.rows().front().size(), 1U);
+}
+
+TEST(LevelStructure, HoldAnyHeapOfLinks) {
+    for (Number seed = 1; seed <= 20; ++seed) {
+        constexpr Number places = 60;
+        std::set<std::pair<Number, Number>> links; // a tree and some more
+        for (Number i = 1; i < places; ++i) links.insert({Number(random::whole(0, i - 1, seed, 0, i)), i});
+        for (Number i = 0; i < 2 * seed; ++i) {
+            const auto a = Number(random::whole(0, places - 1, seed, 1, i));
+            const auto b = Number(random::whole(0, places - 1, seed, 2, i));
+            if (a < b) links.insert({a, b});
+        }
+        expect_rows_of_neighbours(Joined(places, 0, links));
+    }
+}
+
+} // namespace
+} // namespace sinew::SINEW_TEST_FILE
