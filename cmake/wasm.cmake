@@ -1,5 +1,5 @@
-# The WebAssembly module of web/sinew: the C face (bindings/c) on the library and the player, without any import.
-# Everything is compiled into one module; files, threads and clocks are absent (bindings/wasm/no_system.cpp).
+# The WebAssembly modules of web/sinew: the C face (bindings/c) on the library and the player, without any import, once
+# with worlds of double and once with worlds of float. Files, threads and clocks are absent (bindings/wasm/no_system.cpp).
 
 # Header-only libraries are the host's; the host's C headers must stay out of the search path.
 set(host_headers ${PROJECT_BINARY_DIR}/host_headers)
@@ -15,27 +15,11 @@ foreach(folder IN ITEMS sinew player bindings/c bindings/wasm)
 endforeach()
 list(APPEND all ${PROJECT_SOURCE_DIR}/canvas/beside.cpp) # put_beside: a picture of pictures
 list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp") # bindings/wasm/no_files.cpp
-list(FILTER all EXCLUDE REGEX "/targets/avx[0-9]+[.]cpp")
-# Every step is compiled for speed; what reads scenes, builds figures and answers a pointer, for size.
-set(small ${all})
-list(FILTER small INCLUDE REGEX "/sinew/(scene|prefab|session|picture)/|/player/|/apps/|/bindings/|/canvas/")
-set(fast ${all})
-list(REMOVE_ITEM fast ${small})
-add_library(wasm_small OBJECT ${small})
-target_compile_options(wasm_small PRIVATE -Oz)
-add_library(wasm_fast OBJECT ${fast})
-target_compile_options(wasm_fast PRIVATE -O2)
-file(GLOB kernels ${PROJECT_SOURCE_DIR}/sinew/solver/simd/targets/*.cpp)
-set_source_files_properties(${kernels} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-
-add_executable(sinew_wasm $<TARGET_OBJECTS:wasm_small> $<TARGET_OBJECTS:wasm_fast>)
-foreach(part IN ITEMS wasm_small wasm_fast)
-    target_compile_options(${part} PRIVATE -ffp-contract=off -fvisibility=hidden)
-    target_compile_definitions(${part} PRIVATE NDEBUG FMT_HEADER_ONLY JSON_NOEXCEPTION)
-    target_include_directories(${part} PRIVATE ${PROJECT_SOURCE_DIR})
-    target_include_directories(${part} SYSTEM PRIVATE ${host_headers})
-    sinew_warnings(${part})
-endforeach()
+list(FILTER all EXCLUDE REGEX "/targets/(avx[0-9]+|one)[.]cpp") # every engine has SIMD
+set_property(SOURCE sinew/solver/simd/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_NO_ONE)
+# The kernels, where the time goes, are compiled for speed, and all else for size.
+set_source_files_properties(sinew/solver/simd/targets/sse2.cpp PROPERTIES
+    SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS -O2)
 
 # The exports are the functions that the C header declares.
 file(STRINGS bindings/c/sinew.h declarations REGEX "^SINEW_API ")
@@ -46,7 +30,41 @@ foreach(declaration IN LISTS declarations)
     string(REPLACE "(" "" name ${name})
     list(APPEND exports -Wl,--export=${name})
 endforeach()
+
 # A last -O0 keeps clang from running any wasm-opt of the machine.
-target_link_options(sinew_wasm PRIVATE -mexec-model=reactor -Wl,--strip-all -Wl,--gc-sections -Wl,-z,stack-size=1048576
-    ${exports} -O0)
-set_target_properties(sinew_wasm PROPERTIES OUTPUT_NAME sinew SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+function(sinew_wasm_options name real)
+    target_compile_options(${name} PRIVATE -Oz -ffp-contract=off -fvisibility=hidden -fno-threadsafe-statics
+        -fno-c++-static-destructors)
+    target_compile_definitions(${name} PRIVATE NDEBUG FMT_HEADER_ONLY FMT_STATIC_THOUSANDS_SEPARATOR=',' JSON_NOEXCEPTION
+        SINEW_ONE_PRECISION=${real})
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+    target_include_directories(${name} SYSTEM PRIVATE ${host_headers})
+    sinew_warnings(${name})
+    target_link_options(${name} PRIVATE -mexec-model=reactor -Wl,--strip-all -Wl,--gc-sections -Wl,-z,stack-size=1048576
+        -Wl,-Map=${PROJECT_BINARY_DIR}/bin/${name}.map ${exports} -O0)
+    set_target_properties(${name} PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endfunction()
+
+# What divides work among threads is compiled twice: for one thread, and for shared memory.
+set(shared ${all})
+list(FILTER shared INCLUDE REGEX "/solver/([a-z_]+/)?(step|quarantine|wavefront|workers[a-z_]*)[.]cpp|/wasm/serve[.]cpp")
+list(REMOVE_ITEM all ${shared})
+
+# sinew_modules(NAME REAL): bin/NAME.wasm, with worlds of one precision, bin/NAME-threads.wasm, and the linker's maps.
+function(sinew_modules name real)
+    add_library(${name}-objects OBJECT ${all})
+    sinew_wasm_options(${name}-objects ${real})
+    foreach(module IN ITEMS ${name} ${name}-threads)
+        add_executable(${module} ${shared} $<TARGET_OBJECTS:${name}-objects>)
+        sinew_wasm_options(${module} ${real})
+    endforeach()
+    # thread_local is for stopwatches, which no page has: plain in every object. Nothing that workers call allocates, so
+    # the C library may do without atomics.
+    target_compile_options(${name}-threads PRIVATE -matomics -mbulk-memory -Dthread_local=)
+    target_link_options(${name}-threads PRIVATE -Wl,--shared-memory -Wl,--no-check-features -Wl,--import-memory
+        -Wl,--initial-memory=33554432 -Wl,--max-memory=1073741824 -Wl,--export=__stack_pointer -Wl,--export=sinew_serve)
+endfunction()
+
+sinew_modules(sinew double)
+sinew_modules(sinew-float float)
+add_custom_target(sinew_wasm DEPENDS sinew sinew-threads sinew-float sinew-float-threads)

@@ -32,7 +32,7 @@ template <int D, class Real> void Box::build(Builder<D, Real>& figure) const {
     figure.draw(Mark::dot, "corner", corners, dot);
 }
 
-template void Box::build(Builder<2, float>&) const;
-template void Box::build(Builder<2, double>&) const;
+#define SINEW_BOX(D, Real) template void Box::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE_2D(SINEW_BOX)
 
 } // namespace sinew

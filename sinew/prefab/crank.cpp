@@ -49,7 +49,7 @@ void Crank::draw(Builder<D, Real>& figure, ParticleId hub, ParticleId pin, Parti
     figure.draw(Mark::dot, "joint", {pin, end}, 0.7 * thickness);
 }
 
-template void Crank::build(Builder<2, float>&) const;
-template void Crank::build(Builder<2, double>&) const;
+#define SINEW_CRANK(D, Real) template void Crank::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE_2D(SINEW_CRANK)
 
 } // namespace sinew

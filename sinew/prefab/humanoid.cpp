@@ -99,7 +99,7 @@ template <int D, class Real> void Humanoid::build(Builder<D, Real>& figure) cons
     limb(limbs[1], "sleeve", sleeve, "right_fist", fist);
 }
 
-template void Humanoid::build(Builder<2, float>&) const;
-template void Humanoid::build(Builder<2, double>&) const;
+#define SINEW_HUMANOID(D, Real) template void Humanoid::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE_2D(SINEW_HUMANOID)
 
 } // namespace sinew

@@ -32,7 +32,7 @@ template <int D, class Real> void Limb::build(Builder<D, Real>& figure) const {
     figure.draw_tapered(Mark::limb, "limb", {root, joint, end}, width, end_width);
 }
 
-template void Limb::build(Builder<2, float>&) const;
-template void Limb::build(Builder<2, double>&) const;
+#define SINEW_LIMB(D, Real) template void Limb::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE_2D(SINEW_LIMB)
 
 } // namespace sinew

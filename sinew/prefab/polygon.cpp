@@ -50,7 +50,7 @@ template <int D, class Real> void Polygon::build(Builder<D, Real>& figure) const
     figure.draw(Mark::loop, "edge", std::move(corners), thickness);
 }
 
-template void Polygon::build(Builder<2, float>&) const;
-template void Polygon::build(Builder<2, double>&) const;
+#define SINEW_POLYGON(D, Real) template void Polygon::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE_2D(SINEW_POLYGON)
 
 } // namespace sinew

@@ -92,7 +92,7 @@ template <int D, class Real> void Puppet::build(Builder<D, Real>& figure) const 
     figure.draw(Mark::dot, "head", {figure.named("head")}, head_width * unit);
 }
 
-template void Puppet::build(Builder<2, float>&) const;
-template void Puppet::build(Builder<2, double>&) const;
+#define SINEW_PUPPET(D, Real) template void Puppet::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE_2D(SINEW_PUPPET)
 
 } // namespace sinew

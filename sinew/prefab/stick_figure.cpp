@@ -75,7 +75,7 @@ template <int D, class Real> void StickFigure::build(Builder<D, Real>& figure) c
     figure.draw(Mark::dot, "head", {figure.named("head")}, scale * head_size);
 }
 
-template void StickFigure::build(Builder<2, float>&) const;
-template void StickFigure::build(Builder<2, double>&) const;
+#define SINEW_STICK_FIGURE(D, Real) template void StickFigure::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE_2D(SINEW_STICK_FIGURE)
 
 } // namespace sinew

@@ -40,7 +40,7 @@ template <int D, class Real> void Tire::build(Builder<D, Real>& figure) const {
     figure.draw(Mark::loop, "tread", std::move(corners), thickness);
 }
 
-template void Tire::build(Builder<2, float>&) const;
-template void Tire::build(Builder<2, double>&) const;
+#define SINEW_TIRE(D, Real) template void Tire::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE_2D(SINEW_TIRE)
 
 } // namespace sinew

@@ -87,7 +87,7 @@ template <int D, class Real> void Tree::build(Builder<D, Real>& figure) const {
     leaves("bright", depth, 2, 0.8 * leaf);
 }
 
-template void Tree::build(Builder<2, float>&) const;
-template void Tree::build(Builder<2, double>&) const;
+#define SINEW_TREE(D, Real) template void Tree::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE_2D(SINEW_TREE)
 
 } // namespace sinew

@@ -37,6 +37,7 @@ class ValueCheck {
     ValueCheck(const Scene& scene, Document& document) : scene_(scene), document_(document) {}
 
     void run() {
+        precision();
         names();
         sizes();
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
@@ -57,6 +58,13 @@ class ValueCheck {
   private:
     const Scene& scene_;
     Document& document_;
+
+    void precision() {
+        const auto& wanted = scene_.solver.precision;
+        if (!has_precision(wanted))
+            document_.error("/solver/precision", concat("this module has no worlds of ", wanted),
+                            concat("load the module of ", wanted, " beside it, or leave out the precision"));
+    }
 
     void names() {
         std::set<std::string_view> seen;

@@ -268,14 +268,35 @@ Hold hold_rule(const Scene& scene) {
                 RulesSection::holds.begin());
 }
 
+namespace {
+
+template <class Real> constexpr std::string_view name_of_precision = std::is_same_v<Real, float> ? "float" : "double";
+
+template <class WorldT> bool is_of(const Scene& scene) {
+    return scene.dimension == WorldT::dimension && scene.solver.precision == name_of_precision<typename WorldT::Real>;
+}
+
+template <class... Each> AnyWorld instantiate_any(const Scene& scene, std::type_identity<std::variant<Each...>>) {
+    AnyWorld made;
+    const auto make = [&]<int D, class Real>(std::type_identity<World<D, Real>>) {
+        if (is_of<World<D, Real>>(scene)) made = WorldBuilder<D, Real>(scene).make();
+    };
+    (make(std::type_identity<Each>{}), ...);
+    return made;
+}
+
+template <class... Each> bool has_precision(std::string_view name, std::type_identity<std::variant<Each...>>) {
+    return ((name_of_precision<typename Each::Real> == name) || ...);
+}
+
+} // namespace
+
 AnyWorld instantiate(const Scene& scene) {
-    const bool single = scene.solver.precision == "float";
-    if (scene.dimension == 2) {
-        if (single) return WorldBuilder<2, float>(scene).make();
-        return WorldBuilder<2, double>(scene).make();
-    }
-    if (single) return WorldBuilder<3, float>(scene).make();
-    return WorldBuilder<3, double>(scene).make();
+    return instantiate_any(scene, std::type_identity<AnyWorld>{});
+}
+
+bool has_precision(std::string_view name) {
+    return has_precision(name, std::type_identity<AnyWorld>{});
 }
 
 } // namespace sinew

@@ -190,10 +190,13 @@ struct Scene {
     Units measures() const;
 };
 
-using AnyWorld = std::variant<World<2, float>, World<2, double>, World<3, float>, World<3, double>>;
+using AnyWorld = EveryWorld<std::variant, World>;
 
 /// Rule by which classic mode holds a grabbed or driven particle.
 Hold hold_rule(const Scene& scene);
+
+/// True if this build has worlds of the precision, float or double.
+bool has_precision(std::string_view name);
 
 /// Builds the world of a valid scene, at the start of the scene.
 AnyWorld instantiate(const Scene& scene);

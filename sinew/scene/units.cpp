@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 
 namespace sinew {
@@ -26,15 +27,14 @@ std::string with_exponent(std::string_view name, int exponent) {
 double rounded(double number) {
     if (!is_finite(number)) return number;
     std::array<char, 40> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::scientific, 14).ptr;
-    const std::string_view all(text.data(), std::size_t(end - text.data()));
+    const int length = std::snprintf(text.data(), text.size(), "%.14e", number);
+    const std::string_view all(text.data(), std::size_t(length));
     std::int64_t digits = 0;
     for (const char c : all.substr(0, all.find('e')))
         if (c >= '0' && c <= '9') digits = 10 * digits + (c - '0');
     const auto sign = all.find('e') + 1;
     int exponent = 0;
-    std::from_chars(all.data() + sign + 1, end, exponent);
+    std::from_chars(all.data() + sign + 1, all.data() + all.size(), exponent);
     exponent = (all[sign] == '-' ? -exponent : exponent) - 14;
     // For |exponent| <= 22 both the digits and the power of ten are exact in double, so the quotient or product is the
     // nearest double.

@@ -41,7 +41,7 @@ struct SessionEvent {
     std::size_t islands = 0; ///< "parted": number of islands the figure now has (islands.h); else 0
 };
 
-using AnySolver = std::variant<Solver<2, float>, Solver<2, double>, Solver<3, float>, Solver<3, double>>;
+using AnySolver = EveryWorld<std::variant, Solver>;
 
 /// A running scene: a world, a clock, the scene's events and a pointer. Headless: the window, the command line and the
 /// web page feed a session, and draw() makes its picture.

@@ -12,6 +12,7 @@
 #include "sinew/world/force.h"
 #include "sinew/world/integrator.h"
 #include "sinew/world/journal.h"
+#include "sinew/world/world_types.h"
 
 #include <array>
 #include <cstdint>
@@ -386,8 +387,5 @@ template <class WorldT, class Visit> void visit_table(WorldT& world, int kind, V
         if (number++ == kind) visit(table);
     });
 }
-
-/// Instantiates a template for every type of world: SINEW_INSTANTIATE(X) with X(D, Real).
-#define SINEW_INSTANTIATE(X) X(2, float) X(2, double) X(3, float) X(3, double)
 
 } // namespace sinew

@@ -6,43 +6,71 @@ import { Simulation } from "./simulation.js";
 /** The ABI of bindings/c/sinew.h that this package is written for. */
 export const abi = 1;
 
-/** An instance of the module, with a memory of its own. */
+/** An instance of the module, with a memory of its own. Worlds of float are in a second one: loadFloat in index.js. */
 export class Engine {
-    constructor(instance) {
+    /** The engine whose worlds are of float, once loaded. */
+    float = undefined;
+
+    /** The workers that compute with it. */
+    workers = [];
+
+    /** @param memory the memory, unless the module has one of its own */
+    constructor(instance, memory = instance.exports.memory) {
         this.exports = instance.exports;
+        this.memory = memory;
         this.exports._initialize?.();
         const found = this.exports.sinew_abi?.();
         if (found !== abi) throw new Error(`the module has ABI ${found}, the package needs ${abi}: they are of different versions`);
-        this.data = new Memory(this.exports);
+        this.data = new Memory(this.exports, memory);
         this.abi = found;
         this.version = this.data.textAt(this.exports.sinew_version());
         this.simd = this.data.textAt(this.exports.sinew_simd());
         this.overlayNames = this.overlays().map((overlay) => overlay.name);
     }
 
-    get memory() {
-        return this.exports.memory;
-    }
-
     get bytes() {
         return this.memory.buffer.byteLength;
     }
 
+    /** Number of threads that share the steps of large worlds. */
+    get threads() {
+        return 1 + this.workers.length;
+    }
+
+    /** Ends the workers. The engine must not be used any more. */
+    stop() {
+        this.float?.stop();
+        for (const worker of this.workers) worker.terminate();
+        this.workers = [];
+    }
+
     open(scene, options = {}) {
-        return new Simulation(this, this.opened("sinew_open", scene, options));
+        return this.ofPrecision((engine) => new Simulation(engine, engine.opened("sinew_open", scene, options)));
     }
 
     play(scene, options = {}) {
-        return new Player(this, this.opened("sinew_play", scene, options));
+        return this.ofPrecision((engine) => new Player(engine, engine.opened("sinew_play", scene, options)));
     }
 
     check(scene, options = {}) {
         try {
-            this.withScene(scene, options, (text, more) => this.call("sinew_check", text, more));
+            this.ofPrecision((engine) =>
+                engine.withScene(scene, options, (text, more) => engine.call("sinew_check", text, more)));
             return [];
         } catch (error) {
             if (error instanceof SceneErrors) return error.errors;
             throw error;
+        }
+    }
+
+    /** Calls work(engine) with this engine, then with the one of float if the scene's precision is the other. */
+    ofPrecision(work) {
+        try {
+            return work(this);
+        } catch (error) {
+            const isOther = error instanceof SceneErrors && error.errors.some(({ path }) => path === "/solver/precision");
+            if (!this.float || !isOther) throw error;
+            return work(this.float);
         }
     }
 

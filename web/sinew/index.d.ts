@@ -1,6 +1,6 @@
 /**
  * Sinew in JavaScript: an engine of Verlet points and constraints, compiled to WebAssembly. Same core and same bits as
- * the native library; one thread. Works in browsers, workers and Node 20.
+ * the native library. Works in browsers, workers and Node 20.
  *
  * Lengths, times and forces are in the units of the scene, angles in radians, pointer positions in pixels of the picture.
  */
@@ -11,11 +11,29 @@ export const abi: number;
 /** Where the module is: an address, its bytes, a compiled module, or the response of a fetch. */
 export type ModuleSource = string | URL | ArrayBuffer | ArrayBufferView | WebAssembly.Module | Response | Promise<Response>;
 
-/** Loads an engine. Without a source: sinew.wasm beside this file. Each engine has a memory of its own. */
-export function load(source?: ModuleSource): Promise<Engine>;
+export interface LoadOptions {
+    /**
+     * Threads that share the steps of large worlds (from 4096 particles); 1 by default. More than one are workers on
+     * shared memory, with the module sinew-threads.wasm, in Node and on pages that are cross-origin isolated; elsewhere
+     * the engine has one. Results are the same to the last bit. `engine.stop()` ends the workers.
+     */
+    threads?: number;
+}
+
+/**
+ * Loads an engine. Without a source: sinew.wasm beside this file, or sinew-threads.wasm for several threads. Each engine
+ * has a memory of its own.
+ */
+export function load(source?: ModuleSource, options?: LoadOptions): Promise<Engine>;
+
+/**
+ * Loads the module whose worlds are of float (`"precision": "float"`), sinew-float.wasm beside this file, for an engine
+ * whose worlds are of double. From then on the engine opens both; returns the engine.
+ */
+export function loadFloat(engine: Engine, source?: ModuleSource): Promise<Engine>;
 
 /** The same functions as properties: `import Sinew from "sinew"; await Sinew.load()`. */
-declare const Sinew: { load: typeof load; abi: number; catalogue: typeof catalogue; Canvas2DPainter: typeof Canvas2DPainter };
+declare const Sinew: { load: typeof load; loadFloat: typeof loadFloat; abi: number; catalogue: typeof catalogue; Canvas2DPainter: typeof Canvas2DPainter };
 export default Sinew;
 
 // --- scenes -------------------------------------------------------------------------------------------------------
@@ -104,6 +122,11 @@ export interface Engine {
     readonly abi: number;
     readonly simd: string;      // "simd128"
     readonly memory: WebAssembly.Memory;
+    /** Threads that share the steps of large worlds. */
+    readonly threads: number;
+
+    /** Ends the workers of an engine of several threads, which must not be used any more. */
+    stop(): void;
 
     /** Opens a scene at its start, from JSON text or an object. Throws SceneErrors. */
     open(scene: string | object, options?: OpenOptions): Simulation;

@@ -4,6 +4,7 @@ import { SceneErrors, SinewError, status } from "./errors.js";
 import { Canvas2DPainter } from "./painters/canvas2d.js";
 import { WebGL2Painter } from "./painters/webgl2.js";
 import { PictureCopy, Shape } from "./picture.js";
+import { startThreads } from "./threads.js";
 
 const isNode = typeof process !== "undefined" && Boolean(process.versions?.node);
 
@@ -28,8 +29,29 @@ async function fromResponse(response) {
     return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
-export async function load(source = new URL("./sinew.wasm", import.meta.url)) {
-    return new Engine(await WebAssembly.instantiate(await compiled(source), {}));
+const modules = {
+    double: [new URL("./sinew.wasm", import.meta.url), new URL("./sinew-threads.wasm", import.meta.url)],
+    float: [new URL("./sinew-float.wasm", import.meta.url), new URL("./sinew-float-threads.wasm", import.meta.url)],
+};
+
+/** Threads share memory; a page may do so if it is cross-origin isolated, Node always. */
+const mayShareMemory = () => typeof SharedArrayBuffer !== "undefined" && (isNode || globalThis.crossOriginIsolated);
+
+async function loadOf(precision, source, { threads = 1 } = {}) {
+    const count = mayShareMemory() ? threads : 1;
+    const module = await compiled(source ?? modules[precision][count > 1 ? 1 : 0]);
+    if (!WebAssembly.Module.imports(module).some(({ kind }) => kind === "memory"))
+        return new Engine(await WebAssembly.instantiate(module, {}));
+    return startThreads(module, count);
+}
+
+export async function load(source, options) {
+    return loadOf("double", source, options);
+}
+
+export async function loadFloat(engine, source) {
+    engine.float ??= await loadOf("float", source, { threads: engine.threads });
+    return engine;
 }
 
 export async function catalogue() {
@@ -37,4 +59,4 @@ export async function catalogue() {
 }
 
 export { abi, Canvas2DPainter, PictureCopy, SceneErrors, Shape, SinewError, status, WebGL2Painter };
-export default { load, abi, catalogue, Canvas2DPainter };
+export default { load, loadFloat, abi, catalogue, Canvas2DPainter };

@@ -7,13 +7,14 @@ const decoder = new TextDecoder();
 const resultBytes = 256;
 
 export class Memory {
-    constructor(exports) {
+    constructor(exports, memory) {
         this.exports = exports;
+        this.memory = memory;
         this.result = this.allocate(resultBytes);
     }
 
     get buffer() {
-        return this.exports.memory.buffer;
+        return this.memory.buffer;
     }
 
     get view() {
@@ -40,7 +41,7 @@ export class Memory {
     /** The text at an address, up to its zero byte. */
     textAt(at) {
         const bytes = this.bytes;
-        return decoder.decode(bytes.subarray(at, bytes.indexOf(0, at)));
+        return decoder.decode(bytes.slice(at, bytes.indexOf(0, at))); // a copy: shared memory cannot be decoded
     }
 
     /** The text whose address is at an address. */

@@ -31,7 +31,11 @@ const KernelSet* set_of(Simd simd) {
         return &kernels_sse2;
 #endif
     default:
+#if defined(SINEW_NO_ONE)
+        return &kernels_sse2;
+#else
         return &kernels_one;
+#endif
     }
 }
 
@@ -44,8 +48,10 @@ std::atomic<Simd>& in_use() {
 
 bool has_simd(Simd simd) {
     switch (simd) {
+#if !defined(SINEW_NO_ONE)
     case Simd::one:
         return true;
+#endif
 #if !defined(SINEW_NO_SSE2)
     case Simd::sse2:
         return true;
@@ -93,17 +99,11 @@ const char* name_of(Simd simd) {
     return names[int(simd)];
 }
 
-template <> const Kernels<2, float>& kernels() {
-    return set_of(in_use())->in_2d_float;
+template <int D, class Real> const Kernels<D, Real>& kernels() {
+    return *set_of(in_use());
 }
-template <> const Kernels<2, double>& kernels() {
-    return set_of(in_use())->in_2d_double;
-}
-template <> const Kernels<3, float>& kernels() {
-    return set_of(in_use())->in_3d_float;
-}
-template <> const Kernels<3, double>& kernels() {
-    return set_of(in_use())->in_3d_double;
-}
+
+#define SINEW_KERNELS_OF(D, Real) template const Kernels<D, Real>& kernels();
+SINEW_INSTANTIATE(SINEW_KERNELS_OF)
 
 } // namespace sinew

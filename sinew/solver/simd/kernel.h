@@ -2,6 +2,7 @@
 
 #include "sinew/math/limit.h"
 #include "sinew/math/moments.h"
+#include "sinew/world/world_types.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -147,12 +148,8 @@ template <int D, class Real> struct Kernels {
 };
 
 /// Kernels of an instruction set.
-struct KernelSet {
-    Kernels<2, float> in_2d_float;
-    Kernels<2, double> in_2d_double;
-    Kernels<3, float> in_3d_float;
-    Kernels<3, double> in_3d_double;
-};
+template <class... Each> struct AllKernels : Each... {};
+using KernelSet = EveryWorld<AllKernels, Kernels>;
 
 enum class Simd { one, sse2, avx2, avx512 };
 

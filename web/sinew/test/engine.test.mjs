@@ -1,12 +1,26 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Worker } from "node:worker_threads";
-import { load, SceneErrors, SinewError } from "../index.js";
-import { engine, moduleBytes, pendulum } from "./engine_for_tests.mjs";
+import { load, loadFloat, SceneErrors, SinewError } from "../index.js";
+import { engine, floatBytes, moduleBytes, pendulum } from "./engine_for_tests.mjs";
 
-test("the module needs nothing from outside", async () => {
-    const module = await WebAssembly.compile(moduleBytes);
-    assert.deepEqual(WebAssembly.Module.imports(module), []);
+test("the modules need nothing from outside", async () => {
+    for (const bytes of [moduleBytes, floatBytes])
+        assert.deepEqual(WebAssembly.Module.imports(await WebAssembly.compile(bytes)), []);
+});
+
+test("worlds of float are in a module of their own", async () => {
+    const inFloat = { overrides: { precision: "float" } };
+    const alone = await load(moduleBytes);
+    const [error] = alone.check(pendulum, inFloat);
+    assert.equal(error.path, "/solver/precision");
+    assert.match(error.message, /no worlds of float/);
+    assert.throws(() => alone.open(pendulum, inFloat), SceneErrors);
+    await loadFloat(alone);
+    assert.deepEqual(alone.check(pendulum, inFloat), []);
+    assert.equal(alone.open(pendulum, inFloat).precision, "float");
+    assert.equal(alone.play(pendulum, inFloat).simulation.precision, "float");
+    assert.equal(alone.open(pendulum).precision, "double");
 });
 
 test("every way to name a module loads it", async () => {

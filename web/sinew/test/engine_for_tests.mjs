@@ -1,9 +1,10 @@
 // One engine for the tests of a file, and a scene small enough to know its motion.
 import { readFile } from "node:fs/promises";
-import { load } from "../index.js";
+import { load, loadFloat } from "../index.js";
 
 export const moduleBytes = await readFile(new URL("../sinew.wasm", import.meta.url));
-export const engine = await load(moduleBytes);
+export const floatBytes = await readFile(new URL("../sinew-float.wasm", import.meta.url));
+export const engine = await loadFloat(await load(moduleBytes), floatBytes);
 
 /** A pendulum of one metre in metres and seconds, let go level with its pin. */
 export const pendulum = {

@@ -19,7 +19,7 @@ const npm = (...words) => execFileSync("npm", words, { cwd: folder, encoding: "u
 test("the packed package installs offline", { skip: !hasNpm }, async () => {
     const [{ filename, files }] = JSON.parse(npm("pack", packageFolder, "--json"));
     const names = files.map((file) => file.path);
-    for (const wanted of ["index.js", "index.d.ts", "sinew.wasm", "catalogue.js", "README.md", "painters/webgl2.js"])
+    for (const wanted of ["index.js", "index.d.ts", "sinew.wasm", "sinew-float.wasm", "sinew-threads.wasm", "worker.js", "catalogue.js", "README.md", "painters/webgl2.js"])
         assert.ok(names.includes(wanted), wanted);
     assert.ok(!names.some((name) => name.startsWith("test/") || name.startsWith("tools/")));
     await writeFile(path.join(folder, "package.json"), '{"type": "module"}');
@@ -34,8 +34,8 @@ test("the example of the README runs and prints what it says", { skip: !hasNpm }
     assert.equal(execFileSync("node", ["example.js"], { cwd: folder, encoding: "utf8" }), printed);
 });
 
-// The goal is 250 KB; docs/how/web.md tells what weighs how much.
+// The goal is 250 KB; docs/how/web.md tells what weighs how much. The bound is what was reached, 558 KB, and 3 %.
 test("the module does not grow", () => {
     const { length } = brotliCompressSync(moduleBytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } });
-    assert.ok(length <= 920 * 1024, `${length} bytes`);
+    assert.ok(length <= 575 * 1024, `${length} bytes`);
 });

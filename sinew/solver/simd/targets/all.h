@@ -6,23 +6,30 @@
 #include "sinew/solver/simd/range_check.h"
 #include "sinew/solver/simd/transpose.h"
 
+#include <type_traits>
+
 /// All kernels. An including file is compiled for one instruction set.
 namespace sinew {
 namespace {
 
-template <int D, class Real>
-inline constexpr Kernels<D, Real> kernels_here{.project = project_runs<D, Real>,
-                                               .tether = tether_all<D, Real>,
-                                               .advance = move_all<D, Real, Doing{.advances = true}>,
-                                               .drift = move_all<D, Real, Doing{.drifts = true}>,
-                                               .go_on = move_all<D, Real, Doing{true, true}>,
-                                               .lowest = lowest_of<D, Real>,
-                                               .moments = moments_of<D, Real>,
-                                               .turn = turn_body<D, Real>,
-                                               .to_columns = to_columns<D, Real>,
-                                               .to_rows = to_rows<D, Real>,
-                                               .all_within = all_within<true, Real>,
-                                               .all_within_and_positive = all_within<false, Real>};
+template <int D, class Real> constexpr Kernels<D, Real> kernels_here(std::type_identity<Kernels<D, Real>>) {
+    return {.project = project_runs<D, Real>,
+            .tether = tether_all<D, Real>,
+            .advance = move_all<D, Real, Doing{.advances = true}>,
+            .drift = move_all<D, Real, Doing{.drifts = true}>,
+            .go_on = move_all<D, Real, Doing{true, true}>,
+            .lowest = lowest_of<D, Real>,
+            .moments = moments_of<D, Real>,
+            .turn = turn_body<D, Real>,
+            .to_columns = to_columns<D, Real>,
+            .to_rows = to_rows<D, Real>,
+            .all_within = all_within<true, Real>,
+            .all_within_and_positive = all_within<false, Real>};
+}
+
+template <class... Each> constexpr AllKernels<Each...> all_kernels_here(std::type_identity<AllKernels<Each...>>) {
+    return {kernels_here(std::type_identity<Each>{})...};
+}
 
 } // namespace
 } // namespace sinew
@@ -31,6 +38,5 @@ inline constexpr Kernels<D, Real> kernels_here{.project = project_runs<D, Real>,
 #define SINEW_KERNELS(name)                                                                                            \
     namespace sinew {                                                                                                  \
     extern const KernelSet name;                                                                                       \
-    const KernelSet name{kernels_here<2, float>, kernels_here<2, double>, kernels_here<3, float>,                      \
-                         kernels_here<3, double>};                                                                     \
+    constinit const KernelSet name = all_kernels_here(std::type_identity<KernelSet>{});                                \
     }

@@ -1,0 +1,13 @@
+// A thread of an engine: serves on the engine's memory until it is ended.
+const isNode = typeof process !== "undefined" && Boolean(process.versions?.node);
+const port = isNode ? (await import("node:worker_threads")).parentPort : globalThis;
+
+function serve({ module, memory, number, stack }) {
+    const { exports } = new WebAssembly.Instance(module, { env: { memory } });
+    exports.__stack_pointer.value = stack & ~15;
+    port.postMessage("serving");
+    exports.sinew_serve(number);
+}
+
+if (isNode) port.once("message", serve);
+else globalThis.onmessage = ({ data }) => serve(data);
