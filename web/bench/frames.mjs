@@ -11,8 +11,8 @@ const wanted = process.argv[2] ?? "";
 
 /** Runs in the page: players and painters of all kinds. */
 async function begin([width, height]) {
-    const { load, catalogue, Canvas2DPainter, WebGL2Painter } = await import("./index.js");
-    const engine = await load();
+    const { load, loadFloat, catalogue, Canvas2DPainter, WebGL2Painter } = await import("./index.js");
+    const engine = await loadFloat(await load());
     const canvas = () => Object.assign(document.createElement("canvas"), { width, height });
     const kinds = {
         webgl2() {

@@ -1,5 +1,5 @@
 // One contender on one case, in Node and in a browser alike: built once, stepped in parts, measured by its caller.
-import { load } from "../sinew/index.js";
+import { load, loadFloat } from "../sinew/index.js";
 import { cases, workOf } from "./cases.mjs";
 
 export const contenders = ["sinew", "plain", "verlet", "matter", "planck", "rapier", "box2d", "jolt", "jolt_lra"];
@@ -10,7 +10,7 @@ let engine = null;
 
 /** A world of a contender: { name, step, stretch }. */
 export async function build(contender, index) {
-    engine ??= await load();
+    engine ??= await loadFloat(await load());
     const simulation = engine.open(cases[index].scene), work = workOf(simulation);
     if (contender === "sinew") return { name: "**Sinew**", step: () => simulation.step(), stretch: () => stretchOf(work, positionsOf(simulation)) };
     simulation.dispose();

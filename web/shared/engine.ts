@@ -1,4 +1,4 @@
-import { catalogue, load, type CatalogueScene, type Engine, type OpenOptions, type Painter } from "../sinew/index.js";
+import { catalogue, load, loadFloat, type CatalogueScene, type Engine, type OpenOptions, type Painter } from "../sinew/index.js";
 
 const files = import.meta.glob<string>("../sinew/images/**/*.png", { query: "?url", import: "default", eager: true });
 const addresses = new Map(Object.entries(files).map(([path, address]) => [path.replace("../sinew/images/", ""), address]));
@@ -45,6 +45,6 @@ export interface Loaded {
 }
 
 export async function loadEngine(): Promise<Loaded> {
-    const [engine, scenes] = await Promise.all([load(), catalogue()]);
+    const [engine, scenes] = await Promise.all([load().then((engine) => loadFloat(engine)), catalogue()]);
     return { engine, scenes, assets: new Assets(scenes) };
 }

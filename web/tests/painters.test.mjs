@@ -13,11 +13,11 @@ after(() => site.end());
 
 /** Runs in the page: a painter of each kind on a canvas of its own. */
 async function begin([width, height]) {
-    const { load, catalogue, Canvas2DPainter, WebGL2Painter } = await import("./index.js");
+    const { load, loadFloat, catalogue, Canvas2DPainter, WebGL2Painter } = await import("./index.js");
     const canvas = () => Object.assign(document.createElement("canvas"), { width, height });
     const [flat, gl] = [canvas(), canvas()];
     const painters = [[flat, new Canvas2DPainter(flat.getContext("2d", { alpha: false }))], [gl, new WebGL2Painter(gl, { preserveDrawingBuffer: true })]];
-    Object.assign(window, { engine: await load(), scenes: await catalogue(), painters });
+    Object.assign(window, { engine: await loadFloat(await load()), scenes: await catalogue(), painters });
     return window.scenes.map(({ name }) => name);
 }
 

@@ -3,21 +3,25 @@
 /** Enlargement of every triangle under its neighbours, in pixels: hides antialiased edges. */
 const seam = 0.7;
 
-/** A copy of an image with a colour blended over its opaque pixels; the latest are kept. */
+/** A copy of an image with a colour blended over its opaque pixels; the latest few of each image are kept. */
 const tinted = new WeakMap();
+const most = 8; // colours of an image: some of text, some of shadows
 
 function withColor(image, [red, green, blue, alpha]) {
     if (alpha <= 0) return image;
     const key = [red, green, blue, alpha].map((channel) => Math.round(channel * 255)).join();
     let known = tinted.get(image);
-    if (known?.key === key) return known.canvas;
+    if (!known) tinted.set(image, (known = new Map()));
+    const found = known.get(key);
+    if (found) return found;
     const canvas = blank(image.width, image.height);
-    const context = canvas.getContext("2d");
+    const context = canvas.getContext("2d", { willReadFrequently: true }); // drawn by the processor, without an upload
     context.drawImage(image, 0, 0);
     context.globalCompositeOperation = "source-atop";
     context.fillStyle = `rgba(${red * 255}, ${green * 255}, ${blue * 255}, ${alpha})`;
     context.fillRect(0, 0, image.width, image.height);
-    tinted.set(image, { key, canvas });
+    if (known.size === most) known.delete(known.keys().next().value);
+    known.set(key, canvas);
     return canvas;
 }
 
