@@ -99,9 +99,7 @@ template <int D, class Real> class Sweep {
         const bool keeps = !solver_.sweep_state.everyone_alike;
         if (keeps) keeper_.note(solver_.sweep_state.bodies.list, 1);
         note_energy(world_, solver_);
-        const Real share = Real(number) / Real(substeps_), last_share = Real(number - 1) / Real(substeps_);
-        detail::FigureContact<D, Real> contacts(world_, solver_, h_, last_share, share,
-                                                h_ * Real(substeps_ - number + 1));
+        detail::FigureContact<D, Real> contacts(world_, solver_, h_, number, substeps_);
         contacts.begin();
         detail::PortCoupling<D, Real> ports(world_, solver_, h_, number);
         ports.begin();
@@ -114,8 +112,8 @@ template <int D, class Real> class Sweep {
             if (ports.take(again)) break;
             ports.begin_again();
         }
-        contacts.solve();
         hold(substep);
+        contacts.solve();
         limiter.find_gains();
         for (const auto& tile : plan_.tiles) substep.advance(tile);
         take_back_gains(world_, solver_, h_);
@@ -135,14 +133,26 @@ template <int D, class Real> class Sweep {
         for (int round = 0; round < rounds; ++round) {
             substep.mover().first_iteration = first && round == 0;
             for (std::size_t i = 0; i < plan_.components.size(); ++i)
-                if (round == 0 || ports.components[i]) project_links(substep, plan_.components[i]);
-            for (const auto& run : plan_.others)
-                detail::project_run(world_, std::span(solver_.scratch), run, substep.mover());
+                if ((round == 0 || ports.components[i]) && !is_exact(i)) project_links(substep, plan_.components[i]);
+            for (const auto& run : plan_.others) project(run, substep);
             detail::PortMover<D, Real>::project_all(world_, solver_, substep.mover());
             for (std::size_t i = 0; i < plan_.components.size(); ++i)
                 if (round == 0 || ports.components[i]) tether(substep, plan_.components[i]);
         }
         substep.mover().first_iteration = first;
+    }
+    /// True for a component whose links are exact beside the sweep (contact/link_projector.h).
+    bool is_exact(std::size_t component) const {
+        return has_figure_contacts(solver_) && solver_.contacts->exact_components[component];
+    }
+    void project(const SweepRun& run, Substep& substep) {
+        const std::span scratch(solver_.scratch);
+        if (!has_figure_contacts(solver_)) return detail::project_run(world_, scratch, run, substep.mover());
+        visit_table(world_, run.kind, [&](auto& table) {
+            for (Row row = run.rows.first; row < run.rows.last; ++row)
+                if (!solver_.contacts->joints.takes(run.kind, row))
+                    detail::project_row(scratch, table, row, substep.mover());
+        });
     }
     void project_links(Substep& substep, const Component& component) {
         for (std::uint32_t f = 0; f < component.colors; ++f)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/collider_sweep.h"
+#include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/decay.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
@@ -116,7 +117,7 @@ template <int D, class Real> class Substep {
             auto& pin = world_.pins[swept_.plan.pins[i].pin];
             const Row slot = swept_.plan.pins[i].slot;
             const Real w = swept_.mobility[slot];
-            if (pin.hard() || w == Real(0)) continue;
+            if (pin.hard() || w == Real(0) || is_held_exactly(solver_, slot)) continue;
             const Real alpha = mover_.alpha(pin.compliance);
             // critical damping for stiffness 1/c and mass 1/w is 2 / sqrt(c w); gamma = damper * compliance / h
             const Real gamma = minimum(Real(2) * pin.damping * square_root(pin.compliance) *
