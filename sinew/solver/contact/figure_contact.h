@@ -40,6 +40,7 @@ template <int D, class Real> class FigureContact {
         room().joints.solve(state_, Soft::contact());
         for (auto& row : room().rows) solve(row, row.keeps ? Soft::contact() : Soft::hard());
         room().projector.project_velocities(state_);
+        hold_at_walls();
         room().projector.project_lengths(state_);
         for (auto& row : room().rows) row.gap += change(row);
         room().joints.advance(state_);
@@ -99,6 +100,31 @@ template <int D, class Real> class FigureContact {
         row.multiplier = next;
         row.tangent = tangent;
         row.most = maximum(row.most, next);
+    }
+
+    /// A soft row of a light limb gives way where the whole figure is pressed against a wall. Beyond half a radius the
+    /// row is solved as the figure answers with its links held.
+    void hold_at_walls() {
+        constexpr int rounds = 3;
+        for (int i = 0; i < rounds; ++i) {
+            bool any = false;
+            for (auto& row : room().rows)
+                if (row.members == 1 && room().is_exact[row.slot[0]]) any = hold_at_wall(row) || any;
+            if (!any) return;
+        }
+    }
+    bool hold_at_wall(ContactRowT& row) {
+        const Row slot = row.slot[0];
+        const Real deep = Real(0.5) * world_.particles.radius[state_.row_of[slot]], beyond = -row.gap - deep;
+        const Real missing = (beyond > Real(0) ? Soft::contact().rate * beyond : beyond) - change(row);
+        if (!(missing > Real(0))) return false;
+        const auto normal = cast<double>(row.normal);
+        const double response = dot(normal, room().projector.response(state_, slot) * normal);
+        const Real impulse = minimum(missing * Real(inverse_or_zero(response)), limit::multiplier<Real>);
+        push(row, row.normal * impulse);
+        row.most = maximum(row.most, row.multiplier + impulse);
+        room().projector.project_velocities(state_, slot);
+        return impulse > Real(0);
     }
 
     /// A blow faster than resting contact leaves with its share of the approach.

@@ -88,7 +88,8 @@ template <int D, class Real> class JointRows {
             taken.assign(table.size(), 0);
             for (Row row = 0; row < table.size(); ++row) {
                 const auto members = table.members[row];
-                const bool is_link = Kind::length_power > 0 && table.low(row) == table.high(row);
+                bool is_link = Kind::length_power > 0 && table.low(row) == table.high(row);
+                if constexpr (std::is_same_v<Kind, Distance<D>>) is_link = sinew::detail::is_link(table, row);
                 if (is_link || table.in_block[row] || !is_plain(table, row) ||
                     !std::all_of(members.begin(), members.end(),
                                  [&](Row member) { return is_exact(state.slot_of[member]); }))

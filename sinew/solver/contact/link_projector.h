@@ -11,8 +11,9 @@ namespace sinew::detail {
 ///     velocities    d <- d - M^-1 G^T (G M^-1 G^T)^-1 G d
 ///     lengths       d <- d - M^-1 G^T (G M^-1 G^T)^-1 (|x + d| - L),    until the lengths are right
 ///
-/// A projection of velocities never adds energy. One of lengths may, where links lie in line: energy above that before
-/// is taken back once the particles have moved.
+/// A rope takes part while it pulls: an active set, kept from substep to substep. A projection of velocities never adds
+/// energy. One of lengths may, where links lie in line: energy above that before is taken back once the particles have
+/// moved.
 template <int D, class Real> class LinkProjector {
   public:
     using Vector = Vec<D, double>;
@@ -32,8 +33,8 @@ template <int D, class Real> class LinkProjector {
 
     /// Factorises at the present places, unless that has been done. `mobilities_change`: drag changes them.
     void begin(const SweepState<D, Real>& state, bool mobilities_change) {
-        if (!is_current_ || mobilities_change) factorise(state);
         for (auto& link : links_.list) link.tension = 0;
+        if (!is_current_ || mobilities_change) factorise(state);
     }
 
     void project_velocities(SweepState<D, Real>& state) {
@@ -107,28 +108,80 @@ template <int D, class Real> class LinkProjector {
     // --- projections -------------------------------------------------------------------------------------------------
 
     void project_velocities(SweepState<D, Real>& state, const Component& component) {
-        each(component,
-             [&](auto& link, double& right) { right = dot(link.along, move(state, link.b) - move(state, link.a)); });
-        solve(component);
-        apply(state, component, 1);
+        for (int i = 0; i < most_rounds; ++i) {
+            each(component, [&](auto& link, double& right) {
+                right = link.is_active ? dot(link.along, move(state, link.b) - move(state, link.a)) : 0;
+            });
+            solve(component);
+            if (!component.has_ropes) return apply(state, component, 1);
+            if (i + 1 < most_rounds && release(component)) continue;
+            apply(state, component, 1);
+            if (!tighten(component, [&](const Link& link) {
+                    return norm(link.edge) >= taut * link.length &&
+                           dot(link.along, move(state, link.b) - move(state, link.a)) > slight * link.length;
+                }))
+                return;
+        }
     }
 
-    /// One step along the gradients at the start leaves an error of second order, the next of third; steps far beyond
-    /// the linear model are cut short.
+    /// One step along the gradients at the start leaves an error of second order, the next of third. Where a few do not
+    /// suffice, the gradients are those at the end, which always correct, and ropes that pulled go on pulling. Steps
+    /// far beyond the linear model are cut short.
     void project_lengths(SweepState<D, Real>& state, const Component& component) {
-        constexpr int most_rounds = 6;
-        constexpr double exact = std::is_same_v<Real, float> ? 1e-6 : 1e-9, most_change = 0.1;
-        for (int i = 0; i < most_rounds; ++i) {
+        constexpr double exact = std::is_same_v<Real, float> ? 1e-6 : 1e-9, most_change = 0.2;
+        constexpr int usual_rounds = 4, all_rounds = 24;
+        for (int i = 0; i < all_rounds; ++i) {
+            if (i >= usual_rounds) turn_gradients(state, component);
+            const auto excess = [&](const Link& link) {
+                return norm(link.edge + move(state, link.b) - move(state, link.a)) - link.length;
+            };
+            tighten(component, [&](const Link& link) { return excess(link) > exact * link.length; });
             double worst = 0;
             each(component, [&](auto& link, double& right) {
-                right = norm(link.edge + move(state, link.b) - move(state, link.a)) - link.length;
+                right = link.is_active ? excess(link) : 0;
                 worst = maximum(worst, absolute(right) * inverse_or_zero(link.length));
             });
             if (!(worst > exact)) return;
             solve(component);
+            if (i < usual_rounds && release(component)) continue;
             const double change = largest_change(component);
             apply(state, component, change > most_change ? most_change / change : 1);
         }
+    }
+
+    // --- ropes -------------------------------------------------------------------------------------------------------
+
+    static constexpr int most_rounds = 8;
+    static constexpr double taut = 1 - 1e-4; ///< share of its length at which a rope may begin to pull
+    static constexpr double slight = 1e-9;   ///< change of a link that counts as none, as a share of its length
+
+    /// Lets go what would push. True if anything did.
+    bool release(const Component& component) {
+        bool any = false;
+        each(component, [&](auto& link, double& right) {
+            if (!link.is_rope || !link.is_active || link.tension + right * (1 + slight) >= 0) return;
+            link.is_active = false;
+            any = true;
+        });
+        if (any) factorise(component);
+        return any;
+    }
+    /// Takes hold of the ropes that `pulls` says are taut. True if there are any.
+    template <class Pulls> bool tighten(const Component& component, Pulls&& pulls) {
+        if (!component.has_ropes) return false;
+        bool any = false;
+        each(component, [&](auto& link, double&) {
+            if (!link.is_active && pulls(link)) link.is_active = any = true;
+        });
+        if (any) factorise(component);
+        return any;
+    }
+
+    void turn_gradients(const SweepState<D, Real>& state, const Component& component) {
+        each(component, [&](auto& link, double&) {
+            link.along = direction(link.edge + move(state, link.b) - move(state, link.a));
+        });
+        factorise(component);
     }
 
     /// Largest change of a link by the solution, relative to its length.
@@ -204,12 +257,17 @@ template <int D, class Real> class LinkProjector {
         for (auto& link : links_.list) {
             link.edge = cast<double>(state.place_at(link.b)) - cast<double>(state.place_at(link.a));
             link.along = direction(link.edge);
+            if (link.is_rope && norm(link.edge) < taut * link.length) link.is_active = false;
             link.weight_a = double(state.mobility[link.a]), link.weight_b = double(state.mobility[link.b]);
         }
-        for (std::uint32_t k = 0; k < links_.list.size(); ++k) factorise_row(k);
+        for (const auto& component : links_.components) factorise(component);
+    }
+    void factorise(const Component& component) {
+        for (auto k = component.first_link; k < component.last_link; ++k) factorise_row(k);
     }
 
     static double coupling(const Link& k, const Link& m) {
+        if (!k.is_active || !m.is_active) return 0;
         double sum = 0;
         if (k.a == m.a) sum += k.weight_a;
         if (k.b == m.b) sum += k.weight_b;
@@ -237,7 +295,7 @@ template <int D, class Real> class LinkProjector {
             pivot -= row[m - link.first] * scaled;
             row[m - link.first] = scaled;
         }
-        pivots_[k] = inverse_or_zero(maximum(pivot, 0.0));
+        pivots_[k] = link.is_active ? inverse_or_zero(maximum(pivot, 0.0)) : 0;
     }
 
     void solve(const Component& component) {

@@ -16,13 +16,21 @@ template <class Table> bool is_plain(const Table& table, Row row) {
            !table.gives(row) && !table.motorized[row] && table.breaking_strain[row] >= limit::measure<Real>;
 }
 
-/// Link of a colliding figure with one length, plain.
+/// True for a plain distance of one length, or a rope that is only held from getting longer.
+template <int D, class Real> bool is_link(const Constraints<Distance<D>, Real>& table, Row row) {
+    return is_plain(table, row) &&
+           (table.low(row) == table.high(row) || (table.low(row) <= Real(0) && table.high(row) < limit::measure<Real>));
+}
+
+/// Link of a colliding figure.
 template <int D> struct RigidLink {
     Row row = 0;             ///< in the table of distances
     Row a = 0, b = 0;        ///< slots of the sweep
     Row root = 0;            ///< component
     std::uint32_t first = 0; ///< first column of the skyline
     std::size_t start = 0;   ///< of the row's entries
+    bool is_rope = false;    ///< may be shorter
+    bool is_active = true;   ///< holds its length; a rope does while it pulls
     double length = 0, weight_a = 0, weight_b = 0;
     double tension = 0;             ///< multiplier of this substep, h newton seconds; positive pulls
     Vec<D, double> edge{}, along{}; ///< from a to b, at the place of the factorisation
@@ -32,7 +40,8 @@ template <int D> struct RigidLink {
 struct LinkComponent {
     std::uint32_t first_link = 0, last_link = 0;
     std::uint32_t first_slot = 0, last_slot = 0; ///< range of RigidLinks::slots
-    double energy = 0;                           ///< due, in its frame, times 2 h^2
+    bool has_ropes = false;
+    double energy = 0; ///< due, in its frame, times 2 h^2
 };
 
 /// Rigid links of the figures that collide, by components, with a skyline for G M^-1 G^T. Components whose skyline is
@@ -83,13 +92,20 @@ template <int D, class Real> struct RigidLinks {
             if (a >= state.size() || b >= state.size() || !(takes_part[a] || takes_part[b])) continue;
             const bool moves_a = moves(world, state, a), moves_b = moves(world, state, b);
             if (!moves_a && !moves_b) continue;
-            if (!is_plain(table, row) || table.low(row) < table.high(row)) {
+            if (!is_link(table, row)) {
                 is_swept[a] |= !is_plain(table, row), is_swept[b] |= !is_plain(table, row);
                 if (table.breaking_strain[row] < limit::measure<Real>) is_exact[a] = is_exact[b] = 0;
                 continue;
             }
             if (moves_a && moves_b) join(root(a), root(b));
-            list.push_back({.row = row, .a = a, .b = b, .root = moves_a ? a : b, .length = double(table.low(row))});
+            const bool is_rope = table.low(row) < table.high(row);
+            list.push_back({.row = row,
+                            .a = a,
+                            .b = b,
+                            .root = moves_a ? a : b,
+                            .is_rope = is_rope,
+                            .is_active = !is_rope || table.multiplier[row] < Real(0),
+                            .length = double(table.high(row))});
         }
     }
     void order_by_component() {
@@ -145,6 +161,7 @@ template <int D, class Real> struct RigidLinks {
         for (std::uint32_t i = 0; i < components.size(); ++i) {
             auto& component = components[i];
             component.first_slot = std::uint32_t(slots.size());
+            for (auto k = component.first_link; k < component.last_link; ++k) component.has_ropes |= list[k].is_rope;
             for (auto k = component.first_link; k < component.last_link; ++k)
                 for (const Row slot : {list[k].a, list[k].b}) {
                     slots.push_back(slot);
