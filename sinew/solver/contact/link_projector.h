@@ -125,8 +125,8 @@ template <int D, class Real> class LinkProjector {
     }
 
     /// One step along the gradients at the start leaves an error of second order, the next of third. Where a few do not
-    /// suffice, the gradients are those at the end, which always correct, and ropes that pulled go on pulling. Steps
-    /// far beyond the linear model are cut short.
+    /// suffice, the gradients are those at the end: they always correct. Steps far beyond the linear model are cut
+    /// short.
     void project_lengths(SweepState<D, Real>& state, const Component& component) {
         constexpr double exact = std::is_same_v<Real, float> ? 1e-6 : 1e-9, most_change = 0.2;
         constexpr int usual_rounds = 4, all_rounds = 24;
@@ -143,7 +143,7 @@ template <int D, class Real> class LinkProjector {
             });
             if (!(worst > exact)) return;
             solve(component);
-            if (i < usual_rounds && release(component)) continue;
+            if (i + 1 < all_rounds && release(component)) continue;
             const double change = largest_change(component);
             apply(state, component, change > most_change ? most_change / change : 1);
         }
