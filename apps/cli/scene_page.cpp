@@ -91,10 +91,10 @@ std::string count_text(std::size_t count, std::string_view thing) {
     if (thing == ByHand::name) return count == 1 ? "a figure by hand" : fmt::format("{} figures by hand", count);
     std::string words(thing);
     std::ranges::replace(words, '_', ' ');
+    if (words.ends_with('s')) return count == 1 ? words : fmt::format("{} groups of {}", count, words);
     const bool vowel = std::string_view("aeiou").find(words[0]) != std::string_view::npos;
     if (count == 1) return fmt::format("{} {}", vowel ? "an" : "a", words);
-    const bool hissing = words.ends_with('x') || words.ends_with('s');
-    return fmt::format("{} {}{}", count, words, hissing ? "es" : "s");
+    return fmt::format("{} {}{}", count, words, words.ends_with('x') ? "es" : "s");
 }
 
 std::string made_of(const Scene& scene) {

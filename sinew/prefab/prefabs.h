@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/prefab/balls.h"
 #include "sinew/prefab/box.h"
 #include "sinew/prefab/bridge.h"
 #include "sinew/prefab/chain.h"
@@ -35,8 +36,8 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word in this list.
-using Prefabs = TypeList<Polygon, Box, Tire, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh, Curtain, Spiderweb, Tree,
-                         Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
+using Prefabs = TypeList<Polygon, Box, Balls, Tire, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh, Curtain, Spiderweb,
+                         Tree, Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
 
 namespace detail {
 template <class List> struct VariantOf;

@@ -28,7 +28,7 @@ template <int D, class Real> struct Solver {
     std::shared_ptr<const char> identity{};         ///< a journal read by this solver carries the same
 
     Solver() = default;
-    explicit Solver(const SolverOptions& options) : options(options) {}
+    explicit Solver(const SolverOptions& chosen) : options(chosen) {}
     /// A copy has the options, and works out the rest anew.
     Solver(const Solver& other) : options(other.options) {}
     Solver& operator=(const Solver& other) {

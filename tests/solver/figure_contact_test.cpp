@@ -195,6 +195,145 @@ TYPED_TEST(Figures2, ARopeOverACrateDoesNotPassThroughItsCorners) {
     EXPECT_LT(stretch(world).max, 1e-3);
 }
 
+/// A trunk with a head and an arm: the neck lies in line with the shoulders, and one link of the trunk is redundant.
+template <class Real> std::vector<ParticleId> add_torso(FlatWorld<Real>& world, std::uint64_t seed, double speed) {
+    const auto figure = add_touching(world, 0.5);
+    std::vector<ParticleId> all;
+    std::uint64_t drawn = 0;
+    const auto random_speed = [&] { return Real(speed * random::symmetric<double>(seed, 1, drawn++)); };
+    constexpr std::array<std::array<double, 3>, 8> joints{{{-0.1, 0.4, 9},
+                                                           {0.1, 0.4, 9},
+                                                           {0, 0.4, 7},
+                                                           {0, 0.6, 6},
+                                                           {-0.1, 0, 18},
+                                                           {0.1, 0, 18},
+                                                           {0.4, 0.4, 2.5},
+                                                           {0.65, 0.4, 1.1}}};
+    for (const auto& [x, y, mass] : joints)
+        all.push_back(add_particle(world, {.position = {{Real(x), Real(y)}},
+                                           .velocity = {{random_speed(), random_speed()}},
+                                           .mass = Real(mass),
+                                           .radius = Real(0.03),
+                                           .figure = figure}));
+    for (const auto& [a, b] :
+         {std::pair{0, 1}, {0, 2}, {1, 2}, {2, 3}, {0, 4}, {1, 5}, {4, 5}, {2, 4}, {2, 5}, {1, 6}, {6, 7}})
+        add<Distance>(world, {all[std::size_t(a)], all[std::size_t(b)]}, {.figure = figure});
+    add<Angle>(world, {all[1], all[6], all[7]}, {.limits = between(Real(-2), Real(0.5)), .figure = figure});
+    for (const auto id : all) world.figures[figure].particles.push_back(id);
+    return all;
+}
+
+// Links and joints act within a figure: they may take energy, never add any, and keep both momenta.
+TYPED_TEST(Figures2, LinksOfAThrownFigureAddNoEnergy) {
+    using Real = TypeParam;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        FlatWorld<Real> world;
+        add_torso(world, seed, 30);
+        step(world, Real(1.0 / 60));
+        const auto momentum_before = momentum(world);
+        double kinetic = energy(world).kinetic;
+        for (int i = 0; i < 240; ++i) {
+            step(world, Real(1.0 / 60));
+            const double now = energy(world).kinetic;
+            ASSERT_LE(now, kinetic * (1 + 1e-5)) << seed << ' ' << i;
+            kinetic = now;
+            ASSERT_LT(stretch(world).max, 1e-3) << seed << ' ' << i;
+        }
+        constexpr double rounding = 1e-5; // of 3840 substeps in floats
+        EXPECT_LT(double(norm(momentum(world) - momentum_before)), rounding * 70 * 30);
+    }
+}
+
+// The far end of a rod that turns about the other keeps its speed, as for a rigid body.
+TYPED_TEST(Figures2, ATurningRodKeepsItsSpeed) {
+    using Real = TypeParam;
+    FlatWorld<Real> world;
+    const auto figure = add_touching(world, 0.5);
+    const auto a = add_particle(world, {.position = {{-1, 0}}, .velocity = {{0, -5}}, .figure = figure});
+    const auto b = add_particle(world, {.position = {{1, 0}}, .velocity = {{0, 5}}, .figure = figure});
+    add<Distance>(world, {a, b}, {.figure = figure});
+    run(world, 4);
+    EXPECT_NEAR(double(norm(*velocity_of(world, a))), 5, 5e-3);
+    EXPECT_NEAR(double(distance(*position_of(world, a), *position_of(world, b))), 2, 1e-4);
+}
+
+// A hand that pulls a hand pulls the whole figure: with a force F the centre of a mass M gains F t / M, at any force.
+TYPED_TEST(Figures2, APinPullsTheWholeFigureWithItsForce) {
+    using Real = TypeParam;
+    for (const double force : {70.6, 7060.0, 70600.0}) {
+        FlatWorld<Real> world;
+        const auto torso = add_torso(world, 0, 0);
+        const double mass = 70.6;
+        pin(world, torso[7], PinSpec<2, Real>{.target = V2<Real>{{Real(1e4), Real(0)}}, .max_force = Real(force)});
+        for (int i = 0; i < 30; ++i) {
+            step(world, Real(1.0 / 60));
+            ASSERT_LT(stretch(world).max, 1e-2) << force << ' ' << i;
+        }
+        const double speed = double(norm(momentum(world))) / mass;
+        EXPECT_NEAR(speed, force / mass / 2, 0.02 * force / mass);
+    }
+}
+
+// A weight of a hundred times the rope's mass falls as if free while the rope is slack; then the rope holds it,
+// by less than 1 % too long in the step in which it snaps taut (a blow of 4 m/s).
+TYPED_TEST(Figures2, ARopeIsSlackUntilItHolds) {
+    using Real = TypeParam;
+    FlatWorld<Real> world;
+    fall(world, 10);
+    const auto figure = add_touching(world, 0.5);
+    constexpr int pieces = 20;
+    std::vector<ParticleId> rope;
+    for (int i = 0; i <= pieces; ++i) { // down and up again
+        const double along = double(i) / pieces, down = along < 0.5 ? along : 1 - along;
+        rope.push_back(add_particle(world, {.position = {{Real(0.1 * along), Real(-0.99 * down)}},
+                                            .mass = Real(i == pieces ? 20 : 0.01),
+                                            .radius = Real(0.01),
+                                            .figure = figure}));
+        if (i > 0)
+            add<Distance>(world, {rope[std::size_t(i) - 1], rope.back()},
+                          {.limits = at_most(Real(1.0 / pieces)), .figure = figure});
+    }
+    pin(world, rope[0]);
+    for (int i = 0; i < 24; ++i) step(world, Real(1.0 / 60));
+    EXPECT_NEAR(double((*position_of(world, rope.back()))[1]), -10 * 0.4 * 0.4 / 2, 0.01);
+    for (int i = 0; i < 240; ++i) {
+        step(world, Real(1.0 / 60));
+        for (std::size_t k = 1; k < rope.size(); ++k)
+            ASSERT_LT(double(distance(*position_of(world, rope[k - 1]), *position_of(world, rope[k]))), 1.01 / pieces)
+                << i;
+    }
+    EXPECT_GT(double(norm(*position_of(world, rope.back()))), 0.2);
+}
+
+// A hundred times the weight of the figure does not press its limbs through the floor.
+TYPED_TEST(Figures2, AHandDoesNotPressAFigureThroughTheFloor) {
+    using Real = TypeParam;
+    for (const double x : {-3.0, 0.0, 2.0}) {
+        FlatWorld<Real> world;
+        add_ground(world);
+        world.bounds.back().offset = Real(-0.5);
+        const auto torso = add_torso(world, 0, 0);
+        pin(world, torso[3], PinSpec<2, Real>{.target = V2<Real>{{Real(x), Real(-1)}}, .max_force = Real(70600)});
+        for (int i = 0; i < 120; ++i) {
+            step(world, Real(1.0 / 60));
+            for (const auto id : torso) ASSERT_GT(double((*position_of(world, id))[1]), -0.5) << x << ' ' << i;
+        }
+        EXPECT_LT(stretch(world).max, 1e-3);
+    }
+}
+
+// Limits of joints beside contacts: an arm that hangs at its limit lies still.
+TYPED_TEST(Figures2, AFigureAtItsJointLimitsRests) {
+    using Real = TypeParam;
+    FlatWorld<Real> world;
+    add_ground(world);
+    add_torso(world, 0, 0);
+    world.settings.damping = 1;
+    run(world, 20);
+    EXPECT_LT(mean_speed(world), 1e-3);
+    EXPECT_LT(stretch(world).max, 1e-4);
+}
+
 // Kept multipliers are state: a copy goes on alike, on any number of threads.
 TYPED_TEST(Figures2, CopiesHaveTheSameFuture) {
     using Real = TypeParam;

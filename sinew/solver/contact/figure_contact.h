@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/contact/pin_rows.h"
 #include "sinew/solver/contact/row_builder.h"
 
 /// Contacts of colliding figures in a substep of the sweep: soft rows on displacements, whose multipliers are kept from
@@ -11,69 +12,65 @@ template <int D, class Real> class FigureContact {
   public:
     using Vector = Vec<D, Real>;
 
-    FigureContact(World<D, Real>& world, Solver<D, Real>& solver, Real h, Real from_share, Real to_share, Real left)
+    /// `number`: substep, counted from 1.
+    FigureContact(World<D, Real>& world, Solver<D, Real>& solver, Real h, int number, int substeps)
         : world_(world), solver_(solver), state_(solver.sweep_state), is_active_(has_figure_contacts(solver)), h_(h),
-          from_(from_share), to_(to_share), left_(left) {}
+          from_(Real(number - 1) / Real(substeps)), to_(Real(number) / Real(substeps)),
+          left_(h * Real(substeps - number + 1)), drag_changes_(number <= 2) {}
 
     /// After the prediction: rows, and the impulses of the last substep.
     void begin() {
         if (!is_active_) return;
-        auto& room = contact_room(solver_);
-        scale_kept();
+        const Real scale = scale_kept();
         find_contact_candidates(world_, solver_, left_, h_);
         RowBuilder<D, Real>(world_, solver_, h_, from_, to_).run();
-        room.projector.factorise(state_);
-        for (auto& row : room.rows) {
+        room().projector.begin(state_, drag_changes_);
+        for (auto& row : room().rows) {
             if (!row.keeps) row.multiplier = 0, row.tangent = {};
             push(row, row.normal * row.multiplier + row.tangent);
         }
-        room.projector.project(state_, Target::lengths);
+        room().joints.begin(world_, state_, scale);
+        room().projector.project_velocities(state_);
     }
 
     /// After the sweep.
     void solve() {
         if (!is_active_) return;
-        auto& room = contact_room(solver_);
-        for (auto& row : room.rows) solve(row, row.keeps ? Softness::contact() : Softness::hard());
-        room.projector.project(state_, Target::lengths);
-        for (auto& row : room.rows) row.gap += change(row);
+        PinRows<D, Real>(world_, solver_, h_, from_, to_).solve();
+        room().joints.solve(state_, Soft::contact());
+        for (auto& row : room().rows) solve(row, row.keeps ? Soft::contact() : Soft::hard());
+        room().projector.project_velocities(state_);
+        hold_at_walls();
+        room().projector.project_lengths(state_);
+        for (auto& row : room().rows) row.gap += change(row);
+        room().joints.advance(state_);
     }
 
     /// After the particles have moved: velocities without the push out of overlaps, then rebounds.
     void relax() {
         if (!is_active_) return;
-        auto& room = contact_room(solver_);
-        for (auto& row : room.rows) solve(row, Softness::none());
-        room.projector.project(state_, Target::velocities);
+        room().projector.settle(state_);
+        room().joints.solve(state_, Soft::none());
+        for (auto& row : room().rows) solve(row, Soft::none());
+        room().projector.project_velocities(state_);
         bool any = false;
-        for (auto& row : room.rows) any = rebound(row) || any;
-        if (any) room.projector.project(state_, Target::velocities);
+        for (auto& row : room().rows) any = rebound(row) || any;
+        if (any) room().projector.project_velocities(state_);
         keep();
     }
 
   private:
     using ContactRowT = ContactRow<D, Real>;
-    using Target = typename LinkProjector<D, Real>::Target;
-
-    /// Share of an overlap removed in a substep, and of the multiplier applied and taken back: a damped spring, by
-    /// implicit Euler. Stiffer than 1/12 of the substeps' frequency a stack never rests.
-    struct Softness {
-        Real rate = 0, mass = 1, impulse = 0;
-
-        static Softness contact() {
-            constexpr Real turn = Real(2) * pi<Real> / Real(12), damping = Real(10);
-            constexpr Real a1 = Real(2) * damping + turn, a2 = turn * a1, a3 = Real(1) / (Real(1) + a2);
-            return {turn / a1, a2 * a3, a3};
-        }
-        static Softness hard() { return {1, 1, 0}; }
-        static Softness none() { return {0, 1, 0}; }
-    };
+    using Soft = Softness<Real>;
 
     World<D, Real>& world_;
     Solver<D, Real>& solver_;
     SweepState<D, Real>& state_;
     bool is_active_;
-    Real h_, from_, to_, left_;
+    Real h_, from_, to_, left_; ///< substep; shares of the step at its ends; rest of the step
+    bool drag_changes_;
+
+    auto& room() { return contact_room(solver_); }
 
     void push(const ContactRowT& row, const Vector& impulse) {
         for (int i = 0; i < row.members; ++i) {
@@ -90,14 +87,11 @@ template <int D, class Real> class FigureContact {
     }
     Real change(const ContactRowT& row) const { return dot(row.normal, relative_move(row)); }
 
-    void solve(ContactRowT& row, const Softness& soft) {
+    void solve(ContactRowT& row, const Soft& soft) {
         const auto moved = relative_move(row);
         const Real along = dot(row.normal, moved);
-        const bool is_open = row.gap > Real(0);
-        const Real bias = is_open ? row.gap : soft.rate * row.gap;
-        const Real mass = row.mass * (is_open ? Real(1) : soft.mass), back = is_open ? Real(0) : soft.impulse;
         const Real next =
-            clamp(row.multiplier - mass * (along + bias) - back * row.multiplier, Real(0), limit::multiplier<Real>);
+            minimum(one_sided_multiplier(row.multiplier, row.mass, along, row.gap, soft), limit::multiplier<Real>);
         const auto slip = moved - row.normal * along;
         auto tangent = row.tangent - slip * row.mass;
         const Real size = norm(tangent), most = row.friction * next;
@@ -106,6 +100,31 @@ template <int D, class Real> class FigureContact {
         row.multiplier = next;
         row.tangent = tangent;
         row.most = maximum(row.most, next);
+    }
+
+    /// A soft row of a light limb gives way where the whole figure is pressed against a wall. Beyond half a radius the
+    /// row is solved as the figure answers with its links held.
+    void hold_at_walls() {
+        constexpr int rounds = 3;
+        for (int i = 0; i < rounds; ++i) {
+            bool any = false;
+            for (auto& row : room().rows)
+                if (row.members == 1 && room().is_exact[row.slot[0]]) any = hold_at_wall(row) || any;
+            if (!any) return;
+        }
+    }
+    bool hold_at_wall(ContactRowT& row) {
+        const Row slot = row.slot[0];
+        const Real deep = Real(0.5) * world_.particles.radius[state_.row_of[slot]], beyond = -row.gap - deep;
+        const Real missing = (beyond > Real(0) ? Soft::contact().rate * beyond : beyond) - change(row);
+        if (!(missing > Real(0))) return false;
+        const auto normal = cast<double>(row.normal);
+        const double response = dot(normal, room().projector.response(state_, slot) * normal);
+        const Real impulse = minimum(missing * Real(inverse_or_zero(response)), limit::multiplier<Real>);
+        push(row, row.normal * impulse);
+        row.most = maximum(row.most, row.multiplier + impulse);
+        room().projector.project_velocities(state_, slot);
+        return impulse > Real(0);
     }
 
     /// A blow faster than resting contact leaves with its share of the approach.
@@ -119,24 +138,28 @@ template <int D, class Real> class FigureContact {
         return true;
     }
 
-    /// Multipliers scale with the square of the substep.
-    void scale_kept() {
+    /// Scales the kept multipliers, with the square of the substep; returns the factor.
+    Real scale_kept() {
         auto& contacts = world_.contacts;
-        const Real scale = square(h_) * inverse_or_zero(square(contacts.kept_substep));
-        if (contacts.kept_substep != h_)
+        const bool is_same = contacts.kept_substep == h_;
+        const Real scale = is_same ? Real(1) : square(h_) * inverse_or_zero(square(contacts.kept_substep));
+        if (!is_same)
             for (auto& kept : contacts.kept) kept.multiplier *= scale, kept.friction *= scale;
         contacts.kept_substep = h_;
+        return scale;
     }
 
     void keep() {
         auto& contacts = world_.contacts;
         contacts.kept.clear();
-        for (const auto& row : contact_room(solver_).rows) {
+        for (const auto& row : room().rows) {
             if (row.most > Real(0) && row.collider != ~std::uint32_t(0)) note(row);
             if (row.keeps && row.multiplier > Real(0)) contacts.kept.push_back({row.key, row.multiplier, row.tangent});
         }
         const auto by_key = [](const auto& a, const auto& b) { return a.key < b.key; };
         std::sort(contacts.kept.begin(), contacts.kept.end(), by_key);
+        room().joints.store(world_);
+        room().projector.store(world_);
     }
     void note(const ContactRowT& row) {
         note_touch(world_.contacts, row.collider, state_.row_of[row.slot[0]], row.most / h_);

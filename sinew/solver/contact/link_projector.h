@@ -1,155 +1,273 @@
 #pragma once
 
-#include "sinew/solver/sweep_state.h"
-#include "sinew/world/world.h"
-
-#include <algorithm>
-#include <span>
-#include <vector>
+#include "sinew/math/matrix.h"
+#include "sinew/solver/contact/rigid_links.h"
 
 namespace sinew::detail {
 
-/// Projection of displacements onto those that change no rigid length of colliding figures, in the metric of the
-/// masses: G M^-1 G^T y = G d, d -= M^-1 G^T y, by a factorisation within the skyline of each connected component.
-/// Redundant links have no pivot and are left out. Components whose skyline is too wide (meshes) are left to the sweep.
+/// Exact lengths of the rigid links of colliding figures (RATTLE: Andersen 1983), in the metric of the masses: with G
+/// the gradients of the lengths of a component at the place of the factorisation,
+///
+///     velocities    d <- d - M^-1 G^T (G M^-1 G^T)^-1 G d
+///     lengths       d <- d - M^-1 G^T (G M^-1 G^T)^-1 (|x + d| - L),    until the lengths are right
+///
+/// A rope takes part while it pulls: an active set, kept from substep to substep. A projection of velocities never adds
+/// energy. One of lengths may, where links lie in line: energy above that before is taken back once the particles have
+/// moved.
 template <int D, class Real> class LinkProjector {
   public:
     using Vector = Vec<D, double>;
+    using Matrix = sinew::Matrix<D, double>;
 
-    /// Finds the links among the particles, and their components. `is_exact` receives 1 per slot of the sweep held
-    /// exactly, or not held by links at all.
     void find(const World<D, Real>& world, const SweepState<D, Real>& state, std::span<const char> takes_part,
               std::vector<char>& is_exact) {
-        collect(world, state, takes_part);
-        order_by_component();
-        set_skyline(world, state, is_exact);
+        links_.find(world, state, takes_part, is_exact);
+        entries_.resize(links_.entries);
+        pivots_.resize(links_.list.size());
+        right_.resize(links_.list.size());
+        before_.resize(links_.slots.size());
+        change_.resize(state.size());
+        is_current_ = false;
+    }
+    const RigidLinks<D, Real>& links() const { return links_; }
+
+    /// Factorises at the present places, unless that has been done. `mobilities_change`: drag changes them.
+    void begin(const SweepState<D, Real>& state, bool mobilities_change) {
+        for (auto& link : links_.list) link.tension = 0;
+        if (!is_current_ || mobilities_change) factorise(state);
     }
 
-    /// Factorises at the present positions.
-    void factorise(const SweepState<D, Real>& state) {
-        for (auto& link : links_) {
-            link.edge = cast<double>(state.place_at(link.b)) - cast<double>(state.place_at(link.a));
-            link.along = direction(link.edge);
-            link.weight_a = double(state.mobility[link.a]), link.weight_b = double(state.mobility[link.b]);
-        }
-        for (std::uint32_t k = 0; k < links_.size(); ++k) factorise_row(k);
+    void project_velocities(SweepState<D, Real>& state) {
+        for (const auto& component : links_.components) project_velocities(state, component);
     }
 
-    enum class Target : bool {
-        lengths,   ///< right lengths at the end of the displacement
-        velocities ///< no change of length: displacements are velocities, of which no length error may be a part
-    };
-    void project(SweepState<D, Real>& state, Target target) {
-        const auto move = [&](Row slot) { return cast<double>(state.move_at(slot)); };
-        for (std::uint32_t k = 0; k < links_.size(); ++k) {
-            const auto& link = links_[k];
-            const auto change = move(link.b) - move(link.a);
-            right_[k] = target == Target::lengths ? norm(link.edge + change) - link.length : dot(link.along, change);
+    /// Right lengths at the end of the displacements.
+    void project_lengths(SweepState<D, Real>& state) {
+        for (auto& component : links_.components) {
+            note(state, component);
+            project_lengths(state, component);
         }
-        solve();
-        for (std::uint32_t k = 0; k < links_.size(); ++k) {
-            const auto& link = links_[k];
-            const auto push = link.along * right_[k];
-            state.set_move(link.a, cast<Real>(move(link.a) + push * link.weight_a));
-            state.set_move(link.b, cast<Real>(move(link.b) - push * link.weight_b));
+    }
+
+    /// After the particles have moved: velocities that keep the lengths there, with no more energy than before the
+    /// lengths were projected.
+    void settle(SweepState<D, Real>& state) {
+        factorise(state);
+        is_current_ = true;
+        for (const auto& component : links_.components) settle(state, component);
+    }
+
+    /// Displacement of a particle for an impulse on it, with the lengths held: a symmetric matrix, 1 / kg.
+    Matrix response(const SweepState<D, Real>& state, Row slot) {
+        auto matrix = Matrix::diagonal(double(state.mobility[slot]));
+        if (links_.component_of[slot] == none) return matrix;
+        const auto& component = links_.components[links_.component_of[slot]];
+        for (int i = 0; i < D; ++i) {
+            each(component, [&](auto& link, double& right) {
+                right = ((link.b == slot ? link.weight_b : 0) - (link.a == slot ? link.weight_a : 0)) * link.along[i];
+            });
+            solve(component);
+            each(component, [&](auto& link, double& right) {
+                const double pull = (link.a == slot ? link.weight_a : 0) - (link.b == slot ? link.weight_b : 0);
+                matrix.column[std::size_t(i)] += link.along * (pull * right);
+            });
         }
+        return matrix;
+    }
+    /// Projects the velocities of the component of a particle.
+    void project_velocities(SweepState<D, Real>& state, Row slot) {
+        if (links_.component_of[slot] != none) project_velocities(state, links_.components[links_.component_of[slot]]);
+    }
+
+    /// Multipliers of the links, as of constraints of the sweep.
+    void store(World<D, Real>& world) const {
+        auto& table = std::get<kind_number<Distance, D>>(world.constraints);
+        for (const auto& link : links_.list)
+            table.multiplier[link.row] = clamp(Real(-link.tension), -limit::multiplier<Real>, limit::multiplier<Real>);
     }
 
   private:
-    struct Link {
-        Row a = 0, b = 0; ///< slots of the sweep
-        Row root = 0;     ///< component
-        std::uint32_t order = 0;
-        std::uint32_t first = 0; ///< first column of the skyline
-        std::size_t start = 0;   ///< of the row's entries
-        double length = 0, weight_a = 0, weight_b = 0;
-        Vector edge{}, along{}; ///< at the start of the substep
-    };
-    std::vector<Link> links_;
-    std::vector<double> entries_, pivots_, right_; ///< strict lower triangle by rows; 1 / pivot, or 0
-    std::vector<Row> parent_;
-    std::vector<std::uint32_t> first_at_; ///< per slot: the first link there
+    using Link = RigidLink<D>;
+    using Component = LinkComponent;
+    static constexpr auto none = RigidLinks<D, Real>::none;
 
-    static constexpr std::uint32_t none = ~std::uint32_t(0);
+    RigidLinks<D, Real> links_;
+    std::vector<double> entries_, pivots_, right_; ///< strict lower triangle by rows; 1 / pivot
+    std::vector<Vector> before_;                   ///< per RigidLinks::slots: displacement before the lengths
+    std::vector<Vector> change_;                   ///< per slot: room
+    bool is_current_ = false;                      ///< factorised at the present places
 
-    Row root(Row slot) {
-        while (parent_[slot] != slot) slot = parent_[slot] = parent_[parent_[slot]];
-        return slot;
+    static Vector move(const SweepState<D, Real>& state, Row slot) { return cast<double>(state.move_at(slot)); }
+    std::span<const Row> slots_of(const Component& component) const {
+        return std::span(links_.slots).subspan(component.first_slot, component.last_slot - component.first_slot);
+    }
+    template <class Visit> void each(const Component& component, Visit&& visit) {
+        for (auto k = component.first_link; k < component.last_link; ++k) visit(links_.list[k], right_[k]);
     }
 
-    static bool is_rigid(const Constraints<Distance<D>, Real>& table, Row row) {
-        return table.compliance[row] == Real(0) && table.low(row) == table.high(row) &&
-               table.relaxation[row] == Real(1) && table.split[row] == Real(0.5) && !table.gives(row);
-    }
+    // --- projections -------------------------------------------------------------------------------------------------
 
-    void collect(const World<D, Real>& world, const SweepState<D, Real>& state, std::span<const char> takes_part) {
-        const auto& table = std::get<kind_number<Distance, D>>(world.constraints);
-        links_.clear();
-        parent_.resize(state.size());
-        for (Row slot = 0; slot < parent_.size(); ++slot) parent_[slot] = slot;
-        for (Row row = 0; row < table.size(); ++row) {
-            if (table.in_block[row] || !is_rigid(table, row)) continue;
-            const auto ends = table.members[row];
-            const Row a = state.slot_of[ends[0]], b = state.slot_of[ends[1]];
-            if (a >= state.size() || b >= state.size() || !(takes_part[a] || takes_part[b])) continue;
-            const bool moves_a = world.particles.mobility[ends[0]] > Real(0),
-                       moves_b = world.particles.mobility[ends[1]] > Real(0);
-            if (!moves_a && !moves_b) continue;
-            if (moves_a && moves_b) parent_[std::max(root(a), root(b))] = std::min(root(a), root(b));
-            links_.push_back({.a = a,
-                              .b = b,
-                              .root = moves_a ? a : b,
-                              .order = std::uint32_t(links_.size()),
-                              .length = double(table.low(row))});
+    void project_velocities(SweepState<D, Real>& state, const Component& component) {
+        for (int i = 0; i < most_rounds; ++i) {
+            each(component, [&](auto& link, double& right) {
+                right = link.is_active ? dot(link.along, move(state, link.b) - move(state, link.a)) : 0;
+            });
+            solve(component);
+            if (!component.has_ropes) return apply(state, component, 1);
+            if (i + 1 < most_rounds && release(component)) continue;
+            apply(state, component, 1);
+            if (!tighten(component, [&](const Link& link) {
+                    return norm(link.edge) >= taut * link.length &&
+                           dot(link.along, move(state, link.b) - move(state, link.a)) > slight * link.length;
+                }))
+                return;
         }
     }
-    void order_by_component() {
-        for (auto& link : links_) link.root = root(link.root);
-        std::sort(links_.begin(), links_.end(),
-                  [](const Link& x, const Link& y) { return x.root != y.root ? x.root < y.root : x.order < y.order; });
+
+    /// One step along the gradients at the start leaves an error of second order, the next of third. Where a few do not
+    /// suffice, the gradients are those at the end: they always correct. Steps far beyond the linear model are cut
+    /// short.
+    void project_lengths(SweepState<D, Real>& state, const Component& component) {
+        constexpr double exact = std::is_same_v<Real, float> ? 1e-6 : 1e-9, most_change = 0.2;
+        constexpr int usual_rounds = 4, all_rounds = 24;
+        for (int i = 0; i < all_rounds; ++i) {
+            if (i >= usual_rounds) turn_gradients(state, component);
+            const auto excess = [&](const Link& link) {
+                return norm(link.edge + move(state, link.b) - move(state, link.a)) - link.length;
+            };
+            tighten(component, [&](const Link& link) { return excess(link) > exact * link.length; });
+            double worst = 0;
+            each(component, [&](auto& link, double& right) {
+                right = link.is_active ? excess(link) : 0;
+                worst = maximum(worst, absolute(right) * inverse_or_zero(link.length));
+            });
+            if (!(worst > exact)) return;
+            solve(component);
+            if (i + 1 < all_rounds && release(component)) continue;
+            const double change = largest_change(component);
+            apply(state, component, change > most_change ? most_change / change : 1);
+        }
     }
 
-    void set_skyline(const World<D, Real>& world, const SweepState<D, Real>& state, std::vector<char>& is_exact) {
-        constexpr std::size_t most_per_link = 100;
-        is_exact.assign(state.size(), 1);
-        first_at_.assign(state.size(), none);
-        std::size_t kept = 0, entries = 0;
-        for (std::size_t begin = 0, end = 0; begin < links_.size(); begin = end) {
-            while (end < links_.size() && links_[end].root == links_[begin].root) ++end;
-            const auto kept_before = kept;
-            std::size_t size = 0;
-            for (auto i = begin; i < end; ++i, ++kept) {
-                links_[kept] = links_[i];
-                size += set_first(world, state, std::uint32_t(kept));
-            }
-            if (size > most_per_link * (end - begin)) {
-                for (auto i = kept_before; i < kept; ++i) is_exact[links_[i].a] = is_exact[links_[i].b] = 0;
-                kept = kept_before;
-                continue;
-            }
-            for (auto i = kept_before; i < kept; ++i) {
-                links_[i].start = entries;
-                entries += i - links_[i].first;
-            }
-        }
-        links_.resize(kept);
-        entries_.resize(entries);
-        pivots_.resize(kept);
-        right_.resize(kept);
+    // --- ropes -------------------------------------------------------------------------------------------------------
+
+    static constexpr int most_rounds = 8;
+    static constexpr double taut = 1 - 1e-4; ///< share of its length at which a rope may begin to pull
+    static constexpr double slight = 1e-9;   ///< change of a link that counts as none, as a share of its length
+
+    /// Lets go what would push. True if anything did.
+    bool release(const Component& component) {
+        bool any = false;
+        each(component, [&](auto& link, double& right) {
+            if (!link.is_rope || !link.is_active || link.tension + right * (1 + slight) >= 0) return;
+            link.is_active = false;
+            any = true;
+        });
+        if (any) factorise(component);
+        return any;
     }
-    /// First column that couples with a link, through a movable end; returns the number of entries.
-    std::size_t set_first(const World<D, Real>& world, const SweepState<D, Real>& state, std::uint32_t k) {
-        auto& link = links_[k];
-        link.first = k;
-        for (const Row slot : {link.a, link.b}) {
-            if (!(world.particles.mobility[state.row_of[slot]] > Real(0))) continue;
-            if (first_at_[slot] == none) first_at_[slot] = k;
-            link.first = std::min(link.first, first_at_[slot]);
-        }
-        return k - link.first;
+    /// Takes hold of the ropes that `pulls` says are taut. True if there are any.
+    template <class Pulls> bool tighten(const Component& component, Pulls&& pulls) {
+        if (!component.has_ropes) return false;
+        bool any = false;
+        each(component, [&](auto& link, double&) {
+            if (!link.is_active && pulls(link)) link.is_active = any = true;
+        });
+        if (any) factorise(component);
+        return any;
     }
 
-    double coupling(const Link& k, const Link& m) const {
+    void turn_gradients(const SweepState<D, Real>& state, const Component& component) {
+        each(component, [&](auto& link, double&) {
+            link.along = direction(link.edge + move(state, link.b) - move(state, link.a));
+        });
+        factorise(component);
+    }
+
+    /// Largest change of a link by the solution, relative to its length.
+    double largest_change(const Component& component) {
+        for (const Row slot : slots_of(component)) change_[slot] = {};
+        each(component, [&](auto& link, double& right) {
+            change_[link.a] += link.along * (right * link.weight_a);
+            change_[link.b] -= link.along * (right * link.weight_b);
+        });
+        double most = 0;
+        each(component, [&](auto& link, double&) {
+            most = maximum(most, norm(change_[link.b] - change_[link.a]) * inverse_or_zero(link.length));
+        });
+        return most;
+    }
+
+    void apply(SweepState<D, Real>& state, const Component& component, double share) {
+        each(component, [&](auto& link, double& right) {
+            const auto push = link.along * (right * share);
+            link.tension += right * share;
+            state.set_move(link.a, cast<Real>(move(state, link.a) + push * link.weight_a));
+            state.set_move(link.b, cast<Real>(move(state, link.b) - push * link.weight_b));
+        });
+    }
+
+    // --- energy ------------------------------------------------------------------------------------------------------
+
+    /// Displacement in which the energy of a component is measured: of the first particle that cannot move, or the
+    /// mean.
+    Vector frame_of(const SweepState<D, Real>& state, const Component& component) const {
+        Vector momentum{};
+        double mass = 0;
+        for (const Row slot : slots_of(component)) {
+            if (state.mobility[slot] == Real(0)) return move(state, slot);
+            const double m = 1 / double(state.mobility[slot]);
+            mass += m, momentum += move(state, slot) * m;
+        }
+        return momentum * inverse_or_zero(mass);
+    }
+    double energy_of(const SweepState<D, Real>& state, const Component& component, const Vector& frame) const {
+        double sum = 0;
+        for (const Row slot : slots_of(component)) {
+            const auto own = move(state, slot) - frame;
+            sum += inverse_or_zero(double(state.mobility[slot])) * dot(own, own);
+        }
+        return sum;
+    }
+
+    void note(const SweepState<D, Real>& state, Component& component) {
+        component.energy = energy_of(state, component, frame_of(state, component));
+        for (auto i = component.first_slot; i < component.last_slot; ++i) before_[i] = move(state, links_.slots[i]);
+    }
+    void settle(SweepState<D, Real>& state, const Component& component) {
+        constexpr double much = 1.001;
+        project_velocities(state, component);
+        const auto frame = frame_of(state, component);
+        const double energy = energy_of(state, component, frame);
+        if (!(energy > component.energy)) return;
+        if (energy <= much * component.energy)
+            return slow_down(state, component, frame, square_root(component.energy / energy));
+        for (auto i = component.first_slot; i < component.last_slot; ++i)
+            state.set_move(links_.slots[i], cast<Real>(before_[i]));
+        project_velocities(state, component);
+    }
+    void slow_down(SweepState<D, Real>& state, const Component& component, const Vector& frame, double share) {
+        for (const Row slot : slots_of(component))
+            state.set_move(slot, cast<Real>(frame + (move(state, slot) - frame) * share));
+    }
+
+    // --- factorisation -----------------------------------------------------------------------------------------------
+
+    void factorise(const SweepState<D, Real>& state) {
+        for (auto& link : links_.list) {
+            link.edge = cast<double>(state.place_at(link.b)) - cast<double>(state.place_at(link.a));
+            link.along = direction(link.edge);
+            if (link.is_rope && norm(link.edge) < taut * link.length) link.is_active = false;
+            link.weight_a = double(state.mobility[link.a]), link.weight_b = double(state.mobility[link.b]);
+        }
+        for (const auto& component : links_.components) factorise(component);
+    }
+    void factorise(const Component& component) {
+        for (auto k = component.first_link; k < component.last_link; ++k) factorise_row(k);
+    }
+
+    static double coupling(const Link& k, const Link& m) {
+        if (!k.is_active || !m.is_active) return 0;
         double sum = 0;
         if (k.a == m.a) sum += k.weight_a;
         if (k.b == m.b) sum += k.weight_b;
@@ -158,18 +276,18 @@ template <int D, class Real> class LinkProjector {
         return sum == 0 ? 0 : sum * dot(k.along, m.along);
     }
 
+    /// The diagonal is raised by a little: redundant links share their load.
     void factorise_row(std::uint32_t k) {
-        constexpr double least = 1e-7; // share of the diagonal; a redundant link has no more than rounding
-        const auto& link = links_[k];
+        constexpr double softness = 1e-7;
+        const auto& link = links_.list[k];
         double* const row = entries_.data() + link.start;
-        const double whole = link.weight_a + link.weight_b;
-        double pivot = whole;
+        double pivot = (link.weight_a + link.weight_b) * (1 + softness);
         for (auto m = link.first; m < k; ++m) {
-            const auto& other = links_[m];
-            const double* const before = entries_.data() + other.start;
+            const auto& other = links_.list[m];
+            const double* const above = entries_.data() + other.start;
             double sum = coupling(link, other);
             for (auto j = std::max(link.first, other.first); j < m; ++j)
-                sum -= row[j - link.first] * before[j - other.first];
+                sum -= row[j - link.first] * above[j - other.first];
             row[m - link.first] = sum; // times the pivot, for now
         }
         for (auto m = link.first; m < k; ++m) {
@@ -177,17 +295,19 @@ template <int D, class Real> class LinkProjector {
             pivot -= row[m - link.first] * scaled;
             row[m - link.first] = scaled;
         }
-        pivots_[k] = pivot > least * whole ? 1 / pivot : 0;
+        pivots_[k] = link.is_active ? inverse_or_zero(maximum(pivot, 0.0)) : 0;
     }
 
-    void solve() {
-        for (std::uint32_t k = 0; k < links_.size(); ++k)
-            for (auto m = links_[k].first; m < k; ++m)
-                right_[k] -= entries_[links_[k].start + m - links_[k].first] * right_[m];
-        for (std::uint32_t k = 0; k < links_.size(); ++k) right_[k] *= pivots_[k];
-        for (auto k = std::uint32_t(links_.size()); k-- > 0;)
-            for (auto m = links_[k].first; m < k; ++m)
-                right_[m] -= entries_[links_[k].start + m - links_[k].first] * right_[k];
+    void solve(const Component& component) {
+        const auto begin = component.first_link, end = component.last_link;
+        for (auto k = begin; k < end; ++k)
+            for (auto m = links_.list[k].first; m < k; ++m) right_[k] -= entry(k, m) * right_[m];
+        for (auto k = begin; k < end; ++k) right_[k] *= pivots_[k];
+        for (auto k = end; k-- > begin;)
+            for (auto m = links_.list[k].first; m < k; ++m) right_[m] -= entry(k, m) * right_[k];
+    }
+    double entry(std::uint32_t k, std::uint32_t m) const {
+        return entries_[links_.list[k].start + m - links_.list[k].first];
     }
 };
 

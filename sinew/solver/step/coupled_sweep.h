@@ -47,11 +47,11 @@ template <int D, class Real> class CoupledSweep {
         for (const auto& tile : plan_.tiles) substep.predict(tile);
         keeper_.note(bodies, 1);
         note_energy(world_, solver_);
-        auto contacts = contacts_of(number);
+        FigureContact<D, Real> contacts(world_, solver_, substeps_.h, number, substeps_.count);
         contacts.begin();
         solve_with_ports(substep, number);
-        contacts.solve();
         hold(substep);
+        contacts.solve();
         limiter.find_gains();
         for (const auto& tile : plan_.tiles) substep.advance(tile);
         take_back_gains(world_, solver_, substeps_.h);
@@ -59,11 +59,6 @@ template <int D, class Real> class CoupledSweep {
         limiter.take_gains();
         for (const auto& tile : plan_.tiles) substep.rebound(tile);
         contacts.relax();
-    }
-
-    FigureContact<D, Real> contacts_of(int number) {
-        const Real last_share = Real(number - 1) / Real(substeps_.count), share = Real(number) / Real(substeps_.count);
-        return {world_, solver_, substeps_.h, last_share, share, substeps_.h * Real(substeps_.count - number + 1)};
     }
 
     /// Iterations over all constraints, once more where the linear models of the ports fed in energy.
@@ -97,6 +92,18 @@ template <int D, class Real> class CoupledSweep {
                 if (round == 0 || ports.components[i]) tether(substep, plan_.components[i]);
         }
         substep.mover().first_iteration = first;
+    }
+    /// True for a component whose links are exact beside the sweep (contact/link_projector.h).
+    bool is_exact(std::size_t component) const {
+        return has_figure_contacts(solver_) && solver_.contacts->exact_components[component];
+    }
+    void project(Substep<D, Real>& substep, const SweepRun& run) {
+        const std::span scratch(solver_.scratch);
+        if (!has_figure_contacts(solver_)) return project_run(world_, scratch, run, substep.mover());
+        visit_table(world_, run.kind, [&](auto& table) {
+            for (Row row = run.rows.first; row < run.rows.last; ++row)
+                if (!solver_.contacts->joints.takes(run.kind, row)) project_row(scratch, table, row, substep.mover());
+        });
     }
     void project(Substep<D, Real>& substep, const Component& component) {
         substep.set_anchors(component);

@@ -2,6 +2,7 @@
 
 #include "sinew/math/decay.h"
 #include "sinew/solver/contact/collider_sweep.h"
+#include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
 #include "sinew/solver/substep_mover.h"
@@ -34,9 +35,9 @@ template <int D, class Real> class Substep {
     /// Factor of velocities by the common damping.
     Real keep() const { return decay_.keep; }
 
-    /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to the
-    /// middle of this one. Drag scales mobilities by the same factor as the push, so a weight at rest pulls with its
-    /// full weight at any damping.
+    /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to
+    /// the middle of this one. Drag scales mobilities by the same factor as the push, so a weight at rest pulls
+    /// with its full weight at any damping.
     void predict(const Tile& tile) {
         if (has_walls(world_))
             for (Row slot = tile.first; slot < tile.last; ++slot) p_.rebound[swept_.row_of[slot]] = {};
@@ -68,11 +69,11 @@ template <int D, class Real> class Substep {
         if (pass.shortest < limit::shortest_link<Real>) part_heaps(first, last);
     }
 
-    /// Repair of overstretched links of a tethered component (snapping taut, a hem cracking like a whip): sweeps part
-    /// of the `repair_window` tiles from this one on again. The window ends one tile after the last overstretched tile
-    /// and begins four tiles before the first for each overstretched one. Every tile does so in turn, hence errors
-    /// travel as far as necessary. The colours are swept in reverse: otherwise the first would always bear the errors
-    /// of all others.
+    /// Repair of overstretched links of a tethered component (snapping taut, a hem cracking like a whip): sweeps
+    /// part of the `repair_window` tiles from this one on again. The window ends one tile after the last
+    /// overstretched tile and begins four tiles before the first for each overstretched one. Every tile does so in
+    /// turn, hence errors travel as far as necessary. The colours are swept in reverse: otherwise the first would
+    /// always bear the errors of all others.
     void repair_overstretch(const Component& component, std::uint32_t tile) {
         const auto tiles = std::span(swept_.plan.tiles).subspan(component.first_tile, component.tiles);
         const auto end = std::min(tile + world_.repair_window, component.tiles);
@@ -94,9 +95,9 @@ template <int D, class Real> class Substep {
             for (auto i = first; i < last; ++i) project(component, color, i, true);
     }
 
-    /// A row between two pins is supported by nearly horizontal tethers, which act only while the row is taut; without
-    /// extra passes along the row it sags on the rows below, buckles and never comes to rest. Links within the row
-    /// (colours of reach 0) touch no other tile.
+    /// A row between two pins is supported by nearly horizontal tethers, which act only while the row is taut;
+    /// without extra passes along the row it sags on the rows below, buckles and never comes to rest. Links within
+    /// the row (colours of reach 0) touch no other tile.
     void tighten(const Component& component, std::uint32_t number) {
         const auto& tile = swept_.plan.tiles[component.first_tile + number];
         if (tile.tightened == 0) return;
@@ -109,14 +110,15 @@ template <int D, class Real> class Substep {
         }
     }
 
-    /// Compliant pins are damped springs to their target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma) +
-    /// alpha), e the offset from the target and u the change of e in the substep; the force never exceeds max_force.
+    /// Compliant pins are damped springs to their target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma)
+    /// + alpha), e the offset from the target and u the change of e in the substep; the force never exceeds
+    /// max_force.
     void pull_pins(const Tile& tile) {
         for (auto i = tile.first_pin; i < tile.last_pin; ++i) {
             auto& pin = world_.pins[swept_.plan.pins[i].pin];
             const Row slot = swept_.plan.pins[i].slot;
             const Real w = swept_.mobility[slot];
-            if (pin.hard() || w == Real(0)) continue;
+            if (pin.hard() || w == Real(0) || is_held_exactly(solver_, slot)) continue;
             const Real alpha = mover_.alpha(pin.compliance);
             // critical damping for stiffness 1/c and mass 1/w is 2 / sqrt(c w); gamma = damper * compliance / h
             const Real gamma = minimum(Real(2) * pin.damping * square_root(pin.compliance) *
@@ -158,7 +160,8 @@ template <int D, class Real> class Substep {
     void tether(const Tile& tile) {
         if (motion_.anchor_count > 0) kernels_.tether(motion_, tile.first, tile.last);
     }
-    /// Tethers in every second substep, including the last: particles fall little in between (docs/measured/sweep.md).
+    /// Tethers in every second substep, including the last: particles fall little in between
+    /// (docs/measured/sweep.md).
     void tether_in_turn(const Tile& tile) {
         if (tethered_) tether(tile);
     }
@@ -176,8 +179,8 @@ template <int D, class Real> class Substep {
                 .keep_out(tile.first, tile.last);
     }
 
-    /// x += h v. The rounding error is carried to the next substep: otherwise a float particle slower than half a unit
-    /// in the last place per substep would not move.
+    /// x += h v. The rounding error is carried to the next substep: otherwise a float particle slower than half a
+    /// unit in the last place per substep would not move.
     void advance(const Tile& tile) { kernels_.advance(motion_, tile.first, tile.last); }
 
     /// Applies the restitution of planes and colliders to particles that struck one.
@@ -200,8 +203,8 @@ template <int D, class Real> class Substep {
         keep_in_bounds(tile);
     }
 
-    /// Ends this substep and begins the next one, if any, in one pass where particles move independently (only gravity,
-    /// no planes, no soft pins).
+    /// Ends this substep and begins the next one, if any, in one pass where particles move independently (only
+    /// gravity, no planes, no soft pins).
     void go_on(const Tile& tile, Substep* next) {
         if (!swept_.everyone_alike || has_walls(world_) || has_soft_pins(tile)) {
             hold(tile);
@@ -278,8 +281,8 @@ template <int D, class Real> class Substep {
         weigh(slot, decay_.yield);
     }
 
-    /// Moves particles to their hard pins' targets; the displacement is their velocity. From the second substep on pins
-    /// at rest are skipped.
+    /// Moves particles to their hard pins' targets; the displacement is their velocity. From the second substep on
+    /// pins at rest are skipped.
     void move_pins(const Tile& tile) {
         if (number_ > 1 && !swept_.any_pin_moves) return;
         for (auto i = tile.first_pin; i < tile.last_pin; ++i) {

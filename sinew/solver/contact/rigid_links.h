@@ -1,0 +1,178 @@
+#pragma once
+
+#include "sinew/solver/sweep_state.h"
+#include "sinew/world/world.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace sinew::detail {
+
+/// True for a constraint that is neither soft, nor driven, nor able to slip or tear.
+template <class Table> bool is_plain(const Table& table, Row row) {
+    using Real = std::decay_t<decltype(table.compliance[row])>;
+    return table.compliance[row] == Real(0) && table.relaxation[row] == Real(1) && table.split[row] == Real(0.5) &&
+           !table.gives(row) && !table.motorized[row] && table.breaking_strain[row] >= limit::measure<Real>;
+}
+
+/// True for a plain distance of one length, or a rope that is only held from getting longer.
+template <int D, class Real> bool is_link(const Constraints<Distance<D>, Real>& table, Row row) {
+    return is_plain(table, row) &&
+           (table.low(row) == table.high(row) || (table.low(row) <= Real(0) && table.high(row) < limit::measure<Real>));
+}
+
+/// Link of a colliding figure.
+template <int D> struct RigidLink {
+    Row row = 0;             ///< in the table of distances
+    Row a = 0, b = 0;        ///< slots of the sweep
+    Row root = 0;            ///< component
+    std::uint32_t first = 0; ///< first column of the skyline
+    std::size_t start = 0;   ///< of the row's entries
+    bool is_rope = false;    ///< may be shorter
+    bool is_active = true;   ///< holds its length; a rope does while it pulls
+    double length = 0, weight_a = 0, weight_b = 0;
+    double tension = 0;             ///< multiplier of this substep, h newton seconds; positive pulls
+    Vec<D, double> edge{}, along{}; ///< from a to b, at the place of the factorisation
+};
+
+/// Connected component of rigid links.
+struct LinkComponent {
+    std::uint32_t first_link = 0, last_link = 0;
+    std::uint32_t first_slot = 0, last_slot = 0; ///< range of RigidLinks::slots
+    bool has_ropes = false;
+    double energy = 0; ///< due, in its frame, times 2 h^2
+};
+
+/// Rigid links of the figures that collide, by components, with a skyline for G M^-1 G^T. Components whose skyline is
+/// too wide (meshes) are left to the sweep.
+template <int D, class Real> struct RigidLinks {
+    std::vector<RigidLink<D>> list;
+    std::vector<LinkComponent> components;
+    std::vector<Row> slots;                  ///< by components, in order
+    std::vector<std::uint32_t> component_of; ///< per slot that can move; `none` without rigid links
+    std::vector<char> is_swept; ///< per slot: a distance that is not plain, or part of a mesh, is at the particle
+    std::size_t entries = 0;    ///< of all skylines
+
+    static constexpr std::uint32_t none = ~std::uint32_t(0);
+
+    /// `is_exact` receives 1 per slot of the sweep held exactly, or by no distance at all.
+    void find(const World<D, Real>& world, const SweepState<D, Real>& state, std::span<const char> takes_part,
+              std::vector<char>& is_exact) {
+        is_exact.assign(state.size(), 1);
+        collect(world, state, takes_part, is_exact);
+        order_by_component();
+        keep_narrow(world, state, is_exact);
+        list_slots(world, state);
+    }
+
+  private:
+    std::vector<Row> parent_;
+    std::vector<std::uint32_t> first_at_; ///< per slot: the first link there
+
+    Row root(Row slot) {
+        while (parent_[slot] != slot) slot = parent_[slot] = parent_[parent_[slot]];
+        return slot;
+    }
+    void join(Row a, Row b) { parent_[std::max(a, b)] = std::min(a, b); }
+    static bool moves(const World<D, Real>& world, const SweepState<D, Real>& state, Row slot) {
+        return world.particles.mobility[state.row_of[slot]] > Real(0);
+    }
+    void collect(const World<D, Real>& world, const SweepState<D, Real>& state, std::span<const char> takes_part,
+                 std::vector<char>& is_exact) {
+        const auto& table = std::get<kind_number<Distance, D>>(world.constraints);
+        list.clear();
+        is_swept.assign(state.size(), 0);
+        parent_.resize(state.size());
+        for (Row slot = 0; slot < parent_.size(); ++slot) parent_[slot] = slot;
+        for (Row row = 0; row < table.size(); ++row) {
+            if (table.in_block[row]) continue;
+            const auto ends = table.members[row];
+            const Row a = state.slot_of[ends[0]], b = state.slot_of[ends[1]];
+            if (a >= state.size() || b >= state.size() || !(takes_part[a] || takes_part[b])) continue;
+            const bool moves_a = moves(world, state, a), moves_b = moves(world, state, b);
+            if (!moves_a && !moves_b) continue;
+            if (!is_link(table, row)) {
+                is_swept[a] |= !is_plain(table, row), is_swept[b] |= !is_plain(table, row);
+                if (table.breaking_strain[row] < limit::measure<Real>) is_exact[a] = is_exact[b] = 0;
+                continue;
+            }
+            if (moves_a && moves_b) join(root(a), root(b));
+            const bool is_rope = table.low(row) < table.high(row);
+            list.push_back({.row = row,
+                            .a = a,
+                            .b = b,
+                            .root = moves_a ? a : b,
+                            .is_rope = is_rope,
+                            .is_active = !is_rope || table.multiplier[row] < Real(0),
+                            .length = double(table.high(row))});
+        }
+    }
+    void order_by_component() {
+        for (auto& link : list) link.root = root(link.root);
+        std::sort(list.begin(), list.end(),
+                  [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
+    }
+
+    void keep_narrow(const World<D, Real>& world, const SweepState<D, Real>& state, std::vector<char>& is_exact) {
+        constexpr std::size_t most_per_link = 100;
+        first_at_.assign(state.size(), none);
+        components.clear();
+        std::size_t kept = 0;
+        entries = 0;
+        for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end) {
+            while (end < list.size() && list[end].root == list[begin].root) ++end;
+            const auto kept_before = kept;
+            std::size_t size = 0;
+            for (auto i = begin; i < end; ++i, ++kept) {
+                list[kept] = list[i];
+                list[kept].start = entries + size;
+                size += width_of(world, state, std::uint32_t(kept));
+            }
+            if (size > most_per_link * (end - begin)) {
+                for (auto i = kept_before; i < kept; ++i) leave_to_sweep(list[i], is_exact);
+                kept = kept_before;
+                continue;
+            }
+            entries += size;
+            components.push_back({.first_link = std::uint32_t(kept_before), .last_link = std::uint32_t(kept)});
+        }
+        list.resize(kept);
+    }
+    void leave_to_sweep(const RigidLink<D>& link, std::vector<char>& is_exact) {
+        is_exact[link.a] = is_exact[link.b] = 0;
+        is_swept[link.a] = is_swept[link.b] = 1;
+    }
+    /// Sets the first column that couples with a link, through a movable end; returns the number of entries.
+    std::size_t width_of(const World<D, Real>& world, const SweepState<D, Real>& state, std::uint32_t k) {
+        auto& link = list[k];
+        link.first = k;
+        for (const Row slot : {link.a, link.b}) {
+            if (!moves(world, state, slot)) continue;
+            if (first_at_[slot] == none) first_at_[slot] = k;
+            link.first = std::min(link.first, first_at_[slot]);
+        }
+        return k - link.first;
+    }
+
+    void list_slots(const World<D, Real>& world, const SweepState<D, Real>& state) {
+        slots.clear();
+        component_of.assign(state.size(), none);
+        for (std::uint32_t i = 0; i < components.size(); ++i) {
+            auto& component = components[i];
+            component.first_slot = std::uint32_t(slots.size());
+            for (auto k = component.first_link; k < component.last_link; ++k) component.has_ropes |= list[k].is_rope;
+            for (auto k = component.first_link; k < component.last_link; ++k)
+                for (const Row slot : {list[k].a, list[k].b}) {
+                    slots.push_back(slot);
+                    if (moves(world, state, slot)) component_of[slot] = i;
+                }
+            const auto first = slots.begin() + component.first_slot;
+            std::sort(first, slots.end());
+            slots.erase(std::unique(first, slots.end()), slots.end());
+            component.last_slot = std::uint32_t(slots.size());
+        }
+    }
+};
+
+} // namespace sinew::detail
