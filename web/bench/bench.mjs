@@ -2,7 +2,7 @@
 // in Markdown. With a word, only cases whose names have it. A contender that is not installed, or fails, is left out with its reason on stderr.
 import { build, cases, contenders, head, row, steps } from "./run.mjs";
 
-const longest = 10_000; // milliseconds of processor time that a contender may take for a case
+const longest = 30_000; // milliseconds of processor time that a contender may take for a case
 const wanted = process.argv[2] ?? "";
 
 /** Milliseconds of processor time so far: a crowded machine does not count. */
