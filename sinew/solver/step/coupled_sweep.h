@@ -85,8 +85,8 @@ template <int D, class Real> class CoupledSweep {
         for (int round = 0; round < rounds; ++round) {
             substep.mover().first_iteration = first && round == 0;
             for (std::size_t i = 0; i < plan_.components.size(); ++i)
-                if (round == 0 || ports.components[i]) project(substep, plan_.components[i]);
-            for (const auto& run : plan_.others) project_run(world_, std::span(solver_.scratch), run, substep.mover());
+                if ((round == 0 || ports.components[i]) && !is_exact(i)) project(substep, plan_.components[i]);
+            for (const auto& run : plan_.others) project(substep, run);
             PortMover<D, Real>::project_all(world_, solver_, substep.mover());
             for (std::size_t i = 0; i < plan_.components.size(); ++i)
                 if (round == 0 || ports.components[i]) tether(substep, plan_.components[i]);
