@@ -17,14 +17,12 @@ template <int D, class Real> void Balls::build(Builder<D, Real>& figure) const {
                 const double aside = row % 2 ? 0.25 : -0.25; // no ball stands on another
                 auto place = on_screen<D>((column - 0.5 * (columns - 1) + aside) * step, row * step);
                 if constexpr (D == 3) place[2] = (layer - 0.5 * (layers - 1) + aside) * step;
-                all.push_back(figure.particle("", place, mass, radius));
+                all.push_back(figure.particle("", place, mass / double(sizes().particles), radius));
             }
     figure.draw(Mark::dot, "ball", std::move(all), 2 * radius);
 }
 
-template void Balls::build(Builder<2, float>&) const;
-template void Balls::build(Builder<2, double>&) const;
-template void Balls::build(Builder<3, float>&) const;
-template void Balls::build(Builder<3, double>&) const;
+#define SINEW_BALLS(D, Real) template void Balls::build(Builder<D, Real>&) const;
+SINEW_INSTANTIATE(SINEW_BALLS)
 
 } // namespace sinew

@@ -19,7 +19,7 @@ struct Balls {
     int layers = 1;
     double radius = 0.1;
     double gap = 0.02;
-    double mass = 0.1;
+    double mass = 10;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.columns, Field{.name = "columns", .help = "Balls side by side", .low = 1, .high = 1e6});
@@ -32,7 +32,7 @@ struct Balls {
                               .unit = unit::length,
                               .low = 0,
                               .high = 1e6});
-        visit(self.mass, Field{.name = "mass", .help = "Mass of a ball", .unit = unit::mass, .low = 1e-9, .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-9, .high = 1e9});
     }
 
     Sizes sizes() const { return {.particles = std::size_t(columns) * std::size_t(rows) * std::size_t(layers)}; }

@@ -10,7 +10,8 @@ trap 'kill $game $server 2>/dev/null; wait 2>/dev/null; rm -rf "$folder"' EXIT
 
 number=$folder/display
 exec 3<>"$number"
-Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp >/dev/null 2>&1 &
+# Without a reset: else the server refuses who comes just when the last client has gone.
+Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp -noreset >/dev/null 2>&1 &
 server=$!
 for _ in $(seq 100); do [ -s "$number" ] && break; sleep 0.1; done
 [ -s "$number" ] || skip "Xvfb does not start here"
