@@ -274,19 +274,15 @@ TYPED_TEST(Figures2, APinPullsTheWholeFigureWithItsForce) {
     }
 }
 
-// A weight of a hundred times the rope's mass falls as if free while the rope is slack; then the rope holds it,
-// by less than 1 % too long in the step in which it snaps taut (a blow of 4 m/s).
-TYPED_TEST(Figures2, ARopeIsSlackUntilItHolds) {
-    using Real = TypeParam;
-    FlatWorld<Real> world;
-    fall(world, 10);
+/// A rope of 0.2 kg and 1 m, folded in two below a pin at the origin, with a weight at the other end.
+template <class Real> std::vector<ParticleId> add_folded_rope(FlatWorld<Real>& world, double weight) {
     const auto figure = add_touching(world, 0.5);
     constexpr int pieces = 20;
     std::vector<ParticleId> rope;
-    for (int i = 0; i <= pieces; ++i) { // down and up again
+    for (int i = 0; i <= pieces; ++i) {
         const double along = double(i) / pieces, down = along < 0.5 ? along : 1 - along;
         rope.push_back(add_particle(world, {.position = {{Real(0.1 * along), Real(-0.99 * down)}},
-                                            .mass = Real(i == pieces ? 20 : 0.01),
+                                            .mass = Real(i == pieces ? weight : 0.01),
                                             .radius = Real(0.01),
                                             .figure = figure}));
         if (i > 0)
@@ -294,15 +290,35 @@ TYPED_TEST(Figures2, ARopeIsSlackUntilItHolds) {
                           {.limits = at_most(Real(1.0 / pieces)), .figure = figure});
     }
     pin(world, rope[0]);
-    for (int i = 0; i < 24; ++i) step(world, Real(1.0 / 60));
+    return rope;
+}
+
+// A weight of a hundred times the rope's mass falls as if free while the rope is slack.
+TYPED_TEST(Figures2, ASlackRopeDoesNotHold) {
+    using Real = TypeParam;
+    FlatWorld<Real> world;
+    fall(world, 10);
+    const auto rope = add_folded_rope(world, 20);
+    run(world, 0.4);
     EXPECT_NEAR(double((*position_of(world, rope.back()))[1]), -10 * 0.4 * 0.4 / 2, 0.01);
-    for (int i = 0; i < 240; ++i) {
-        step(world, Real(1.0 / 60));
-        for (std::size_t k = 1; k < rope.size(); ++k)
-            ASSERT_LT(double(distance(*position_of(world, rope[k - 1]), *position_of(world, rope[k]))), 1.01 / pieces)
-                << i;
+}
+
+// A rope that snaps taut is not stretched. With the usual substeps that holds for a weight of 20 times a particle's
+// mass; one of 2000 times takes 64 (docs/concepts/contact.md, "Not yet").
+TYPED_TEST(Figures2, ARopeThatSnapsTautHolds) {
+    using Real = TypeParam;
+    for (const auto& [weight, substeps] : {std::pair{0.2, 0}, {20.0, 64}}) {
+        FlatWorld<Real> world;
+        fall(world, 10);
+        world.settings.substeps = substeps;
+        const auto rope = add_folded_rope(world, weight);
+        for (int i = 0; i < 264; ++i) {
+            step(world, Real(1.0 / 60));
+            for (std::size_t k = 1; k < rope.size(); ++k)
+                ASSERT_LT(double(distance(*position_of(world, rope[k - 1]), *position_of(world, rope[k]))), 1.0001 / 20)
+                    << weight << ' ' << i;
+        }
     }
-    EXPECT_GT(double(norm(*position_of(world, rope.back()))), 0.2);
 }
 
 // A hundred times the weight of the figure does not press its limbs through the floor.
