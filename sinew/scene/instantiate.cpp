@@ -5,7 +5,7 @@
 #include "sinew/scene/join.h"
 #include "sinew/scene/scene.h"
 #include "sinew/scene/types.h"
-#include "sinew/solver/contact/colliders.h"
+#include "sinew/world/colliders.h"
 #include "sinew/world/edit.h"
 
 #include <algorithm>

@@ -88,7 +88,9 @@ struct PlanRoom {
     };
     std::vector<Part> parts;
     std::vector<Row> links, link_at, left; ///< rows of distances
-    std::vector<Row> parent, part_of, members, rank, at, first_near, near;
+    std::vector<Row> part_of, members, rank, at;
+    UnionFind sets;               ///< of rows in search of components, of slots in search of free bodies
+    RowLists<std::uint32_t> near; ///< neighbours in a component, by rank
     std::vector<PinnedSlot> anchors;
     struct Direction {
         std::uint32_t step = 0;
@@ -124,8 +126,9 @@ struct PlanRoom {
         order.reserve(particles + 1);
         kept.reserve(particles + 1);
         for (auto* column : {&links, &link_at, &left}) column->reserve(distances);
-        for (auto* column : {&parent, &part_of, &members, &rank, &at, &first_near}) column->reserve(particles + 1);
-        near.reserve(2 * distances);
+        for (auto* column : {&part_of, &members, &rank, &at}) column->reserve(particles + 1);
+        sets.reserve(particles + 1);
+        near.reserve(particles, 2 * distances);
         directions.reserve(32);
         chained.reserve(particles);
         colour.reserve(distances);

@@ -2,6 +2,7 @@
 
 #include "sinew/topology/cell_fans.h"
 #include "sinew/world/changes.h"
+#include "sinew/world/constraint_graph.h"
 #include "sinew/world/edit.h"
 
 #include <algorithm>
@@ -43,11 +44,11 @@ template <int D, class Real> class Splitter {
         parting_of_.assign(particles_, none);
         auto all = links_;
         all.insert(all.end(), gone_.begin(), gone_.end());
-        const Neighbours whole(particles_, all), left(particles_, links_);
+        const auto whole = neighbours_of(particles_, all), left = neighbours_of(particles_, links_);
         Fans before(whole, particles_), after(left, particles_);
         for (const Row row : around_the_gaps(whole)) {
-            const auto fans = fans_of(row, whole.of(row), before.around(row), left.of(row), after);
-            if (fans.size() > 1) part(row, left.of(row), after.around(row), fans);
+            const auto fans = fans_of(row, whole[row], before.around(row), left[row], after);
+            if (fans.size() > 1) part(row, left[row], after.around(row), fans);
         }
         if (partings_.empty()) return 0;
         follow_constraints();
@@ -68,7 +69,6 @@ template <int D, class Real> class Splitter {
     /// loop.
     bool find_cells() {
         const auto& distances = std::get<kind_number<Distance, D>>(world_.constraints);
-        const auto& slots = world_.particles.slots;
         std::vector<char> seen(particles_, 0);
         std::vector<Row> near;
         const auto meet = [&](Row row) {
@@ -87,13 +87,9 @@ template <int D, class Real> class Splitter {
             for (const auto last = near.size(); next < last; ++next) {
                 const Row row = near[next];
                 seen[row] = done;
-                world_.journal.adjacency.each(slots.slot_of(row), [&](int kind, std::uint32_t slot) {
-                    if (kind != kind_number<Distance, D>) return;
-                    const Row link = distances.slots.row_at(slot);
-                    const auto& ends = distances.members.rows[link];
-                    const Row other = ends[0] == row ? ends[1] : ends[0];
+                for_each_link(world_, row, [&](Row link, Row other) {
                     if (!ties(distances, link) || seen[other] == done) return;
-                    links_.push_back(ends);
+                    links_.push_back(distances.members.rows[link]);
                     loops = !meet(other) || loops;
                 });
             }
@@ -106,7 +102,7 @@ template <int D, class Real> class Splitter {
         for (const auto& ends : gone_)
             for (const Row end : ends) {
                 there[end] = 1;
-                for (const Row near : whole.of(end)) there[near] = 1;
+                for (const Row near : whole[end]) there[near] = 1;
             }
         for (const auto& pin : world_.pins)
             if (const auto row = row_of(world_, pin.particle); row && *row < particles_) there[*row] = 0;
@@ -289,7 +285,7 @@ template <int D, class Real> class Splitter {
 
 template <int D, class Real> std::size_t split(World<D, Real>& world, std::span<const Ends> gone) {
     if (gone.empty()) return 0;
-    detail::list_bonds(world);
+    detail::list_constraints(world);
     return Splitter<D, Real>(world, gone).split();
 }
 

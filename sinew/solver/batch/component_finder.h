@@ -28,12 +28,12 @@ template <int D, class Real> class ComponentFinder {
         return true;
     }
     /// Releases the adjacency lists.
-    void forget_neighbours() { give_back(room_.first_near, room_.near, room_.at, room_.levels); }
+    void forget_neighbours() { give_back(room_.near, room_.levels); }
     /// Releases all room of the planner.
     void forget() {
-        give_back(room_.link_at, room_.left, room_.parent, room_.part_of, room_.members, room_.rank, room_.at,
-                  room_.first_near, room_.near, room_.chained, room_.colour, room_.used, room_.sorted, room_.left_over,
-                  room_.of_tile, room_.left_of_tile, room_.sequences, room_.levels);
+        give_back(room_.link_at, room_.left, room_.sets, room_.part_of, room_.members, room_.rank, room_.at, room_.near,
+                  room_.chained, room_.colour, room_.used, room_.sorted, room_.left_over, room_.of_tile,
+                  room_.left_of_tile, room_.sequences, room_.levels);
     }
     bool any() const {
         bool any = false;
@@ -60,16 +60,10 @@ template <int D, class Real> class ComponentFinder {
     }
 
     void list_neighbours(std::size_t part) const {
-        const auto all = members(part);
-        auto& first = room_.first_near;
-        first.assign(all.size() + 1, 0);
-        for (const Row link : links(part)) ++first[rank(link, 0) + 1], ++first[rank(link, 1) + 1];
-        for (std::size_t i = 0; i < all.size(); ++i) first[i + 1] += first[i];
-        room_.near.resize(first[all.size()]);
-        auto& next = room_.at;
-        next.assign(first.begin(), first.end());
-        for (const Row link : links(part))
-            for (std::size_t i = 0; i < 2; ++i) room_.near[next[rank(link, i)]++] = rank(link, 1 - i);
+        room_.near.fill(members(part).size(), [&](auto&& visit) {
+            for (const Row link : links(part))
+                for (std::size_t i = 0; i < 2; ++i) visit(rank(link, i), rank(link, 1 - i));
+        });
     }
 
   private:
@@ -90,10 +84,9 @@ template <int D, class Real> class ComponentFinder {
 
     /// Visits the swept particles outside kept components.
     template <class Visit> void each_swept(Visit&& visit) const {
-        const std::span<const char> in_block = world_.particles.in_block;
-        for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)
-            for (end = next_flag(in_block, row, 1); row < end; ++row)
-                if (swept_.slot_of[row] == none) visit(Row(row));
+        const auto& in_block = world_.particles.at_end;
+        for (Row row = 0; row < in_block.size(); ++row)
+            if (!in_block[row] && swept_.slot_of[row] == none) visit(row);
     }
 
     /// True for a distance with default split and relaxation, without damping, drive or maximum force. Limits outside
@@ -141,19 +134,10 @@ template <int D, class Real> class ComponentFinder {
         return apart;
     }
 
-    Row first_of(Row row) {
-        auto& parent = room_.parent;
-        while (parent[row] != row) row = parent[row] = parent[parent[row]];
-        return row;
-    }
-
     void join() {
-        room_.parent.resize(particles());
-        each_swept([&](Row row) { room_.parent[row] = row; });
-        for (const Row link : room_.links) {
-            const Row a = first_of(end(link, 0)), b = first_of(end(link, 1));
-            room_.parent[std::max(a, b)] = std::min(a, b);
-        }
+        room_.sets.make_room(particles());
+        each_swept([&](Row row) { room_.sets.separate(row); });
+        for (const Row link : room_.links) room_.sets.join(end(link, 0), end(link, 1));
     }
 
     /// Sorts particles and links by component, each in row order, and components by the first particle. Particles
@@ -168,7 +152,7 @@ template <int D, class Real> class ComponentFinder {
         each_swept([&](Row row) {
             if (room_.part_of[row] == none) {
                 any_alone = true;
-            } else if (const Row first = first_of(row); first == row) {
+            } else if (const Row first = room_.sets.first_of(row); first == row) {
                 room_.part_of[row] = Row(parts.size());
                 parts.push_back({});
             } else {

@@ -36,9 +36,9 @@ template <int D, class Real> class FeatureFinder {
             room_.particles.push_back(row);
             room_.by_rows[state.slot_of[row]] = 1;
         }
-        room_.projector.find(world_, solver_.sweep_state, room_.by_rows, room_.is_exact);
+        room_.projector.find(world_, solver_, room_.by_rows, room_.is_exact);
         const auto is_exact = [&](Row slot) { return slot < state.size() && is_held_exactly(solver_, slot); };
-        room_.joints.find(world_, state, is_exact);
+        room_.joints.find(world_, solver_, is_exact);
         room_.exact_components.clear();
         for (const auto& component : state.plan.components)
             room_.exact_components.push_back(is_held_exactly(solver_, component));

@@ -157,8 +157,12 @@ template <int D, class Real> class BlockBuilder {
             if (added.is_range()) added.length = minimum(added.high, 2 * added.low);
             added.per_length2 = 1 / square(added.length);
             blocks_.links.push_back(added);
-            distances_.in_block.set(link, 1);
+            hold(distances_, link);
         });
+    }
+
+    template <class Table> void hold(const Table& table, Row row) {
+        blocks_.constraints_of(table).set(table.slots.slot_of(row), true);
     }
 
     // --- ports
@@ -176,11 +180,8 @@ template <int D, class Real> class BlockBuilder {
     }
     bool is_port(Row row) const {
         bool found = false;
-        world_.journal.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
-            visit_table(world_, kind, [&](const auto& table) {
-                const Row constraint = table.slots.row_at(slot);
-                found = found || !table.in_block[constraint];
-            });
+        for_each_constraint(world_, row, [&](const auto& table, Row constraint) {
+            found = found || !blocks_.holds(table, constraint);
         });
         return found;
     }
@@ -247,7 +248,7 @@ template <int D, class Real> class BlockBuilder {
                                                                                        : Blocks<D>::none);
             }
         blocks_.ways.push_back(added);
-        table.in_block.set(row, 1);
+        hold(table, row);
     }
 
     bool is_motorized(const Block& block) const {
@@ -309,7 +310,7 @@ template <int D, class Real> class BlockBuilder {
                 added.high_begun = added.high /= added.unit;
                 join(added, members);
                 blocks_.bends.push_back(added);
-                volumes.in_block.set(fold, 1);
+                hold(volumes, fold);
             });
         }
     }
@@ -325,7 +326,7 @@ template <int D, class Real> class BlockBuilder {
             join(added, members);
             for (std::size_t i = 0; i < 2; ++i) added.arms[i] = slack_arm(members[i], members[i + 1]);
             blocks_.bends.push_back(added);
-            angles_.in_block.set(bend, 1);
+            hold(angles_, bend);
         });
     }
 };

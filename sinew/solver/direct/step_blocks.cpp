@@ -14,8 +14,8 @@ using detail::Rule;
 /// fold in shorter ones, finally by backward Euler.
 template <int D, class Real> class BlockStep {
   public:
-    BlockStep(World<D, Real>& world, Blocks<D>& blocks, const Block& block, double frame, double last_substep)
-        : state_(world, blocks, block, frame, last_substep), contact_(state_), frame_(frame) {}
+    BlockStep(World<D, Real>& world, Solver<D, Real>& solver, const Block& block, double frame, double last_substep)
+        : state_(world, solver, block, frame, last_substep), contact_(state_), frame_(frame) {}
 
     void run(int substeps) {
         longest_ = frame_ / substeps;
@@ -320,7 +320,7 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, R
     const auto move = [&](int part) {
         for (auto& block : part_of(blocks, part)) {
             detail::look_up_rows(world, blocks, block);
-            BlockStep<D, Real> step(world, blocks, block, double(dt), double(world.last_substep));
+            BlockStep<D, Real> step(world, solver, block, double(dt), double(world.last_substep));
             step.run(substeps);
             step.report_tensions(double(substep));
             block.lost = step.lost();

@@ -2,6 +2,7 @@
 #include "sinew/solver/direct/look_up_rows.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/ports/load_tethers.h"
+#include "sinew/world/constraint_graph.h"
 
 #include <algorithm>
 #include <tuple>
@@ -64,11 +65,8 @@ template <int D, class Real> void list_rows(World<D, Real>& world, Solver<D, Rea
     auto& rows = blocks.ports.rows;
     rows.clear();
     for (const auto& port : blocks.ports.list)
-        world.journal.adjacency.each(blocks.nodes[port.node].slot, [&](int kind, std::uint32_t slot) {
-            visit_table(world, kind, [&](const auto& table) {
-                const Row row = table.slots.row_at(slot);
-                if (!table.in_block[row]) rows.push_back({.kind = kind, .row = row});
-            });
+        for_each_constraint(world, blocks.nodes[port.node].row, [&]<class Table>(const Table& table, Row row) {
+            if (!blocks.holds(table, row)) rows.push_back({.kind = kind_of<World<D, Real>, Table>, .row = row});
         });
     std::sort(rows.begin(), rows.end(),
               [](const auto& a, const auto& b) { return std::pair(-a.kind, a.row) < std::pair(-b.kind, b.row); });
@@ -122,11 +120,10 @@ template <int D, class Real> class GroupFinder {
         auto& group = ports_.groups.back();
         for (auto next = group.first; next < ports_.members.size(); ++next) {
             const Row row = solver_.sweep_state.row_of[ports_.members[next]];
-            world_.journal.adjacency.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
-                visit_table(world_, kind, [&](const auto& table) {
-                    reach(group, kind, table, table.slots.row_at(slot), row);
-                    if (kind == kind_number<Distance, D>) measure(double(table.high(table.slots.row_at(slot))));
-                });
+            for_each_constraint(world_, row, [&]<class Table>(const Table& table, Row constraint) {
+                constexpr int kind = kind_of<World<D, Real>, Table>;
+                reach(group, kind, table, constraint, row);
+                if (kind == kind_number<Distance, D>) measure(double(table.high(constraint)));
             });
         }
     }

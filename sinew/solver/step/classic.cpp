@@ -44,14 +44,15 @@ template <class Real> ClassicRules<Real> held_in_limits(ClassicRules<Real> rules
 template <int D, class Real> class ClassicStep {
   public:
     ClassicStep(World<D, Real>& world, Solver<D, Real>& solver, Real dt)
-        : world_(world), scratch_(solver.scratch), p_(world.particles), rules_(held_in_limits(world.settings.classic)),
+        : world_(world), scratch_(solver.scratch), stays_(solver.stays), touches_(solver.touches), p_(world.particles),
+          rules_(held_in_limits(world.settings.classic)),
           h_(clamp(minimum(dt, rules_.longest_step * world.settings.frame) * rules_.time_scale, Real(0),
                    limit::step<Real>)),
           mover_{p_} {}
 
     void run() {
         if (h_ < limit::shortest_step<Real> && !rules_.unscaled_inertia) return; // time stands still
-        std::fill(p_.rebound.begin(), p_.rebound.end(), Vec<D, Real>{});         // marks particles that stay
+        stays_.assign(p_.size(), 0);
         carry_pins();
         move_limits(world_, h_);
         const int moves = rules_.points_only_passes ? rules_.passes : 1;
@@ -69,6 +70,8 @@ template <int D, class Real> class ClassicStep {
   private:
     World<D, Real>& world_;
     std::span<Vec<D, Real>> scratch_;
+    std::vector<char>& stays_; ///< by row: neither moved by forces nor by velocity in this frame
+    ColliderTouches<D, Real>& touches_;
     Particles<D, Real>& p_;
     const ClassicRules<Real> rules_;
     Real h_;
@@ -113,8 +116,8 @@ template <int D, class Real> class ClassicStep {
         stay(row);
     }
 
-    void stay(Row row) { p_.rebound[row][0] = Real(1); }
-    bool is_free(Row row) const { return p_.mobility[row] > Real(0) && p_.rebound[row][0] == Real(0); }
+    void stay(Row row) { stays_[row] = 1; }
+    bool is_free(Row row) const { return p_.mobility[row] > Real(0) && !stays_[row]; }
 
     /// Restores mobilities for physical mode, where only hard pins fix a particle.
     void let_go() {
@@ -240,7 +243,7 @@ template <int D, class Real> class ClassicStep {
         for (Row row = 0; row < p_.size(); ++row) {
             if (!(p_.mobility[row] > Real(0)) || !touch(collider.filter, detail::filter_of(world_, row))) continue;
             moving.contacts(p_.previous[row], p_.position[row], p_.radius[row], [&](const auto& contact) {
-                world_.contacts.touched[row] = index + 1;
+                touches_.collider[row] = index + 1;
                 const auto& surface = contact.surface;
                 if (!collider.is_sensor) hit({surface.normal, dot(surface.normal, surface.point)}, row);
             });

@@ -118,7 +118,7 @@ template <int D, class Real> class CoupledSweep {
 
     /// Constraints on single particles, including particles of blocks: pins and planes.
     void hold(Substep<D, Real>& substep) {
-        for (const auto& tile : plan_.tiles) substep.pull_pins(tile);
+        for (const auto& tile : plan_.tiles) substep.pins().pull(tile);
         for (const auto& tile : plan_.tiles) substep.keep_in_bounds(tile);
     }
 };

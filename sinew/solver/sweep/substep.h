@@ -2,10 +2,9 @@
 
 #include "sinew/math/decay.h"
 #include "sinew/solver/contact/collider_sweep.h"
-#include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
-#include "sinew/solver/substep_mover.h"
+#include "sinew/solver/sweep/pin_projector.h"
 
 #include <algorithm>
 
@@ -32,6 +31,7 @@ template <int D, class Real> class Substep {
     }
 
     SubstepMover<D, Real>& mover() { return mover_; }
+    PinProjector<D, Real> pins() { return {world_, solver_, mover_, share_ - share_of_substep_, share_, number_ > 1}; }
     /// Factor of velocities by the common damping.
     Real keep() const { return decay_.keep; }
 
@@ -40,14 +40,14 @@ template <int D, class Real> class Substep {
     /// with its full weight at any damping.
     void predict(const Tile& tile) {
         if (has_walls(world_))
-            for (Row slot = tile.first; slot < tile.last; ++slot) p_.rebound[swept_.row_of[slot]] = {};
+            std::fill(swept_.rebound.begin() + tile.first, swept_.rebound.begin() + tile.last, Vector{});
         if (swept_.everyone_alike) {
             weigh(tile);
             kernels_.drift(motion_, tile.first, tile.last);
         } else {
             for (Row slot = tile.first; slot < tile.last; ++slot) predict(slot);
         }
-        move_pins(tile);
+        pins().move(tile);
     }
 
     /// Projects the simple distances of a colour that start in tile `tile`.
@@ -110,37 +110,6 @@ template <int D, class Real> class Substep {
         }
     }
 
-    /// Compliant pins are damped springs to their target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma)
-    /// + alpha), e the offset from the target and u the change of e in the substep; the force never exceeds
-    /// max_force.
-    void pull_pins(const Tile& tile) {
-        for (auto i = tile.first_pin; i < tile.last_pin; ++i) {
-            auto& pin = world_.pins[swept_.plan.pins[i].pin];
-            const Row slot = swept_.plan.pins[i].slot;
-            const Real w = swept_.mobility[slot];
-            if (pin.hard() || w == Real(0) || is_held_exactly(solver_, slot)) continue;
-            const Real alpha = mover_.alpha(pin.compliance);
-            // critical damping for stiffness 1/c and mass 1/w is 2 / sqrt(c w); gamma = damper * compliance / h
-            const Real gamma = minimum(Real(2) * pin.damping * square_root(pin.compliance) *
-                                           square_root(inverse_or_zero(w)) * mover_.per_h,
-                                       limit::measure<Real>);
-            const auto goal = pin.from + (pin.target - pin.from) * share_;
-            const auto error = mover_.point_at(slot) - goal;
-            const auto last_goal = pin.from + (pin.target - pin.from) * (share_ - share_of_substep_);
-            const auto drift = error - (swept_.place_at(slot) - last_goal);
-            const auto lambda = mover_.first_iteration ? Vector{} : pin.multiplier;
-            const Real per_resistance = inverse_or_zero(w * (Real(1) + gamma) + alpha);
-            auto next = clamp_components(lambda - (error + lambda * alpha + drift * gamma) * per_resistance,
-                                         limit::multiplier<Real>);
-            if (pin.max_force > Real(0)) {
-                const Real most = pin.max_force * mover_.h * mover_.h;
-                next *= minimum(Real(1), most * inverse_or_zero(norm(next)));
-            }
-            mover_.push_at(slot, (next - lambda) * w);
-            pin.multiplier = next;
-        }
-    }
-
     /// Sets the anchors of a component's tethers for this substep.
     void set_anchors(const Component& component) {
         const auto& plan = swept_.plan;
@@ -148,7 +117,7 @@ template <int D, class Real> class Substep {
         for (std::uint32_t i = 0; i < component.tethers; ++i) {
             const auto& tether = plan.tethers[component.first_tether + i];
             const auto& pin = world_.pins[tether.pin];
-            const auto goal = pin.from + (pin.target - pin.from) * share_;
+            const auto goal = pin.target_at(share_);
             for (int k = 0; k < D; ++k) anchors_[i].opposite[k] = -goal[k];
             anchors_[i].half_per_reach_square = plan.half_per_reach_square.data() + tether.first - first;
         }
@@ -175,7 +144,7 @@ template <int D, class Real> class Substep {
             for (Row slot = tile.first; slot < tile.last; ++slot) contact.keep_in(plane, slot);
         }
         if (!world_.colliders.empty())
-            ColliderSweep<D, Real>(world_, swept_, contact, mover_, share_ - share_of_substep_, share_)
+            ColliderSweep<D, Real>(world_, solver_, contact, mover_, share_ - share_of_substep_, share_)
                 .keep_out(tile.first, tile.last);
     }
 
@@ -187,7 +156,7 @@ template <int D, class Real> class Substep {
     void rebound(const Tile& tile) {
         if (!has_walls(world_)) return;
         for (Row slot = tile.first; slot < tile.last; ++slot) {
-            const auto& struck = p_.rebound[swept_.row_of[slot]];
+            const auto& struck = swept_.rebound[slot];
             const Real speed = norm(struck);
             if (speed == Real(0)) continue;
             const auto away = struck * inverse_or_zero(speed);
@@ -199,14 +168,14 @@ template <int D, class Real> class Substep {
 
     void hold(const Tile& tile) {
         tether_in_turn(tile);
-        pull_pins(tile);
+        pins().pull(tile);
         keep_in_bounds(tile);
     }
 
     /// Ends this substep and begins the next one, if any, in one pass where particles move independently (only
     /// gravity, no planes, no soft pins).
     void go_on(const Tile& tile, Substep* next) {
-        if (!swept_.everyone_alike || has_walls(world_) || has_soft_pins(tile)) {
+        if (!swept_.everyone_alike || has_walls(world_) || pins().any_soft(tile)) {
             hold(tile);
             advance(tile);
             rebound(tile);
@@ -217,7 +186,7 @@ template <int D, class Real> class Substep {
         if (!next) return advance(tile);
         kernels_.go_on(next->motion_, tile.first, tile.last);
         next->weigh(tile);
-        next->move_pins(tile);
+        next->pins().move(tile);
     }
 
   private:
@@ -261,13 +230,6 @@ template <int D, class Real> class Substep {
                 maximum(p_.inverse_mass[swept_.row_of[slot]] * yield, std::numeric_limits<Real>::min());
     }
 
-    bool has_soft_pins(const Tile& tile) const {
-        if (!swept_.any_pin_soft) return false;
-        for (auto i = tile.first_pin; i < tile.last_pin; ++i)
-            if (!world_.pins[swept_.plan.pins[i].pin].hard()) return true;
-        return false;
-    }
-
     void predict(Row slot) {
         if (swept_.mobility[slot] == Real(0)) {
             swept_.set_move(slot, {}); // immovable, unless carried by a pin
@@ -279,20 +241,6 @@ template <int D, class Real> class Substep {
         const auto pushed = swept_.move_at(slot) * decay_.keep + push.acceleration * (kick_ * decay_.yield) * mover_.h;
         swept_.set_move(slot, clamp_components(pushed, mover_.furthest));
         weigh(slot, decay_.yield);
-    }
-
-    /// Moves particles to their hard pins' targets; the displacement is their velocity. From the second substep on
-    /// pins at rest are skipped.
-    void move_pins(const Tile& tile) {
-        if (number_ > 1 && !swept_.any_pin_moves) return;
-        for (auto i = tile.first_pin; i < tile.last_pin; ++i) {
-            const auto& pin = world_.pins[swept_.plan.pins[i].pin];
-            const Row slot = swept_.plan.pins[i].slot;
-            const bool rests = number_ > 1 && pin.from == pin.target;
-            if (rests || !pin.hard() || p_.quarantined[swept_.row_of[slot]]) continue;
-            const auto goal = pin.from + (pin.target - pin.from) * share_;
-            swept_.set_move(slot, clamp_components(goal - swept_.place_at(slot), mover_.furthest));
-        }
     }
 
     void part_heaps(std::uint32_t first, std::uint32_t last) {
