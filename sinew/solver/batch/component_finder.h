@@ -40,22 +40,17 @@ template <int D, class Real> class ComponentFinder {
         each_swept([&](Row) { any = true; });
         return any;
     }
-    std::size_t size() const { return room_.parts.size(); }
+    std::size_t size() const { return room_.members.size(); }
 
-    std::span<const Row> members(std::size_t part) const {
-        SINEW_ASSERT(part < room_.parts.size(), "the part has been found");
-        return std::span(room_.members).subspan(room_.parts[part].first_member, room_.parts[part].members);
-    }
-    Links links(std::size_t part) const {
-        return std::span(room_.link_at).subspan(room_.parts[part].first_link, room_.parts[part].links);
-    }
+    std::span<const Row> members(std::size_t part) const { return room_.members[part]; }
+    Links links(std::size_t part) const { return room_.link_at[part]; }
     Row rank(Row link, std::size_t i) const { return room_.rank[end(link, i)]; }
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
 
     /// Number of consecutive parts, from this one on, of the same shape.
     std::size_t count_alike(std::size_t part) const {
         std::size_t count = 1;
-        while (part + count < room_.parts.size() && are_alike(part, part + count)) ++count;
+        while (part + count < size() && are_alike(part, part + count)) ++count;
         return count;
     }
 
@@ -143,47 +138,36 @@ template <int D, class Real> class ComponentFinder {
     /// Sorts particles and links by component, each in row order, and components by the first particle. Particles
     /// without links share one component.
     void sort_into_parts() {
-        auto& parts = room_.parts;
-        parts.clear();
+        const auto parts = number_parts();
+        room_.members.fill(parts, [&](auto&& visit) { each_swept([&](Row row) { visit(room_.part_of[row], row); }); });
+        room_.link_at.fill(parts, [&](auto&& visit) {
+            for (const Row link : room_.links) visit(room_.part_of[end(link, 0)], link);
+        });
+        room_.rank.resize(particles());
+        for (std::size_t part = 0; part < parts; ++part) {
+            const auto all = members(part);
+            for (Row i = 0; i < all.size(); ++i) room_.rank[all[i]] = i;
+        }
+        give_back(room_.links);
+    }
+    /// Numbers the components in `part_of`, and returns how many there are.
+    Row number_parts() {
         room_.part_of.resize(particles());
         each_swept([&](Row row) { room_.part_of[row] = none; });
         for (const Row link : room_.links) room_.part_of[end(link, 0)] = room_.part_of[end(link, 1)] = 0;
+        Row parts = 0;
         bool any_alone = false;
         each_swept([&](Row row) {
-            if (room_.part_of[row] == none) {
-                any_alone = true;
-            } else if (const Row first = room_.sets.first_of(row); first == row) {
-                room_.part_of[row] = Row(parts.size());
-                parts.push_back({});
-            } else {
-                room_.part_of[row] = room_.part_of[first];
-            }
+            const bool is_alone = room_.part_of[row] == none;
+            any_alone = any_alone || is_alone;
+            if (is_alone) return;
+            const Row first = room_.sets.first_of(row);
+            room_.part_of[row] = first == row ? parts++ : room_.part_of[first];
         });
-        if (any_alone) parts.push_back({});
         each_swept([&](Row row) {
-            if (room_.part_of[row] == none) room_.part_of[row] = Row(parts.size() - 1);
-            ++parts[room_.part_of[row]].members;
+            if (room_.part_of[row] == none) room_.part_of[row] = parts;
         });
-        for (const Row link : room_.links) ++parts[room_.part_of[end(link, 0)]].links;
-        std::uint32_t member = 0, link = 0;
-        for (auto& part : parts) {
-            part.first_member = member, part.first_link = link;
-            member += part.members, link += part.links;
-            part.members = part.links = 0;
-        }
-        room_.members.resize(member);
-        room_.link_at.resize(link);
-        room_.rank.resize(particles());
-        each_swept([&](Row row) {
-            auto& part = parts[room_.part_of[row]];
-            room_.rank[row] = part.members;
-            room_.members[part.first_member + part.members++] = row;
-        });
-        for (const Row row : room_.links) {
-            auto& part = parts[room_.part_of[end(row, 0)]];
-            room_.link_at[part.first_link + part.links++] = row;
-        }
-        give_back(room_.links);
+        return parts + Row(any_alone);
     }
 
     bool are_alike(std::size_t a, std::size_t b) const {

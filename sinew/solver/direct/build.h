@@ -26,17 +26,7 @@ template <int D, class Real> class BlockBuilder {
     bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool attached) {
         SINEW_ASSERT(!members.empty(), "a block has a particle that moves");
         part_ = part, hangs_ = attached;
-        neighbours_ = 0;
-        elimination_.begin_graph();
-        for (const Row row : members) {
-            elimination_.begin_row(row);
-            add_neighbours(distances_, row);
-            add_neighbours(angles_, row);
-            add_neighbours(pulleys_, row);
-            graph_.with_volumes([&](const auto& volumes) { add_neighbours(volumes, row); });
-            elimination_.end_row(row);
-        }
-        if (!elimination_.run(members)) return false;
+        if (!eliminate(members)) return false;
         const auto each = 4 + (attached ? most_tethers : 0);
         if (!world_.journal.stale &&
             !blocks_.has_room(each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
@@ -91,6 +81,21 @@ template <int D, class Real> class BlockBuilder {
 
     bool mobile(Row particle) const { return graph_.mobile(particle); }
     template <class Table> static bool is_driven(const Table& table, Row row) { return Graph::is_driven(table, row); }
+
+    /// Orders the members for elimination. False if the factorisation would not stay sparse.
+    bool eliminate(std::span<const Row> members) {
+        neighbours_ = 0;
+        elimination_.begin_graph();
+        for (const Row row : members) {
+            elimination_.begin_row(row);
+            add_neighbours(distances_, row);
+            add_neighbours(angles_, row);
+            add_neighbours(pulleys_, row);
+            graph_.with_volumes([&](const auto& volumes) { add_neighbours(volumes, row); });
+            elimination_.end_row(row);
+        }
+        return elimination_.run(members);
+    }
 
     /// True if all movable members of a constraint are in this block.
     template <class Table> bool takes(const Table& table, Row row) const {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "sinew/math/decay.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
 #include "sinew/solver/sweep/pin_projector.h"
+#include "sinew/solver/sweep/predictor.h"
 
 #include <algorithm>
 
@@ -15,10 +15,10 @@ template <int D, class Real> class Substep {
   public:
     Substep(World<D, Real>& world, Solver<D, Real>& solver, const Kernels<D, Real>& kernels,
             const DistanceColumns<D, Real>& links, int number, int substeps, Real h)
-        : world_(world), solver_(solver), p_(world.particles), swept_(solver.sweep_state), kernels_(kernels),
-          links_(links), mover_{solver.sweep_state, h}, share_(Real(number) / Real(substeps)),
-          share_of_substep_(Real(1) / Real(substeps)), number_(number), last_(number == substeps),
-          tethered_((substeps - number) % 2 == 0), kick_(number == 1 ? Real(0.5) * (world.last_substep + h) : h) {
+        : world_(world), solver_(solver), swept_(solver.sweep_state), kernels_(kernels),
+          links_(links), mover_{solver.sweep_state, h}, predictor_(world, solver.sweep_state, mover_, number),
+          share_(Real(number) / Real(substeps)), share_of_substep_(Real(1) / Real(substeps)), number_(number),
+          last_(number == substeps), tethered_((substeps - number) % 2 == 0) {
         motion_.place = swept_.place[0];
         motion_.move = swept_.move[0];
         motion_.residual = swept_.residual[0];
@@ -26,26 +26,23 @@ template <int D, class Real> class Substep {
         motion_.mobility = swept_.mobility;
         motion_.most = mover_.furthest;
         motion_.furthest = limit::coordinate<Real>;
-        if (swept_.everyone_alike) decay_ = decay_over(kick_);
-        fall(motion_, kick_, decay_);
+        predictor_.fall(motion_);
     }
 
     SubstepMover<D, Real>& mover() { return mover_; }
     PinProjector<D, Real> pins() { return {world_, solver_, mover_, share_ - share_of_substep_, share_, number_ > 1}; }
     /// Factor of velocities by the common damping.
-    Real keep() const { return decay_.keep; }
+    Real keep() const { return predictor_.keep(); }
 
-    /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to
-    /// the middle of this one. Drag scales mobilities by the same factor as the push, so a weight at rest pulls
-    /// with its full weight at any damping.
+    /// Free motion, and hard pins.
     void predict(const Tile& tile) {
         if (has_walls(world_))
             std::fill(swept_.rebound.begin() + tile.first, swept_.rebound.begin() + tile.last, Vector{});
         if (swept_.everyone_alike) {
-            weigh(tile);
+            predictor_.weigh(tile);
             kernels_.drift(motion_, tile.first, tile.last);
         } else {
-            for (Row slot = tile.first; slot < tile.last; ++slot) predict(slot);
+            for (Row slot = tile.first; slot < tile.last; ++slot) predictor_.predict(slot);
         }
         pins().move(tile);
     }
@@ -185,7 +182,7 @@ template <int D, class Real> class Substep {
         tether_in_turn(tile);
         if (!next) return advance(tile);
         kernels_.go_on(next->motion_, tile.first, tile.last);
-        next->weigh(tile);
+        next->predictor_.weigh(tile);
         next->pins().move(tile);
     }
 
@@ -194,54 +191,16 @@ template <int D, class Real> class Substep {
 
     World<D, Real>& world_;
     Solver<D, Real>& solver_;
-    Particles<D, Real>& p_;
     SweepState<D, Real>& swept_;
     const Kernels<D, Real>& kernels_;
     const DistanceColumns<D, Real>& links_;
     SubstepMover<D, Real> mover_;
+    Predictor<D, Real> predictor_;
     Real share_, share_of_substep_; ///< fraction of the step elapsed at the end of the substep, and per substep
     int number_;                    ///< 1 to the number of substeps
     bool last_, tethered_;
-    Real kick_;
-    Decay<Real> decay_; ///< cached: most particles share a rate
     Motion<D, Real> motion_{};
     std::array<Anchor<D, Real>, most_tethers> anchors_;
-
-    Decay<Real> decay_over(Real time) const {
-        return Decay<Real>::of(clamp(world_.settings.damping, Real(0), limit::measure<Real>), time);
-    }
-
-    /// Motion under gravity and the common damping.
-    void fall(Motion<D, Real>& motion, Real kick, const Decay<Real>& decay) const {
-        motion.keep = decay.keep;
-        const auto add = clamp_components(swept_.gravity * (kick * decay.yield) * mover_.h, mover_.furthest);
-        for (int i = 0; i < D; ++i) motion.add[i] = add[i];
-    }
-
-    /// Scales mobilities by drag. Kicks are equally long from the second substep on: later substeps change nothing.
-    void weigh(const Tile& tile) {
-        if (decay_.yield == Real(1) || number_ > 2) return;
-        for (Row slot = tile.first; slot < tile.last; ++slot) weigh(slot, decay_.yield);
-    }
-
-    void weigh(Row slot, Real yield) {
-        if (swept_.mobility[slot] > Real(0))
-            swept_.mobility[slot] =
-                maximum(p_.inverse_mass[swept_.row_of[slot]] * yield, std::numeric_limits<Real>::min());
-    }
-
-    void predict(Row slot) {
-        if (swept_.mobility[slot] == Real(0)) {
-            swept_.set_move(slot, {}); // immovable, unless carried by a pin
-            return;
-        }
-        const auto push = push_on(world_, swept_.row_of[slot], swept_.place_at(slot));
-        const Real rate = clamp(world_.settings.damping + push.drag_rate, Real(0), limit::measure<Real>);
-        if (rate != decay_.rate) decay_ = Decay<Real>::of(rate, kick_);
-        const auto pushed = swept_.move_at(slot) * decay_.keep + push.acceleration * (kick_ * decay_.yield) * mover_.h;
-        swept_.set_move(slot, clamp_components(pushed, mover_.furthest));
-        weigh(slot, decay_.yield);
-    }
 
     void part_heaps(std::uint32_t first, std::uint32_t last) {
         auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
