@@ -178,7 +178,7 @@ std::unique_ptr<Simulation> simulate(const Case& chosen, const Engine& engine, c
 }
 
 std::string_view simd() {
-    return name_of(simd_in_use());
+    return name_of(best_simd());
 }
 
 } // namespace sinew::bench

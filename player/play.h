@@ -57,6 +57,8 @@ class Play {
     // --- for panels ----------------------------------------------------------------------------------------------
 
     const Session& session() const { return pane().tape.session(); }
+    /// Reports of the present scene's solver, until the time or the scene is changed.
+    void report(const SolverReports& reports) { pane().tape.report(reports); }
     const Timeline& tape() const { return pane().tape; }
     Timeline& tape() { return pane().tape; }
     Clock& clock() { return *clock_; }

@@ -209,10 +209,10 @@ class Window {
         constexpr double longest = 0.025; // seconds
         const auto begin = Clock::now();
         const auto before = play_.tape().now();
-        PhaseTimes phases;
-        const Profile profile(phases);
+        const auto phases = std::make_shared<PhaseTimes>();
+        play_.report({.times = phases, .preparing = {}});
         play_.advance(passed, [&] { return seconds_between(begin, Clock::now()) > longest; });
-        panel_.measure_steps(seconds_between(begin, Clock::now()), play_.tape().now() - before, phases);
+        panel_.measure_steps(seconds_between(begin, Clock::now()), play_.tape().now() - before, *phases);
     }
 
     void name_window() {

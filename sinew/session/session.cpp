@@ -81,9 +81,15 @@ void Session::run_until(double seconds) {
 }
 
 void Session::set_options(const SolverOptions& options) {
+    auto reports = std::visit([](auto& solver) { return std::move(solver.reports); }, solver_);
     std::visit([&]<class WorldT>(
                    const WorldT&) { solver_.emplace<Solver<WorldT::dimension, typename WorldT::Real>>(options); },
                world_);
+    set_reports(reports);
+}
+
+void Session::set_reports(const SolverReports& reports) {
+    std::visit([&](auto& solver) { solver.reports = reports; }, solver_);
 }
 
 void Session::prepare() {

@@ -54,6 +54,8 @@ class Session {
     AnyWorld& world() { return world_; }
     /// Goes on with a new solver, with these options. Results do not depend on solver or options.
     void set_options(const SolverOptions& options);
+    /// Reports of the solver, from now on.
+    void set_reports(const SolverReports& reports);
     /// Prepares the world for the first step, which otherwise does so: Solver::prepare.
     void prepare();
 

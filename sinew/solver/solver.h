@@ -3,9 +3,11 @@
 #include "sinew/solver/block.h"
 #include "sinew/solver/collider_touches.h"
 #include "sinew/solver/energy_budgets.h"
+#include "sinew/solver/profile.h"
 #include "sinew/solver/sweep_state.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -18,11 +20,19 @@ template <int D, class Real> struct World;
 template <int D, class Real> struct ContactRoom;
 
 struct SolverOptions {
-    int threads = 0; ///< threads of a step; 0: the number of cores. Results do not depend on the number
+    int threads = 0;         ///< threads of a step; 0: the number of cores. Results do not depend on the number
+    Simd simd = best_simd(); ///< instruction set of the kernels. Results do not depend on it
+};
+
+/// Reports of a solver to its owner; a copy of a solver makes none.
+struct SolverReports {
+    std::shared_ptr<PhaseTimes> times;           ///< receives the times of all steps; without it no clock is read
+    std::function<void(double share)> preparing; ///< progress of preparing a large world, [0, 1], never decreasing
 };
 
 template <int D, class Real> struct Solver {
     SolverOptions options;
+    SolverReports reports;
     Blocks<D> blocks;                               ///< constraints solved at once instead of in the sweep
     SweepState<D, Real> sweep_state;                ///< plan and columns of the sweep
     Budgets<D, Real> budgets;                       ///< limits on the energy added by constraints of figures
@@ -52,6 +62,10 @@ template <int D, class Real> struct Solver {
 
     /// Finds the connected components of an edited world and reserves memory for their solution; a no-op without edits.
     void prepare(World<D, Real>& world);
+    /// Reports the progress of preparation.
+    void report(double share) const {
+        if (reports.preparing) reports.preparing(share);
+    }
 };
 
 /// True if a direct block moves some of the particles.

@@ -58,7 +58,7 @@ template <int D, class Real> void end(World<D, Real>& world, Solver<D, Real>& so
 template <int D, class Real> void Solver<D, Real>::step(World<D, Real>& world, Real dt) {
     if (!(dt >= limit::shortest_step<Real>)) return;
     dt = minimum(dt, limit::step<Real>);
-    detail::Laps laps;
+    detail::Laps laps(reports.times.get());
     begin(world, *this);
     if (world.settings.mode == Mode::classic)
         classic_step(world, *this, dt);
