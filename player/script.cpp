@@ -16,18 +16,6 @@
 namespace sinew::play {
 namespace {
 
-struct Action {
-    std::string_view name;
-    std::size_t least, most; ///< number of arguments
-};
-constexpr std::array script_actions = {
-    Action{"move", 1, 4},   Action{"press", 0, 1},  Action{"release", 0, 1}, Action{"scroll", 1, 1},
-    Action{"key", 1, 1},    Action{"where", 1, 1},  Action{"set", 1, 1},     Action{"open", 1, 1},
-    Action{"drop", 1, 1},   Action{"go", 1, 1},     Action{"save", 1, 1},    Action{"shot", 1, 1},
-    Action{"end", 0, 0},    Action{"touch", 3, 5},  Action{"lift", 1, 1},    Action{"state", 1, 1},
-    Action{"answer", 1, 1}, Action{"choose", 1, 1}, Action{"paste", 1, 1},
-};
-
 std::optional<double> number_of(const std::string& text) {
     double number = 0;
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -49,41 +37,6 @@ std::vector<std::string> words_of(const std::string& line) {
     return words;
 }
 
-/// Parses one line; returns the reason of failure, or nothing.
-std::string read_line(const std::vector<std::string>& words, std::size_t number, Script& script) {
-    if (words[0] == "size" && words.size() == 2) {
-        const auto cross = words[1].find('x');
-        const auto width = number_of(words[1].substr(0, cross));
-        const auto height = cross == std::string::npos ? std::nullopt : number_of(words[1].substr(cross + 1));
-        if (!width || !height || *width < 1 || *height < 1 || *width > 16384 || *height > 16384)
-            return "expected a size as 1280x720, found " + in_quotes(words[1]);
-        script.width = int(*width), script.height = int(*height);
-        return "";
-    }
-    if (words[0] == "fps" && words.size() == 2) {
-        const auto fps = number_of(words[1]);
-        if (!fps || *fps < 1 || *fps > 1000)
-            return "expected frames a second from 1 to 1000, found " + in_quotes(words[1]);
-        script.fps = *fps;
-        return "";
-    }
-    const auto at = number_of(words[0]);
-    if (!at || *at < 0) return "expected a second, found " + in_quotes(words[0]);
-    if (words.size() < 2) return "nothing to do at that second";
-    if (!script.lines.empty() && script.lines.back().at > *at) return "it is earlier than the line before";
-    const auto action = std::ranges::find(script_actions, words[1], &Action::name);
-    if (action == script_actions.end()) {
-        std::vector<std::string_view> names;
-        for (const auto& known : script_actions) names.push_back(known.name);
-        return "nobody can " + in_quotes(words[1]) + "; " + suggest(words[1], names);
-    }
-    const auto count = words.size() - 2;
-    if (count < action->least || count > action->most)
-        return concat(in_quotes(words[1]), " with ", count, count == 1 ? " word" : " words");
-    script.lines.push_back({*at, words[1], {words.begin() + 2, words.end()}, number});
-    return "";
-}
-
 /// Runs the lines of a script at their times.
 class Player {
   public:
@@ -96,13 +49,21 @@ class Player {
         std::erase_if(slides_, [&](const Slide& slide) { return now >= slide.until; });
         for (; next_ < script_.lines.size() && script_.lines[next_].at <= now; ++next_) {
             const auto& line = script_.lines[next_];
-            if (line.action == "end") return over_ = true, "";
             if (auto problem = perform(line); !problem.empty()) return concat("line ", line.number, ": ", problem);
+            if (over_) return "";
         }
         return "";
     }
 
     bool over() const { return over_ || (next_ == script_.lines.size() && !to_ && slides_.empty()) || play_.quit; }
+
+    /// An action of scripts.
+    struct Action {
+        std::string_view name;
+        std::size_t least, most; ///< number of words after the name
+        std::string (Player::*perform)(double at, const std::vector<std::string>& words);
+    };
+    static const std::array<Action, 19> actions;
 
   private:
     /// A finger in motion.
@@ -146,57 +107,83 @@ class Player {
         return seen ? std::optional(cast<double>(seen->pixel)) : std::nullopt;
     }
 
-    std::string perform(const ScriptLine& line) {
-        const auto& [at, action, words, number] = line;
-        if (action == "move") return move(at, words);
-        if (action == "press" || action == "release") {
-            const auto button = button_of(words);
-            if (!button) return "no button is called " + in_quotes(words[0]);
-            if (action == "press")
-                play_.handle(Pressed{*button});
-            else
-                play_.handle(Released{*button});
-        } else if (action == "scroll" || action == "go") {
-            const auto amount = number_of(words[0]);
-            if (!amount) return "expected a number, found " + in_quotes(words[0]);
-            if (action == "scroll")
-                play_.handle(Scrolled{*amount});
-            else
-                play_.go_to(std::uint64_t(std::max(*amount, 0.0)));
-        } else if (action == "key") {
-            play_.handle(Key{words[0]});
-            play_.handle(KeyUp{words[0]});
-        } else if (action == "touch") {
-            return touch(at, words);
-        } else if (action == "lift") {
-            const auto finger = number_of(words[0]);
-            if (!finger) return "expected the number of a finger";
-            touch_.up(std::int64_t(*finger));
-        } else if (action == "where") {
-            return where(words[0]);
-        } else if (action == "set") {
-            const auto equals = std::min(words[0].find('='), words[0].size() - 1);
-            play_.set(words[0].substr(0, equals), words[0].substr(equals + 1));
-        } else if (action == "open" || action == "drop") {
-            play_.open(words[0]);
-        } else if (action == "save") {
-            play_.save(words[0]);
-        } else if (action == "state") {
-            play_.save_state(words[0]);
-        } else if (action == "choose") {
-            if (!play_.path_request) return "no path was asked for";
-            play_.choose(words[0]);
-        } else if (action == "paste") {
-            return paste(words[0]);
-        } else if (action == "answer") {
-            return answer(words[0]);
-        } else if (action == "shot") {
-            play_.screenshot(words[0]);
-        }
+    std::string perform(const ScriptLine& line);
+
+    // --- actions: each returns the reason of failure, or nothing -------------------------------------------------
+
+    using Words = std::vector<std::string>;
+
+    std::string press(double, const Words& words) {
+        const auto button = button_of(words);
+        if (!button) return no_button(words);
+        play_.handle(Pressed{*button});
+        return "";
+    }
+    std::string release(double, const Words& words) {
+        const auto button = button_of(words);
+        if (!button) return no_button(words);
+        play_.handle(Released{*button});
+        return "";
+    }
+    static std::string no_button(const Words& words) { return "no button is called " + in_quotes(words[0]); }
+
+    std::string scroll(double, const Words& words) {
+        const auto amount = number_of(words[0]);
+        if (!amount) return no_number(words);
+        play_.handle(Scrolled{*amount});
+        return "";
+    }
+    std::string go(double, const Words& words) {
+        const auto step = number_of(words[0]);
+        if (!step) return no_number(words);
+        play_.go_to(std::uint64_t(std::max(*step, 0.0)));
+        return "";
+    }
+    static std::string no_number(const Words& words) { return "expected a number, found " + in_quotes(words[0]); }
+
+    std::string key(double, const Words& words) {
+        play_.handle(Key{words[0]});
+        play_.handle(KeyUp{words[0]});
+        return "";
+    }
+    std::string lift(double, const Words& words) {
+        const auto finger = number_of(words[0]);
+        if (!finger) return "expected the number of a finger";
+        touch_.up(std::int64_t(*finger));
+        return "";
+    }
+    std::string set(double, const Words& words) {
+        const auto equals = std::min(words[0].find('='), words[0].size() - 1);
+        play_.set(words[0].substr(0, equals), words[0].substr(equals + 1));
+        return "";
+    }
+    std::string open(double, const Words& words) {
+        play_.open(words[0]);
+        return "";
+    }
+    std::string save(double, const Words& words) {
+        play_.save(words[0]);
+        return "";
+    }
+    std::string save_state(double, const Words& words) {
+        play_.save_state(words[0]);
+        return "";
+    }
+    std::string shoot(double, const Words& words) {
+        play_.screenshot(words[0]);
+        return "";
+    }
+    std::string end(double, const Words&) {
+        over_ = true;
+        return "";
+    }
+    std::string choose(double, const Words& words) {
+        if (!play_.path_request) return "no path was asked for";
+        play_.choose(words[0]);
         return "";
     }
 
-    std::string move(double at, const std::vector<std::string>& words) {
+    std::string move(double at, const Words& words) {
         constexpr double usual = 0.2;
         std::optional<Vec2<double>> to;
         std::size_t used = 1;
@@ -226,7 +213,7 @@ class Player {
         return "";
     }
 
-    std::string touch(double at, const std::vector<std::string>& words) {
+    std::string touch(double at, const Words& words) {
         const auto finger = number_of(words[0]), x = number_of(words[1]), y = number_of(words[2]);
         if (!finger || !x || !y) return "expected the number of a finger and two pixels";
         const auto over = words.size() == 5 && words[3] == "over" ? number_of(words[4]) : std::nullopt;
@@ -242,7 +229,8 @@ class Player {
         return "";
     }
 
-    std::string answer(const std::string& name) {
+    std::string answer(double, const Words& words) {
+        const auto& name = words[0];
         if (!play_.question) return "nothing was asked";
         std::vector<std::string_view> names;
         for (const auto& one : play_.question->answers) names.push_back(one.name);
@@ -252,7 +240,8 @@ class Player {
         return "";
     }
 
-    std::string paste(const std::string& path) {
+    std::string paste(double, const Words& words) {
+        const auto& path = words[0];
         constexpr std::size_t most = 64u << 20; // bytes
         const auto text = read_file(path, most);
         if (!text) return path + " cannot be read";
@@ -260,7 +249,8 @@ class Player {
         return "";
     }
 
-    std::string where(const std::string& name) {
+    std::string where(double, const Words& words) {
+        const auto& name = words[0];
         const auto id = particle(name);
         const auto place = id ? place_of(play_.session().world(), {&*id, 1}) : std::nullopt;
         if (!place) return "no particle is called " + in_quotes(name);
@@ -273,6 +263,64 @@ class Player {
         return "";
     }
 };
+
+constexpr std::array<Player::Action, 19> Player::actions = {{
+    {"move", 1, 4, &Player::move},       {"press", 0, 1, &Player::press},
+    {"release", 0, 1, &Player::release}, {"scroll", 1, 1, &Player::scroll},
+    {"key", 1, 1, &Player::key},         {"where", 1, 1, &Player::where},
+    {"set", 1, 1, &Player::set},         {"open", 1, 1, &Player::open},
+    {"drop", 1, 1, &Player::open},       {"go", 1, 1, &Player::go},
+    {"save", 1, 1, &Player::save},       {"shot", 1, 1, &Player::shoot},
+    {"end", 0, 0, &Player::end},         {"touch", 3, 5, &Player::touch},
+    {"lift", 1, 1, &Player::lift},       {"state", 1, 1, &Player::save_state},
+    {"answer", 1, 1, &Player::answer},   {"choose", 1, 1, &Player::choose},
+    {"paste", 1, 1, &Player::paste},
+}};
+
+const Player::Action* action_called(std::string_view name) {
+    const auto found = std::ranges::find(Player::actions, name, &Player::Action::name);
+    return found == Player::actions.end() ? nullptr : &*found;
+}
+
+std::string Player::perform(const ScriptLine& line) {
+    const auto* action = action_called(line.action);
+    return action ? (this->*action->perform)(line.at, line.words) : "nobody can " + in_quotes(line.action);
+}
+
+/// Parses one line; returns the reason of failure, or nothing.
+std::string read_line(const std::vector<std::string>& words, std::size_t number, Script& script) {
+    if (words[0] == "size" && words.size() == 2) {
+        const auto cross = words[1].find('x');
+        const auto width = number_of(words[1].substr(0, cross));
+        const auto height = cross == std::string::npos ? std::nullopt : number_of(words[1].substr(cross + 1));
+        if (!width || !height || *width < 1 || *height < 1 || *width > 16384 || *height > 16384)
+            return "expected a size as 1280x720, found " + in_quotes(words[1]);
+        script.width = int(*width), script.height = int(*height);
+        return "";
+    }
+    if (words[0] == "fps" && words.size() == 2) {
+        const auto fps = number_of(words[1]);
+        if (!fps || *fps < 1 || *fps > 1000)
+            return "expected frames a second from 1 to 1000, found " + in_quotes(words[1]);
+        script.fps = *fps;
+        return "";
+    }
+    const auto at = number_of(words[0]);
+    if (!at || *at < 0) return "expected a second, found " + in_quotes(words[0]);
+    if (words.size() < 2) return "nothing to do at that second";
+    if (!script.lines.empty() && script.lines.back().at > *at) return "it is earlier than the line before";
+    const auto* action = action_called(words[1]);
+    if (!action) {
+        std::vector<std::string_view> names;
+        for (const auto& known : Player::actions) names.push_back(known.name);
+        return "nobody can " + in_quotes(words[1]) + "; " + suggest(words[1], names);
+    }
+    const auto count = words.size() - 2;
+    if (count < action->least || count > action->most)
+        return concat(in_quotes(words[1]), " with ", count, count == 1 ? " word" : " words");
+    script.lines.push_back({*at, words[1], {words.begin() + 2, words.end()}, number});
+    return "";
+}
 
 } // namespace
 
