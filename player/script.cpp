@@ -37,14 +37,67 @@ std::vector<std::string> words_of(const std::string& line) {
     return words;
 }
 
+std::optional<ParticleId> particle_called(const std::string& name, const Play& play) {
+    return std::visit([&](const auto& world) { return find_particle(world, name); }, play.session().world());
+}
+
+std::optional<Vec2<double>> pixel_of(ParticleId id, const Play& play) {
+    const auto place = place_of(play.session().world(), {&id, 1});
+    const auto seen = place ? play.view().see(place->as<3, double>()) : std::nullopt;
+    return seen ? std::optional(cast<double>(seen->pixel)) : std::nullopt;
+}
+
+/// Motion of the pointer on a straight line to a pixel, or to a particle wherever the particle goes meanwhile.
+class Glide {
+  public:
+    explicit Glide(Play& play) : play_(play) {}
+
+    void begin(Vec2<double> to, std::optional<ParticleId> followed, double at, double over) {
+        from_ = play_.pointer();
+        to_ = to;
+        followed_ = followed;
+        since_ = at, until_ = at + over;
+        if (over == 0) go(at);
+    }
+
+    void go(double now) {
+        if (!to_) return;
+        if (followed_)
+            if (const auto pixel = pixel_of(*followed_, play_)) to_ = pixel;
+        const double share = until_ > since_ ? std::clamp((now - since_) / (until_ - since_), 0.0, 1.0) : 1.0;
+        play_.handle(Moved{from_ + (*to_ - from_) * share});
+        if (share >= 1) to_.reset();
+    }
+
+    bool over() const { return !to_; }
+
+  private:
+    Play& play_;
+    Vec2<double> from_{};
+    std::optional<Vec2<double>> to_; ///< empty at rest
+    std::optional<ParticleId> followed_;
+    double since_ = 0, until_ = 0; ///< seconds
+};
+
+/// A finger in motion.
+struct Slide {
+    std::int64_t finger = 0;
+    Vec2<double> from, to;
+    double since = 0, until = 0;
+
+    Vec2<double> at(double now) const {
+        return from + (to - from) * std::clamp((now - since) / (until - since), 0.0, 1.0);
+    }
+};
+
 /// Runs the lines of a script at their times.
 class Player {
   public:
-    Player(const Script& script, Play& play) : script_(script), play_(play), touch_(play) {}
+    Player(const Script& script, Play& play) : script_(script), play_(play), touch_(play), glide_(play) {}
 
     /// Carries out all lines due at `now`; returns the reason of the first failure.
     std::string perform(double now) {
-        glide(now);
+        glide_.go(now);
         for (auto& slide : slides_) touch_.move(slide.finger, slide.at(now));
         std::erase_if(slides_, [&](const Slide& slide) { return now >= slide.until; });
         for (; next_ < script_.lines.size() && script_.lines[next_].at <= now; ++next_) {
@@ -55,7 +108,9 @@ class Player {
         return "";
     }
 
-    bool over() const { return over_ || (next_ == script_.lines.size() && !to_ && slides_.empty()) || play_.quit; }
+    bool over() const {
+        return over_ || (next_ == script_.lines.size() && glide_.over() && slides_.empty()) || play_.quit;
+    }
 
     /// An action of scripts.
     struct Action {
@@ -66,47 +121,13 @@ class Player {
     static const std::array<Action, 19> actions;
 
   private:
-    /// A finger in motion.
-    struct Slide {
-        std::int64_t finger = 0;
-        Vec2<double> from, to;
-        double since = 0, until = 0;
-
-        Vec2<double> at(double now) const {
-            return from + (to - from) * std::clamp((now - since) / (until - since), 0.0, 1.0);
-        }
-    };
-
     const Script& script_;
     Play& play_;
     Touch touch_;
+    Glide glide_;
     std::vector<Slide> slides_;
     std::size_t next_ = 0;
     bool over_ = false;
-    Vec2<double> from_{};
-    std::optional<Vec2<double>> to_; ///< target of the pointer's motion
-    std::optional<ParticleId> followed_;
-    double since_ = 0, until_ = 0;
-
-    void glide(double now) {
-        if (!to_) return;
-        if (followed_)
-            if (const auto pixel = pixel_of(*followed_)) to_ = pixel;
-        const double share = until_ > since_ ? std::clamp((now - since_) / (until_ - since_), 0.0, 1.0) : 1.0;
-        play_.handle(Moved{from_ + (*to_ - from_) * share});
-        if (share >= 1) to_.reset();
-    }
-
-    std::optional<ParticleId> particle(const std::string& name) const {
-        return std::visit([&](const auto& world) { return find_particle(world, name); }, play_.session().world());
-    }
-
-    std::optional<Vec2<double>> pixel_of(ParticleId id) const {
-        const auto place = place_of(play_.session().world(), {&id, 1});
-        const auto seen = place ? play_.view().see(place->as<3, double>()) : std::nullopt;
-        return seen ? std::optional(cast<double>(seen->pixel)) : std::nullopt;
-    }
-
     std::string perform(const ScriptLine& line);
 
     // --- actions: each returns the reason of failure, or nothing -------------------------------------------------
@@ -186,17 +207,17 @@ class Player {
     std::string move(double at, const Words& words) {
         constexpr double usual = 0.2;
         std::optional<Vec2<double>> to;
+        std::optional<ParticleId> followed;
         std::size_t used = 1;
         if (const auto x = number_of(words[0])) {
             const auto y = words.size() > 1 ? number_of(words[1]) : std::nullopt;
             if (!y) return "expected two pixels or a particle";
             to = {{*x, *y}};
             used = 2;
-            followed_.reset();
         } else {
-            followed_ = particle(words[0]);
-            if (!followed_) return "no particle is called " + in_quotes(words[0]);
-            to = pixel_of(*followed_);
+            followed = particle_called(words[0], play_);
+            if (!followed) return "no particle is called " + in_quotes(words[0]);
+            to = pixel_of(*followed, play_);
             if (!to) return in_quotes(words[0]) + " is behind the eye";
         }
         double over = usual;
@@ -206,10 +227,7 @@ class Player {
             if (!said || *said < 0) return "expected `over` and seconds after the place";
             over = *said;
         }
-        from_ = play_.pointer();
-        to_ = to;
-        since_ = at, until_ = at + over;
-        if (over == 0) glide(at);
+        glide_.begin(*to, followed, at, over);
         return "";
     }
 
@@ -251,7 +269,7 @@ class Player {
 
     std::string where(double, const Words& words) {
         const auto& name = words[0];
-        const auto id = particle(name);
+        const auto id = particle_called(name, play_);
         const auto place = id ? place_of(play_.session().world(), {&*id, 1}) : std::nullopt;
         if (!place) return "no particle is called " + in_quotes(name);
         json::Array at;
