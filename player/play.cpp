@@ -48,10 +48,7 @@ Play::Play(SceneLibrary shelf, std::string scene, std::vector<Override> override
     open_now(scene, std::move(overrides));
 }
 
-/// An unfinished film is finished, to be playable.
-Play::~Play() {
-    if (film_) (void)film_->finish();
-}
+Play::~Play() = default;
 
 // --- scenes ----------------------------------------------------------------------------------------------------------
 
@@ -116,7 +113,7 @@ void Play::read_again() {
 // --- time ------------------------------------------------------------------------------------------------------------
 
 void Play::advance(double seconds, const std::function<bool()>& enough) {
-    film_due_ -= seconds;
+    film_.advance(seconds);
     if (hint) hint_age_ += seconds;
     if (restoration_) {
         restoration_->advance(enough);

@@ -2,8 +2,8 @@
 
 #include "sinew/picture/picture.h"
 
-#include "canvas/writer.h"
 #include "player/clock.h"
+#include "player/film.h"
 #include "player/input.h"
 #include "player/keys.h"
 #include "player/pane.h"
@@ -94,7 +94,7 @@ class Play {
     /// Saves the next picture drawn; without a path, to a new file in out/.
     void screenshot(std::filesystem::path path = {});
     void toggle_recording(std::filesystem::path path = {});
-    bool recording() const { return film_ != nullptr; }
+    bool recording() const { return film_.recording(); }
 
     // --- files (documents.cpp) -----------------------------------------------------------------------------------
 
@@ -214,7 +214,7 @@ class Play {
     void label_pane(std::size_t number, Picture& picture) const;
     void lay_side_by_side(Picture& picture);
     void highlight(Picture& picture) const;
-    bool wants_pictures() const { return !screenshots_.empty() || (film_ && film_due_ <= 0); }
+    bool wants_pictures() const { return !screenshots_.empty() || film_.wants_frame(); }
     void take_pictures(const Picture& picture);
     Tool& current_tool();
 
@@ -250,10 +250,7 @@ class Play {
     double hint_age_ = 0;          ///< seconds since the hint appeared
     Point gravity_;                ///< gravity to restore when switched on again
     std::vector<std::filesystem::path> screenshots_;
-    std::unique_ptr<canvas::Writer> film_;
-    std::filesystem::path film_path_;
-    int film_width_ = 0, film_height_ = 0;
-    double film_due_ = 0; ///< seconds until the film's next frame
+    Film film_;
 };
 
 } // namespace sinew::play
