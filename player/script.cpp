@@ -8,9 +8,9 @@
 #include "player/touch.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <sstream>
 
 namespace sinew::play {
@@ -118,7 +118,7 @@ class Player {
         std::size_t least, most; ///< number of words after the name
         std::string (Player::*perform)(double at, const std::vector<std::string>& words);
     };
-    static const std::array<Action, 19> actions;
+    static std::span<const Action> actions();
 
   private:
     const Script& script_;
@@ -282,22 +282,26 @@ class Player {
     }
 };
 
-constexpr std::array<Player::Action, 19> Player::actions = {{
-    {"move", 1, 4, &Player::move},       {"press", 0, 1, &Player::press},
-    {"release", 0, 1, &Player::release}, {"scroll", 1, 1, &Player::scroll},
-    {"key", 1, 1, &Player::key},         {"where", 1, 1, &Player::where},
-    {"set", 1, 1, &Player::set},         {"open", 1, 1, &Player::open},
-    {"drop", 1, 1, &Player::open},       {"go", 1, 1, &Player::go},
-    {"save", 1, 1, &Player::save},       {"shot", 1, 1, &Player::shoot},
-    {"end", 0, 0, &Player::end},         {"touch", 3, 5, &Player::touch},
-    {"lift", 1, 1, &Player::lift},       {"state", 1, 1, &Player::save_state},
-    {"answer", 1, 1, &Player::answer},   {"choose", 1, 1, &Player::choose},
-    {"paste", 1, 1, &Player::paste},
-}};
+std::span<const Player::Action> Player::actions() {
+    static constexpr Action list[] = {
+        {"move", 1, 4, &Player::move},       {"press", 0, 1, &Player::press},
+        {"release", 0, 1, &Player::release}, {"scroll", 1, 1, &Player::scroll},
+        {"key", 1, 1, &Player::key},         {"where", 1, 1, &Player::where},
+        {"set", 1, 1, &Player::set},         {"open", 1, 1, &Player::open},
+        {"drop", 1, 1, &Player::open},       {"go", 1, 1, &Player::go},
+        {"save", 1, 1, &Player::save},       {"shot", 1, 1, &Player::shoot},
+        {"end", 0, 0, &Player::end},         {"touch", 3, 5, &Player::touch},
+        {"lift", 1, 1, &Player::lift},       {"state", 1, 1, &Player::save_state},
+        {"answer", 1, 1, &Player::answer},   {"choose", 1, 1, &Player::choose},
+        {"paste", 1, 1, &Player::paste},
+    };
+    return list;
+}
 
 const Player::Action* action_called(std::string_view name) {
-    const auto found = std::ranges::find(Player::actions, name, &Player::Action::name);
-    return found == Player::actions.end() ? nullptr : &*found;
+    const auto actions = Player::actions();
+    const auto found = std::ranges::find(actions, name, &Player::Action::name);
+    return found == actions.end() ? nullptr : &*found;
 }
 
 std::string Player::perform(const ScriptLine& line) {
@@ -330,7 +334,7 @@ std::string read_line(const std::vector<std::string>& words, std::size_t number,
     const auto* action = action_called(words[1]);
     if (!action) {
         std::vector<std::string_view> names;
-        for (const auto& known : Player::actions) names.push_back(known.name);
+        for (const auto& known : Player::actions()) names.push_back(known.name);
         return "nobody can " + in_quotes(words[1]) + "; " + suggest(words[1], names);
     }
     const auto count = words.size() - 2;
