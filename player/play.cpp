@@ -64,7 +64,7 @@ void Play::begin(std::vector<Pane> panes) {
     problem_.clear();
     message.clear();
     hovered.reset(), selected.reset();
-    saved_edits_ = draft_edits_ = 0;
+    saved_edits_ = draft_.edits = 0;
     const double scale = clock_ ? clock_->scale() : 1;
     const bool paused = clock_ && clock_->paused();
     panes_ = std::move(panes);

@@ -28,6 +28,13 @@ struct Told {
     json::Object more;
 };
 
+/// The file that keeps unsaved edits.
+struct Draft {
+    std::filesystem::path path; ///< empty if no drafts are kept
+    std::int64_t edits = 0;     ///< the tape's edits at the last draft
+    double age = 0;             ///< seconds since the last draft
+};
+
 /// Interactive player of a scene: takes input, gives pictures. Independent of windows; a script drives a Play as a
 /// window does.
 class Play {
@@ -127,7 +134,7 @@ class Play {
     bool answer(std::string_view name);
 
     /// Saves unsaved edits to this file every few seconds.
-    void keep_draft_in(std::filesystem::path path) { draft_ = std::move(path); }
+    void keep_draft_in(std::filesystem::path path) { draft_.path = std::move(path); }
     /// Offers the unsaved edits of an earlier run.
     void offer_draft();
     void write_draft();
@@ -244,11 +251,9 @@ class Play {
     static constexpr std::int64_t never_saved = -1; ///< a count of edits that no tape has
     std::int64_t saved_edits_ = 0;                  ///< the tape's edits at the last save
     std::string saved_as_;                          ///< the scene's text at the last save
-    std::filesystem::path draft_;
-    std::int64_t draft_edits_ = 0; ///< the tape's edits at the last draft
-    double since_draft_ = 0;       ///< seconds
-    double hint_age_ = 0;          ///< seconds since the hint appeared
-    Point gravity_;                ///< gravity to restore when switched on again
+    Draft draft_;
+    double hint_age_ = 0; ///< seconds since the hint appeared
+    Point gravity_;       ///< gravity to restore when switched on again
     std::vector<std::filesystem::path> screenshots_;
     Film film_;
 };
