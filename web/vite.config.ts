@@ -14,7 +14,7 @@ function offline(): Plugin {
             for (const file of Object.values(bundle)) hash.update(file.type === "asset" ? file.source : file.code);
             for (const name of readdirSync(directory)) hash.update(readFileSync(join(directory, name)));
             const files = ["./", "learn/", ...readdirSync(directory), ...Object.keys(bundle)].filter((name) => !/\.html$|-threads/.test(name));
-            const source = readFileSync(resolve(import.meta.dirname, "shared/service_worker.js"), "utf8")
+            const source = readFileSync(resolve(import.meta.dirname, "common/service_worker.js"), "utf8")
                 .replace("[/* files */]", JSON.stringify([...new Set(files)].sort()))
                 .replace("/* version */", hash.digest("hex").slice(0, 16));
             this.emitFile({ type: "asset", fileName: "sw.js", source });

@@ -1,9 +1,9 @@
-import "../shared/base.css";
+import "../common/base.css";
 import "./playground.css";
-import { announce, byId, el } from "../shared/dom.js";
-import { loadEngine } from "../shared/engine.js";
-import { workOffline } from "../shared/offline.js";
-import { applyTheme } from "../shared/theme.js";
+import { announce, byId, el } from "../common/dom.js";
+import { loadEngine } from "../common/engine.js";
+import { workOffline } from "../common/offline.js";
+import { applyTheme } from "../common/theme.js";
 import { App } from "./app.js";
 
 applyTheme();
