@@ -1,7 +1,7 @@
 import "../common/base.css";
 import "./playground.css";
 import { announce, byId, el } from "../common/dom.js";
-import { loadEngine } from "../common/engine.js";
+import { loadEngine, usefulThreads } from "../common/engine.js";
 import { workOffline } from "../common/offline.js";
 import { applyTheme } from "../common/theme.js";
 import { App } from "./app.js";
@@ -10,7 +10,7 @@ applyTheme();
 workOffline("./sw.js");
 
 try {
-    const { engine, scenes, assets } = await loadEngine();
+    const { engine, scenes, assets } = await loadEngine(usefulThreads());
     const app = new App(engine, scenes, assets);
     Object.assign(window, { sinew: app }); // for the browser's console
     await app.follow(location.hash);
