@@ -120,7 +120,8 @@ template <int D, class Real> class BlockStep {
             if (!refine(solve)) return Went::too_far;
             gain = energy.gain();
         }
-        if (gain > (shortest ? slight : 1)) return Went::too_far;
+        // Redundant links that are not exact press each other apart, the harder the shorter the substep: no cut helps.
+        if (gain > (shortest || state_.block.braced() ? slight : 1)) return Went::too_far;
         if (depth < deepest_at_ends && solve.worst_overshoot() > overshoot) return Went::past_an_end;
         const double per_h = 1 / state_.substep();
         for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * (2 * per_h) - node.velocity;
