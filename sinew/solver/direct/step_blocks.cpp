@@ -120,8 +120,10 @@ template <int D, class Real> class BlockStep {
             if (!refine(solve)) return Went::too_far;
             gain = energy.gain();
         }
-        // Redundant links that are not exact press each other apart, the harder the shorter the substep: no cut helps.
-        if (gain > (shortest || state_.block.braced() ? slight : 1)) return Went::too_far;
+        // Redundant links in a plane, exact to a millionth, press each other out of it: the harder, the shorter the
+        // substep.
+        const bool no_cut_helps = D == 3 && state_.block.braced();
+        if (gain > (shortest || no_cut_helps ? slight : 1)) return Went::too_far;
         if (depth < deepest_at_ends && solve.worst_overshoot() > overshoot) return Went::past_an_end;
         const double per_h = 1 / state_.substep();
         for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * (2 * per_h) - node.velocity;
