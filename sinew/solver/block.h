@@ -4,6 +4,7 @@
 #include "sinew/math/limit.h"
 #include "sinew/math/matrix.h"
 #include "sinew/math/union_find.h"
+#include "sinew/solver/chains.h"
 #include "sinew/solver/elimination.h"
 #include "sinew/solver/ports.h"
 #include "sinew/world/constraint_adjacency.h"
@@ -148,12 +149,13 @@ struct Block {
     std::uint32_t first_link = 0, links = 0;
     std::uint32_t first_bend = 0, bends = 0;
     std::uint32_t first_way = 0, ways = 0;
-    std::uint32_t particle = 0;  ///< slot of one member
-    std::uint32_t row_moves = 0; ///< `Journal::row_moves` at the last look-up of rows
-    bool is_motorized = false;   ///< some limits are driven, and may do work
-    bool springy = false;        ///< some constraints are compliant
-    double lost = 0;             ///< energy lost in the last step, J
-    std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom active
+    std::uint32_t particle = 0;              ///< slot of one member
+    std::uint32_t row_moves = 0;             ///< `Journal::row_moves` at the last look-up of rows
+    bool is_motorized = false;               ///< some limits are driven, and may do work
+    bool springy = false;                    ///< some constraints are compliant
+    double lost = 0;                         ///< energy lost in the last step, J
+    std::uint32_t ranges = 0;                ///< links that are a joint's range, and seldom active
+    std::uint32_t chain = ~std::uint32_t(0); ///< index in Chains::list; none if the block is no chain
 
     // Only for a block joined to the sweep.
     std::uint32_t first_port = 0, ports = 0; ///< range in Ports::list
@@ -243,7 +245,8 @@ template <int D> struct Blocks {
     SlotFlags particles;                                            ///< moved by a block of `list`, not by the sweep
     std::array<SlotFlags, std::size_t(Kinds<D>::size)> constraints; ///< by kind: held by a block, not by the sweep
     std::vector<SweepRun> runs;                                     ///< constraints left to the sweep, in sweep order
-    Ports<D> ports; ///< joints between blocks of `attached_trees` and the rest
+    Ports<D> ports;   ///< joints between blocks of `attached_trees` and the rest
+    Chains<D> chains; ///< blocks of `list` that are chains
 
     // Work space of a step.
     std::vector<std::uint32_t> pin_of, next_pin; ///< first pin of each particle, next pin of the same particle
@@ -280,6 +283,8 @@ template <int D> struct Blocks {
         visit(entries);
         visit(first_pair);
         visit(pairs);
+        visit(chains.list);
+        visit(chains.links);
     }
 
     /// Reserves for every state that so many particles and constraints can reach by tearing.
@@ -296,6 +301,7 @@ template <int D> struct Blocks {
         runs.reserve(2 * (distances + angles) + particles);
         elimination.reserve(particles, 2 * distances + 6 * angles);
         ports.reserve(particles, distances + angles);
+        chains.reserve(particles, distances);
         room.reserve(particles);
     }
 

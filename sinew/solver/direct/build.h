@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
+#include "sinew/solver/direct/find_chain.h"
 #include "sinew/solver/direct/graph.h"
 #include "sinew/solver/solver.h"
 
@@ -60,6 +61,7 @@ template <int D, class Real> class BlockBuilder {
         }
         SINEW_ASSERT(blocks_.first_entry.size() == blocks_.nodes.size(), "every node knows its first entry");
         SINEW_ASSERT(blocks_.first_pair.size() == blocks_.nodes.size(), "every node knows its first pair");
+        if (!attached) ChainFinder<D>(blocks_, block).run();
         list.push_back(block);
         return true;
     }

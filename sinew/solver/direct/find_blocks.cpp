@@ -239,6 +239,7 @@ template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world
     make_room_for_budgets(world, *this);
     report(0);
     const bool anew = BlockFinder(world, *this).run();
+    detail::order_chains(blocks, std::size_t(detail::parts_of_chains(options.threads)));
     find_ports(world, *this);
     report(0.2);
     make_plan(world, *this, anew);

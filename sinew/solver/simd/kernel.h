@@ -2,6 +2,7 @@
 
 #include "sinew/math/limit.h"
 #include "sinew/math/moments.h"
+#include "sinew/solver/simd/chain_pack.h"
 #include "sinew/world/world_types.h"
 
 #include <cstddef>
@@ -147,6 +148,10 @@ template <int D, class Real> struct Kernels {
     /// True if all numbers are within [-limit, limit], or [0, limit]; NaN is not.
     bool (*all_within)(const Real* numbers, std::size_t count, Real limit);
     bool (*all_within_and_positive)(const Real* numbers, std::size_t count, Real limit);
+    /// Moves chains on by a substep: as many side by side as there are lanes, or a single one.
+    int chain_lanes;
+    void (*swing_chains)(ChainPack<D>&);
+    void (*swing_chain)(ChainPack<D>&);
 };
 
 /// Kernels of an instruction set.
