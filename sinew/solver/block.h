@@ -150,6 +150,7 @@ struct Block {
     std::uint32_t row_moves = 0; ///< `Journal::row_moves` at the last look-up of rows
     bool is_motorized = false;   ///< some limits are driven, and may do work
     bool springy = false;        ///< some constraints are compliant
+    bool is_factorised = false;  ///< of a block with ports: factors of an earlier substep of this step are in use
     double lost = 0;             ///< energy lost in the last step, J
     std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom active
 
