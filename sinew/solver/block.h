@@ -149,12 +149,13 @@ struct Block {
     std::uint32_t first_link = 0, links = 0;
     std::uint32_t first_bend = 0, bends = 0;
     std::uint32_t first_way = 0, ways = 0;
-    std::uint32_t particle = 0;              ///< slot of one member
-    std::uint32_t row_moves = 0;             ///< `Journal::row_moves` at the last look-up of rows
-    bool is_motorized = false;               ///< some limits are driven, and may do work
-    bool springy = false;                    ///< some constraints are compliant
-    double lost = 0;                         ///< energy lost in the last step, J
-    std::uint32_t ranges = 0;                ///< links that are a joint's range, and seldom active
+    std::uint32_t particle = 0;  ///< slot of one member
+    std::uint32_t row_moves = 0; ///< `Journal::row_moves` at the last look-up of rows
+    bool is_motorized = false;   ///< some limits are driven, and may do work
+    bool springy = false;        ///< some constraints are compliant
+    bool is_factorised = false;  ///< of a block with ports: factors of an earlier substep of this step are in use
+    double lost = 0;             ///< energy lost in the last step, J
+    std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom active
     std::uint32_t chain = ~std::uint32_t(0); ///< index in Chains::list; none if the block is no chain
 
     // Only for a block joined to the sweep.

@@ -77,11 +77,28 @@ template <int D, class Real> void list_rows(World<D, Real>& world, Solver<D, Rea
 template <int D, class Real> void mark_sheets(Solver<D, Real>& solver) {
     auto& ports = solver.blocks.ports;
     const auto& plan = solver.sweep_state.plan;
-    ports.components.assign(plan.components.size(), 0);
+    ports.passes.assign(plan.components.size(), 0);
     for (const auto& port : ports.list)
         if (const auto* component =
                 detail::sheet_at(plan, solver.sweep_state.slot_of[solver.blocks.nodes[port.node].row]))
-            ports.components[std::size_t(component - plan.components.data())] = 1;
+            ports.passes[std::size_t(component - plan.components.data())] = 2;
+}
+
+/// More passes over held components without tethers. Tethers bring the pull of a pin to all of a mesh at once; without
+/// them nothing but the ports holds the mesh, from link to link.
+template <int D, class Real> void pass_more_often(Solver<D, Real>& solver) {
+    constexpr char often = 6;
+    auto& ports = solver.blocks.ports;
+    const auto& plan = solver.sweep_state.plan;
+    for (const auto& group : ports.groups) {
+        if (group.anchors == 0) continue;
+        for (const Row slot : std::span(ports.members).subspan(group.first, group.members)) {
+            const auto* component = detail::sheet_at(plan, slot);
+            if (!component || component->tethers > 0) continue;
+            auto& passes = ports.passes[std::size_t(component - plan.components.data())];
+            if (passes > 0) passes = often;
+        }
+    }
 }
 
 /// Connected components with ports. Immovable particles do not connect.
@@ -178,6 +195,7 @@ template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Rea
         for (std::uint32_t p = 0; p < block.ports; ++p)
             tethers.set_anchors(std::span(blocks.links).subspan(first_tether(block, p), most_tethers));
     GroupFinder<D, Real>(world, solver).run();
+    pass_more_often(solver);
     blocks.ports.free_moves.resize(solver.sweep_state.size());
     blocks.ports.last_moves.resize(solver.sweep_state.size());
     blocks.ports.mobilities.resize(solver.sweep_state.size());
