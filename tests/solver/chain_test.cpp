@@ -20,7 +20,7 @@ template <class World> void add_rope(World& world, int i) {
     const Rope rope{.length = 1 + 0.13 * (i % 4),
                     .segments = links[i % 5],
                     .angle = i % 3 == 0 ? pi<double> / 2 : 0.31 * i,
-                    .mass = 1 + i % 2,
+                    .mass = double(1 + i % 2),
                     .weight = i % 4 == 1 ? 3.0 : 0,
                     .links = i % 6 == 5 ? "at_most" : "exact"};
     build(world, rope, "rope_" + std::to_string(i));
