@@ -60,7 +60,7 @@ template <int D, class Real> void find_passive(World<D, Real>& world, Solver<D, 
     };
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row) {
-            if (table.compliance[row] > Real(0) || table.gives(row) || table.motorized[row]) is_not(table.figure[row]);
+            if (!table.is_rigid(row) || table.gives(row) || table.motorized[row]) is_not(table.figure[row]);
             for (const Row member : table.members[row]) {
                 if (p.figure[member] == table.figure[row]) continue;
                 is_not(p.figure[member]);
