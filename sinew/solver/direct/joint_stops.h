@@ -77,10 +77,10 @@ template <int D> class BlockBounce {
     }
 
     bool strikes(AngleRow<D>& bend, bool landing) {
-        const double angle = bends_.angle_of(bend, false);
+        const double angle = bends_.geometry().angle_of(bend, false);
         bend.side = angle > bend.high ? 1 : angle < bend.low ? -1 : 0;
         const bool comes_back = bend.side != 0 && bends_.beyond(bend, bend.begun) >= 0;
-        if (bend.side != 0 && comes_back == landing && bends_.rate_at_end(bend) * bend.side > 0) return true;
+        if (bend.side != 0 && comes_back == landing && bends_.geometry().rate_at_end(bend) * bend.side > 0) return true;
         bend.side = 0;
         return false;
     }

@@ -324,7 +324,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             if (!soft(link)) renew(link, link.pull, share, slight_ * Base::share(link));
         for (auto& bend : bends_.all())
             if (!bends_.soft(bend)) {
-                renew(bend, bend.pull + bend.stiffness * bends_.change(bend), share, slight_);
+                renew(bend, bend.pull + bend.stiffness * bends_.geometry().change(bend), share, slight_);
                 bend.tension = clamp(bend.tension, -bend.most, bend.most);
             }
         for (auto& way : ways_.all())
