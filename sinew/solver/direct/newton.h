@@ -329,7 +329,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             }
         for (auto& way : ways_.all())
             if (!ways_.soft(way)) {
-                renew(way, way.pull + way.stiffness * ways_.change(way), share, slight_);
+                renew(way, way.pull + way.stiffness * ways_.geometry().change(way), share, slight_);
                 way.tension = clamp(way.tension, -way.most, way.most);
             }
     }
