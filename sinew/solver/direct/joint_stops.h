@@ -36,8 +36,8 @@ template <int D> class BlockBounce {
             bend.strikes = bend.side == 0 && bends_.bounces(bend) && strikes(bend, landing);
             any = any || bend.strikes;
         }
-        for (auto& link : block_.links()) {
-            link.strikes = link.side == 0 && block_.bounces(link) && strikes(link, landing);
+        for (auto& link : block_.links().all()) {
+            link.strikes = link.side == 0 && block_.links().bounces(link) && strikes(link, landing);
             if (link.strikes) link.tension = link.side; // makes the link resist in project_block_velocities
             any = any || link.strikes;
         }
@@ -55,7 +55,7 @@ template <int D> class BlockBounce {
             else
                 bend.side = 0;
         }
-        for (auto& link : block_.links()) {
+        for (auto& link : block_.links().all()) {
             if (!link.strikes) continue;
             link.tension = rests ? link.pull / block_.substep() : 0;
             if (!rests) link.side = 0;

@@ -2,6 +2,7 @@
 #include "sinew/solver/direct/energy.h"
 #include "sinew/solver/direct/joint_stops.h"
 #include "sinew/solver/direct/project_velocities.h"
+#include "sinew/solver/direct/relax_links.h"
 #include "sinew/solver/direct/step_chains.h"
 #include "sinew/solver/workers.h"
 
@@ -59,10 +60,10 @@ template <int D, class Real> class BlockStep {
         contact_.look();
     }
     bool run(Solve& solve, Rule rule, int iterations) {
-        return solve.run(rule, iterations, [&] { return contact_.hold(solve.stiffness(), solve.progress()); });
+        return solve.run(rule, iterations, [&] { return contact_.hold(solve.links().stiffness(), solve.progress()); });
     }
     bool refine(Solve& solve) {
-        return solve.refine(Rule::swing, [&] { contact_.hold(solve.stiffness(), solve.progress()); });
+        return solve.refine(Rule::swing, [&] { contact_.hold(solve.links().stiffness(), solve.progress()); });
     }
     /// True if only force fields and immovable nodes act from outside.
     bool moves_alone() const { return state_.works_alone() && !contact_.near(); }
@@ -238,7 +239,7 @@ template <int D, class Real> class BlockStep {
         for (auto& node : state_.fixed()) std::swap(node.start, node.place);
         state_.forget_tensions();
         const bool met = solve.run(Rule::place, many, [] {});
-        if (!met) solve.sweep();
+        if (!met) detail::relax_links(state_.blocks, state_.block);
         const double after = solve.worst_place_strain();
         if (after < before)
             for (auto& node : state_.unknowns()) node.start = node.place;

@@ -2,6 +2,7 @@
 
 #include "sinew/assert/assert.h"
 #include "sinew/solver/direct/chord.h"
+#include "sinew/solver/direct/relax_links.h"
 #include "sinew/solver/ports/port_response.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
@@ -210,7 +211,7 @@ template <int D, class Real> class PortBlock {
         forget_tensions();
         for (int i = 0; i < tries; ++i) {
             if (solve.run(Rule::place, many, [] {})) return;
-            solve.sweep(); // comes nearer from anywhere
+            relax_links(blocks_, block_); // comes nearer from anywhere
             for (auto& node : unknowns()) node.start = node.place;
             forget_tensions();
         }
