@@ -48,6 +48,7 @@ template <int D> class BlockEquations {
     double total_mass() const { return sums_.mass; }
     /// Sum of the magnitudes of the field forces.
     double weight() const { return sums_.weight; }
+
     /// Fits penalties and tolerances to light trees from now on. Only for a block on which nothing acts but fields and
     /// immovable nodes.
     void find_light_trees() {

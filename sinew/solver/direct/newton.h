@@ -2,6 +2,7 @@
 
 #include "sinew/solver/direct/convergence.h"
 #include "sinew/solver/direct/equations.h"
+#include "sinew/solver/direct/multiplier_update.h"
 
 #include <utility>
 
@@ -96,7 +97,6 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     static constexpr double as_good_as_taut = 1e-4;
     static constexpr double small_angle =
         1e-2; ///< an angle's error in radians counts as this fraction of a relative length error
-    static constexpr int most_flips = 2;
 
     using Base::clear_entries, Base::links_, Base::bends_, Base::ways_, Base::block_, Base::h_, Base::per_h_;
     double reach_ = 0;
@@ -205,32 +205,19 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             node.place += node.move * share;
             sizes_.moved = maximum(sizes_.moved, largest_component(node.move));
         }
+        MultiplierUpdate update{.share = share, .elastic = elastic_, .releases = releases_};
         for (auto& link : links_.all())
-            if (!links_.soft(link)) renew(link, link.pull, share, slight_ * links_.share(link));
-        for (auto& bend : bends_.all())
-            if (!bends_.soft(bend)) {
-                renew(bend, bend.pull + bend.stiffness * bends_.geometry().change(bend), share, slight_);
-                bend.tension = clamp(bend.tension, -bend.most, bend.most);
+            if (!links_.soft(link)) update.renew(link, link.pull, slight_ * links_.share(link));
+        const auto renew_driven = [&](auto& rows) {
+            for (auto& row : rows.all()) {
+                if (rows.soft(row)) continue;
+                update.renew(row, row.pull + row.stiffness * rows.geometry().change(row), slight_);
+                row.tension = clamp(row.tension, -row.most, row.most);
             }
-        for (auto& way : ways_.all())
-            if (!ways_.soft(way)) {
-                renew(way, way.pull + way.stiffness * ways_.geometry().change(way), share, slight_);
-                way.tension = clamp(way.tension, -way.most, way.most);
-            }
-    }
-
-    /// Updates the multiplier. A limit whose multiplier has the wrong sign, by more than `slight`, is released, unless
-    /// activated more than `most_flips` times in this substep.
-    void renew(BlockLimit& limit, double next, double share, double slight) {
-        if (elastic_) {
-            limit.tension = 0;
-            limit.side = limit.one_sided() && next * limit.side < 0 ? 0 : limit.side;
-            return;
-        }
-        limit.tension = limit.side != 0 ? limit.tension + share * (next - limit.tension) : 0;
-        const bool undecided = limit.flips > most_flips;
-        if (releases_ && limit.one_sided() && !undecided && next * limit.side < -slight)
-            limit.side = 0, limit.tension = 0, let_go_ = true;
+        };
+        renew_driven(bends_);
+        renew_driven(ways_);
+        let_go_ = let_go_ || update.any_released;
     }
 
     static double largest_component(const Vector& v) {
