@@ -2,6 +2,8 @@
 
 #include "sinew/assert/assert.h"
 #include "sinew/solver/direct/find_chain.h"
+#include "sinew/solver/direct/find_program.h"
+#include "sinew/solver/direct/flat_squares.h"
 #include "sinew/solver/direct/graph.h"
 #include "sinew/solver/solver.h"
 
@@ -30,7 +32,7 @@ template <int D, class Real> class BlockBuilder {
         if (!eliminate(members)) return false;
         const auto each = 4 + (attached ? most_tethers : 0);
         if (!world_.journal.stale &&
-            !blocks_.has_room(each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
+            !blocks_.has_room(8 + each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
             world_.journal.stale = true;
             return false;
         }
@@ -42,8 +44,10 @@ template <int D, class Real> class BlockBuilder {
         add_entries(block);
         block.first_link = std::uint32_t(blocks_.links.size());
         for (const Row row : elimination_.order()) add_links(row);
-        block.links = std::uint32_t(blocks_.links.size()) - block.first_link;
         block.first_bend = std::uint32_t(blocks_.bends.size());
+        if constexpr (D == 3)
+            if (!attached) block.flat_squares = FlatSquares<D>(blocks_, block).run();
+        block.links = std::uint32_t(blocks_.links.size()) - block.first_link;
         for (const Row row : elimination_.order()) add_bends(row), add_folds(row);
         block.bends = std::uint32_t(blocks_.bends.size()) - block.first_bend;
         block.first_way = std::uint32_t(blocks_.ways.size());
@@ -61,7 +65,10 @@ template <int D, class Real> class BlockBuilder {
         }
         SINEW_ASSERT(blocks_.first_entry.size() == blocks_.nodes.size(), "every node knows its first entry");
         SINEW_ASSERT(blocks_.first_pair.size() == blocks_.nodes.size(), "every node knows its first pair");
-        if (!attached) ChainFinder<D>(blocks_, block).run();
+        if (!attached) {
+            ChainFinder<D>(blocks_, block).run();
+            ProgramFinder<D>(blocks_, block).run();
+        }
         list.push_back(block);
         return true;
     }
