@@ -100,6 +100,14 @@ template <int D> class BlockBends {
         return worst;
     }
 
+    /// Largest volume of a flat square, as a fraction of `unit`.
+    double worst_warp(bool at_start) const {
+        double worst = 0;
+        for (const auto& bend : all())
+            if (bend.replaces_link) worst = maximum(worst, absolute(geometry_.angle_of(bend, at_start)));
+        return worst;
+    }
+
     bool any_struck() const {
         for (const auto& bend : all())
             if (bend.side != 0 && bend.one_sided() && !soft(bend) && !bounces(bend)) return true;

@@ -5,6 +5,8 @@
 #include "sinew/solver/direct/block_traits.h"
 #include "sinew/solver/direct/build_rows.h"
 #include "sinew/solver/direct/find_chain.h"
+#include "sinew/solver/direct/find_program.h"
+#include "sinew/solver/direct/flat_squares.h"
 #include "sinew/solver/solver.h"
 
 /// Builds a block of particles: nodes in elimination order, constraints, and entries of the matrix.
@@ -28,7 +30,7 @@ template <int D, class Real> class BlockBuilder {
         if (!eliminate(members)) return false;
         const auto each = 4 + (attached ? most_tethers : 0);
         if (!world_.journal.stale &&
-            !blocks_.has_room(each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
+            !blocks_.has_room(8 + each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
             world_.journal.stale = true;
             return false;
         }
@@ -44,7 +46,10 @@ template <int D, class Real> class BlockBuilder {
         block.ranges = ranges_of(blocks_, block);
         block.springy = is_springy(blocks_, block);
         end_nodes(block);
-        if (!attached) ChainFinder<D>(blocks_, block).run();
+        if (!attached) {
+            ChainFinder<D>(blocks_, block).run();
+            ProgramFinder<D>(blocks_, block).run();
+        }
         list.push_back(block);
         return true;
     }
@@ -89,8 +94,10 @@ template <int D, class Real> class BlockBuilder {
     void add_rows(Block& block) {
         block.first_link = std::uint32_t(blocks_.links.size());
         for (const Row row : elimination_.order()) rows_.add_links(row);
-        block.links = std::uint32_t(blocks_.links.size()) - block.first_link;
         block.first_bend = std::uint32_t(blocks_.bends.size());
+        if constexpr (D == 3)
+            if (!scope_.attached) block.flat_squares = FlatSquares<D>(blocks_, block).run();
+        block.links = std::uint32_t(blocks_.links.size()) - block.first_link;
         for (const Row row : elimination_.order()) rows_.add_bends(row), rows_.add_folds(row);
         block.bends = std::uint32_t(blocks_.bends.size()) - block.first_bend;
         block.first_way = std::uint32_t(blocks_.ways.size());

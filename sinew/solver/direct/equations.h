@@ -62,8 +62,12 @@ template <int D> class BlockEquations {
     }
     void solve() { solve_block(blocks_, block_); }
 
-    double worst_start_strain() const { return maximum(links_.worst_strain(start_of), ways_.worst_strain(true)); }
-    double worst_place_strain() const { return maximum(links_.worst_strain(place_of), ways_.worst_strain(false)); }
+    double worst_start_strain() const {
+        return maximum(links_.worst_strain(start_of), maximum(bends_.worst_warp(true), ways_.worst_strain(true)));
+    }
+    double worst_place_strain() const {
+        return maximum(links_.worst_strain(place_of), maximum(bends_.worst_warp(false), ways_.worst_strain(false)));
+    }
     static const Vector& start_of(const BlockNode<D>& node) { return node.start; }
     static const Vector& place_of(const BlockNode<D>& node) { return node.place; }
 

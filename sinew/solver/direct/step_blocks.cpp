@@ -1,6 +1,7 @@
 #include "sinew/solver/direct/backward_euler_step.h"
 #include "sinew/solver/direct/midpoint_step.h"
 #include "sinew/solver/direct/step_chains.h"
+#include "sinew/solver/direct/step_programs.h"
 #include "sinew/solver/workers.h"
 
 namespace sinew {
@@ -12,24 +13,18 @@ using detail::Rule;
 /// fold in shorter ones, finally by backward Euler.
 template <int D, class Real> class BlockStep {
   public:
-    BlockStep(World<D, Real>& world, Solver<D, Real>& solver, const Block& block, double frame, double last_substep)
+    BlockStep(World<D, Real>& world, Solver<D, Real>& solver, const Block& block, double frame,
+              std::optional<double> last_substep)
         : state_(world, solver, block, frame, last_substep), contact_(state_), frame_(frame) {}
 
     void run(int substeps) {
         longest_ = frame_ / substeps;
         for (int s = 0; s < substeps; ++s) advance(double(s) / substeps, double(s + 1) / substeps, 0);
     }
-    /// Moves a chain over a part of the step, at a depth of division, from the tensions of its links on. Returns the
-    /// energy lost, J.
-    double redo(double longest, double from, double to, int depth, std::span<double> tensions) {
-        const auto& chain = state_.blocks.chains.list[state_.block.chain];
-        const auto before = [&](std::size_t i) -> double& {
-            return state_.blocks.links[state_.blocks.chains.links[chain.first + i].link].before;
-        };
+    /// Moves a block over a part of the step, at a depth of division. Returns the energy lost, J.
+    double redo(double longest, double from, double to, int depth) {
         longest_ = longest;
-        for (std::size_t i = 0; i < tensions.size(); ++i) before(i) = tensions[i];
         advance(from, to, depth);
-        for (std::size_t i = 0; i < tensions.size(); ++i) tensions[i] = before(i);
         return lost();
     }
     void report_tensions(double substep) {
@@ -117,30 +112,30 @@ template <int D, class Real> class BlockStep {
 constexpr int a_part = 8;
 constexpr std::size_t worth_a_thread = 500; ///< nodes; for fewer, starting threads takes longer than the work
 
-struct ChainFrame {
+struct LaneFrame {
     double frame, report_substep; ///< duration of the step, and of the substep that multipliers are reported for, s
     int substeps;
 };
 
-/// Moves the chains, in parts of consecutive turns. `move(block)` moves a block that does not fit into the lanes.
-template <int D, class Real, class Move>
-void step_chains(World<D, Real>& world, Solver<D, Real>& solver, int threads, const ChainFrame& frame,
-                 const Move& move) {
-    auto& blocks = solver.blocks;
-    const std::span<const ChainTurn> turns = blocks.chains.turns;
-    const int most = int(blocks.chains.spaces.size()), parts = std::min(most, detail::parts_of_chains(threads));
+/// Moves blocks side by side, in parts of consecutive turns. `move(block)` moves a block that does not fit into the
+/// lanes.
+template <template <int, class> class Step, int D, class Real, class Turn, class Space, class Move>
+void step_in_lanes(World<D, Real>& world, Solver<D, Real>& solver, const std::vector<Turn>& turns,
+                   std::vector<Space>& spaces, int threads, const LaneFrame& frame, const Move& move) {
+    const int parts = std::min(int(spaces.size()), detail::parts_in_lanes(threads));
+    if (turns.empty()) return;
     Workers::run(threads, parts, [&](int part) {
-        const auto redo = [&](Block& block, double from, double to, int depth, std::span<double> tensions) {
-            BlockStep<D, Real> step(world, solver, block, frame.frame, double(world.last_substep));
-            return step.redo(frame.frame / frame.substeps, from, to, depth, tensions);
+        const auto redo = [&](Block& block, double from, double to, int depth) {
+            BlockStep<D, Real> step(world, solver, block, frame.frame, std::nullopt);
+            return step.redo(frame.frame / frame.substeps, from, to, depth);
         };
         const auto begin = [&](int i) {
             return turns.begin() + std::ptrdiff_t(turns.size() * std::size_t(i) / std::size_t(parts));
         };
-        detail::ChainStep<D, Real> step(world, solver, blocks.chains.spaces[std::size_t(part)], frame.frame,
-                                        frame.substeps);
+        Step<D, Real> step(world, solver, spaces[std::size_t(part)], frame.frame, frame.substeps);
         for (auto first = begin(part), end = begin(part + 1); first != end;) {
-            const auto last = std::find_if(first, end, [&](const auto& turn) { return turn.links != first->links; });
+            const auto last =
+                std::find_if(first, end, [&](const Turn& turn) { return !Step<D, Real>::are_alike(turn, *first); });
             step.run({first, last}, frame.report_substep, move, redo);
             first = last;
         }
@@ -178,12 +173,21 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, R
     };
     const int wanted = solver.options.threads > 0 ? solver.options.threads : hardware_threads();
     const int threads = blocks.nodes.size() < worth_a_thread ? 1 : wanted;
-    const bool in_lanes = detail::ChainStep<D, Real>::serves(world) && !blocks.chains.turns.empty();
-    if (in_lanes) step_chains(world, solver, threads, {double(dt), double(substep), substeps}, move);
-    if (!in_lanes || blocks.chains.turns.size() < blocks.list.size())
+    const bool in_lanes = detail::serves_lanes(world);
+    if (in_lanes) {
+        const LaneFrame frame{double(dt), double(substep), substeps};
+        auto& chains = blocks.chains;
+        auto& programs = blocks.programs;
+        step_in_lanes<detail::ChainStep>(world, solver, chains.turns, chains.spaces, threads, frame, move);
+        step_in_lanes<detail::ProgramStep>(world, solver, programs.turns, programs.spaces, threads, frame, move);
+    }
+    const auto is_done = [&](const Block& block) {
+        return in_lanes && (block.chain != Blocks<D>::none || block.program != Blocks<D>::none);
+    };
+    if (!in_lanes || blocks.chains.turns.size() + blocks.programs.turns.size() < blocks.list.size())
         Workers::run(threads, parts_of(blocks), [&](int part) {
             for (auto& block : part_of(blocks, part))
-                if (!in_lanes || block.chain == Blocks<D>::none) move(block);
+                if (!is_done(block)) move(block);
         });
     for (const auto& block : blocks.list) world.energy_lost += block.lost;
 }
