@@ -3,7 +3,7 @@
 #include "sinew/assert/assert.h"
 #include "sinew/math/decay.h"
 #include "sinew/solver/block.h"
-#include "sinew/solver/direct/cable_rows.h"
+#include "sinew/solver/direct/cable_geometry.h"
 #include "sinew/solver/direct/tensions.h"
 #include "sinew/solver/phases.h"
 
@@ -195,7 +195,7 @@ template <int D, class Real> class BlockState {
 
     /// Moves the limits to the length reached.
     void slip(CableRow& way) {
-        const double length = BlockWays<D>(blocks, block, h_).length_of(way, false);
+        const double length = CableGeometry<D>(blocks).length_of(way, false);
         const double error = length - clamp(length, way.low, way.high), spring = way.most * way.compliance;
         const double by = error - clamp(error, -spring, spring);
         for (double* end : {&way.low_begun, &way.high_begun})
