@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/simd/kernel.h"
+#include "sinew/solver/simd/lane_spin.h"
 #include "sinew/solver/simd/lane_swing.h"
 
 /// Kernel of small sparse blocks: a substep by the midpoint rule, as direct/newton.h has it, for blocks of one program
@@ -37,11 +38,12 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
         iterate(active, good);
         const V jolt = jolt_ * number(pack_.longest) - number(usual_error);
         const V astray = most(most(-least_pull_, beyond_), jolt), at_limit = beyond_limits<&Node::place>();
-        const Mask at_once = (at_limit <= number(overshoot)) | (of(pack_.shortest) > V{});
+        const Mask at_once = most(number(overshoot) - at_limit, of(pack_.shortest)) > V{};
         V alien = without(chosen, active_at_start_) ? number(1) : V{};
         alien = both(good, astray > V{}) ? number(1) : alien;
         alien = both(both(good, at_once), at_limit > V{}) ? number(1) : alien;
         good = without(good, most(astray, at_limit) > V{});
+        if (pack_.is_free && any(good)) keep_spin();
         if (any(good)) store_good(good);
         Base::report(good, alien, most(due_ - after_, V{}));
     }
@@ -51,8 +53,9 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
     static constexpr double relative = 0.5e4;   ///< penalty of a link, over total mass / length^2
     static constexpr double small_angle = 1e-2; ///< error of a plane that counts as this fraction of a length's
     static constexpr double overshoot = 2e-3;   ///< beyond a limit, from which a joint bounces at once
-    /// A free block must not depend on how fast the whole flies: there the last move is rounding.
-    static constexpr double precise = 1e-11, nearly_precise = 1e-8, stagnant = 0.25;
+    /// Last move of a node of a free block, relative to the total length. The next would be rounding: no decision may
+    /// depend on how fast the whole flies.
+    static constexpr double precise = 1e-8;
 
     ProgramPack<D>& pack_;
     const BlockProgram& program_;
@@ -61,7 +64,6 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
     Plane* planes_;
     const Limit* limits_;
     Entry* entries_;
-    V moved2_before_{};
     Pair momentum_{};
 
     // --- a substep's start
@@ -167,13 +169,8 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
         }
     }
     Mask is_steady() const {
-        const V reach = of(pack_.reach);
-        const auto within = [&](double share) {
-            const V near = reach * number(share);
-            return moved2_ <= near * near;
-        };
-        if (!pack_.is_free) return within(hardly);
-        return within(precise) | both(within(nearly_precise), moved2_ > moved2_before_ * number(stagnant * stagnant));
+        const V near = of(pack_.reach) * number(pack_.is_free ? precise : hardly);
+        return moved2_ <= near * near;
     }
 
     void assemble() {
@@ -273,7 +270,6 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
         }
     }
     void substitute_back() {
-        moved2_before_ = moved2_;
         moved2_ = V{};
         for (auto i = program_.unknowns; i-- > 0;) {
             auto& node = nodes_[i];
@@ -357,6 +353,31 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
         if (pack_.is_free)
             inner = inner - (dot(momentum_, momentum_) + dot(momentum, momentum)) * number(0.5) / of(pack_.total);
         return Base::conserves(carried, slip, inner);
+    }
+
+    /// Restores the angular momentum of a free block, which gravity does not change: the last iteration has turned the
+    /// links a little further than their forces.
+    void keep_spin() {
+        const Pair begun = center_of<&Node::start>(), center = center_of<&Node::place>();
+        Spin<D, V> missing{};
+        Inertia<D, V> inertia;
+        for (std::uint32_t i = 0; i < program_.unknowns; ++i) {
+            const auto& node = nodes_[i];
+            const Pair arm = at(node.place) - center;
+            const auto before = moment(at(node.start) - begun, at(node.velocity) * keep_);
+            missing = missing + (before - moment(arm, at(node.after))) * node.mass;
+            inertia.add(arm, node.mass);
+        }
+        const auto rate = inertia.rate_of(missing);
+        for (std::uint32_t i = 0; i < program_.unknowns; ++i) {
+            auto& node = nodes_[i];
+            (at(node.after) + turning(rate, at(node.place) - center)).to(node.after);
+        }
+    }
+    template <auto where> Pair center_of() const {
+        Pair sum{};
+        for (std::uint32_t i = 0; i < program_.unknowns; ++i) sum = sum + at(nodes_[i].*where) * nodes_[i].mass;
+        return sum * (number(1) / of(pack_.total));
     }
 
     void store_good(const Mask& good) {
