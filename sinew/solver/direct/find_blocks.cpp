@@ -1,3 +1,4 @@
+#include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/direct/build.h"
 #include "sinew/solver/direct/eligibility_scan.h"
 #include "sinew/solver/phases.h"
@@ -371,6 +372,7 @@ template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world
     make_plan(world, *this, anew);
     tie_ports(world, *this);
     find_free_bodies(world, *this);
+    if (contacts) contacts->is_stale = true;
     journal.read();
     Waiting::tell(1);
 }
