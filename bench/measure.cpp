@@ -106,10 +106,18 @@ Measured measure_as(const Case& chosen, const Work& work, const Engine& engine, 
 
 } // namespace
 
+double percentile(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    const auto rank = std::size_t(std::ceil(share * double(values.size())));
+    const auto at = values.begin() + std::ptrdiff_t(std::clamp<std::size_t>(rank, 1, values.size()) - 1);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
 Timing time(Simulation& simulation, const Extent& extent, const Watch& watch, Simulation* pace) {
     Timing timing;
-    std::vector<double> times, ratios; // per step; per turn
-    double spent = 0;                  // milliseconds
+    std::vector<double> times, all, ratios; // per step, without the first of a turn or with all; per turn
+    double spent = 0;                       // milliseconds
     const auto on = [&] { return timing.steps < extent.steps && spent < 1000 * extent.seconds; };
     int length = pace ? 1 : extent.steps, pace_length = pace ? 1 : 0;
     while (on()) {
@@ -117,6 +125,7 @@ Timing time(Simulation& simulation, const Extent& extent, const Watch& watch, Si
         for (int i = 0; i < pace_length; ++i) paced.push_back(timed_step(*pace));
         for (int i = 0; i < length && on(); ++i) {
             turn.push_back(timed_step(simulation));
+            all.push_back(turn.back());
             spent += turn.back();
             ++timing.steps;
             if (watch) watch(std::max(double(timing.steps) / extent.steps, spent / (1000 * extent.seconds)));
@@ -130,6 +139,8 @@ Timing time(Simulation& simulation, const Extent& extent, const Watch& watch, Si
         pace_length = turn_length(unit, 30, extent.steps);
     }
     timing.milliseconds = median(warm(std::move(times)));
+    timing.percentile_99 = percentile(all, 0.99);
+    timing.worst = percentile(std::move(all), 1);
     if (pace) timing.ratio = median(warm(std::move(ratios)));
     return timing;
 }
@@ -178,7 +189,7 @@ std::unique_ptr<Simulation> simulate(const Case& chosen, const Engine& engine, c
 }
 
 std::string_view simd() {
-    return name_of(simd_in_use());
+    return name_of(best_simd());
 }
 
 } // namespace sinew::bench

@@ -13,10 +13,12 @@
 namespace sinew::bench {
 
 struct Timing {
-    double milliseconds = 0; ///< median of a step, without the first step of each turn
-    double ratio = 0;        ///< speed as a multiple of the pace's: median over turns; 0 without a pace
-    int steps = 0;           ///< number of steps taken
-    Strain strain;           ///< max after any step, mean after the last
+    double milliseconds = 0;  ///< median of a step, without the first step of each turn
+    double percentile_99 = 0; ///< of all steps: 99 of 100 take no longer, ms
+    double worst = 0;         ///< longest of all steps, ms
+    double ratio = 0;         ///< speed as a multiple of the pace's: median over turns; 0 without a pace
+    int steps = 0;            ///< number of steps taken
+    Strain strain;            ///< max after any step, mean after the last
 };
 
 /// Progress callback; share of the work done, 0 to 1.
@@ -27,6 +29,9 @@ struct Extent {
     int steps = 0;
     double seconds = 1e9; ///< no further step begins afterwards
 };
+/// The least of the values that `share` of them do not exceed (the nearest rank); 0 of none.
+double percentile(std::vector<double> values, double share);
+
 /// Times a simulation. A pace (usually the textbook) alternates with the simulation, in turns of about 30 and 100 ms:
 /// changes of the processor's clock then affect both. Positions are not read while timing, which would evict caches and
 /// let threads fall asleep.

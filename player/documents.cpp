@@ -270,28 +270,28 @@ void Play::ask_to_quit() {
 // --- drafts ----------------------------------------------------------------------------------------------------------
 
 void Play::write_draft() {
-    if (draft_.empty() || !would_lose()) return;
+    if (draft_.path.empty() || !would_lose()) return;
     const auto origin = beside_.empty() ? "" : concat(draft_origin, full_path(beside_), "\n");
-    if (!write_file(draft_, origin + saved_text())) tell("draft", {{"path", draft_.string()}});
-    draft_edits_ = tape().edits();
+    if (!write_file(draft_.path, origin + saved_text())) tell("draft", {{"path", draft_.path.string()}});
+    draft_.edits = tape().edits();
 }
 
 /// Writes the draft while edits are unsaved; otherwise removes it.
 void Play::tend_draft(double seconds) {
-    since_draft_ += seconds;
-    if (draft_.empty() || since_draft_ < draft_every || draft_edits_ == tape().edits()) return;
-    since_draft_ = 0;
+    draft_.age += seconds;
+    if (draft_.path.empty() || draft_.age < draft_every || draft_.edits == tape().edits()) return;
+    draft_.age = 0;
     if (would_lose()) return write_draft();
     drop_draft();
 }
 
 void Play::drop_draft() {
-    if (!draft_.empty()) remove_file(draft_);
-    draft_edits_ = tape().edits();
+    if (!draft_.path.empty()) remove_file(draft_.path);
+    draft_.edits = tape().edits();
 }
 
 void Play::offer_draft() {
-    const auto text = read_file(draft_, most_bytes);
+    const auto text = read_file(draft_.path, most_bytes);
     if (!text) return;
     const auto forget = [this] { drop_draft(); };
     const auto open = [this, text = *text] {

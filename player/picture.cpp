@@ -14,8 +14,6 @@
 namespace sinew::play {
 namespace {
 
-constexpr double film_rate = 30; // frames per second
-
 /// Scene files are named by their paths, scenes of the catalogue by a word.
 std::string stem_of(const std::string& name) {
     return std::filesystem::path(name).stem().string();
@@ -52,23 +50,17 @@ void Play::screenshot(std::filesystem::path path) {
 }
 
 void Play::toggle_recording(std::filesystem::path path) {
-    if (film_) {
-        const auto failure = film_->finish();
-        film_.reset();
-        if (failure) return report_problem(*failure);
-        message = "recorded " + full_path(film_path_);
-        return tell("recorded", {{"path", film_path_.string()}});
+    if (film_.recording()) {
+        if (const auto failure = film_.finish()) return report_problem(*failure);
+        message = "recorded " + full_path(film_.path());
+        return tell("recorded", {{"path", film_.path().string()}});
     }
-    film_path_ = path.empty() ? free_path("out/" + stem_of(name_) + ".mp4") : std::move(path);
+    if (path.empty()) path = free_path("out/" + stem_of(name_) + ".mp4");
     const auto size =
         is_split() ? canvas::size_beside(panes_.size(), pane_width(0), height_) : canvas::BesideSize{width_, height_};
-    auto opened = canvas::open(film_path_, {.width = size.width, .height = size.height, .fps = film_rate});
-    if (opened.failure) return report_problem(*opened.failure);
-    film_ = std::move(opened.writer);
-    film_width_ = size.width, film_height_ = size.height;
-    film_due_ = 0;
+    if (const auto failure = film_.begin(std::move(path), size.width, size.height)) return report_problem(*failure);
     message = "recording; V ends it";
-    tell("recording", {{"path", film_path_.string()}});
+    tell("recording", {{"path", film_.path().string()}});
 }
 
 /// A recording ends when the size of the picture changes.
@@ -85,12 +77,8 @@ void Play::take_pictures(const Picture& picture) {
         message = "screenshot " + full_path(path);
         tell("screenshot", {{"path", path.string()}});
     }
-    if (film_ && (picture.width != film_width_ || picture.height != film_height_)) toggle_recording();
-    for (; film_ && film_due_ <= 0; film_due_ += 1 / film_rate)
-        if (auto failure = film_->frame(picture)) {
-            film_.reset();
-            return report_problem(*failure);
-        }
+    if (film_.recording() && !film_.fits(picture)) toggle_recording();
+    if (const auto failure = film_.add(picture)) report_problem(*failure);
 }
 
 double Play::hint_strength() const {

@@ -48,10 +48,7 @@ Play::Play(SceneLibrary shelf, std::string scene, std::vector<Override> override
     open_now(scene, std::move(overrides));
 }
 
-/// An unfinished film is finished, to be playable.
-Play::~Play() {
-    if (film_) (void)film_->finish();
-}
+Play::~Play() = default;
 
 // --- scenes ----------------------------------------------------------------------------------------------------------
 
@@ -67,7 +64,7 @@ void Play::begin(std::vector<Pane> panes) {
     problem_.clear();
     message.clear();
     hovered.reset(), selected.reset();
-    saved_edits_ = draft_edits_ = 0;
+    saved_edits_ = draft_.edits = 0;
     const double scale = clock_ ? clock_->scale() : 1;
     const bool paused = clock_ && clock_->paused();
     panes_ = std::move(panes);
@@ -116,7 +113,7 @@ void Play::read_again() {
 // --- time ------------------------------------------------------------------------------------------------------------
 
 void Play::advance(double seconds, const std::function<bool()>& enough) {
-    film_due_ -= seconds;
+    film_.advance(seconds);
     if (hint) hint_age_ += seconds;
     if (restoration_) {
         restoration_->advance(enough);

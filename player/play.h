@@ -2,8 +2,8 @@
 
 #include "sinew/picture/picture.h"
 
-#include "canvas/writer.h"
 #include "player/clock.h"
+#include "player/film.h"
 #include "player/input.h"
 #include "player/keys.h"
 #include "player/pane.h"
@@ -26,6 +26,13 @@ class Tool;
 struct Told {
     std::string what;
     json::Object more;
+};
+
+/// The file that keeps unsaved edits.
+struct Draft {
+    std::filesystem::path path; ///< empty if no drafts are kept
+    std::int64_t edits = 0;     ///< the tape's edits at the last draft
+    double age = 0;             ///< seconds since the last draft
 };
 
 /// Interactive player of a scene: takes input, gives pictures. Independent of windows; a script drives a Play as a
@@ -57,6 +64,8 @@ class Play {
     // --- for panels ----------------------------------------------------------------------------------------------
 
     const Session& session() const { return pane().tape.session(); }
+    /// Reports of the present scene's solver, until the time or the scene is changed.
+    void report(const SolverReports& reports) { pane().tape.report(reports); }
     const Timeline& tape() const { return pane().tape; }
     Timeline& tape() { return pane().tape; }
     Clock& clock() { return *clock_; }
@@ -92,7 +101,7 @@ class Play {
     /// Saves the next picture drawn; without a path, to a new file in out/.
     void screenshot(std::filesystem::path path = {});
     void toggle_recording(std::filesystem::path path = {});
-    bool recording() const { return film_ != nullptr; }
+    bool recording() const { return film_.recording(); }
 
     // --- files (documents.cpp) -----------------------------------------------------------------------------------
 
@@ -125,7 +134,7 @@ class Play {
     bool answer(std::string_view name);
 
     /// Saves unsaved edits to this file every few seconds.
-    void keep_draft_in(std::filesystem::path path) { draft_ = std::move(path); }
+    void keep_draft_in(std::filesystem::path path) { draft_.path = std::move(path); }
     /// Offers the unsaved edits of an earlier run.
     void offer_draft();
     void write_draft();
@@ -212,7 +221,7 @@ class Play {
     void label_pane(std::size_t number, Picture& picture) const;
     void lay_side_by_side(Picture& picture);
     void highlight(Picture& picture) const;
-    bool wants_pictures() const { return !screenshots_.empty() || (film_ && film_due_ <= 0); }
+    bool wants_pictures() const { return !screenshots_.empty() || film_.wants_frame(); }
     void take_pictures(const Picture& picture);
     Tool& current_tool();
 
@@ -242,16 +251,11 @@ class Play {
     static constexpr std::int64_t never_saved = -1; ///< a count of edits that no tape has
     std::int64_t saved_edits_ = 0;                  ///< the tape's edits at the last save
     std::string saved_as_;                          ///< the scene's text at the last save
-    std::filesystem::path draft_;
-    std::int64_t draft_edits_ = 0; ///< the tape's edits at the last draft
-    double since_draft_ = 0;       ///< seconds
-    double hint_age_ = 0;          ///< seconds since the hint appeared
-    Point gravity_;                ///< gravity to restore when switched on again
+    Draft draft_;
+    double hint_age_ = 0; ///< seconds since the hint appeared
+    Point gravity_;       ///< gravity to restore when switched on again
     std::vector<std::filesystem::path> screenshots_;
-    std::unique_ptr<canvas::Writer> film_;
-    std::filesystem::path film_path_;
-    int film_width_ = 0, film_height_ = 0;
-    double film_due_ = 0; ///< seconds until the film's next frame
+    Film film_;
 };
 
 } // namespace sinew::play

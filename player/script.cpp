@@ -8,25 +8,13 @@
 #include "player/touch.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <sstream>
 
 namespace sinew::play {
 namespace {
-
-struct Action {
-    std::string_view name;
-    std::size_t least, most; ///< number of arguments
-};
-constexpr std::array script_actions = {
-    Action{"move", 1, 4},   Action{"press", 0, 1},  Action{"release", 0, 1}, Action{"scroll", 1, 1},
-    Action{"key", 1, 1},    Action{"where", 1, 1},  Action{"set", 1, 1},     Action{"open", 1, 1},
-    Action{"drop", 1, 1},   Action{"go", 1, 1},     Action{"save", 1, 1},    Action{"shot", 1, 1},
-    Action{"end", 0, 0},    Action{"touch", 3, 5},  Action{"lift", 1, 1},    Action{"state", 1, 1},
-    Action{"answer", 1, 1}, Action{"choose", 1, 1}, Action{"paste", 1, 1},
-};
 
 std::optional<double> number_of(const std::string& text) {
     double number = 0;
@@ -47,6 +35,278 @@ std::vector<std::string> words_of(const std::string& line) {
     std::vector<std::string> words;
     for (std::string word; stream >> word;) words.push_back(word);
     return words;
+}
+
+std::optional<ParticleId> particle_called(const std::string& name, const Play& play) {
+    return std::visit([&](const auto& world) { return find_particle(world, name); }, play.session().world());
+}
+
+std::optional<Vec2<double>> pixel_of(ParticleId id, const Play& play) {
+    const auto place = place_of(play.session().world(), {&id, 1});
+    const auto seen = place ? play.view().see(place->as<3, double>()) : std::nullopt;
+    return seen ? std::optional(cast<double>(seen->pixel)) : std::nullopt;
+}
+
+/// Motion of the pointer on a straight line to a pixel, or to a particle wherever the particle goes meanwhile.
+class Glide {
+  public:
+    explicit Glide(Play& play) : play_(play) {}
+
+    void begin(Vec2<double> to, std::optional<ParticleId> followed, double at, double over) {
+        from_ = play_.pointer();
+        to_ = to;
+        followed_ = followed;
+        since_ = at, until_ = at + over;
+        if (over == 0) go(at);
+    }
+
+    void go(double now) {
+        if (!to_) return;
+        if (followed_)
+            if (const auto pixel = pixel_of(*followed_, play_)) to_ = pixel;
+        const double share = until_ > since_ ? std::clamp((now - since_) / (until_ - since_), 0.0, 1.0) : 1.0;
+        play_.handle(Moved{from_ + (*to_ - from_) * share});
+        if (share >= 1) to_.reset();
+    }
+
+    bool over() const { return !to_; }
+
+  private:
+    Play& play_;
+    Vec2<double> from_{};
+    std::optional<Vec2<double>> to_; ///< empty at rest
+    std::optional<ParticleId> followed_;
+    double since_ = 0, until_ = 0; ///< seconds
+};
+
+/// A finger in motion.
+struct Slide {
+    std::int64_t finger = 0;
+    Vec2<double> from, to;
+    double since = 0, until = 0;
+
+    Vec2<double> at(double now) const {
+        return from + (to - from) * std::clamp((now - since) / (until - since), 0.0, 1.0);
+    }
+};
+
+/// Runs the lines of a script at their times.
+class Player {
+  public:
+    Player(const Script& script, Play& play) : script_(script), play_(play), touch_(play), glide_(play) {}
+
+    /// Carries out all lines due at `now`; returns the reason of the first failure.
+    std::string perform(double now) {
+        glide_.go(now);
+        for (auto& slide : slides_) touch_.move(slide.finger, slide.at(now));
+        std::erase_if(slides_, [&](const Slide& slide) { return now >= slide.until; });
+        for (; next_ < script_.lines.size() && script_.lines[next_].at <= now; ++next_) {
+            const auto& line = script_.lines[next_];
+            if (auto problem = perform(line); !problem.empty()) return concat("line ", line.number, ": ", problem);
+            if (over_) return "";
+        }
+        return "";
+    }
+
+    bool over() const {
+        return over_ || (next_ == script_.lines.size() && glide_.over() && slides_.empty()) || play_.quit;
+    }
+
+    /// An action of scripts.
+    struct Action {
+        std::string_view name;
+        std::size_t least, most; ///< number of words after the name
+        std::string (Player::*perform)(double at, const std::vector<std::string>& words);
+    };
+    static std::span<const Action> actions();
+
+  private:
+    const Script& script_;
+    Play& play_;
+    Touch touch_;
+    Glide glide_;
+    std::vector<Slide> slides_;
+    std::size_t next_ = 0;
+    bool over_ = false;
+    std::string perform(const ScriptLine& line);
+
+    // --- actions: each returns the reason of failure, or nothing -------------------------------------------------
+
+    using Words = std::vector<std::string>;
+
+    std::string press(double, const Words& words) {
+        const auto button = button_of(words);
+        if (!button) return no_button(words);
+        play_.handle(Pressed{*button});
+        return "";
+    }
+    std::string release(double, const Words& words) {
+        const auto button = button_of(words);
+        if (!button) return no_button(words);
+        play_.handle(Released{*button});
+        return "";
+    }
+    static std::string no_button(const Words& words) { return "no button is called " + in_quotes(words[0]); }
+
+    std::string scroll(double, const Words& words) {
+        const auto amount = number_of(words[0]);
+        if (!amount) return no_number(words);
+        play_.handle(Scrolled{*amount});
+        return "";
+    }
+    std::string go(double, const Words& words) {
+        const auto step = number_of(words[0]);
+        if (!step) return no_number(words);
+        play_.go_to(std::uint64_t(std::max(*step, 0.0)));
+        return "";
+    }
+    static std::string no_number(const Words& words) { return "expected a number, found " + in_quotes(words[0]); }
+
+    std::string key(double, const Words& words) {
+        play_.handle(Key{words[0]});
+        play_.handle(KeyUp{words[0]});
+        return "";
+    }
+    std::string lift(double, const Words& words) {
+        const auto finger = number_of(words[0]);
+        if (!finger) return "expected the number of a finger";
+        touch_.up(std::int64_t(*finger));
+        return "";
+    }
+    std::string set(double, const Words& words) {
+        const auto equals = std::min(words[0].find('='), words[0].size() - 1);
+        play_.set(words[0].substr(0, equals), words[0].substr(equals + 1));
+        return "";
+    }
+    std::string open(double, const Words& words) {
+        play_.open(words[0]);
+        return "";
+    }
+    std::string save(double, const Words& words) {
+        play_.save(words[0]);
+        return "";
+    }
+    std::string save_state(double, const Words& words) {
+        play_.save_state(words[0]);
+        return "";
+    }
+    std::string shoot(double, const Words& words) {
+        play_.screenshot(words[0]);
+        return "";
+    }
+    std::string end(double, const Words&) {
+        over_ = true;
+        return "";
+    }
+    std::string choose(double, const Words& words) {
+        if (!play_.path_request) return "no path was asked for";
+        play_.choose(words[0]);
+        return "";
+    }
+
+    std::string move(double at, const Words& words) {
+        constexpr double usual = 0.2;
+        std::optional<Vec2<double>> to;
+        std::optional<ParticleId> followed;
+        std::size_t used = 1;
+        if (const auto x = number_of(words[0])) {
+            const auto y = words.size() > 1 ? number_of(words[1]) : std::nullopt;
+            if (!y) return "expected two pixels or a particle";
+            to = {{*x, *y}};
+            used = 2;
+        } else {
+            followed = particle_called(words[0], play_);
+            if (!followed) return "no particle is called " + in_quotes(words[0]);
+            to = pixel_of(*followed, play_);
+            if (!to) return in_quotes(words[0]) + " is behind the eye";
+        }
+        double over = usual;
+        if (words.size() > used) {
+            const auto said =
+                words.size() == used + 2 && words[used] == "over" ? number_of(words[used + 1]) : std::nullopt;
+            if (!said || *said < 0) return "expected `over` and seconds after the place";
+            over = *said;
+        }
+        glide_.begin(*to, followed, at, over);
+        return "";
+    }
+
+    std::string touch(double at, const Words& words) {
+        const auto finger = number_of(words[0]), x = number_of(words[1]), y = number_of(words[2]);
+        if (!finger || !x || !y) return "expected the number of a finger and two pixels";
+        const auto over = words.size() == 5 && words[3] == "over" ? number_of(words[4]) : std::nullopt;
+        if (words.size() > 3 && (!over || *over < 0)) return "expected `over` and seconds after the place";
+        const auto id = std::int64_t(*finger);
+        const Vec2<double> to{{*x, *y}};
+        const auto from = touch_.place_of(id);
+        if (!from) touch_.down(id, to);
+        if (from && over.value_or(0) > 0)
+            slides_.push_back({id, *from, to, at, at + *over});
+        else
+            touch_.move(id, to);
+        return "";
+    }
+
+    std::string answer(double, const Words& words) {
+        const auto& name = words[0];
+        if (!play_.question) return "nothing was asked";
+        std::vector<std::string_view> names;
+        for (const auto& one : play_.question->answers) names.push_back(one.name);
+        if (std::ranges::find(names, name) == names.end())
+            return in_quotes(name) + " is no answer; " + suggest(name, names);
+        play_.answer(name);
+        return "";
+    }
+
+    std::string paste(double, const Words& words) {
+        const auto& path = words[0];
+        constexpr std::size_t most = 64u << 20; // bytes
+        const auto text = read_file(path, most);
+        if (!text) return path + " cannot be read";
+        play_.open_text(*text, path);
+        return "";
+    }
+
+    std::string where(double, const Words& words) {
+        const auto& name = words[0];
+        const auto id = particle_called(name, play_);
+        const auto place = id ? place_of(play_.session().world(), {&*id, 1}) : std::nullopt;
+        if (!place) return "no particle is called " + in_quotes(name);
+        json::Array at;
+        for (int i = 0; i < play_.session().scene().dimension; ++i) at.push_back((*place)[i]);
+        json::Object told{{"particle", name}, {"at", std::move(at)}};
+        if (const auto seen = play_.view().see(place->as<3, double>()))
+            told.push_back({"pixel", json::Array{double(seen->pixel[0]), double(seen->pixel[1])}});
+        play_.tell("where", std::move(told));
+        return "";
+    }
+};
+
+std::span<const Player::Action> Player::actions() {
+    static constexpr Action list[] = {
+        {"move", 1, 4, &Player::move},       {"press", 0, 1, &Player::press},
+        {"release", 0, 1, &Player::release}, {"scroll", 1, 1, &Player::scroll},
+        {"key", 1, 1, &Player::key},         {"where", 1, 1, &Player::where},
+        {"set", 1, 1, &Player::set},         {"open", 1, 1, &Player::open},
+        {"drop", 1, 1, &Player::open},       {"go", 1, 1, &Player::go},
+        {"save", 1, 1, &Player::save},       {"shot", 1, 1, &Player::shoot},
+        {"end", 0, 0, &Player::end},         {"touch", 3, 5, &Player::touch},
+        {"lift", 1, 1, &Player::lift},       {"state", 1, 1, &Player::save_state},
+        {"answer", 1, 1, &Player::answer},   {"choose", 1, 1, &Player::choose},
+        {"paste", 1, 1, &Player::paste},
+    };
+    return list;
+}
+
+const Player::Action* action_called(std::string_view name) {
+    const auto actions = Player::actions();
+    const auto found = std::ranges::find(actions, name, &Player::Action::name);
+    return found == actions.end() ? nullptr : &*found;
+}
+
+std::string Player::perform(const ScriptLine& line) {
+    const auto* action = action_called(line.action);
+    return action ? (this->*action->perform)(line.at, line.words) : "nobody can " + in_quotes(line.action);
 }
 
 /// Parses one line; returns the reason of failure, or nothing.
@@ -71,10 +331,10 @@ std::string read_line(const std::vector<std::string>& words, std::size_t number,
     if (!at || *at < 0) return "expected a second, found " + in_quotes(words[0]);
     if (words.size() < 2) return "nothing to do at that second";
     if (!script.lines.empty() && script.lines.back().at > *at) return "it is earlier than the line before";
-    const auto action = std::ranges::find(script_actions, words[1], &Action::name);
-    if (action == script_actions.end()) {
+    const auto* action = action_called(words[1]);
+    if (!action) {
         std::vector<std::string_view> names;
-        for (const auto& known : script_actions) names.push_back(known.name);
+        for (const auto& known : Player::actions()) names.push_back(known.name);
         return "nobody can " + in_quotes(words[1]) + "; " + suggest(words[1], names);
     }
     const auto count = words.size() - 2;
@@ -83,196 +343,6 @@ std::string read_line(const std::vector<std::string>& words, std::size_t number,
     script.lines.push_back({*at, words[1], {words.begin() + 2, words.end()}, number});
     return "";
 }
-
-/// Runs the lines of a script at their times.
-class Player {
-  public:
-    Player(const Script& script, Play& play) : script_(script), play_(play), touch_(play) {}
-
-    /// Carries out all lines due at `now`; returns the reason of the first failure.
-    std::string perform(double now) {
-        glide(now);
-        for (auto& slide : slides_) touch_.move(slide.finger, slide.at(now));
-        std::erase_if(slides_, [&](const Slide& slide) { return now >= slide.until; });
-        for (; next_ < script_.lines.size() && script_.lines[next_].at <= now; ++next_) {
-            const auto& line = script_.lines[next_];
-            if (line.action == "end") return over_ = true, "";
-            if (auto problem = perform(line); !problem.empty()) return concat("line ", line.number, ": ", problem);
-        }
-        return "";
-    }
-
-    bool over() const { return over_ || (next_ == script_.lines.size() && !to_ && slides_.empty()) || play_.quit; }
-
-  private:
-    /// A finger in motion.
-    struct Slide {
-        std::int64_t finger = 0;
-        Vec2<double> from, to;
-        double since = 0, until = 0;
-
-        Vec2<double> at(double now) const {
-            return from + (to - from) * std::clamp((now - since) / (until - since), 0.0, 1.0);
-        }
-    };
-
-    const Script& script_;
-    Play& play_;
-    Touch touch_;
-    std::vector<Slide> slides_;
-    std::size_t next_ = 0;
-    bool over_ = false;
-    Vec2<double> from_{};
-    std::optional<Vec2<double>> to_; ///< target of the pointer's motion
-    std::optional<ParticleId> followed_;
-    double since_ = 0, until_ = 0;
-
-    void glide(double now) {
-        if (!to_) return;
-        if (followed_)
-            if (const auto pixel = pixel_of(*followed_)) to_ = pixel;
-        const double share = until_ > since_ ? std::clamp((now - since_) / (until_ - since_), 0.0, 1.0) : 1.0;
-        play_.handle(Moved{from_ + (*to_ - from_) * share});
-        if (share >= 1) to_.reset();
-    }
-
-    std::optional<ParticleId> particle(const std::string& name) const {
-        return std::visit([&](const auto& world) { return find_particle(world, name); }, play_.session().world());
-    }
-
-    std::optional<Vec2<double>> pixel_of(ParticleId id) const {
-        const auto place = place_of(play_.session().world(), {&id, 1});
-        const auto seen = place ? play_.view().see(place->as<3, double>()) : std::nullopt;
-        return seen ? std::optional(cast<double>(seen->pixel)) : std::nullopt;
-    }
-
-    std::string perform(const ScriptLine& line) {
-        const auto& [at, action, words, number] = line;
-        if (action == "move") return move(at, words);
-        if (action == "press" || action == "release") {
-            const auto button = button_of(words);
-            if (!button) return "no button is called " + in_quotes(words[0]);
-            if (action == "press")
-                play_.handle(Pressed{*button});
-            else
-                play_.handle(Released{*button});
-        } else if (action == "scroll" || action == "go") {
-            const auto amount = number_of(words[0]);
-            if (!amount) return "expected a number, found " + in_quotes(words[0]);
-            if (action == "scroll")
-                play_.handle(Scrolled{*amount});
-            else
-                play_.go_to(std::uint64_t(std::max(*amount, 0.0)));
-        } else if (action == "key") {
-            play_.handle(Key{words[0]});
-            play_.handle(KeyUp{words[0]});
-        } else if (action == "touch") {
-            return touch(at, words);
-        } else if (action == "lift") {
-            const auto finger = number_of(words[0]);
-            if (!finger) return "expected the number of a finger";
-            touch_.up(std::int64_t(*finger));
-        } else if (action == "where") {
-            return where(words[0]);
-        } else if (action == "set") {
-            const auto equals = std::min(words[0].find('='), words[0].size() - 1);
-            play_.set(words[0].substr(0, equals), words[0].substr(equals + 1));
-        } else if (action == "open" || action == "drop") {
-            play_.open(words[0]);
-        } else if (action == "save") {
-            play_.save(words[0]);
-        } else if (action == "state") {
-            play_.save_state(words[0]);
-        } else if (action == "choose") {
-            if (!play_.path_request) return "no path was asked for";
-            play_.choose(words[0]);
-        } else if (action == "paste") {
-            return paste(words[0]);
-        } else if (action == "answer") {
-            return answer(words[0]);
-        } else if (action == "shot") {
-            play_.screenshot(words[0]);
-        }
-        return "";
-    }
-
-    std::string move(double at, const std::vector<std::string>& words) {
-        constexpr double usual = 0.2;
-        std::optional<Vec2<double>> to;
-        std::size_t used = 1;
-        if (const auto x = number_of(words[0])) {
-            const auto y = words.size() > 1 ? number_of(words[1]) : std::nullopt;
-            if (!y) return "expected two pixels or a particle";
-            to = {{*x, *y}};
-            used = 2;
-            followed_.reset();
-        } else {
-            followed_ = particle(words[0]);
-            if (!followed_) return "no particle is called " + in_quotes(words[0]);
-            to = pixel_of(*followed_);
-            if (!to) return in_quotes(words[0]) + " is behind the eye";
-        }
-        double over = usual;
-        if (words.size() > used) {
-            const auto said =
-                words.size() == used + 2 && words[used] == "over" ? number_of(words[used + 1]) : std::nullopt;
-            if (!said || *said < 0) return "expected `over` and seconds after the place";
-            over = *said;
-        }
-        from_ = play_.pointer();
-        to_ = to;
-        since_ = at, until_ = at + over;
-        if (over == 0) glide(at);
-        return "";
-    }
-
-    std::string touch(double at, const std::vector<std::string>& words) {
-        const auto finger = number_of(words[0]), x = number_of(words[1]), y = number_of(words[2]);
-        if (!finger || !x || !y) return "expected the number of a finger and two pixels";
-        const auto over = words.size() == 5 && words[3] == "over" ? number_of(words[4]) : std::nullopt;
-        if (words.size() > 3 && (!over || *over < 0)) return "expected `over` and seconds after the place";
-        const auto id = std::int64_t(*finger);
-        const Vec2<double> to{{*x, *y}};
-        const auto from = touch_.place_of(id);
-        if (!from) touch_.down(id, to);
-        if (from && over.value_or(0) > 0)
-            slides_.push_back({id, *from, to, at, at + *over});
-        else
-            touch_.move(id, to);
-        return "";
-    }
-
-    std::string answer(const std::string& name) {
-        if (!play_.question) return "nothing was asked";
-        std::vector<std::string_view> names;
-        for (const auto& one : play_.question->answers) names.push_back(one.name);
-        if (std::ranges::find(names, name) == names.end())
-            return in_quotes(name) + " is no answer; " + suggest(name, names);
-        play_.answer(name);
-        return "";
-    }
-
-    std::string paste(const std::string& path) {
-        constexpr std::size_t most = 64u << 20; // bytes
-        const auto text = read_file(path, most);
-        if (!text) return path + " cannot be read";
-        play_.open_text(*text, path);
-        return "";
-    }
-
-    std::string where(const std::string& name) {
-        const auto id = particle(name);
-        const auto place = id ? place_of(play_.session().world(), {&*id, 1}) : std::nullopt;
-        if (!place) return "no particle is called " + in_quotes(name);
-        json::Array at;
-        for (int i = 0; i < play_.session().scene().dimension; ++i) at.push_back((*place)[i]);
-        json::Object told{{"particle", name}, {"at", std::move(at)}};
-        if (const auto seen = play_.view().see(place->as<3, double>()))
-            told.push_back({"pixel", json::Array{double(seen->pixel[0]), double(seen->pixel[1])}});
-        play_.tell("where", std::move(told));
-        return "";
-    }
-};
 
 } // namespace
 

@@ -77,7 +77,7 @@ void Play::toggle_split() {
     begin(std::move(panes));
     own_pane_ = was_classic ? 0 : 1;
     saved_as_ = is_lost ? std::move(saved) : saved_text();
-    if (is_lost) saved_edits_ = draft_edits_ = never_saved;
+    if (is_lost) saved_edits_ = draft_.edits = never_saved;
     tell("split", {{"on", true}});
 }
 

@@ -24,6 +24,7 @@ class Timeline {
     Timeline(Session session, ActionLog log);
 
     const Session& session() const { return session_; }
+    void report(const SolverReports& reports) { session_.set_reports(reports); }
     /// All actions from the start of a scene to now.
     Recipe recipe() const { return log_.recipe(); }
 

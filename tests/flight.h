@@ -45,8 +45,8 @@ template <int D, class Real = double> struct Flight {
         }
     }
     bool direct() const {
-        const auto& in_block = world.particles.in_block;
-        return std::all_of(in_block.begin(), in_block.end(), [](char in) { return in != 0; });
+        const auto& at_end = world.particles.at_end;
+        return std::all_of(at_end.begin(), at_end.end(), [](char at) { return at != 0; });
     }
     /// Angular momentum about the centre.
     Vec3<double> spin() const { return angular_momentum(world) - moment_of(center_of_mass(world), momentum(world)); }

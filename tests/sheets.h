@@ -2,7 +2,7 @@
 
 #include "sinew/math/random.h"
 #include "sinew/math/trig.h"
-#include "sinew/solver/contact/colliders.h"
+#include "sinew/world/colliders.h"
 #include "sinew/world/crossings.h"
 #include "sinew/world/edit.h"
 

@@ -13,14 +13,19 @@ function offline(): Plugin {
             const hash = createHash("sha256");
             for (const file of Object.values(bundle)) hash.update(file.type === "asset" ? file.source : file.code);
             for (const name of readdirSync(directory)) hash.update(readFileSync(join(directory, name)));
-            const files = ["./", "learn/", ...readdirSync(directory), ...Object.keys(bundle)].filter((name) => !/\.html$|-threads/.test(name));
-            const source = readFileSync(resolve(import.meta.dirname, "shared/service_worker.js"), "utf8")
-                .replace("[/* files */]", JSON.stringify([...new Set(files)].sort()))
+            const files = [...new Set(["./", "learn/", ...readdirSync(directory), ...Object.keys(bundle)])].filter((name) => !name.endsWith(".html")).sort();
+            const list = (isOfThreads: boolean): string => JSON.stringify(files.filter((name) => name.includes("-threads") === isOfThreads));
+            const source = readFileSync(resolve(import.meta.dirname, "common/service_worker.js"), "utf8")
+                .replace("[/* files */]", list(false))
+                .replace("[/* modules of threads */]", list(true))
                 .replace("/* version */", hash.digest("hex").slice(0, 16));
             this.emitFile({ type: "asset", fileName: "sw.js", source });
         },
     };
 }
+
+/** With these a page may share memory with workers; without them the site has one thread. */
+const headers = { "Cross-Origin-Opener-Policy": "same-origin", "Cross-Origin-Embedder-Policy": "require-corp" };
 
 /** Relative addresses, so that the site opens from any static host under any path. */
 export default defineConfig({
@@ -28,7 +33,8 @@ export default defineConfig({
     base: "./",
     plugins: [offline()],
     worker: { format: "es" },
-    server: { fs: { allow: [resolve(import.meta.dirname, "..")] } },
+    server: { headers, fs: { allow: [resolve(import.meta.dirname, "..")] } },
+    preview: { headers },
     build: {
         outDir: "dist",
         emptyOutDir: true,

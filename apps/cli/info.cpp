@@ -202,6 +202,65 @@ Rows side_by_side(const Rows& before, const Rows& after) {
     return rows;
 }
 
+/// Findings about a scene: its parts and rig at the start, and its state at the start and some seconds later.
+struct Findings {
+    std::vector<FigureSummary> figures;
+    std::vector<RigFault> faults;
+    KindCounts kinds;
+    std::size_t pins = 0;
+    Report before, after;
+};
+
+Findings findings_of(const std::string& name, std::optional<double> seconds, Run& run) {
+    const auto& scene = run.session.scene();
+    Findings found{.figures = figures_of(run.session.world()),
+                   .faults = rig_of(run.session.world()),
+                   .kinds = constraints_of(run.session.world()),
+                   .pins = pins_of(run.session.world()),
+                   .before = run.session.report(),
+                   .after = {}};
+    const auto steps = steps_until(scene, seconds.value_or(scene.seconds));
+    {
+        canvas::Progress progress(title_of(name), std::size_t(steps));
+        run.advance(steps, progress);
+    }
+    found.after = run.session.report();
+    count_islands(run.session.world(), found.figures);
+    return found;
+}
+
+json::Object findings_json(const std::string& name, const Scene& scene, const Findings& found, bool names) {
+    auto object = scene_json(name, scene);
+    object.push_back({"about", scene.about});
+    object.push_back({"figures", figures_json(found.figures, names)});
+    object.push_back({"rig", rig_json(found.faults)});
+    object.push_back({"constraints", in_json(found.kinds)});
+    object.push_back({"pins", found.pins});
+    object.push_back({"forces", in_json(forces_of(scene))});
+    object.push_back({"events", scene.events.size()});
+    object.push_back({"start", report_json(found.before)});
+    object.push_back({"then", report_json(found.after)});
+    return object;
+}
+
+std::string findings_text(const std::string& name, const Scene& scene, const Findings& found, bool names) {
+    const auto chapter = [](std::string_view title, const std::string& text) {
+        return fmt::format("\n{}\n{}", bold(title), text);
+    };
+    auto text = fmt::format("{} {}\n", bold(name), scene_text(scene));
+    if (!scene.about.empty()) text += scene.about + "\n";
+    text += chapter("figures", figures_text(found.figures, scene));
+    text += chapter("rig", rig_text(found.faults));
+    text += chapter("world", table({{"constraints", in_words(found.kinds)},
+                                    {"pins", std::to_string(found.pins)},
+                                    {"forces", joined(forces_of(scene))},
+                                    {"bounds", bounds_of(scene)},
+                                    {"events", std::to_string(scene.events.size())}}));
+    text += chapter("state", table(side_by_side(report_rows(found.before, scene), report_rows(found.after, scene))));
+    if (names) text += chapter("names", names_text(found.figures));
+    return text;
+}
+
 class InfoCommand final : public Command {
     Manual manual() const override {
         return {
@@ -231,47 +290,9 @@ class InfoCommand final : public Command {
         Run run(open_file(words.scene, words.overrides));
         canvas::catch_interrupts();
         const auto& scene = run.session.scene();
-        const auto& name = words.scene;
-        auto figures = figures_of(run.session.world());
-        const auto faults = rig_of(run.session.world());
-        const auto kinds = constraints_of(run.session.world());
-        const auto pins = pins_of(run.session.world());
-        const auto before = run.session.report();
-        const auto steps = steps_until(scene, seconds.value_or(scene.seconds));
-        {
-            canvas::Progress progress(title_of(name), std::size_t(steps));
-            run.advance(steps, progress);
-        }
-        const auto after = run.session.report();
-        count_islands(run.session.world(), figures);
-
-        if (as_json) {
-            auto object = scene_json(name, scene);
-            object.push_back({"about", scene.about});
-            object.push_back({"figures", figures_json(figures, names)});
-            object.push_back({"rig", rig_json(faults)});
-            object.push_back({"constraints", in_json(kinds)});
-            object.push_back({"pins", pins});
-            object.push_back({"forces", in_json(forces_of(scene))});
-            object.push_back({"events", scene.events.size()});
-            object.push_back({"start", report_json(before)});
-            object.push_back({"then", report_json(after)});
-            print(to_line(object));
-            return done;
-        }
-        print(fmt::format("{} {}\n", bold(name), scene_text(scene)));
-        if (!scene.about.empty()) print(scene.about + "\n");
-        print(fmt::format("\n{}\n{}", bold("figures"), figures_text(figures, scene)));
-        print(fmt::format("\n{}\n{}", bold("rig"), rig_text(faults)));
-        print(fmt::format("\n{}\n{}", bold("world"),
-                          table({{"constraints", in_words(kinds)},
-                                 {"pins", std::to_string(pins)},
-                                 {"forces", joined(forces_of(scene))},
-                                 {"bounds", bounds_of(scene)},
-                                 {"events", std::to_string(scene.events.size())}})));
-        print(fmt::format("\n{}\n{}", bold("state"),
-                          table(side_by_side(report_rows(before, scene), report_rows(after, scene)))));
-        if (names) print(fmt::format("\n{}\n{}", bold("names"), names_text(figures)));
+        const auto found = findings_of(words.scene, seconds, run);
+        print(as_json ? to_line(findings_json(words.scene, scene, found, names))
+                      : findings_text(words.scene, scene, found, names));
         return done;
     }
 

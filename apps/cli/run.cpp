@@ -151,20 +151,19 @@ class RunCommand final : public Command {
     }
 
     int run() override {
-        Run run(open_file(words.scene, words.overrides));
-        run.session.set_options({.threads = threads.value_or(0)});
+        Run run(open_file(words.scene, words.overrides), threads.value_or(0));
         if (!pointer_path.empty()) run.pointer = PointerPath::read(pointer_path);
         auto trace = begin_trace(run.session);
         canvas::catch_interrupts();
         const auto& scene = run.session.scene();
         const auto& name = words.scene;
-        PhaseTimes phases;
-        const Profile profile(phases);
+        const auto phases = std::make_shared<PhaseTimes>();
+        run.session.set_reports({.times = phases, .preparing = {}});
         const auto tracing = trace ? std::optional(Tracing{*trace, std::uint64_t(every.value_or(1))}) : std::nullopt;
         const auto times = timed(run, steps_until(scene, seconds.value_or(scene.seconds)), title_of(name), tracing);
         if (trace) trace->close();
         const auto milliseconds = times.median();
-        const auto text = as_json ? to_line(to_json(name, run.session, milliseconds, phases))
+        const auto text = as_json ? to_line(to_json(name, run.session, milliseconds, *phases))
                                   : summary(name, run.session, milliseconds);
         trace_path == "-" ? print_error(text) : print(text);
         return done;

@@ -1,18 +1,25 @@
 #include "apps/cli/stepping.h"
 
 #include "sinew/simulation.h"
-#include "sinew/solver/progress_report.h"
+#include "sinew/solver/simd/kernel.h"
 
 #include "apps/cli/console.h"
 #include "canvas/interrupt.h"
 
 #include <cmath>
+#include <cstdlib>
 
 namespace sinew::cli {
 namespace {
 
 /// Tolerance, in steps: 0.1 s at 60 Hz are 6 steps, although rounding gives 6.000000000000001 or 5.999999999999999.
 constexpr double rounding = 1e-6;
+
+/// The instruction set named by the environment, where this processor has it; else the best.
+Simd wanted_simd() {
+    const char* const name = std::getenv("SINEW_SIMD");
+    return (name ? simd_called(name) : std::nullopt).value_or(best_simd());
+}
 
 } // namespace
 
@@ -24,7 +31,8 @@ std::uint64_t steps_until(const Scene& scene, double seconds) {
     return std::uint64_t(std::ceil(std::fmax(seconds * scene.solver.rate - rounding, 0)));
 }
 
-Run::Run(Opened opened) : session(std::move(opened)) {
+Run::Run(Opened opened, int threads) : session(std::move(opened)) {
+    session.set_options({.threads = threads, .simd = wanted_simd()});
     const bool is_large = std::visit(
         [](const auto& world) {
             constexpr std::size_t soon = 30'000; // particles; smaller worlds are prepared in no time
@@ -33,8 +41,9 @@ Run::Run(Opened opened) : session(std::move(opened)) {
         session.world());
     if (!is_large) return;
     canvas::Progress progress("getting ready", 100);
-    const Waiting waiting([&](double share) { progress.update(std::size_t(100 * share)); });
+    session.set_reports({.times = {}, .preparing = [&](double share) { progress.update(std::size_t(100 * share)); }});
     session.prepare();
+    session.set_reports({});
 }
 
 void Run::step() {

@@ -18,8 +18,8 @@ std::uint64_t steps_until(const Scene& scene, double seconds);
 /// A session with a count of steps.
 class Run {
   public:
-    /// Prepares a large world at once, with a progress bar.
-    explicit Run(Opened opened);
+    /// Prepares a large world at once, with a progress bar. `threads` 0: one for each core.
+    explicit Run(Opened opened, int threads = 0);
 
     /// Steps until `steps` are taken in all. Throws CommandError after Ctrl-C.
     void advance(std::uint64_t steps);

@@ -85,6 +85,17 @@ bool is_paintable(std::span<const Vec2<float>> outline) {
     return !outline.empty() && std::ranges::all_of(outline, [](const auto& p) { return is_finite(p); });
 }
 
+/// Offset of the shared corner of two strips of half width `wide` at the turn a-b-c, from b to the left. Empty if the
+/// turn is so sharp that the corner would reach beyond the middle of a side.
+std::optional<Vec2<float>> mitre(Vec2<float> a, Vec2<float> b, Vec2<float> c, float wide) {
+    const auto along = direction(b - a), next = direction(c - b);
+    const float straight = 1 + dot(along, next);
+    const auto out = (perpendicular(along) + perpendicular(next)) * (wide / maximum(straight, 1e-3F));
+    const float inwards = absolute(dot(out, along)); // length of the corner along its sides
+    if (straight < 1.5F || inwards > distance(a, b) / 2 || inwards > distance(b, c) / 2) return std::nullopt;
+    return out;
+}
+
 } // namespace
 
 GlPainter::Program GlPainter::linked(const char* defined) {
@@ -258,35 +269,26 @@ void GlPainter::add_stroke(std::span<const Vec2<float>> outline, bool closed, fl
     const auto quad_to_last = [&](std::uint32_t last) {
         triangle(last - 3, last - 1, last), triangle(last - 3, last, last - 2);
     };
-    auto along = direction(way_[1] - way_[0]);
-    const auto begin = [&](Vec2<float> place) {
+    const auto begin = [&](Vec2<float> place, Vec2<float> along) {
         const auto across = perpendicular(along) * wide;
         pair(place - along * wide, across, wide);
         quad_to_last(pair(place, across, 0));
     };
-    const auto end = [&](Vec2<float> place) {
+    const auto end = [&](Vec2<float> place, Vec2<float> along) {
         const auto across = perpendicular(along) * wide;
         quad_to_last(pair(place, across, 0));
         quad_to_last(pair(place + along * wide, across, wide));
     };
-    begin(way_[0]);
-    for (std::size_t i = 1; i + 1 < way_.size(); ++i) {
-        const auto next = direction(way_[i + 1] - way_[i]);
-        const float straight = 1 + dot(along, next);
-        const auto out = (perpendicular(along) + perpendicular(next)) * (wide / maximum(straight, 1e-3F));
-        const float inwards = absolute(dot(out, along)); // length of the corner along its sides
-        const bool turns = straight < 1.5F || inwards > distance(way_[i - 1], way_[i]) / 2 ||
-                           inwards > distance(way_[i], way_[i + 1]) / 2;
-        if (turns) {
-            end(way_[i]);
-            along = next;
-            begin(way_[i]);
+    const auto side = [&](std::size_t i) { return direction(way_[i + 1] - way_[i]); };
+    begin(way_[0], side(0));
+    for (std::size_t i = 1; i + 1 < way_.size(); ++i)
+        if (const auto out = mitre(way_[i - 1], way_[i], way_[i + 1], wide)) {
+            quad_to_last(pair(way_[i], *out, 0));
         } else {
-            quad_to_last(pair(way_[i], out, 0));
-            along = next;
+            end(way_[i], side(i - 1));
+            begin(way_[i], side(i));
         }
-    }
-    end(way_.back());
+    end(way_.back(), side(way_.size() - 2));
 }
 
 /// Triangles, and a rim around them that fades to transparent.

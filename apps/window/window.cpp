@@ -1,21 +1,19 @@
 #include "apps/window/window.h"
 
 #include "apps/window/gl_painter.h"
-#include "apps/window/keyboard.h"
+#include "apps/window/gui_input.h"
 #include "apps/window/panel.h"
+#include "apps/window/scene_input.h"
 #include "apps/window/screen.h"
 #include "apps/window/settings.h"
 #include "canvas/interrupt.h"
-#include "player/touch.h"
 
 #include <algorithm>
 #include <backends/imgui_impl_opengl3.h>
 #include <backends/imgui_impl_sdl.h>
-#include <cfloat>
 #include <chrono>
 #include <epoxy/gl.h>
 #include <imgui.h>
-#include <utility>
 #include <vector>
 
 namespace sinew::window {
@@ -27,9 +25,24 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
 }
 
+/// Seconds of all frames so far, by what took them.
+struct FrameTimes {
+    std::int64_t frames = 0;
+    double shown = 0, stepping = 0, gathering = 0, painting = 0;
+
+    json::Object means() const {
+        const double each = frames > 0 ? 1000 / double(frames) : 0;
+        return {{"frames", frames},
+                {"seconds_shown", shown},
+                {"ms_step", stepping * each},
+                {"ms_gather", gathering * each},
+                {"ms_paint", painting * each}};
+    }
+};
+
 class Window {
   public:
-    explicit Window(play::Play& play) : play_(play), touch_(play), panel_(play) {}
+    explicit Window(play::Play& play) : play_(play), panel_(play), input_(play, screen_, panel_) {}
 
     std::optional<std::string> run() {
         begin();
@@ -57,18 +70,17 @@ class Window {
 
   private:
     play::Play& play_;
-    play::Touch touch_;
     Settings settings_;
     Screen screen_;
     Panel panel_;
+    SceneInput input_;
+    GuiInput gui_input_;
     std::unique_ptr<GlPainter> painter_;
     std::vector<Picture> pictures_; ///< per pane
     Area area_;                     ///< area of the scene
-    std::vector<SDL_Scancode> new_keys_;
-    std::vector<SDL_Event> late_releases_;
     std::string title_;
-    std::int64_t frames_ = 0;
-    double shown_ = 0, stepping_ = 0, gathering_ = 0, painting_ = 0; ///< seconds, summed over all frames
+    bool is_lost_ = false; ///< an event has reported lost textures
+    FrameTimes times_;
 
     /// Applies the settings to the game.
     void begin() {
@@ -124,13 +136,9 @@ class Window {
     }
 
     void finish() {
-        const double each = frames_ > 0 ? 1000 / double(frames_) : 0;
-        play_.tell("end", {{"hash", play_.hash()},
-                           {"frames", frames_},
-                           {"seconds_shown", shown_},
-                           {"ms_step", stepping_ * each},
-                           {"ms_gather", gathering_ * each},
-                           {"ms_paint", painting_ * each}});
+        auto told = times_.means();
+        told.insert(told.begin(), {"hash", play_.hash()});
+        play_.tell("end", std::move(told));
         save_settings();
         if (!play_.quit) play_.write_draft(); // interrupted, without a question about unsaved edits
         ImGui_ImplOpenGL3_Shutdown();
@@ -145,10 +153,9 @@ class Window {
         panel_.arrange(width, height, density);
         area_ = panel_.scene();
         play_.resize(area_.width, area_.height, density);
-        for (const auto& event : std::exchange(late_releases_, {})) ImGui_ImplSDL2_ProcessEvent(&event);
-        new_keys_.clear();
+        gui_input_.begin();
         for (SDL_Event event; SDL_PollEvent(&event);) {
-            tell_gui(event);
+            gui_input_.take(event);
             take(event);
         }
         if (screen_.minimized() || width < 1 || height < 1) { // invisible: simulated time stops
@@ -162,39 +169,34 @@ class Window {
         play_.draw_panes(pictures_);
         const auto drawn = Clock::now();
         name_window();
+        paint_scene(height);
+        glViewport(0, 0, width, height);
+        paint_panel();
+        screen_.wait_for_display(!play_.free_running);
+        screen_.show();
+        ++times_.frames;
+        times_.shown += passed;
+        times_.stepping += seconds_between(begin, stepped);
+        times_.gathering += seconds_between(stepped, drawn);
+        times_.painting += seconds_between(drawn, Clock::now());
+    }
+
+    void paint_scene(int height) {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glDisable(GL_SCISSOR_TEST); // panes of a split view may leave a column uncovered
         glClear(GL_COLOR_BUFFER_BIT);
         for (std::size_t i = 0; i < pictures_.size() && i < play_.pane_count(); ++i)
             painter_->paint(pictures_[i], area_.left + play_.pane_left(i), height - area_.top - area_.height);
-        glViewport(0, 0, width, height);
+    }
+
+    void paint_panel() {
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplSDL2_NewFrame();
-        tell_gui_of_pixels();
+        GuiInput::measure(screen_);
         ImGui::NewFrame();
         panel_.show();
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-        screen_.wait_for_display(!play_.free_running);
-        screen_.show();
-        ++frames_;
-        shown_ += passed;
-        stepping_ += seconds_between(begin, stepped);
-        gathering_ += seconds_between(stepped, drawn);
-        painting_ += seconds_between(drawn, Clock::now());
-    }
-
-    /// ImGui's back-end asks the display server for the pointer, which on X11 returns an old position after a button
-    /// was pressed; and the back-end counts in units of the window, the panel in pixels.
-    void tell_gui_of_pixels() const {
-        auto& io = ImGui::GetIO();
-        io.DisplaySize = {float(screen_.width()), float(screen_.height())};
-        io.DisplayFramebufferScale = {1, 1};
-        const auto scale = float(screen_.pointer_scale());
-        int x = 0, y = 0;
-        const bool is_pressed = SDL_GetMouseState(&x, &y) != 0;
-        const bool is_here = SDL_GetMouseFocus() == screen_.window() || is_pressed;
-        io.MousePos = is_here ? ImVec2{float(x) * scale, float(y) * scale} : ImVec2{-FLT_MAX, -FLT_MAX};
     }
 
     /// Limits the rate to 250 pictures per second where the display does not make the program wait.
@@ -209,10 +211,10 @@ class Window {
         constexpr double longest = 0.025; // seconds
         const auto begin = Clock::now();
         const auto before = play_.tape().now();
-        PhaseTimes phases;
-        const Profile profile(phases);
+        const auto phases = std::make_shared<PhaseTimes>();
+        play_.report({.times = phases, .preparing = {}});
         play_.advance(passed, [&] { return seconds_between(begin, Clock::now()) > longest; });
-        panel_.measure_steps(seconds_between(begin, Clock::now()), play_.tape().now() - before, phases);
+        panel_.measure_steps(seconds_between(begin, Clock::now()), play_.tape().now() - before, *phases);
     }
 
     void name_window() {
@@ -222,23 +224,7 @@ class Window {
         SDL_SetWindowTitle(screen_.window(), title_.c_str());
     }
 
-    Vec2<double> in_scene(int x, int y) const {
-        const double scale = screen_.pointer_scale();
-        return {{x * scale - area_.left, y * scale - area_.top}};
-    }
-
-    /// ImGui samples keys once per frame: if press and release fall into one frame, the release is passed on in the
-    /// next.
-    void tell_gui(const SDL_Event& event) {
-        const bool is_new = event.type == SDL_KEYUP &&
-                            std::find(new_keys_.begin(), new_keys_.end(), event.key.keysym.scancode) != new_keys_.end();
-        if (is_new) return late_releases_.push_back(event);
-        if (event.type == SDL_KEYDOWN) new_keys_.push_back(event.key.keysym.scancode);
-        ImGui_ImplSDL2_ProcessEvent(&event);
-    }
-
     void take(const SDL_Event& event) {
-        const bool typing = ImGui::GetIO().WantTextInput;
         switch (event.type) {
         case SDL_QUIT:
             play_.ask_to_quit();
@@ -255,96 +241,9 @@ class Window {
             play_.open_text(event.drop.file, "dropped");
             SDL_free(event.drop.file);
             break;
-        case SDL_MOUSEMOTION:
-            if (is_a_finger(event.motion.which)) break;
-            if (is_free(event.motion.x, event.motion.y) || dragging_)
-                play_.handle(play::Moved{in_scene(event.motion.x, event.motion.y)});
-            else
-                play_.handle(play::Left{});
-            break;
-        case SDL_MOUSEBUTTONDOWN:
-            if (!is_free(event.button.x, event.button.y) || is_a_finger(event.button.which)) break;
-            play_.handle(play::Moved{in_scene(event.button.x, event.button.y)});
-            if (const auto button = button_of(event.button.button)) press(*button);
-            break;
-        case SDL_MOUSEBUTTONUP:
-            if (is_a_finger(event.button.which)) break;
-            if (const auto button = button_of(event.button.button); button && dragging_) release(*button);
-            break;
-        case SDL_MOUSEWHEEL:
-            if (is_free_now()) play_.handle(play::Scrolled{double(event.wheel.preciseY)});
-            break;
-        case SDL_FINGERDOWN:
-            if (const auto at = under(event.tfinger); is_scene(at)) touch_.down(event.tfinger.fingerId, at);
-            break;
-        case SDL_FINGERMOTION:
-            touch_.move(event.tfinger.fingerId, under(event.tfinger));
-            break;
-        case SDL_FINGERUP:
-            touch_.up(event.tfinger.fingerId);
-            break;
-        case SDL_KEYDOWN:
-            press_key(event.key.keysym, typing);
-            break;
-        case SDL_KEYUP:
-            play_.handle(play::KeyUp{name_of_key(event.key.keysym)});
-            break;
-        case SDL_WINDOWEVENT:
-            if (event.window.event == SDL_WINDOWEVENT_LEAVE && !dragging_) play_.handle(play::Left{});
-            break;
         default:
-            break;
+            input_.take(event);
         }
-    }
-
-    bool dragging_ = false, is_lost_ = false;
-
-    /// True if a pointer at this position is over the scene. Decided by the layout, not by ImGui's last frame: a
-    /// pointer that leaves a button and is pressed at once is already over the scene.
-    bool is_free(int x, int y) const {
-        const double scale = screen_.pointer_scale();
-        return panel_.leaves_to_scene(x * scale, y * scale);
-    }
-    bool is_free_now() const {
-        int x = 0, y = 0;
-        SDL_GetMouseState(&x, &y);
-        return is_free(x, y);
-    }
-
-    /// Escape leaves a text field and closes the dialog around the field.
-    void press_key(const SDL_Keysym& key, bool typing) {
-        const auto name = name_of_key(key);
-        if (panel_.take_key(name) || (typing && name != "escape")) return;
-        play_.handle(play::Key{name});
-    }
-
-    static std::optional<play::Button> button_of(int number) {
-        if (number == SDL_BUTTON_LEFT) return play::Button::left;
-        if (number == SDL_BUTTON_MIDDLE) return play::Button::middle;
-        if (number == SDL_BUTTON_RIGHT) return play::Button::right;
-        return std::nullopt;
-    }
-
-    /// Captures the mouse, so that a drag continues beyond the window's edge.
-    void press(play::Button button) {
-        dragging_ = true;
-        SDL_CaptureMouse(SDL_TRUE);
-        play_.handle(play::Pressed{button});
-    }
-    void release(play::Button button) {
-        dragging_ = false;
-        SDL_CaptureMouse(SDL_FALSE);
-        play_.handle(play::Released{button});
-    }
-
-    /// True for the mouse events that SDL makes of the first finger: meant for the panel, not for the scene.
-    static bool is_a_finger(Uint32 mouse) { return mouse == SDL_TOUCH_MOUSEID; }
-
-    /// Decided by the layout: fingers do not hover, so ImGui has not seen the pointer arrive.
-    bool is_scene(Vec2<double> at) const { return panel_.leaves_to_scene(at[0] + area_.left, at[1] + area_.top); }
-
-    Vec2<double> under(const SDL_TouchFingerEvent& finger) const {
-        return {{double(finger.x) * screen_.width() - area_.left, double(finger.y) * screen_.height() - area_.top}};
     }
 };
 

@@ -78,7 +78,7 @@ const char* sinew_version(void) {
 }
 
 const char* sinew_simd(void) {
-    return name_of(simd_in_use());
+    return name_of(best_simd());
 }
 
 void* sinew_allocate(size_t bytes) {

@@ -23,32 +23,85 @@ void around(std::span<const Vec2<float>> rectangle, const Color& color, Picture&
     bar(0, 0, left, h);
     bar(right, 0, w, h);
 }
+
+/// A pool of light on a plane: discs one upon another, ever smaller, the last one at the middle.
+class Pool {
+  public:
+    static constexpr int rings = 64; ///< fewer show as bands: red, green and blue change at different rings
+
+    Pool(const CameraSection& camera, const View& view, const Vec3<double>& normal, const Vec3<double>& through)
+        : view_(view) {
+        const auto onto = [&](const Vec3<double>& place) { return place - normal * dot(place - through, normal); };
+        const auto below_eye = onto(camera.eye);
+        middle_ = onto(camera.target);
+        radius_ = maximum(0.93 * distance(below_eye, middle_), 1.2 * distance(below_eye, camera.eye));
+        const auto across = direction(cross(normal, view.towards_eye())), along = cross(across, normal);
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2 * pi<double> * i / corners;
+            circle_[std::size_t(i)] = across * cosine(angle) + along * sine(angle);
+        }
+    }
+
+    /// Pixels of a disc's rim, those before the eye.
+    void trace(int ring, Pixels& rim) const {
+        const double radius = radius_ * (1 - double(ring) / rings);
+        rim.clear();
+        for (const auto& way : circle_)
+            if (const auto seen = view_.see(middle_ + way * radius)) rim.push_back(seen->pixel);
+    }
+
+    /// First disc of which anything is seen: a disc that fills the picture hides those below.
+    int first_visible(const Picture& picture) const {
+        Pixels rim;
+        for (int ring = 1; ring < rings; ++ring) {
+            trace(ring, rim);
+            if (!fills(rim, picture)) return ring - 1;
+        }
+        return rings - 1;
+    }
+
+  private:
+    static constexpr int corners = 64;
+
+    const View& view_;
+    Vec3<double> middle_{};
+    double radius_ = 0; ///< of the first disc
+    std::array<Vec3<double>, corners> circle_{};
+
+    /// True if every corner of the picture is inside a rim that lies before the eye as a whole, which is convex then.
+    static bool fills(const Pixels& rim, const Picture& picture) {
+        if (rim.size() < corners) return false;
+        const auto w = float(picture.width), h = float(picture.height);
+        bool left = false, right = false;
+        for (std::size_t i = 0; i < rim.size(); ++i)
+            for (const auto& corner :
+                 {Vec2<float>{{0, 0}}, Vec2<float>{{w, 0}}, Vec2<float>{{w, h}}, Vec2<float>{{0, h}}}) {
+                const auto& from = rim[i];
+                const float side = cross(rim[i + 1 < rim.size() ? i + 1 : 0] - from, corner - from);
+                left |= side >= 0;
+                right |= side <= 0;
+            }
+        return left != right;
+    }
+};
+
 } // namespace
 
 void draw_floors(const Scene& scene, const View& view, const Theme& theme, Picture& picture) {
-    Pixels outline;
+    Pixels rim;
     if (!scene.world.bounds) return;
     for (const auto& plane : scene.world.bounds->planes) {
         const auto normal = direction(plane.normal.template as<3, double>());
         const auto through = plane.through.template as<3, double>();
-        const auto onto = [&](const Vec3<double>& place) { return place - normal * dot(place - through, normal); };
-        const auto& camera = scene.view.camera;
-        if (dot(camera.eye - through, normal) <= 0) continue;
-        const auto middle = onto(camera.target);
-        const auto below_eye = onto(camera.eye);
-        const double reach = maximum(0.93 * distance(below_eye, middle), 1.2 * distance(below_eye, camera.eye));
-        const auto across = direction(cross(normal, view.towards_eye())), along = cross(across, normal);
-        constexpr int rings = 64, corners = 64; // fewer show as bands: red, green and blue change at different rings
-        for (int ring = 0; ring < rings; ++ring) {
-            const double t = double(ring + 1) / rings, radius = reach * (1 - double(ring) / rings);
-            outline.clear();
-            for (int i = 0; i < corners; ++i) {
-                const double angle = 2 * pi<double> * i / corners;
-                const auto place = middle + (across * cosine(angle) + along * sine(angle)) * radius;
-                if (const auto seen = view.see(place)) outline.push_back(seen->pixel);
-            }
+        if (dot(scene.view.camera.eye - through, normal) <= 0) continue;
+        const Pool pool(scene.view.camera, view, normal, through);
+        const int first = pool.first_visible(picture);
+        if (first > 0) picture.clear(); // of the floors before
+        for (int ring = first; ring < Pool::rings; ++ring) {
+            const double t = double(ring + 1) / Pool::rings;
             const auto blend = float(t * t * (3 - 2 * t));
-            picture.add(Shape::polygon, outline, 0, mix(theme.background, theme.ground, blend));
+            pool.trace(ring, rim);
+            picture.add(Shape::polygon, rim, 0, mix(theme.background, theme.ground, blend));
         }
     }
 }

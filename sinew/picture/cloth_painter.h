@@ -40,13 +40,15 @@ template <class WorldT> class ClothPainter {
             return figure.fragments[piece.fragment].each_tile(
                 [&](std::span<const Vec2<float>> tile) { paint_tile(*patch, tile, style); });
         const int parts = parts_of(*patch);
-        const float step = 1.0F / float(parts);
+        see_corners(*patch, parts);
+        const auto at = [&](int i, int k) { return std::size_t(i * (parts + 1) + k); };
+        const double step = 1.0 / parts;
         for (int i = 0; i < parts; ++i)
             for (int k = 0; k < parts; ++k) {
-                const float u = float(i) * step, v = float(k) * step;
-                const std::array<Vec2<float>, 4> tile = {
-                    {{{u, v}}, {{u + step, v}}, {{u + step, v + step}}, {{u, v + step}}}};
-                paint_tile(*patch, tile, style);
+                shape_.clear();
+                for (const auto corner : {at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)})
+                    if (corners_[corner]) shape_.push_back(corners_[corner]->pixel);
+                if (shape_.size() == 4) paint_shape(*patch, (i + 0.5) * step, (k + 0.5) * step, style);
             }
     }
 
@@ -69,7 +71,8 @@ template <class WorldT> class ClothPainter {
     const Light& light_;
     const float unit_;
     Picture& picture_;
-    std::vector<Vec3<double>> normals_; // by row of the particles
+    std::vector<Vec3<double>> normals_;              // by row of the particles
+    std::vector<std::optional<View::Seen>> corners_; // of the tiles of a cell
     Pixels shape_;
 
     Vec3<double> place_in_space(Row row) const {
@@ -120,8 +123,15 @@ template <class WorldT> class ClothPainter {
         return 1 + int(minimum(side / (finest * maximum(unit_, 1.0F)), float(most - 1)));
     }
 
+    /// Projects the corners of all tiles of a cell into corners_, row by row.
+    void see_corners(const Patch& patch, int parts) {
+        const double step = 1.0 / parts;
+        corners_.clear();
+        for (int i = 0; i <= parts; ++i)
+            for (int k = 0; k <= parts; ++k) corners_.push_back(view_.see(place_at(patch, i * step, k * step)));
+    }
+
     void paint_tile(const Patch& patch, std::span<const Vec2<float>> tile, const Style& style) {
-        constexpr float seam = 0.5F; // pixels
         shape_.clear();
         Vec2<float> middle{};
         for (const auto& uv : tile) {
@@ -130,9 +140,14 @@ template <class WorldT> class ClothPainter {
             shape_.push_back(seen->pixel);
             middle += uv * (1 / float(tile.size()));
         }
+        paint_shape(patch, double(middle[0]), double(middle[1]), style);
+    }
+
+    /// Paints the tile in shape_ in the colour of its middle.
+    void paint_shape(const Patch& patch, double u, double v, const Style& style) {
+        constexpr float seam = 0.5F; // pixels
         widen(shape_, seam);
-        const auto normal = normal_at(patch, double(middle[0]), double(middle[1]));
-        picture_.add(Shape::polygon, shape_, 0, light_.shade(style.color, style.fill, normal));
+        picture_.add(Shape::polygon, shape_, 0, light_.shade(style.color, style.fill, normal_at(patch, u, v)));
     }
 };
 

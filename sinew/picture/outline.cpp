@@ -71,19 +71,23 @@ void ring(Vec2<float> from, Vec2<float> to, float width, float wire, Pixels& loo
 void widen(Pixels& shape, float by) {
     if (shape.empty()) return;
     constexpr float longest = 3; // miter limit at sharp corners, in multiples of `by`
-    const auto is_at = [](Vec2<float> a, Vec2<float> b) { return distance(a, b) < 1e-3F; };
+    const auto is_at = [](Vec2<float> a, Vec2<float> b) { return dot(b - a, b - a) < 1e-6F; };
     const auto first = shape.front();
     auto before = shape.back();
     for (std::size_t i = shape.size(); i-- > 0 && is_at(before, first);) before = shape[i];
     const float outward = area(shape) < 0 ? -by : by;
+    auto from = perpendicular(direction(first - before));
     for (std::size_t i = 0; i < shape.size(); ++i) {
         auto next = i + 1;
         while (next < shape.size() && is_at(shape[next], shape[i])) ++next;
         const auto point = shape[i], after = next < shape.size() ? shape[next] : first;
-        const auto from = perpendicular(direction(point - before)), to = perpendicular(direction(after - point));
+        const auto to = perpendicular(direction(after - point));
         const float straight = maximum(1 + dot(from, to), 2 / square(longest));
         shape[i] -= (from + to) * (outward / straight);
-        if (!is_at(after, point) && next == i + 1) before = point;
+        if (!is_at(after, point) && next == i + 1)
+            before = point, from = to;
+        else if (i + 1 < shape.size())
+            from = perpendicular(direction(shape[i + 1] - before));
     }
 }
 

@@ -1,18 +1,15 @@
 #include "sinew/picture/overlay.h"
 
+#include "sinew/picture/annotator.h"
 #include "sinew/picture/forces.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace sinew {
 namespace {
 
 /// Sizes at the nominal height of a picture, nominal pixels; proportional to the height.
-constexpr float line = 3, casing = 1.8F /* times a line */, letters = 11, pin_size = 11;
-constexpr float longest_arrow = 70, contact_size = 8, legend_row = 34;
-
-constexpr Color stretched{0.85F, 0.15F, 0.12F, 1}, squeezed{0.12F, 0.35F, 0.85F, 1};
+constexpr float casing = 1.8F /* times a line */, pin_size = 11, contact_size = 8;
 
 /// Smallest of 1, 2, 5, 10, 20, 50, ... times `least` not below `value`: a scale that seldom changes.
 double round_up(double value, double least) {
@@ -25,14 +22,14 @@ template <class WorldT> class Overlayer {
   public:
     Overlayer(const Scene& scene, const WorldT& world, const View& view, Picture& picture)
         : scene_(scene), world_(world), view_(view), picture_(picture), theme_(theme_called(scene.view.theme)),
-          unit_(float(picture.height / Picture::nominal_height)), text_(theme_.pen) {}
+          unit_(float(picture.height / Picture::nominal_height)), text_(theme_.pen), annotator_(picture, theme_) {}
 
     void strain() {
         color_lines([](const ConstraintState& state) { return state.strain * 100; }, 0.1, "strain", "%");
     }
 
     void tension() {
-        if (world_.settings.mode == Mode::classic) return legend("tension: classic mode knows no forces", 0, "");
+        if (world_.settings.mode == Mode::classic) return annotator_.add_words("tension: classic mode knows no forces");
         const auto units = scene_.measures();
         const double newtons = square(units.per_second) / units.per_metre;
         color_lines([&](const ConstraintState& state) { return state.tension * newtons; }, 1, "tension", "N");
@@ -66,11 +63,14 @@ template <class WorldT> class Overlayer {
                     left = minimum(left, (*at)[0]), right = maximum(right, (*at)[0]);
                 }
             top[0] = (left + right) / 2;
-            if (right >= left) write(figure.name, top - Vec2<float>{{0, 2 * letters * unit_}}, 1.3F * letters);
+            if (right >= left)
+                annotator_.write(figure.name, top - Vec2<float>{{0, 2 * Annotator::letters * unit_}},
+                                 1.3F * Annotator::letters);
         }
         for (const auto& figure : world_.figures)
             for (const auto& [name, id] : figure.particle_names)
-                if (const auto at = pixel_of(id)) write(name, *at + Vec2<float>{{0, letters * unit_}}, letters);
+                if (const auto at = pixel_of(id))
+                    annotator_.write(name, *at + Vec2<float>{{0, Annotator::letters * unit_}}, Annotator::letters);
     }
 
     /// Arrows: the sum of all force fields on a movable particle, the pin's reaction on a pinned one.
@@ -116,12 +116,7 @@ template <class WorldT> class Overlayer {
     const Theme& theme_;
     const float unit_;
     const Color text_;
-    int legends_ = 0;
-
-    struct Box {
-        Vec2<float> middle, size;
-    };
-    std::vector<Box> taken_;
+    Annotator annotator_;
 
     template <class T> static Vec3<double> in_space(const Vec<D, T>& place) {
         Vec3<double> wide{};
@@ -142,7 +137,7 @@ template <class WorldT> class Overlayer {
 
     bool knows_forces(const std::string& overlay) {
         if (world_.settings.mode == Mode::physical) return true;
-        legend(overlay + ": classic mode knows no forces", 0, "");
+        annotator_.add_words(overlay + ": classic mode knows no forces");
         return false;
     }
 
@@ -175,35 +170,11 @@ template <class WorldT> class Overlayer {
         const double scale = round_up(largest, 0.01);
         for (const auto& arrow : arrows)
             if (const auto from = view_.see(in_space(arrow.from))) {
-                const double length = longest_arrow * double(unit_) / double(from->scale);
+                const double length = Annotator::longest_arrow * double(unit_) / double(from->scale);
                 const auto to = view_.see(in_space(arrow.from + arrow.force * (length * newtons / scale)));
-                if (to) draw_arrow(from->pixel, to->pixel, arrow.color);
+                if (to) annotator_.draw_arrow(from->pixel, to->pixel, arrow.color);
             }
-        arrow_legend(what, largest > 0 ? scale : 0);
-    }
-
-    void draw_arrow(Vec2<float> from, Vec2<float> to, const Color& color) {
-        const auto along = to - from;
-        const float length = norm(along), head = minimum(8 * unit_, 0.4F * length);
-        if (length < unit_) return;
-        const auto ahead = along * (1 / length);
-        const Vec2<float> across{{-ahead[1], ahead[0]}};
-        const auto neck = to - ahead * head;
-        const std::array shaft = {from, neck};
-        const std::array<Vec2<float>, 3> tip = {{to, neck + across * (0.5F * head), neck - across * (0.5F * head)}};
-        picture_.add(Shape::polyline, shaft, (line + 1.5F) * unit_, theme_.background);
-        picture_.add(Shape::polyline, shaft, line * unit_, color);
-        picture_.add(Shape::polygon, tip, 0, color);
-    }
-
-    /// Legend: an arrow of full scale and the label beside it.
-    void arrow_legend(std::string_view what, double scale) {
-        const float margin = 14 * unit_, long_as = longest_arrow * unit_, letter = 0.6F * letters * unit_;
-        const float y = float(picture_.height) - margin - float(legends_++) * legend_row * unit_;
-        const auto text = scale > 0 ? fmt::format("{}: {:g} N", what, scale) : fmt::format("{}: none", what);
-        const float left = scale > 0 ? margin + long_as + letter : margin;
-        picture_.add_text(text, {{left + letter * float(text.size()) / 2, y}}, letters * unit_, text_);
-        if (scale > 0) draw_arrow({{margin, y}}, {{margin + long_as, y}}, text_);
+        annotator_.add_arrow(what, largest > 0 ? scale : 0);
     }
 
     /// Every distance as a line coloured by value; neutral lines take the pale colour. A one-sided distance that only
@@ -228,51 +199,13 @@ template <class WorldT> class Overlayer {
         }
         const double scale = round_up(largest, least);
         // Thinner where lines are dense.
-        const auto thick = [&](const auto& ends) { return minimum(line * unit_, 0.25F * distance(ends[0], ends[1])); };
+        const auto thick = [&](const auto& ends) {
+            return minimum(Annotator::line * unit_, 0.25F * distance(ends[0], ends[1]));
+        };
         for (const auto& [ends, value] : lines) picture_.add(Shape::polyline, ends, casing * thick(ends), theme_.ink);
         for (const auto& [ends, value] : lines)
-            picture_.add(Shape::polyline, ends, thick(ends), color_of(value / scale));
-        legend(what, scale, unit);
-    }
-
-    /// Colour of a share in [-1, 1]: -1 compressed, 0 neutral, 1 stretched.
-    static Color color_of(double share) {
-        constexpr Color rest{0.93F, 0.91F, 0.84F, 1};
-        return mix(rest, share < 0 ? squeezed : stretched, float(clamp(absolute(share), 0.0, 1.0)));
-    }
-
-    /// Colour bar with its range, in the lower left corner; further legends stack above.
-    void legend(std::string_view what, double scale, std::string_view unit) {
-        const float margin = 14 * unit_, wide = 150 * unit_, high = 7 * unit_;
-        const float y = float(picture_.height) - margin - float(legends_++) * legend_row * unit_;
-        const auto label = [&](std::string text, float x) {
-            picture_.add_text(std::move(text), {{x, y - high - 7 * unit_}}, letters * unit_, text_);
-        };
-        if (scale == 0) return label(std::string(what), margin + wide);
-        constexpr int parts = 30;
-        for (int i = 0; i < parts; ++i) {
-            const float left = margin + wide * float(i) / parts, right = margin + wide * float(i + 1) / parts + 0.5F;
-            const std::array<Vec2<float>, 4> box = {
-                {{{left, y - high}}, {{right, y - high}}, {{right, y}}, {{left, y}}}};
-            picture_.add(Shape::polygon, box, 0, color_of(2 * (i + 0.5) / parts - 1));
-        }
-        label(fmt::format("-{:g} {}", scale, unit), margin + 18 * unit_);
-        label(std::string(what), margin + wide / 2);
-        label(fmt::format("{:g} {}", scale, unit), margin + wide - 15 * unit_);
-    }
-
-    void write(const std::string& text, Vec2<float> middle, float height) {
-        constexpr float letter_width = 0.6F; // as a fraction of the height
-        const Vec2<float> half{{float(text.size()) * letter_width * height * unit_ / 2, height * unit_ / 2}};
-        middle[0] = clamp(middle[0], half[0], maximum(half[0], float(picture_.width) - half[0]));
-        middle[1] = clamp(middle[1], half[1], maximum(half[1], float(picture_.height) - half[1]));
-        const Box box{middle, half * 2.0F};
-        for (const auto& other : taken_) {
-            const auto apart = box.middle - other.middle, room = (box.size + other.size) * 0.5F;
-            if (absolute(apart[0]) < room[0] && absolute(apart[1]) < room[1]) return;
-        }
-        taken_.push_back(box);
-        picture_.add_text(text, middle, height * unit_, text_);
+            picture_.add(Shape::polyline, ends, thick(ends), color_of_share(value / scale));
+        annotator_.add_bar(what, scale, unit);
     }
 };
 

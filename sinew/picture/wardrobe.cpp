@@ -64,4 +64,11 @@ const Style& StyleResolver::of(const std::string& part) {
     return last_;
 }
 
+std::optional<std::uint32_t> image_of(const Piece& piece, const Style& style, const Images& images) {
+    if (!style.image || !takes_image(piece)) return std::nullopt;
+    for (std::size_t i = 0; i < images.size(); ++i)
+        if (images[i].first == style.image->file) return std::uint32_t(i);
+    return std::nullopt;
+}
+
 } // namespace sinew

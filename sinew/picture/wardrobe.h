@@ -1,8 +1,11 @@
 #pragma once
 
 #include "sinew/picture/theme.h"
+#include "sinew/scene/image.h"
 #include "sinew/scene/scene.h"
+#include "sinew/world/figure.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,5 +46,8 @@ class StyleResolver {
     std::string last_part_;
     bool dressed_ = false;
 };
+
+/// Index of the image painted in place of a piece; empty if none.
+std::optional<std::uint32_t> image_of(const Piece& piece, const Style& style, const Images& images);
 
 } // namespace sinew

@@ -8,28 +8,24 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <map>
 #include <set>
-#include <span>
 
 namespace sinew {
 namespace {
 
-/// True if one of the names ends in a star and so stands for many particles.
-bool has_star(std::span<const std::string> names) {
-    return std::ranges::any_of(names, [](const std::string& name) { return name.ends_with('*'); });
+std::string_view article(std::string_view noun) {
+    return std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a" : "an";
 }
 
-Sizes sizes_of(const FigureSection& figure) {
-    Sizes sizes;
-    detail::visit_held(figure.made, [&](const auto& made) {
-        if constexpr (requires { made.sizes(); })
-            sizes = made.sizes();
-        else
-            for (sizes.particles = made.particles.size(); const auto& constraint : made.constraints)
-                sizes.constraints += has_star(constraint.between) ? sizes.particles : 1;
-    });
-    return sizes;
+std::string colors_like(std::string_view text) {
+    std::vector<std::string_view> names(theme_colors.begin(), theme_colors.end());
+    for (const auto& named : css_colors) names.push_back(named.name);
+    const auto near = nearest(text, names);
+    std::string help = near.empty() ? "" : fmt::format("did you mean {}? ", in_quotes(near));
+    auto others = similar(text, names, 6);
+    std::erase(others, near);
+    if (!others.empty()) help += fmt::format("near it: {}; ", fmt::join(others, ", "));
+    return help + "allowed: every name of CSS, ink or paper, #rgb, #rrggbb, #rrggbbaa or none";
 }
 
 class ValueCheck {
@@ -39,7 +35,7 @@ class ValueCheck {
     void run() {
         precision();
         names();
-        sizes();
+        check_sizes(scene_, document_);
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
         for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
             constraint(scene_.constraints[i], under("constraints", i));
@@ -79,35 +75,6 @@ class ValueCheck {
         }
     }
 
-    void sizes() {
-        const auto& limits = document_.limits;
-        count(std::int64_t(scene_.figures.size()), limits.figures, "figures", "/figures");
-        count(std::int64_t(scene_.events.size()), limits.events, "events", "/events");
-        Sizes sum;
-        std::map<std::string_view, std::size_t> particles; // upper bound on the particles a star can stand for
-        for (const auto& figure : scene_.figures)
-            particles[name_of(figure)] = std::min(sizes_of(figure).particles, std::size_t(1e12));
-        const auto most = [&](const std::string_view name) {
-            const auto found = particles.find(name.substr(0, name.find('/')));
-            return name.ends_with('*') && found != particles.end() ? found->second : 1;
-        };
-        for (const auto& constraint : scene_.constraints) {
-            std::size_t many = 1;
-            for (const auto& name : constraint.between) many = std::max(many, most(name));
-            sum.constraints += many;
-        }
-        for (const auto& pin : scene_.pins)
-            if (pin.particle.ends_with('*')) sum.constraints += most(pin.particle);
-        for (std::size_t i = 0; i < scene_.figures.size(); ++i) {
-            const auto sizes = sizes_of(scene_.figures[i]);
-            sum.particles += sizes.particles;
-            sum.constraints += sizes.constraints;
-            if (count(std::int64_t(sum.particles), limits.particles, "particles", under("figures", i)) ||
-                count(std::int64_t(sum.constraints), limits.constraints, "constraints", under("figures", i)))
-                return;
-        }
-    }
-
     void traces() {
         if (scene_.traces.size() > most_traces)
             document_.error("/traces",
@@ -124,15 +91,6 @@ class ValueCheck {
             if (trace.low && trace.high && !(*trace.low < *trace.high))
                 document_.error(under("traces", i, "low"), "low is not below high");
         }
-    }
-
-    /// Reports a count above its limit; true if the count is above.
-    bool count(std::int64_t found, std::int64_t allowed, std::string_view what, std::string place) {
-        if (found <= allowed) return false;
-        document_.error(std::move(place),
-                        fmt::format("the scene would have {} {}, at most {} are allowed", found, what, allowed),
-                        fmt::format("if you trust the file, raise the limit: limits.{}={}", what, found));
-        return true;
     }
 
     void figure(const FigureSection& figure, std::size_t i) {
@@ -208,26 +166,11 @@ class ValueCheck {
                             fmt::format("there is no {} in {} dimensions", kind.name, scene_.dimension));
     }
 
-    static std::string_view article(std::string_view noun) {
-        return std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a" : "an";
-    }
-
     void look(const Look& look, const std::string& place) {
         for (const auto& [key, text] :
              {std::pair("/color", look.color), std::pair("/fill", look.fill), std::pair("/hover", look.hover)})
             if (!text.empty() && !parse_color(text) && std::ranges::find(theme_colors, text) == theme_colors.end())
                 document_.error(place + key, fmt::format("{} is no colour", in_quotes(text)), colors_like(text));
-    }
-
-    static std::string colors_like(std::string_view text) {
-        std::vector<std::string_view> names(theme_colors.begin(), theme_colors.end());
-        for (const auto& named : css_colors) names.push_back(named.name);
-        const auto near = nearest(text, names);
-        std::string help = near.empty() ? "" : fmt::format("did you mean {}? ", in_quotes(near));
-        auto others = similar(text, names, 6);
-        std::erase(others, near);
-        if (!others.empty()) help += fmt::format("near it: {}; ", fmt::join(others, ", "));
-        return help + "allowed: every name of CSS, ink or paper, #rgb, #rrggbb, #rrggbbaa or none";
     }
 
     template <class Key> void keys(const std::vector<Key>& keys, const std::string& place) {

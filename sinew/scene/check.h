@@ -9,6 +9,9 @@ namespace sinew {
 /// constraints with consistent values.
 void check_values(const Scene& scene, Document& document);
 
+/// The part of check_values about limits: numbers of figures, events, particles and constraints.
+void check_sizes(const Scene& scene, Document& document);
+
 /// Checks after building: every particle, constraint, figure and part referred to exists.
 void check_references(const Scene& scene, const AnyWorld& world, Document& document);
 

@@ -1,11 +1,9 @@
 #include "sinew/assert/assert.h"
-#include "sinew/math/random.h"
 #include "sinew/scene/check.h"
-#include "sinew/scene/colliders.h"
 #include "sinew/scene/join.h"
 #include "sinew/scene/scene.h"
+#include "sinew/scene/surroundings.h"
 #include "sinew/scene/types.h"
-#include "sinew/solver/contact/colliders.h"
 #include "sinew/world/edit.h"
 
 #include <algorithm>
@@ -13,16 +11,13 @@
 namespace sinew {
 namespace {
 
-/// Builds the world of a scene, section by section.
+/// Builds the world of a scene: first the surroundings, then figures, constraints between them and pins.
 template <int D, class Real> class WorldBuilder {
   public:
     explicit WorldBuilder(const Scene& scene) : scene_(scene) {}
 
     World<D, Real> make() {
-        settings();
-        forces();
-        bounds();
-        colliders();
+        Surroundings<D, Real>(scene_, world_).build();
         for (const auto& figure : scene_.figures) add(figure);
         for (const auto& constraint : scene_.constraints) join(world_, constraint);
         for (const auto& section : scene_.pins) hold(section);
@@ -34,97 +29,7 @@ template <int D, class Real> class WorldBuilder {
     const Scene& scene_;
     World<D, Real> world_;
 
-    int up() const { return scene_.units.up == "-y" ? -1 : 1; }
     static Vector vector(const Point& point) { return point.as<D, Real>(); }
-
-    void settings() {
-        const auto& solver = scene_.solver;
-        const auto& rules = solver.rules;
-        auto& settings = world_.settings;
-        settings.mode = solver.mode == "classic" ? Mode::classic : Mode::physical;
-        settings.substeps = solver.substeps;
-        settings.iterations = solver.iterations;
-        settings.damping = Real(scene_.world.damping.value_or(0));
-        settings.frame = Real(scene_.measures().per_second / 60);
-        const auto order = std::find(RulesSection::orders.begin(), RulesSection::orders.end(), rules.order);
-        settings.classic = {
-            .passes = solver.passes,
-            .order = std::min(PassOrder(order - RulesSection::orders.begin()), PassOrder::walls_last),
-            .moves_each_pass = rules.moves_each_pass,
-            .integrator = integrator(rules.integrator),
-            .keep = Real(scene_.world.damping.value_or(1)),
-            .damp_after_force = rules.damp_after_force,
-            .root_free = rules.root_free,
-            .bounce = Real(scene_.world.bounds ? scene_.world.bounds->bounce : 0),
-            .floor_keep = Real(rules.floor_keep),
-            .time_scale = Real(rules.time_scale),
-            .longest_step = Real(rules.longest_step),
-            .outward_bounce = rules.outward_bounce,
-            .points_only_passes = rules.points_only_passes,
-            .unscaled_inertia = rules.unscaled_inertia,
-            .halved_acceleration = rules.halved_acceleration,
-            .dropped_leftover = rules.dropped_leftover,
-        };
-    }
-
-    void forces() {
-        world_.forces.push_back(
-            Gravity<D, Real>{vector(scene_.world.gravity)}); // the first field is the world's gravity
-        for (const auto& section : scene_.world.forces)
-            detail::visit_held(section.force, [&](const auto& force) { world_.forces.push_back(field(force)); });
-    }
-
-    Gravity<D, Real> field(const GravityForce& force) const { return {vector(force.acceleration)}; }
-    Drag<D, Real> field(const DragForce& force) const { return {Real(force.strength)}; }
-    Wind<D, Real> field(const WindForce& force) const {
-        return {.velocity = vector(force.velocity),
-                .strength = Real(force.strength),
-                .gust = vector(force.gust),
-                .gust_period = Real(force.gust_period),
-                .gust_size = Real(force.gust_size),
-                .seed = seed(force.seed)};
-    }
-    Attractor<D, Real> field(const AttractorForce& force) const {
-        return {vector(force.center), Real(force.strength), Real(force.softness), figure_called(force.figure)};
-    }
-    /// Index of a figure by name, known before the figure is built, because figures are built in scene order; no_figure
-    /// for an empty name.
-    FigureIndex figure_called(std::string_view name) const {
-        for (std::size_t i = 0; i < scene_.figures.size(); ++i)
-            if (!name.empty() && name_of(scene_.figures[i]) == name) return FigureIndex(i);
-        return no_figure;
-    }
-    RandomPush<D, Real> field(const RandomPushForce& force) const {
-        return {vector(force.low), vector(force.high), seed(force.seed)};
-    }
-    std::uint64_t seed(std::int64_t own) const {
-        return std::uint64_t(own) ^ random::mix(std::uint64_t(scene_.solver.seed));
-    }
-
-    void bounds() {
-        if (!scene_.world.bounds) return;
-        const auto& bounds = *scene_.world.bounds;
-        const Real bounce = Real(bounds.bounce), friction = Real(bounds.friction);
-        if (bounds.box)
-            for (int i = 0; i < D; ++i) {
-                const Real low = Real(std::min((*bounds.box)[0][i], (*bounds.box)[1][i]));
-                const Real high = Real(std::max((*bounds.box)[0][i], (*bounds.box)[1][i]));
-                world_.bounds.push_back({Vector::axis(i), low, bounce, friction});
-                world_.bounds.push_back({-Vector::axis(i), -high, bounce, friction});
-            }
-        for (const auto& plane : bounds.planes) {
-            const auto normal = direction(vector(plane.normal));
-            world_.bounds.push_back({normal, dot(normal, vector(plane.through)),
-                                     Real(plane.bounce.value_or(bounds.bounce)),
-                                     Real(plane.friction.value_or(bounds.friction))});
-        }
-    }
-
-    void colliders() {
-        for (std::size_t i = 0; i < scene_.colliders.size(); ++i)
-            for (const auto& collider : colliders_of<D, Real>(scene_.colliders[i], i, up()))
-                add_collider(world_, collider);
-    }
 
     void touch(FigureIndex figure, const ContactSection& contact) {
         set_contact(world_, figure,
@@ -143,7 +48,7 @@ template <int D, class Real> class WorldBuilder {
         detail::visit_held(section.made, [&](const auto& made) { figure = build_figure(made, name, section); });
         SINEW_ASSERT(has_figure(world_, figure), "a section of the scene makes a figure");
         world_.figures[figure].direct = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
-        if (!section.integrator.empty()) world_.figures[figure].integrator = integrator(section.integrator);
+        if (!section.integrator.empty()) world_.figures[figure].integrator = integrator_called(section.integrator);
         touch(figure, section.contact);
         for (const auto id : world_.figures[figure].particles) speed_up(id, section.velocity);
         for (const auto& [particle, kick] : section.kicks)
@@ -152,12 +57,6 @@ template <int D, class Real> class WorldBuilder {
             figure, section.relaxation, [](auto& table) -> auto& { return table.relaxation; });
         override_column(
             figure, section.split, [](auto& table) -> auto& { return table.split; });
-    }
-
-    static Integrator integrator(std::string_view name) {
-        const auto found = std::find(integrator_names.begin(), integrator_names.end(), name);
-        SINEW_ASSERT(found != integrator_names.end(), "the reader accepts names of integrators only");
-        return Integrator(found - integrator_names.begin());
     }
 
     static Direct direct(std::string_view name) {
@@ -183,7 +82,7 @@ template <int D, class Real> class WorldBuilder {
     FigureIndex build_figure(const Prefab& prefab, std::string_view name, const FigureSection& section) {
         if constexpr (Prefab::dimensions.include(D))
             return build(world_, prefab, name,
-                         Placement<D, Real>{.at = vector(section.at), .turn = section.turn, .up = up()});
+                         Placement<D, Real>{.at = vector(section.at), .turn = section.turn, .up = up_of(scene_)});
         else
             return no_figure;
     }
@@ -191,7 +90,7 @@ template <int D, class Real> class WorldBuilder {
     /// Builds a hand-made figure. Positions are in the scene's own axes: rotated and translated, never mirrored.
     FigureIndex build_figure(const ByHand& by_hand, std::string_view name, const FigureSection& section) {
         const auto figure = add_figure(world_, name, ByHand::name);
-        const Placement<D, Real> placement{.at = vector(section.at), .turn = section.turn * up(), .up = 1};
+        const Placement<D, Real> placement{.at = vector(section.at), .turn = section.turn * up_of(scene_), .up = 1};
         for (const auto& [called, particle] : by_hand.particles) {
             const auto place = placement.place(particle.at.template as<D, double>());
             std::optional<Vector> previous;

@@ -1,10 +1,9 @@
 #include "sinew/scene/json.h"
 #include "sinew/scene/json_cursor.h"
+#include "sinew/scene/json_syntax.h"
 #include "sinew/scene/utf8.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 
 #define JSON_NO_IO 1
@@ -13,7 +12,7 @@
 namespace sinew::json {
 namespace {
 
-using detail::Condensed, detail::Cursor, detail::in_word, detail::is_digit;
+using detail::Condensed, detail::Cursor, detail::SyntaxReport;
 
 /// Length limit of a JSON pointer in a message, bytes: keys can be long.
 constexpr std::size_t longest_path = 500;
@@ -58,17 +57,16 @@ class Builder {
     }
 
     template <class Exception> bool parse_error(std::size_t, const std::string&, const Exception& exception) {
-        report_syntax(exception.id == 406, exception.what());
+        syntax_report().report(exception.id == 406, exception.what());
         return false;
     }
 
     /// Checks after the last event that nothing follows the document, and returns the root.
     std::optional<Value> result() {
         cursor_.skip_space();
-        if (cursor_.open_comment()) return report_open_comment(), std::nullopt;
+        if (cursor_.open_comment()) return syntax_report().report_open_comment(), std::nullopt;
         if (cursor_.at_end()) return std::move(root_);
-        const Span rest = cursor_.token(source_); // the parser treats a zero byte as the end
-        error(rest, concat("expected the end of the file, found ", found(diagnostics_.text(rest))));
+        syntax_report().report_rest(cursor_.token(source_)); // the parser treats a zero byte as the end
         return {};
     }
 
@@ -197,95 +195,17 @@ class Builder {
         members = std::move(kept);
     }
 
-    // --- error messages for invalid text ------------------------------------------------------------------------
-
-    void report_syntax(bool overflow, std::string_view reason) {
-        cursor_.skip_space();
-        const bool in_object = !open_.empty() && open_.back().container.as<Object>();
-        const bool first = open_.empty() || open_.back().empty;
-        const char separator = after_key_ ? ':' : ',';
-        const auto before_separator = cursor_.at();
-        const bool separated = (after_key_ || !first) && cursor_.skip(separator);
-        cursor_.skip_space();
-        const Span span = cursor_.token(source_);
-        const std::string_view token = diagnostics_.text(span);
-
-        if (overflow) return error(span, concat("the number ", shortened(token), " is too large"));
-        if (cursor_.open_comment()) return report_open_comment();
-        if (cursor_.at_end()) return report_end();
-        if (const Span word = cursor_.whole_word(source_); word.begin < span.begin && !separated)
-            return report_value(word, false);
-        if (root_) return error(span, concat("expected the end of the file, found ", found(token)));
-        if (after_key_ && !separated) return error(span, concat("expected \":\" after the key, found ", found(token)));
-        if (!after_key_ && !first && !separated)
-            return error(span, concat("expected \",\" or \"", in_object ? "}" : "]", "\", found ", found(token)));
-        if (separated && !after_key_ && (token == "}" || token == "]")) {
-            const Span comma{source_, std::uint32_t(before_separator), std::uint32_t(before_separator + 1)};
-            return error(comma, concat("a comma before ", in_quotes(token)), "remove it");
-        }
-        if (token.starts_with('"')) return report_string(span, reason);
-        report_value(span, in_object && !after_key_);
-    }
-
-    void report_value(Span span, bool want_key) {
-        const auto token = diagnostics_.text(span);
-        error(span, concat("expected ", want_key ? "a key in double quotes" : "a value", ", found ", found(token)),
-              hint(token, want_key));
-    }
-
-    void report_open_comment() {
-        const auto begin = std::uint32_t(*cursor_.open_comment());
-        error({source_, begin, begin + 2}, "the comment is not closed", "it ends with */");
-    }
-
-    void report_end() {
-        const Span end{source_, std::uint32_t(text_.size()), std::uint32_t(text_.size())};
-        if (open_.empty()) return error(end, "the file is empty", "the smallest scene is {\"sinew\": 1}");
-        const Span opened = open_.back().container.span;
-        const Place place = place_of(diagnostics_, opened);
-        error(end, "the file ends too early",
-              concat(in_quotes(text_.substr(opened.begin, 1)), " of line ", place.line, ", column ", place.column,
-                     " is not closed"));
-    }
-
-    /// Reports the first invalid character of a string.
-    void report_string(Span span, std::string_view reason) {
-        constexpr std::string_view escapes = "\"\\/bfnrtu";
-        for (std::uint32_t i = span.begin + 1; i < span.end; ++i) {
-            const char c = text_[i];
-            if (static_cast<unsigned char>(c) < 0x20)
-                return error({source_, i, i + 1}, "a control character inside a string",
-                             c == '\t' ? "a tab is written \\t" : "");
-            if (c != '\\') continue;
-            if (i + 1 >= text_.size() || escapes.find(text_[i + 1]) == std::string_view::npos)
-                return error({source_, i, std::min(i + 2, span.end)}, "unknown escape in a string",
-                             "allowed: \\\" \\\\ \\/ \\b \\f \\n \\r \\t and \\u with four hexadecimal digits");
-            ++i;
-        }
-        const auto token = diagnostics_.text(span);
-        if (token.size() < 2 || !token.ends_with('"')) return error(span, "the string is not closed on its line");
-        const auto begin = reason.find("invalid string: ");
-        const auto end = reason.find("; last read");
-        error(span, begin == std::string_view::npos ? concat("expected a value, found the string ", shortened(token))
-                                                    : std::string(reason.substr(begin, end - begin)));
-    }
-
-    static std::string shortened(std::string_view token) { return printable(token, 40); }
-    static std::string found(std::string_view token) {
-        return token.starts_with('"') ? concat("the string ", shortened(token)) : in_quotes(token, 40);
-    }
-
-    static std::string hint(std::string_view token, bool want_key) {
-        if (token == "'") return "strings are in double quotes";
-        if (want_key) return in_word(token[0]) ? concat("write ", in_quotes(token, 40)) : "";
-        constexpr std::array<std::string_view, 7> not_finite = {"NaN",      "nan", "Infinity", "-Infinity",
-                                                                "infinity", "inf", "-inf"};
-        if (std::ranges::find(not_finite, token) != not_finite.end()) return "numbers are finite";
-        if (is_digit(token[0]) || token[0] == '-' || token[0] == '+' || token[0] == '.')
-            return "a number looks like 12, -0.5 or 1e-3";
-        constexpr std::array<std::string_view, 3> words = {"true", "false", "null"};
-        if (const auto word = nearest(token, words); !word.empty()) return concat("did you mean ", word, "?");
-        return in_word(token[0]) ? "strings are in double quotes" : "";
+    SyntaxReport syntax_report() const {
+        const bool is_inside = !open_.empty();
+        return {diagnostics_,
+                {.source = source_,
+                 .cursor = cursor_,
+                 .path = path(),
+                 .opened = is_inside ? std::optional(open_.back().container.span) : std::nullopt,
+                 .in_object = is_inside && open_.back().container.as<Object>(),
+                 .first = !is_inside || open_.back().empty,
+                 .after_key = after_key_,
+                 .complete = root_.has_value()}};
     }
 
     std::uint32_t source_;

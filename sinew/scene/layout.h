@@ -40,6 +40,37 @@ template <Record R> Layout layout_of() {
     return shape;
 }
 
+namespace detail {
+
+/// Describes a value that is neither a choice nor a record: its type, and its elements if any.
+template <class T> void describe_value(const T& value, const Field& field, Layout& shape) {
+    using Type = Layout::Type;
+    if constexpr (std::same_as<T, bool>) {
+        shape.type = Type::truth;
+    } else if constexpr (Integer<T>) {
+        shape.type = Type::integer;
+    } else if constexpr (std::floating_point<T>) {
+        shape.type = Type::number;
+        if (!is_finite(double(value))) shape.usual = {};
+    } else if constexpr (std::same_as<T, std::string>) {
+        shape.type = Type::text;
+    } else if constexpr (std::same_as<T, Point>) {
+        shape.type = Type::point;
+    } else if constexpr (array_size<T> > 0) {
+        shape.type = Type::list;
+        shape.least = shape.most = array_size<T>;
+        shape.parts = {layout_of(elements(value)[0], element_of(field))};
+    } else if constexpr (is_map<T>) {
+        shape.type = Type::map;
+        shape.parts = {layout_of(typename T::value_type::second_type{}, element_of(field))};
+    } else if constexpr (is_vector<T>) {
+        shape.type = Type::list;
+        shape.parts = {layout_of(typename T::value_type{}, element_of(field))};
+    }
+}
+
+} // namespace detail
+
 template <class T> Layout layout_of(const T& value, const Field& field) {
     using namespace detail;
     using Type = Layout::Type;
@@ -61,28 +92,7 @@ template <class T> Layout layout_of(const T& value, const Field& field) {
         T::fields(value, [&](const auto& member, const Field& of) { shape.parts.push_back(layout_of(member, of)); });
     } else {
         shape.usual = write(value, field, plain);
-        if constexpr (std::same_as<T, bool>) {
-            shape.type = Type::truth;
-        } else if constexpr (Integer<T>) {
-            shape.type = Type::integer;
-        } else if constexpr (std::floating_point<T>) {
-            shape.type = Type::number;
-            if (!is_finite(double(value))) shape.usual = {};
-        } else if constexpr (std::same_as<T, std::string>) {
-            shape.type = Type::text;
-        } else if constexpr (std::same_as<T, Point>) {
-            shape.type = Type::point;
-        } else if constexpr (array_size<T> > 0) {
-            shape.type = Type::list;
-            shape.least = shape.most = array_size<T>;
-            shape.parts = {layout_of(elements(value)[0], element_of(field))};
-        } else if constexpr (is_map<T>) {
-            shape.type = Type::map;
-            shape.parts = {layout_of(typename T::value_type::second_type{}, element_of(field))};
-        } else if constexpr (is_vector<T>) {
-            shape.type = Type::list;
-            shape.parts = {layout_of(typename T::value_type{}, element_of(field))};
-        }
+        describe_value(value, field, shape);
     }
     return shape;
 }

@@ -116,21 +116,87 @@ class FieldReader {
 /// Reads a value into any type a field can have (types.h). Returns false if there was an error, reported to the
 /// diagnostics.
 template <class T>
+bool read(const json::Value& value, T& target, const Field& field, const Path& path, const Reading& in);
+
+namespace detail {
+
+template <Integer T>
+bool read_whole(const json::Value& value, T& target, const Field& field, const Path& path, const Reading& in) {
+    static_assert(sizeof(T) < 8 || std::signed_integral<T>, "numbers of JSON are read as 64 bits with a sign");
+    Range range = range_in_file(field, in.units);
+    if constexpr (sizeof(T) < 8) {
+        range.low = maximum(range.low, double(std::numeric_limits<T>::min()));
+        range.high = minimum(range.high, double(std::numeric_limits<T>::max()));
+    }
+    std::int64_t number = 0;
+    if (!read_integer(value, number, range, field, path, in)) return false;
+    target = T(number);
+    return true;
+}
+
+/// Reads an array of exactly `size` items into the elements of an array.
+template <class Elements>
+bool read_elements(const json::Value& value, Elements& elements, std::size_t size, const Field& field, const Path& path,
+                   const Reading& in) {
+    const auto* items = array_of(value, size, field, path, in);
+    if (!items) return false;
+    bool good = true;
+    for (std::size_t i = 0; i < items->size(); ++i)
+        good &= read((*items)[i], elements[i], element_of(field), Path(path, i), in);
+    return good;
+}
+
+/// Reads an object into a map from names to values.
+template <class T>
+bool read_map(const json::Value& value, T& target, const Field& field, const Path& path, const Reading& in) {
+    const auto* members = value.as<json::Object>();
+    if (!members) return refuse(value, field, path, in, "an object");
+    if (!take_memory(value, members->size(), sizeof(target[0]), path, in)) return false;
+    target.clear();
+    target.reserve(members->size());
+    bool good = true;
+    for (const auto& [key, item, span] : *members) {
+        target.emplace_back(key, fresh<typename T::value_type::second_type>(field, in.units));
+        good &= read(item, target.back().second, element_of(field), Path(path, key), in);
+    }
+    return good;
+}
+
+/// Reads an array of any length.
+template <class T>
+bool read_list(const json::Value& value, T& target, const Field& field, const Path& path, const Reading& in) {
+    static_assert(!std::same_as<T, std::vector<bool>>, "a vector of bool has no elements to read into");
+    const auto* items = value.as<json::Array>();
+    if (!items) return refuse(value, field, path, in, "an array");
+    if (!take_memory(value, items->size(), sizeof(target[0]), path, in)) return false;
+    target.clear();
+    target.reserve(items->size());
+    bool good = true;
+    for (std::size_t i = 0; i < items->size(); ++i) {
+        target.push_back(fresh<typename T::value_type>(field, in.units));
+        good &= read((*items)[i], target.back(), element_of(field), Path(path, i), in);
+    }
+    return good;
+}
+
+template <Record R>
+bool read_object(const json::Value& value, R& target, const Field& field, const Path& path, const Reading& in) {
+    const auto* object = value.as<json::Object>();
+    if (!object) return refuse(value, field, path, in, "an object");
+    FieldReader reader(value, *object, path, in);
+    reader.read_fields(target);
+    return reader.finish();
+}
+
+} // namespace detail
+
+template <class T>
 bool read(const json::Value& value, T& target, const Field& field, const Path& path, const Reading& in) {
     using namespace detail;
     if constexpr (std::same_as<T, bool>) {
         return read_truth(value, target, field, path, in);
     } else if constexpr (Integer<T>) {
-        static_assert(sizeof(T) < 8 || std::signed_integral<T>, "numbers of JSON are read as 64 bits with a sign");
-        Range range = range_in_file(field, in.units);
-        if constexpr (sizeof(T) < 8) {
-            range.low = maximum(range.low, double(std::numeric_limits<T>::min()));
-            range.high = minimum(range.high, double(std::numeric_limits<T>::max()));
-        }
-        std::int64_t number = 0;
-        if (!read_integer(value, number, range, field, path, in)) return false;
-        target = T(number);
-        return true;
+        return read_whole(value, target, field, path, in);
     } else if constexpr (std::floating_point<T>) {
         double number = 0;
         if (!read_number(value, number, field, path, in)) return false;
@@ -142,54 +208,19 @@ bool read(const json::Value& value, T& target, const Field& field, const Path& p
         target = value;
         return true;
     } else if constexpr (std::same_as<T, Point>) {
-        const auto* items = array_of(value, std::size_t(in.dimension), field, path, in);
-        if (!items) return false;
-        bool good = true;
-        for (std::size_t i = 0; i < items->size(); ++i)
-            good &= read((*items)[i], target.component[i], element_of(field), Path(path, i), in);
-        return good;
+        return read_elements(value, target.component, std::size_t(in.dimension), field, path, in);
     } else if constexpr (array_size<T> > 0) {
-        const auto* items = array_of(value, array_size<T>, field, path, in);
-        if (!items) return false;
-        bool good = true;
-        for (std::size_t i = 0; i < items->size(); ++i)
-            good &= read((*items)[i], elements(target)[i], element_of(field), Path(path, i), in);
-        return good;
+        return read_elements(value, elements(target), array_size<T>, field, path, in);
     } else if constexpr (is_map<T>) {
-        const auto* members = value.as<json::Object>();
-        if (!members) return refuse(value, field, path, in, "an object");
-        if (!take_memory(value, members->size(), sizeof(target[0]), path, in)) return false;
-        target.clear();
-        target.reserve(members->size());
-        bool good = true;
-        for (const auto& [key, item, span] : *members) {
-            target.emplace_back(key, fresh<typename T::value_type::second_type>(field, in.units));
-            good &= read(item, target.back().second, element_of(field), Path(path, key), in);
-        }
-        return good;
+        return read_map(value, target, field, path, in);
     } else if constexpr (is_vector<T>) {
-        static_assert(!std::same_as<T, std::vector<bool>>, "a vector of bool has no elements to read into");
-        const auto* items = value.as<json::Array>();
-        if (!items) return refuse(value, field, path, in, "an array");
-        if (!take_memory(value, items->size(), sizeof(target[0]), path, in)) return false;
-        target.clear();
-        target.reserve(items->size());
-        bool good = true;
-        for (std::size_t i = 0; i < items->size(); ++i) {
-            target.push_back(fresh<typename T::value_type>(field, in.units));
-            good &= read((*items)[i], target.back(), element_of(field), Path(path, i), in);
-        }
-        return good;
+        return read_list(value, target, field, path, in);
     } else if constexpr (is_optional<T>) {
         if (!target) target = fresh<typename T::value_type>(field, in.units);
         return read(value, *target, field, path, in);
     } else {
         static_assert(Record<T>, "types.h lists what a field can be");
-        const auto* object = value.as<json::Object>();
-        if (!object) return refuse(value, field, path, in, "an object");
-        FieldReader reader(value, *object, path, in);
-        reader.read_fields(target);
-        return reader.finish();
+        return read_object(value, target, field, path, in);
     }
 }
 

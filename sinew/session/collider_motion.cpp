@@ -2,7 +2,7 @@
 
 #include "sinew/scene/colliders.h"
 #include "sinew/session/driver.h"
-#include "sinew/solver/contact/colliders.h"
+#include "sinew/world/colliders.h"
 
 namespace sinew {
 namespace {

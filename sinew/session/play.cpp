@@ -11,12 +11,7 @@ namespace sinew {
 
 bool Session::grab(std::span<const ParticleId> members, const Point& place) {
     let_go();
-    std::visit(
-        [&](auto& world) {
-            for (const auto& held : held_) unpin(world, held.pin);
-        },
-        world_);
-    held_.clear();
+    grabs_.release_all(world_);
     taken_over_ = true;
     if (strokes(world_, scene_.pointer.grab_radius)) {
         stroke_ = Stroke{place, scene_.pointer.grab_radius, scene_.pointer.grab_gain};
@@ -81,25 +76,10 @@ void Session::skip_past_events() {
 
 /// Restores the state of events that have begun but not ended: grabs and gusts.
 void Session::keep_going(const AnyWorld& old) {
+    grabs_.go_on(world_, old);
     std::visit(
         [&]<class WorldT>(WorldT& world) {
             const auto* before = std::get_if<WorldT>(&old);
-            std::erase_if(held_, [&](Held& held) {
-                if (held.stroke) return false;
-                const auto id = find_particle(world, held.particle);
-                const auto row = before ? before->pin_slots.find(held.pin) : std::nullopt;
-                if (!id || !row) return true;
-                const auto& spec = before->pins[*row];
-                if (find_particle(*before, held.particle) != spec.particle) return true; // held along with another
-                const auto again = pin(world, *id,
-                                       {.target = spec.target,
-                                        .compliance = spec.compliance,
-                                        .damping = spec.damping,
-                                        .max_force = spec.max_force,
-                                        .hold = spec.hold});
-                if (again) held.pin = *again;
-                return !again;
-            });
             for (auto& blowing : blowing_) {
                 if (!before) continue;
                 world.forces.push_back(before->forces[blowing.force]);

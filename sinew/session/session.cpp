@@ -63,7 +63,7 @@ void Session::restart() {
     hand_.reset();
     stroke_.reset();
     taken_over_ = false;
-    held_.clear();
+    grabs_.clear();
     blowing_.clear();
     happenings_.clear();
     happening_count_ = 0;
@@ -81,9 +81,15 @@ void Session::run_until(double seconds) {
 }
 
 void Session::set_options(const SolverOptions& options) {
+    auto reports = std::visit([](auto& solver) { return std::move(solver.reports); }, solver_);
     std::visit([&]<class WorldT>(
                    const WorldT&) { solver_.emplace<Solver<WorldT::dimension, typename WorldT::Real>>(options); },
                world_);
+    set_reports(reports);
+}
+
+void Session::set_reports(const SolverReports& reports) {
+    std::visit([&](auto& solver) { solver.reports = reports; }, solver_);
 }
 
 void Session::prepare() {
@@ -96,7 +102,7 @@ void Session::step() {
     still_gusts();
     drive();
     winder_.run(scene_, world_);
-    carry_held();
+    grabs_.carry(world_, dt);
     const auto frozen = freeze_hovered();
     if (hand_) hand_->carry(world_);
     if (stroke_) stroke_->go(world_, stroke_to_);
@@ -134,63 +140,53 @@ void Session::happen_now() {
 }
 
 void Session::happen(const EventSection& event, std::uint64_t before) {
-    const double now = std::visit([](const auto& world) { return world.time; }, world_);
+    detail::visit_held(event.event, [&]<class Event>(const Event& happening) {
+        const auto where = apply(happening, before);
+        if (!where) return;
+        note(std::string(Event::name), *where);
+        if constexpr (std::is_same_v<Event, RemoveEvent>) note_parted();
+    });
+}
+
+Session::Noted Session::apply(const GrabEvent& grab, std::uint64_t) {
+    if (taken_over_ || !grabs_.begin(world_, scene_, grab)) return std::nullopt;
+    return grab.particle;
+}
+
+Session::Noted Session::apply(const ReleaseEvent& release, std::uint64_t) {
+    grabs_.release(world_, release.particle);
     std::visit(
-        [&]<class WorldT>(WorldT& world) {
-            using Real = typename WorldT::Real;
-            constexpr int D = WorldT::dimension;
-            const auto let_go = [&](const std::string& particle) {
-                std::erase_if(held_, [&](const Held& held) {
-                    if (held.particle != particle) return false;
-                    unpin(world, held.pin);
-                    return true;
-                });
-            };
-            detail::visit_held(event.event, [&]<class Event>(const Event& happening) {
-                std::string where;
-                if constexpr (std::is_same_v<Event, GrabEvent>) {
-                    if (taken_over_) return;
-                    where = happening.particle;
-                    let_go(where);
-                    const auto id = find_particle(world, where);
-                    if (!id) return;
-                    Point from;
-                    for (int i = 0; i < D; ++i) from[i] = double((*position_of(world, *id))[i]);
-                    if (strokes(world_, happening.within)) {
-                        held_.push_back({where,
-                                         {},
-                                         from,
-                                         happening.to.value_or(from),
-                                         now,
-                                         happening.duration,
-                                         Stroke{from, happening.within, scene_.pointer.grab_gain}});
-                        return note(std::string(Event::name), where);
-                    }
-                    const auto held = pin(world, *id,
-                                          PinSpec<D, Real>{.compliance = Real(happening.compliance),
-                                                           .max_force = Real(happening.max_force),
-                                                           .hold = hold_rule(scene_)});
-                    held_.push_back({where, *held, from, happening.to.value_or(from), now, happening.duration, {}});
-                    if (happening.within > 0) hold_around(world, *id, happening, held_.back());
-                } else if constexpr (std::is_same_v<Event, ReleaseEvent>) {
-                    where = happening.particle;
-                    let_go(where);
-                    if (const auto id = find_particle(world, where)) unpin_all(world, *id);
-                } else if constexpr (std::is_same_v<Event, GustEvent>) {
-                    blowing_.push_back({world.forces.size(), now + happening.duration});
-                    world.forces.push_back(Wind<D, Real>{.velocity = happening.velocity.template as<D, Real>(),
-                                                         .strength = Real(happening.strength)});
-                } else if constexpr (std::is_same_v<Event, CutEvent>) {
-                    if (cut(happening.line, happening.within) > 0) return; // already noted
-                } else {
-                    where = EventApplier<WorldT>{world, scene_, before}(happening);
-                    if (std::is_same_v<Event, JoinEvent> && where.empty()) return;
-                }
-                note(std::string(Event::name), where);
-                if constexpr (std::is_same_v<Event, RemoveEvent>) note_parted();
-            });
+        [&](auto& world) {
+            if (const auto id = find_particle(world, release.particle)) unpin_all(world, *id);
         },
         world_);
+    return release.particle;
+}
+
+Session::Noted Session::apply(const GustEvent& gust, std::uint64_t) {
+    std::visit(
+        [&]<int D, class Real>(World<D, Real>& world) {
+            blowing_.push_back({world.forces.size(), world.time + gust.duration});
+            world.forces.push_back(
+                Wind<D, Real>{.velocity = gust.velocity.template as<D, Real>(), .strength = Real(gust.strength)});
+        },
+        world_);
+    return "";
+}
+
+Session::Noted Session::apply(const CutEvent& event, std::uint64_t) {
+    if (cut(event.line, event.within) > 0) return std::nullopt;
+    return "";
+}
+
+template <class Event> Session::Noted Session::apply(const Event& event, std::uint64_t before) {
+    auto where = std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            return EventApplier<WorldT>{world, scene_, before}(event);
+        },
+        world_);
+    if (std::is_same_v<Event, JoinEvent> && where.empty()) return std::nullopt;
+    return where;
 }
 
 std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double> within) {
@@ -243,33 +239,6 @@ void Session::find_driven() {
         world_);
 }
 
-/// Pins the particles of the same figure within the grab's radius, each at a constant offset from the grabbed particle.
-template <class WorldT>
-void Session::hold_around(WorldT& world, ParticleId middle, const GrabEvent& grab, const Held& held) {
-    using Real = typename WorldT::Real;
-    constexpr int D = WorldT::dimension;
-    SINEW_ASSERT(row_of(world, middle).has_value(), "the grabbed particle exists");
-    const auto place = *position_of(world, middle);
-    const auto figure = world.particles.figure[*row_of(world, middle)];
-    const auto whole = held; // a copy: held_ grows
-    for (Row row = 0; row < world.particles.size(); ++row) {
-        const auto offset = world.particles.position[row] - place;
-        if (world.particles.figure[row] != figure || !(norm(offset) <= Real(grab.within))) continue;
-        const auto id = world.particles.slots.id_of(row);
-        if (id == middle || world.particles.mobility[row] == Real(0)) continue;
-        auto near = whole;
-        for (int i = 0; i < D; ++i) {
-            near.from[i] += double(offset[i]);
-            near.to[i] += double(offset[i]);
-        }
-        near.pin = *pin(world, id,
-                        PinSpec<D, Real>{.compliance = Real(grab.compliance),
-                                         .max_force = Real(grab.max_force),
-                                         .hold = hold_rule(scene_)});
-        held_.push_back(near);
-    }
-}
-
 void Session::drive() {
     const int up = scene_.units.up == "-y" ? -1 : 1;
     const double now = std::visit([](const auto& world) { return world.time; }, world_);
@@ -297,24 +266,6 @@ std::optional<Point> Session::pointer() const {
         if (std::holds_alternative<PointerDriver>(driver)) return driven_to(driver, driven.rest, now, up);
     }
     return std::nullopt;
-}
-
-void Session::carry_held() {
-    std::visit(
-        [&]<class WorldT>(WorldT& world) {
-            using Real = typename WorldT::Real;
-            const double then = world.time + step_length(scene_);
-            for (auto& held : held_) {
-                const double share = held.duration > 0 ? clamp((then - held.since) / held.duration, 0.0, 1.0) : 1.0;
-                Point place;
-                for (int i = 0; i < 3; ++i) place[i] = held.from[i] + (held.to[i] - held.from[i]) * share;
-                if (held.stroke)
-                    held.stroke->go(world_, place);
-                else
-                    move_pin(world, held.pin, place.template as<WorldT::dimension, Real>());
-            }
-        },
-        world_);
 }
 
 /// Classic mode: pins, for one step, the last added particle whose square contains the pointer.
@@ -419,9 +370,8 @@ Vec2<double> Session::place_of(Vec2<double> pixel, int width, int height) const 
 std::vector<ParticleId> Session::held_particles() const {
     std::vector<ParticleId> all;
     if (hand_) all = hand_->members;
-    for (const auto& held : held_)
-        if (const auto id = std::visit([&](const auto& world) { return find_particle(world, held.particle); }, world_))
-            all.push_back(*id);
+    const auto held = grabs_.particles(world_);
+    all.insert(all.end(), held.begin(), held.end());
     return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include "sinew/scene/scene.h"
 #include "sinew/session/driver.h"
+#include "sinew/session/event_grabs.h"
 #include "sinew/session/hand.h"
 #include "sinew/session/history.h"
 #include "sinew/session/stroke.h"
@@ -54,6 +55,8 @@ class Session {
     AnyWorld& world() { return world_; }
     /// Goes on with a new solver, with these options. Results do not depend on solver or options.
     void set_options(const SolverOptions& options);
+    /// Reports of the solver, from now on.
+    void set_reports(const SolverReports& reports);
     /// Prepares the world for the first step, which otherwise does so: Solver::prepare.
     void prepare();
 
@@ -120,13 +123,6 @@ class Session {
     std::vector<ParticleId> held_particles() const;
 
   private:
-    struct Held {
-        std::string particle;
-        PinId pin;
-        Point from, to;                 ///< ends of the target's path
-        double since = 0, duration = 0; ///< start and duration, in the scene's unit of time
-        std::optional<Stroke> stroke{}; ///< replaces the pin in classic mode
-    };
     struct Blowing {
         std::size_t force = 0; ///< index in the world's forces
         double until = 0;      ///< end, in the scene's unit of time
@@ -154,8 +150,14 @@ class Session {
     void skip_past_events();
     void happen_now();
     void happen(const EventSection& event, std::uint64_t before);
-    template <class WorldT> void hold_around(WorldT& world, ParticleId middle, const GrabEvent& grab, const Held& held);
-    void carry_held();
+    /// Place to note of an event that happened; empty if nothing did, or all is noted already.
+    using Noted = std::optional<std::string>;
+    /// Applies an event that has happened `before` times.
+    Noted apply(const GrabEvent& grab, std::uint64_t before);
+    Noted apply(const ReleaseEvent& release, std::uint64_t before);
+    Noted apply(const GustEvent& gust, std::uint64_t before);
+    Noted apply(const CutEvent& event, std::uint64_t before);
+    template <class Event> Noted apply(const Event& event, std::uint64_t before);
     std::optional<PinId> freeze_hovered();
     void still_gusts();
     void keep_going(const AnyWorld& old);
@@ -176,7 +178,7 @@ class Session {
     std::optional<Stroke> stroke_; ///< the pointer's, in place of hand_
     Point stroke_to_{};
     bool taken_over_ = false; ///< after the pointer's first grab, until a restart: grab events are ignored
-    std::vector<Held> held_;
+    EventGrabs grabs_;
     std::vector<Blowing> blowing_;
     History history_;
     std::vector<std::size_t> islands_; ///< per figure, as last noted

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "sinew/constraint/kinds.h"
 #include "sinew/math/limit.h"
 #include "sinew/math/matrix.h"
+#include "sinew/math/union_find.h"
+#include "sinew/solver/chains.h"
 #include "sinew/solver/elimination.h"
 #include "sinew/solver/ports.h"
 #include "sinew/world/constraint_adjacency.h"
@@ -150,8 +153,10 @@ struct Block {
     std::uint32_t row_moves = 0; ///< `Journal::row_moves` at the last look-up of rows
     bool is_motorized = false;   ///< some limits are driven, and may do work
     bool springy = false;        ///< some constraints are compliant
+    bool is_factorised = false;  ///< of a block with ports: factors of an earlier substep of this step are in use
     double lost = 0;             ///< energy lost in the last step, J
     std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom active
+    std::uint32_t chain = ~std::uint32_t(0); ///< index in Chains::list; none if the block is no chain
 
     // Only for a block joined to the sweep.
     std::uint32_t first_port = 0, ports = 0; ///< range in Ports::list
@@ -174,6 +179,22 @@ struct SweepRun {
     Rows rows;
 };
 
+/// Flags by the slots of ids, which do not change when rows move.
+class SlotFlags {
+  public:
+    bool empty() const { return flags_.empty(); }
+    bool has(std::uint32_t slot) const { return slot < flags_.size() && flags_[slot]; }
+    void set(std::uint32_t slot, bool flag) {
+        if (slot >= flags_.size() && flag) flags_.resize(slot + 1, 0);
+        if (slot < flags_.size()) flags_[slot] = flag;
+    }
+    void clear() { flags_.clear(); }
+    void reserve(std::size_t slots) { flags_.reserve(slots); }
+
+  private:
+    std::vector<char> flags_;
+};
+
 /// Work space for finding the blocks.
 struct BlockRoom {
     /// A connected component, with the properties that decide whether a block is built.
@@ -183,16 +204,12 @@ struct BlockRoom {
         bool suits = true;
         bool wanted = false; ///< a direct solution is requested, however many loops there are
     };
-    struct Constraint {
-        int kind = 0;
-        Row row = 0;
-    };
     std::vector<Part> parts;
-    std::vector<Row> members;            ///< particles of the parts, one part after the other
-    std::vector<Constraint> constraints; ///< all constraints on members
-    std::vector<std::uint32_t> met;      ///< per particle: number of the last search that reached the particle
-    std::vector<Row> part_of;            ///< per particle: the block, named by one of the block's particles
-    std::vector<Row> node_of;            ///< per particle: index of the node
+    std::vector<Row> members;       ///< particles of the parts, one part after the other
+    std::vector<std::uint32_t> met; ///< per particle: number of the last search that reached the particle
+    std::vector<Row> part_of;       ///< per particle: the block, named by one of the block's particles
+    std::vector<Row> node_of;       ///< per particle: index of the node
+    UnionFind pieces;
     std::vector<Row> adjacency, parent, peeled, tree;
     std::vector<std::pair<Row, Row>> trees; ///< particles of pieces, each after the first of the piece
     std::vector<Row> hung;                  ///< direct particles of pieces that became blocks
@@ -226,8 +243,11 @@ template <int D> struct Blocks {
     std::vector<std::uint32_t> first_pair; ///< first of a node's pairs of entries e < g
     std::vector<std::uint32_t> pairs;      ///< entry that receives the product of a pair
 
-    std::vector<SweepRun> runs; ///< constraints left to the sweep, in sweep order
-    Ports<D> ports;             ///< joints between blocks of `attached_trees` and the rest
+    SlotFlags particles;                                            ///< moved by a block of `list`, not by the sweep
+    std::array<SlotFlags, std::size_t(Kinds<D>::size)> constraints; ///< by kind: held by a block, not by the sweep
+    std::vector<SweepRun> runs;                                     ///< constraints left to the sweep, in sweep order
+    Ports<D> ports;   ///< joints between blocks of `attached_trees` and the rest
+    Chains<D> chains; ///< blocks of `list` that are chains
 
     // Work space of a step.
     std::vector<std::uint32_t> pin_of, next_pin; ///< first pin of each particle, next pin of the same particle
@@ -241,6 +261,16 @@ template <int D> struct Blocks {
         list.clear();
         attached_trees.clear();
         ports.clear();
+        particles.clear();
+        for (auto& flags : constraints) flags.clear();
+    }
+    template <class Table> SlotFlags& constraints_of(const Table&) {
+        return constraints[std::size_t(Kinds<D>::template index_of<typename Table::Kind>)];
+    }
+    /// True for a row of a table that is held by a block.
+    template <class Table> bool holds(const Table& table, Row row) const {
+        return constraints[std::size_t(Kinds<D>::template index_of<typename Table::Kind>)].has(
+            table.slots.slot_of(row));
     }
     /// Calls visit(column) for each column that grows with every block.
     template <class Visit> void columns(Visit&& visit) {
@@ -254,6 +284,8 @@ template <int D> struct Blocks {
         visit(entries);
         visit(first_pair);
         visit(pairs);
+        visit(chains.list);
+        visit(chains.links);
     }
 
     /// Reserves for every state that so many particles and constraints can reach by tearing.
@@ -270,6 +302,7 @@ template <int D> struct Blocks {
         runs.reserve(2 * (distances + angles) + particles);
         elimination.reserve(particles, 2 * distances + 6 * angles);
         ports.reserve(particles, distances + angles);
+        chains.reserve(particles, distances);
         room.reserve(particles);
     }
 
@@ -285,7 +318,6 @@ template <int D> struct Blocks {
             if (column.capacity() < column.size() + column.size() / 2 + little / 2)
                 column.reserve(2 * column.size() + little);
         });
-        room.constraints.reserve(2 * room.constraints.size());
     }
 };
 

@@ -16,9 +16,10 @@ template <int D> struct Budget {
     Vec<D, double> momentum{}, drift{};
 };
 
-template <int D> struct Budgets {
-    std::vector<Budget<D>> figures; ///< by figure; recomputed in each step with a passive figure
-    bool any = false;               ///< some figure is passive
+template <int D, class Real> struct Budgets {
+    std::vector<Budget<D>> figures;    ///< by figure; recomputed in each step with a passive figure
+    std::vector<Vec<D, Real>> carried; ///< per pin of the plan: velocity of the particle before the constraints
+    bool any = false;                  ///< some figure is passive
 };
 
 } // namespace sinew

@@ -10,9 +10,9 @@ constexpr std::uint32_t unknown = ~std::uint32_t(0);
 
 } // namespace
 
-void LevelStructure::find(std::span<const std::uint32_t> first, std::span<const std::uint32_t> near) {
-    first_ = first, near_ = near;
-    const auto count = first.size() - 1;
+void LevelStructure::find(const RowLists<std::uint32_t>& near) {
+    near_ = &near;
+    const auto count = near.size();
     place_.assign(count, unknown);
     pull_.assign(count, 0);
     edge_.assign(1, least_joined());
@@ -25,7 +25,7 @@ void LevelStructure::find(std::span<const std::uint32_t> first, std::span<const 
 /// Particle with the fewest neighbours: a corner, if there is one.
 std::uint32_t LevelStructure::least_joined() const {
     std::uint32_t found = 0;
-    for (std::uint32_t i = 1; i + 1 < first_.size(); ++i)
+    for (std::uint32_t i = 1; i < near_->size(); ++i)
         if (near(i).size() < near(found).size()) found = i;
     return found;
 }
@@ -52,7 +52,7 @@ template <class Visit> void LevelStructure::along_edge(std::uint32_t side, Visit
 }
 
 std::uint32_t LevelStructure::next_along(std::uint32_t from) const {
-    auto least = std::pair(near_.size(), unknown);
+    auto least = std::pair(near_->entries(), unknown);
     for (const auto other : near(from))
         if (level_[other] > level_[from] && on_edge(other))
             least = std::min(least, std::pair(near(other).size(), other));
@@ -61,11 +61,11 @@ std::uint32_t LevelStructure::next_along(std::uint32_t from) const {
 
 /// True for a particle with fewer neighbours than average.
 bool LevelStructure::on_edge(std::uint32_t i) const {
-    return near(i).size() * (first_.size() - 1) < near_.size();
+    return near(i).size() * near_->size() < near_->entries();
 }
 
 void LevelStructure::spread_from_edge() {
-    level_.assign(first_.size() - 1, unknown);
+    level_.assign(near_->size(), unknown);
     for (const auto i : edge_) level_[i] = 0;
     order_.assign(edge_.begin(), edge_.end());
     begin_.assign(1, 0);

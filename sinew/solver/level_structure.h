@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
+#include "sinew/table/row_lists.h"
 
 #include <cstdint>
 #include <span>
@@ -14,8 +15,8 @@ namespace sinew {
 /// rows, and links between two levels connect consecutive particles.
 class LevelStructure {
   public:
-    /// The neighbours of particle i are near[first[i]] to near[first[i + 1] - 1]. The mesh must be connected.
-    void find(std::span<const std::uint32_t> first, std::span<const std::uint32_t> near);
+    /// `near` lists the neighbours of each particle, and must outlive the structure. The mesh must be connected.
+    void find(const RowLists<std::uint32_t>& near);
 
     void reserve(std::size_t particles) {
         for (auto* column : {&order_, &begin_, &level_, &along_, &place_, &edge_}) column->reserve(particles + 1);
@@ -29,15 +30,13 @@ class LevelStructure {
     }
 
   private:
-    std::span<const std::uint32_t> first_, near_;
+    const RowLists<std::uint32_t>* near_ = nullptr;
     std::vector<std::uint32_t> order_, begin_, level_, along_;
     std::vector<std::uint32_t> edge_;  ///< the first level
     std::vector<std::uint32_t> place_; ///< position in the level; `unknown` before placement
     std::vector<double> pull_;         ///< mean position of the neighbours in the level before
 
-    std::span<const std::uint32_t> near(std::uint32_t i) const {
-        return near_.subspan(first_[i], first_[i + 1] - first_[i]);
-    }
+    std::span<const std::uint32_t> near(std::uint32_t i) const { return (*near_)[i]; }
     std::uint32_t least_joined() const;
     void spread_from_edge();
     void follow_edge();

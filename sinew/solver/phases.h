@@ -67,6 +67,11 @@ template <int D, class Real> bool any_driven(const World<D, Real>& world);
 template <int D, class Real> void move_limits(World<D, Real>& world, Real h);
 template <int D, class Real> void slip(World<D, Real>& world, Solver<D, Real>& solver, Real h);
 
+/// contact/touches.cpp: makes room for the touches of a step, and ends a step: touches become events, colliders arrive
+/// at their targets.
+template <int D, class Real> void begin_touches(World<D, Real>& world, Solver<D, Real>& solver);
+template <int D, class Real> void end_touches(World<D, Real>& world, Solver<D, Real>& solver);
+
 /// classic.cpp: a step by the originals' rules.
 template <int D, class Real> void classic_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 

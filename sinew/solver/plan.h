@@ -83,12 +83,12 @@ struct Tether {
 
 /// Scratch memory of the planner.
 struct PlanRoom {
-    struct Part {
-        std::uint32_t first_member = 0, members = 0, first_link = 0, links = 0;
-    };
-    std::vector<Part> parts;
-    std::vector<Row> links, link_at, left; ///< rows of distances
-    std::vector<Row> parent, part_of, members, rank, at, first_near, near;
+    std::vector<Row> links, left;   ///< rows of distances
+    RowLists<Row> members, link_at; ///< particles and distances of each component
+    std::vector<Row> part_of, rank; ///< of a particle: the component, and the number among the component's particles
+    std::vector<Row> at;
+    UnionFind sets;               ///< of rows in search of components, of slots in search of free bodies
+    RowLists<std::uint32_t> near; ///< neighbours in a component, by rank
     std::vector<PinnedSlot> anchors;
     struct Direction {
         std::uint32_t step = 0;
@@ -120,12 +120,14 @@ struct PlanRoom {
     LevelStructure levels;
 
     void reserve(std::size_t particles, std::size_t distances) {
-        parts.reserve(particles + 1);
+        members.reserve(particles + 1, particles);
+        link_at.reserve(particles + 1, distances);
         order.reserve(particles + 1);
         kept.reserve(particles + 1);
-        for (auto* column : {&links, &link_at, &left}) column->reserve(distances);
-        for (auto* column : {&parent, &part_of, &members, &rank, &at, &first_near}) column->reserve(particles + 1);
-        near.reserve(2 * distances);
+        for (auto* column : {&links, &left}) column->reserve(distances);
+        for (auto* column : {&part_of, &rank, &at}) column->reserve(particles + 1);
+        sets.reserve(particles + 1);
+        near.reserve(particles, 2 * distances);
         directions.reserve(32);
         chained.reserve(particles);
         colour.reserve(distances);

@@ -42,7 +42,9 @@ template <int D> struct PortGroup {
     double stored = 0;                           ///< energy in the springs at the begin of the substep
     double length = 0;                           ///< of the longest link, metres
     double share = 1;                            ///< factor of the velocities at the end of the substep, 0..1
-    Vec<spins<D>, double> spin{};                ///< angular momentum due at the end of the substep, of a free one
+    double lost = 0;              ///< energy that constraints took in the substep, J; negative if `share`
+                                  ///< removes less than they added
+    Vec<spins<D>, double> spin{}; ///< angular momentum due at the end of the substep, of a free one
 };
 
 /// Derived from the rest of the world: neither copied nor hashed.
@@ -55,7 +57,7 @@ template <int D> struct Ports {
     std::vector<std::uint32_t> at; ///< port of each particle, or none
     std::vector<char> is_port;     ///< per slot of a particle, which stays when rows move
 
-    std::vector<char> components; ///< 1 for each component of the plan with a port
+    std::vector<char> passes; ///< over each component of the plan in an iteration; 0 for one without a port
 
     std::vector<PortGroup<D>> groups;
     std::vector<std::uint32_t> members; ///< particles of the groups, by their slots of the sweep
@@ -71,7 +73,7 @@ template <int D> struct Ports {
     void clear() {
         list.clear();
         rows.clear();
-        components.clear();
+        passes.clear();
         responses.clear();
         groups.clear();
         members.clear();
@@ -81,7 +83,7 @@ template <int D> struct Ports {
     void reserve(std::size_t particles, std::size_t constraints) {
         list.reserve(particles);
         rows.reserve(constraints);
-        components.reserve(particles);
+        passes.reserve(particles);
         responses.reserve(4 * particles);
         groups.reserve(particles);
         springs.reserve(constraints);

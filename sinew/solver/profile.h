@@ -22,26 +22,13 @@ struct PhaseTimes {
     std::uint64_t steps = 0;
 };
 
-/// Scope guard: steps of this thread add their times to `times`. Without one no clock is read.
-class Profile {
-  public:
-    explicit Profile(PhaseTimes& times) : outer_(current) { current = &times; }
-    Profile(const Profile&) = delete;
-    Profile& operator=(const Profile&) = delete;
-    ~Profile() { current = outer_; }
-
-    static inline thread_local PhaseTimes* current = nullptr;
-
-  private:
-    PhaseTimes* outer_;
-};
-
 namespace detail {
 
 /// Stopwatch for the phases of a step.
 class Laps {
   public:
-    Laps() : times_(Profile::current) {
+    /// `times` may be null: then no clock is read.
+    explicit Laps(PhaseTimes* times) : times_(times) {
         if (!times_) return;
         ++times_->steps;
         last_ = Clock::now();

@@ -1,10 +1,15 @@
 #pragma once
 
 #include "sinew/solver/block.h"
+#include "sinew/solver/collider_touches.h"
 #include "sinew/solver/energy_budgets.h"
+#include "sinew/solver/profile.h"
 #include "sinew/solver/sweep_state.h"
 
+#include <algorithm>
+#include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 /// Everything of a simulation that follows from its world, and can be thrown away and worked out again: plans, blocks,
@@ -15,17 +20,28 @@ template <int D, class Real> struct World;
 template <int D, class Real> struct ContactRoom;
 
 struct SolverOptions {
-    int threads = 0; ///< threads of a step; 0: the number of cores. Results do not depend on the number
+    int threads = 0;         ///< threads of a step; 0: the number of cores. Results do not depend on the number
+    Simd simd = best_simd(); ///< instruction set of the kernels. Results do not depend on it
+};
+
+/// Reports of a solver to its owner; a copy of a solver makes none.
+struct SolverReports {
+    std::shared_ptr<PhaseTimes> times;           ///< receives the times of all steps; without it no clock is read
+    std::function<void(double share)> preparing; ///< progress of preparing a large world, [0, 1], never decreasing
 };
 
 template <int D, class Real> struct Solver {
     SolverOptions options;
+    SolverReports reports;
     Blocks<D> blocks;                               ///< constraints solved at once instead of in the sweep
     SweepState<D, Real> sweep_state;                ///< plan and columns of the sweep
-    Budgets<D> budgets;                             ///< limits on the energy added by constraints of figures
+    Budgets<D, Real> budgets;                       ///< limits on the energy added by constraints of figures
     std::shared_ptr<ContactRoom<D, Real>> contacts; ///< of figures with each other; none before the first
     std::vector<Vec<D, Real>> scratch;              ///< points and gradients of the widest constraint
-    std::shared_ptr<const char> identity{};         ///< a journal read by this solver carries the same
+    std::vector<char> torn;                         ///< by row of a table: to be removed at the end of the step
+    std::vector<char> stays;                        ///< classic mode, by row: moved by the pin alone
+    ColliderTouches<D, Real> touches;
+    std::shared_ptr<const char> identity{}; ///< a journal read by this solver carries the same
 
     Solver() = default;
     explicit Solver(const SolverOptions& chosen) : options(chosen) {}
@@ -46,6 +62,17 @@ template <int D, class Real> struct Solver {
 
     /// Finds the connected components of an edited world and reserves memory for their solution; a no-op without edits.
     void prepare(World<D, Real>& world);
+    /// Reports the progress of preparation.
+    void report(double share) const {
+        if (reports.preparing) reports.preparing(share);
+    }
 };
+
+/// True if a direct block moves some of the particles.
+template <int D, class Real>
+bool moves_any(const Blocks<D>& blocks, const World<D, Real>& world, std::span<const Row> particles) {
+    return std::any_of(particles.begin(), particles.end(),
+                       [&](Row row) { return blocks.particles.has(world.particles.slots.slot_of(row)); });
+}
 
 } // namespace sinew

@@ -26,6 +26,7 @@ template <int D, class Real> struct SweepState {
     bool everyone_alike = false; ///< only gravity acts in this step, equally on all
     Vec<D, Real> gravity{};
     Real largest_radius = 0;
+    std::vector<Vec<D, Real>> rebound; ///< by slot: velocity of separation from the walls struck in this substep
     bool any_pin_moves = false, any_pin_soft = false; ///< in this step
     Plan<Real> plan;
     FreeBodies<D> bodies;
@@ -45,6 +46,7 @@ template <int D, class Real> struct SweepState {
         row_of.reserve(particles);
         slot_of.reserve(particles);
         spare_rows.reserve(particles);
+        rebound.reserve(particles);
         bodies.reserve(particles);
         columns_.clear(); // reallocation moves the columns
         columns_.reserve((particles + 2048) * (3 * D + 1));

@@ -1,43 +1,25 @@
 #pragma once
 
+#include "sinew/math/union_find.h"
 #include "sinew/table/id.h"
+#include "sinew/table/row_lists.h"
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
 
 namespace sinew {
 
-/// Adjacency by distances: the neighbours of each row, sorted and unique.
-class Neighbours {
-  public:
-    Neighbours(std::size_t particles, std::span<const std::array<Row, 2>> links)
-        : first_(particles + 1, 0), row_(2 * links.size()) {
-        for (const auto& ends : links)
-            for (const Row end : ends) ++first_[end + 1];
-        for (std::size_t i = 0; i < particles; ++i) first_[i + 1] += first_[i];
-        auto next = first_;
-        for (const auto& [a, b] : links) row_[next[a]++] = b, row_[next[b]++] = a;
-        std::size_t kept = 0;
-        for (Row row = 0; row < particles; ++row) {
-            const auto begin = row_.begin() + std::ptrdiff_t(first_[row]),
-                       end = row_.begin() + std::ptrdiff_t(next[row]);
-            std::sort(begin, end);
-            first_[row] = kept;
-            kept = std::size_t(std::unique_copy(begin, end, row_.begin() + std::ptrdiff_t(kept)) - row_.begin());
-        }
-        first_[particles] = kept;
-    }
-
-    std::span<const Row> of(Row row) const {
-        return std::span(row_).subspan(first_[row], first_[row + 1] - first_[row]);
-    }
-
-  private:
-    std::vector<std::size_t> first_;
-    std::vector<Row> row_;
-};
+/// Neighbours of each row by distances, in order and without repetition.
+using Neighbours = RowLists<Row>;
+inline Neighbours neighbours_of(std::size_t particles, std::span<const std::array<Row, 2>> links) {
+    Neighbours lists;
+    lists.fill(particles, [&](auto&& visit) {
+        for (const auto& [a, b] : links) visit(a, b), visit(b, a);
+    });
+    lists.make_sets();
+    return lists;
+}
 
 /// Fans of a particle: groups of neighbours connected by the cells around the particle. Two neighbours share a cell if
 /// linked (a triangle), or if both are linked to a third particle (a quadrangle).
@@ -49,44 +31,35 @@ class Fans {
 
     /// For each neighbour of `row`, in order: the first neighbour of the same fan.
     std::vector<Row> around(Row row) {
-        const auto near = neighbours_.of(row);
-        fan_.resize(near.size());
-        for (std::size_t i = 0; i < near.size(); ++i) number_[near[i]] = fan_[i] = i;
-        for (std::size_t i = 0; i < near.size(); ++i)
-            for (const Row far : neighbours_.of(near[i])) {
+        const auto near = neighbours_[row];
+        fan_.reset(near.size());
+        for (std::uint32_t i = 0; i < near.size(); ++i) number_[near[i]] = i;
+        for (std::uint32_t i = 0; i < near.size(); ++i)
+            for (const Row far : neighbours_[near[i]]) {
                 if (far == row) continue;
                 if (number_[far] != none)
-                    join(i, number_[far]);
+                    fan_.join(i, number_[far]);
                 else if (via_[far] != none)
-                    join(i, via_[far]);
+                    fan_.join(i, via_[far]);
                 else
                     via_[far] = i;
             }
         std::vector<Row> firsts;
-        for (std::size_t i = 0; i < near.size(); ++i) {
-            firsts.push_back(near[first_of(i)]);
+        for (std::uint32_t i = 0; i < near.size(); ++i) {
+            firsts.push_back(near[fan_.first_of(i)]);
             number_[near[i]] = none;
-            for (const Row far : neighbours_.of(near[i])) via_[far] = none;
+            for (const Row far : neighbours_[near[i]]) via_[far] = none;
         }
         return firsts;
     }
 
   private:
-    static constexpr std::size_t none = ~std::size_t(0);
-
-    std::size_t first_of(std::size_t i) const {
-        while (fan_[i] != i) i = fan_[i];
-        return i;
-    }
-    void join(std::size_t a, std::size_t b) {
-        const auto first = std::min(first_of(a), first_of(b)), second = std::max(first_of(a), first_of(b));
-        fan_[second] = first;
-    }
+    static constexpr auto none = ~std::uint32_t(0);
 
     const Neighbours& neighbours_;
-    std::vector<std::size_t> number_; // row -> index among the neighbours
-    std::vector<std::size_t> via_;    // row further out -> index of the first neighbour linked to the row
-    std::vector<std::size_t> fan_;    // disjoint-set forest of neighbour indices
+    std::vector<std::uint32_t> number_; // row -> index among the neighbours
+    std::vector<std::uint32_t> via_;    // row further out -> index of the first neighbour linked to the row
+    UnionFind fan_;                     // of indices among the neighbours
 };
 
 } // namespace sinew

@@ -3,6 +3,7 @@
 #include "sinew/topology/slice.h"
 #include "sinew/topology/vertex_split.h"
 #include "sinew/world/changes.h"
+#include "sinew/world/constraint_graph.h"
 
 #include <algorithm>
 
@@ -30,13 +31,11 @@ bool crosses(const Blade& blade, const Vec2<double>& a, const Vec2<double>& b) {
 /// Adds the dependents of a distance: constraints of other kinds with both ends among their members.
 template <int D, class Real>
 void add_what_hangs(const World<D, Real>& world, const std::array<Row, 2>& ends, std::vector<ConstraintId>& all) {
-    world.journal.adjacency.each(world.particles.slots.slot_of(ends[0]), [&](int kind, std::uint32_t slot) {
-        visit_table(world, kind, [&](const auto& table) {
-            const Row row = table.slots.row_at(slot);
-            const auto members = table.members[row];
-            const bool both = std::find(members.begin(), members.end(), ends[1]) != members.end();
-            if (both && kind != kind_number<Distance, D>) all.push_back({kind, table.slots.id_of(row)});
-        });
+    for_each_constraint(world, ends[0], [&]<class Table>(const Table& table, Row row) {
+        constexpr int kind = kind_of<World<D, Real>, Table>;
+        const auto members = table.members[row];
+        const bool both = std::find(members.begin(), members.end(), ends[1]) != members.end();
+        if (both && kind != kind_number<Distance, D>) all.push_back({kind, table.slots.id_of(row)});
     });
 }
 
@@ -62,7 +61,7 @@ Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids, const Slicer<D
     const auto& distances = std::get<link_kind>(world.constraints);
     Cut done;
     if (ids.empty()) return done;
-    detail::list_bonds(world);
+    detail::list_constraints(world);
     std::vector<Ends> gone;
     std::vector<ConstraintId> all(ids.begin(), ids.end());
     for (const auto& id : ids) {
@@ -94,7 +93,7 @@ template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const Cons
 
 template <int D, class Real>
 std::size_t come_apart(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer) {
-    if (slicer) detail::list_bonds(world);
+    if (slicer) detail::list_constraints(world);
     sever(world, gone, slicer);
     const auto added = split(world, gone);
     bind(world);

@@ -2,6 +2,7 @@
 
 #include "sinew/topology/virtual_node.h"
 #include "sinew/world/changes.h"
+#include "sinew/world/constraint_graph.h"
 
 namespace sinew {
 namespace {
@@ -150,13 +151,8 @@ template <int D, class Real> bool is_linked(const World<D, Real>& world, Particl
     const auto from = row_of(world, a), to = row_of(world, b);
     if (!from || !to) return false;
     if (*from == *to) return true; // a triangle's corner counts as two
-    const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     bool linked = false;
-    world.journal.adjacency.each(world.particles.slots.slot_of(*from), [&](int kind, std::uint32_t slot) {
-        if (kind != kind_number<Distance, D>) return;
-        const auto& ends = distances.members.rows[distances.slots.row_at(slot)];
-        linked = linked || ends[0] == *to || ends[1] == *to;
-    });
+    for_each_link(world, *from, [&](Row, Row other) { linked = linked || other == *to; });
     return linked;
 }
 
@@ -244,7 +240,7 @@ void add_unbound(const World<D, Real>& world, const Figure& figure, const Piece&
 template <int D, class Real> void bind(World<D, Real>& world) {
     for (auto& figure : world.figures) {
         if (figure.fragments.empty()) continue;
-        detail::list_bonds(world);
+        detail::list_constraints(world);
         const NodeBinder<D, Real> binder(world);
         for (auto& piece : figure.pieces)
             if (piece.mark == Mark::fragment) binder.bind(piece, figure.fragments[piece.fragment]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/world/constraint_graph.h"
 #include "sinew/world/edit.h"
 
 #include <span>
@@ -52,11 +53,8 @@ template <int D, class Real> class NodeBinder {
     std::vector<Row> neighbours_of(Row row) const {
         std::vector<Row> rows;
         const auto& distances = std::get<kind_number<Distance, D>>(world_.constraints);
-        world_.journal.adjacency.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
-            if (kind != kind_number<Distance, D>) return;
-            const Row link = distances.slots.row_at(slot);
-            const auto& ends = distances.members.rows[link];
-            if (ties(distances, link)) rows.push_back(ends[0] == row ? ends[1] : ends[0]);
+        for_each_link(world_, row, [&](Row link, Row other) {
+            if (ties(distances, link)) rows.push_back(other);
         });
         return rows;
     }

@@ -32,8 +32,6 @@ void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& sp
     table.damage_limit.append(count, clamp(spec.damage_limit, Real(0), most));
     table.damage.append(count, Real(0));
     table.figure.append(count, figure);
-    table.in_block.append(count, 0);
-    table.torn.append(count, 0);
 }
 
 constexpr std::size_t few = 8; // members: most constraints need no heap allocation
@@ -110,15 +108,14 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
     p.velocity.push_back(velocity);
     p.residual.push_back({});
     p.force.push_back({});
-    p.rebound.push_back({});
     p.inverse_mass.push_back(inverse_of_mass(spec.mass));
     p.mobility.push_back(p.inverse_mass.back());
     p.radius.push_back(is_finite(spec.radius) ? clamp(spec.radius, Real(0), furthest) : spec.radius);
     p.figure.push_back(known(world, spec.figure));
     p.quarantined.push_back(0);
-    p.in_block.push_back(0);
+    p.at_end.push_back(0);
     world.events.reserve(events_per_step);
-    SINEW_ASSERT(p.in_block.size() == p.size(), "the columns of a table have one length");
+    SINEW_ASSERT(p.at_end.size() == p.size(), "the columns of a table have one length");
     const auto id = p.slots.append();
     detail::note_particle(world);
     return id;

@@ -3,13 +3,15 @@
 #include "sinew/assert/assert.h"
 #include "sinew/world/world.h"
 
+#include <optional>
+
 /// Journal of changes between steps: the next step examines only the components of changed particles again
 /// (direct/find_blocks.cpp). Particles are not recorded while Journal::stale, as in a new world or a copy: then
 /// everything is examined.
 namespace sinew::detail {
 
 /// Lists the constraints of each particle, if not listed yet. On demand, since a large world may never need the list.
-template <int D, class Real> void list_bonds(World<D, Real>& world) {
+template <int D, class Real> void list_constraints(World<D, Real>& world) {
     auto& adjacency = world.journal.adjacency;
     if (adjacency.listed()) return;
     static_assert(Kinds<D>::size <= 1 << (32 - limit::row_bits), "a kind and a row are packed into 32 bits");
@@ -44,30 +46,35 @@ template <int D, class Real> void note_weight(World<D, Real>& world, Row particl
     world.journal.touch(world.particles.slots.slot_of(particle), Touch::weight);
 }
 
+/// Slot of a particle whose constraints change; nothing while no list has to follow.
+template <int D, class Real> std::optional<std::uint32_t> begin_member_change(World<D, Real>& world, Row member) {
+    auto& journal = world.journal;
+    journal.changed = true;
+    if (journal.stale && !journal.adjacency.listed()) return std::nullopt;
+    return world.particles.slots.slot_of(member);
+}
+
 /// Records a particle as a new member of a constraint.
 template <int D, class Real, class Table>
 void note_member(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
-    auto& journal = world.journal;
-    journal.changed = true;
-    if (journal.stale && !journal.adjacency.listed()) return;
-    const auto particle = world.particles.slots.slot_of(member);
-    if (journal.adjacency.listed()) journal.adjacency.add(particle, kind, table.slots.slot_of(row));
-    journal.touch(particle, Touch::joined);
+    const auto particle = begin_member_change(world, member);
+    if (!particle) return;
+    auto& adjacency = world.journal.adjacency;
+    if (adjacency.listed()) adjacency.add(*particle, kind, table.slots.slot_of(row));
+    world.journal.touch(*particle, Touch::joined);
 }
 
 /// Records a particle as a member no longer.
 template <int D, class Real, class Table>
 void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
-    auto& journal = world.journal;
-    journal.changed = true;
-    if (journal.stale && !journal.adjacency.listed()) return;
-    const auto particle = world.particles.slots.slot_of(member);
-    auto& adjacency = journal.adjacency;
-    if (adjacency.listed() && !adjacency.remove(particle, kind, table.slots.slot_of(row))) {
+    const auto particle = begin_member_change(world, member);
+    if (!particle) return;
+    auto& adjacency = world.journal.adjacency;
+    if (adjacency.listed() && !adjacency.remove(*particle, kind, table.slots.slot_of(row))) {
         adjacency.forget();
-        journal.stale = true;
+        world.journal.stale = true;
     }
-    journal.touch(particle, Touch::joined);
+    world.journal.touch(*particle, Touch::joined);
 }
 
 /// Records a constraint with a new method of solution.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/collide/bounding_box.h"
+#include "sinew/math/vec.h"
 #include "sinew/table/id.h"
 
 #include <array>
@@ -39,12 +39,6 @@ template <int D, class Real> struct Contacts {
     std::vector<KeptContact<D, Real>> kept; ///< in the order of their keys
     Real kept_substep = 0;                  ///< length of the substep of the kept multipliers
     std::vector<ColliderTouch> touching;    ///< in the last step, in order
-
-    // Room for a step.
-    std::vector<collide::BoundingBox<D, Real>> boxes; ///< of the colliders during the step
-    std::vector<std::uint32_t> touched;               ///< per particle: 1 + index of the collider pressed hardest, or 0
-    std::vector<Real> pressed;                        ///< per particle: impulse of that collider, newton seconds
-    std::vector<ColliderTouch> touching_before;
 };
 
 } // namespace sinew

@@ -51,11 +51,11 @@ template <int D, class Real> std::size_t remove_constraints(World<D, Real>& worl
     std::size_t count = 0;
     for_each_table(world, [&](auto& table) {
         const auto before = table.size();
-        bool any = false;
+        std::vector<char> gone;
         for (const auto& id : ids)
             if (id.kind == kind)
-                if (const auto row = table.slots.find(id.id)) table.torn.set(*row, 1), any = true;
-        if (any) detail::erase_constraints(world, table, kind, table.torn.each());
+                if (const auto row = table.slots.find(id.id)) gone.resize(before, 0), gone[*row] = 1;
+        if (!gone.empty()) detail::erase_constraints(world, table, kind, gone);
         count += before - table.size();
         ++kind;
     });

@@ -17,8 +17,13 @@ template <int D, class Real> Vec<D, double> place_of_velocity(const World<D, Rea
         if (!has_mean_velocity(integrator_of(world, row))) return place;
         return (place + cast<double>(p.previous[row])) * 0.5;
     }
-    if (p.in_block[row]) return place;
+    if (p.at_end[row]) return place;
     return place - cast<double>(p.velocity[row]) * (0.5 * double(world.last_substep));
+}
+
+/// True if a particle of a direct block is among the members.
+template <int D, class Real> bool is_at_end(const Particles<D, Real>& p, std::span<const Row> members) {
+    return std::any_of(members.begin(), members.end(), [&](Row member) { return p.at_end[member] != 0; });
 }
 
 template <int D, class Real> double mass_of(const Particles<D, Real>& p, Row row) {
@@ -149,7 +154,7 @@ template <int D, class Real, class Counts> Energy energy_where(const World<D, Re
             const auto state = state_of(table, row, measure_row(table, row, middle), world.last_substep);
             double stored = 0.5 * square(state.error) / double(table.compliance[row]);
             if constexpr (std::is_same_v<Kind, Angle<D>>)
-                if (stored > 0 && table.in_block[row] && world.settings.mode == Mode::physical) {
+                if (stored > 0 && is_at_end(p, table.members[row]) && world.settings.mode == Mode::physical) {
                     if (!slack) slack.emplace(std::get<kind_number<Distance, D>>(world.constraints));
                     stored *= slack->tautness(table.members[row], middle);
                 }

@@ -29,7 +29,7 @@ void erase_constraints(World<D, Real>& world, Table& table, int kind, std::span<
     erase_from_sweep(world.sweep, kind, gone);
     table.members.erase(gone);
     table.slots.erase(gone);
-    erase_rows(table, gone); // last: `gone` may be the table's own column `torn`, resized here
+    erase_rows(table, gone);
 }
 
 template <int D, class Real> void erase_pins(World<D, Real>& world, std::span<const char> gone) {

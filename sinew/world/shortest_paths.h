@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/table/row_lists.h"
 #include "sinew/world/world.h"
 
 #include <algorithm>
@@ -15,20 +16,15 @@ class ShortestPaths {
   public:
     template <int D, class Real>
     explicit ShortestPaths(const World<D, Real>& world, std::size_t most_links)
-        : first_(world.particles.size() + 1, 0), length_to_(world.particles.size(), unknown), left_(most_links) {
+        : length_to_(world.particles.size(), unknown), left_(most_links) {
         const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
-        const auto each = [&](auto&& visit) {
-            for (Row row = 0; row < distances.size(); ++row)
-                if (distances.compliance[row] == Real(0) && distances.high(row) < limit::measure<Real>)
-                    visit(row, distances.members.rows[row], maximum(double(distances.high(row)), 0.0));
-        };
-        each([&](Row, const auto& ends, double) { ++first_[ends[0] + 1], ++first_[ends[1] + 1]; });
-        for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-        links_.resize(first_.back());
-        auto next = first_;
-        each([&](Row row, const auto& ends, double length) {
-            links_[next[ends[0]]++] = {row, ends[1], length};
-            links_[next[ends[1]]++] = {row, ends[0], length};
+        links_.fill(world.particles.size(), [&](auto&& visit) {
+            for (Row row = 0; row < distances.size(); ++row) {
+                if (distances.compliance[row] > Real(0) || !ties(distances, row)) continue;
+                const auto& [a, b] = distances.members.rows[row];
+                const double length = maximum(double(distances.high(row)), 0.0);
+                visit(a, Link{row, b, length}), visit(b, Link{row, a, length});
+            }
         });
     }
 
@@ -64,8 +60,7 @@ class ShortestPaths {
         double length = 0;
     };
 
-    std::vector<std::size_t> first_;
-    std::vector<Link> links_; // sorted by row
+    RowLists<Link> links_;
     std::vector<double> length_to_;
     std::vector<Row> touched_;
     std::size_t left_;
@@ -81,11 +76,13 @@ class ShortestPaths {
             ahead.pop();
             if (length > length_to_[row]) continue;
             if (!visit(row, length)) break;
-            for (std::size_t i = first_[row]; i < first_[row + 1] && left_ > 0; ++i, --left_) {
-                const double further = length + links_[i].length;
-                if (links_[i].number == without || further >= limit || further >= length_to_[links_[i].to]) continue;
-                note(links_[i].to, further);
-                ahead.push({further, links_[i].to});
+            for (const auto& link : links_[row]) {
+                if (left_ == 0) break;
+                --left_;
+                const double further = length + link.length;
+                if (link.number == without || further >= limit || further >= length_to_[link.to]) continue;
+                note(link.to, further);
+                ahead.push({further, link.to});
             }
         }
         for (const Row row : touched_) length_to_[row] = unknown;

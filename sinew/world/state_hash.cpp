@@ -97,6 +97,49 @@ class Digest {
     }
 };
 
+/// Rows of one kind of constraint; columns that are rarely used count only where a row uses them.
+template <class Table> void add_constraints(const Table& table, Digest& digest) {
+    for (Row row = 0; row < table.size(); ++row)
+        for (const Row member : table.members[row]) digest.add(member);
+    digest.add(table.limits.lows(), table.limits.highs(), table.compliance, table.relaxation, table.split,
+               table.breaking_strain, table.multiplier, table.figure);
+    for (Row row = 0; row < table.size(); ++row)
+        if (table.damage_limit[row] > 0) digest.add(row, table.damage_limit[row], table.damage[row]);
+    for (Row row = 0; row < table.size(); ++row)
+        if (table.gives(row) || table.damping_time[row] != 0 || table.motorized[row])
+            digest.add(row, table.max_force[row], table.damping_time[row], table.motor_speed[row],
+                       table.motorized[row]);
+}
+
+template <class WorldT> void add_pins(const WorldT& world, Digest& digest) {
+    const auto& p = world.particles;
+    for (const auto& pin : world.pins)
+        digest.add(p.slots.find(pin.particle).value_or(Row(p.size())), pin.from, pin.target, pin.compliance,
+                   pin.damping, pin.max_force);
+    for (const auto& pin : world.pins)
+        if (pin.hold != Hold::fixed || pin.steers()) digest.add(pin.hold, pin.steer, pin.steer_damping);
+}
+
+void add_figures(const std::vector<Figure>& figures, Digest& digest) {
+    for (const auto& figure : figures) digest.add(figure.in_use(), figure.direct, figure.tethers);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const auto& [layers, mask] = figures[i].filter;
+        if (figures[i].collides || !(figures[i].filter == collide::Filter{}))
+            digest.add(i, layers, mask, figures[i].collides, figures[i].touches_itself, figures[i].friction);
+    }
+    for (std::size_t i = 0; i < figures.size(); ++i)
+        if (figures[i].integrator) digest.add(i, *figures[i].integrator);
+}
+
+/// Contacts of the last step, from which the next one starts.
+template <class Contacts> void add_contacts(const Contacts& contacts, Digest& digest) {
+    for (const auto& pair : contacts.touching) digest.add(pair.particle, pair.collider);
+    for (const auto& [key, multiplier, friction] : contacts.kept) {
+        for (const auto particle : key.particle) digest.add(particle);
+        digest.add(key.collider, key.feature, multiplier, friction);
+    }
+}
+
 } // namespace
 
 template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& world) {
@@ -106,41 +149,14 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     if (world.repair_window) digest.add(world.repair_window);
     digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.radius, p.figure,
                p.quarantined, p.mobility);
-    for_each_table(world, [&](const auto& table) {
-        for (Row row = 0; row < table.size(); ++row)
-            for (const Row member : table.members[row]) digest.add(member);
-        digest.add(table.limits.lows(), table.limits.highs(), table.compliance, table.relaxation, table.split,
-                   table.breaking_strain, table.multiplier, table.figure);
-        for (Row row = 0; row < table.size(); ++row)
-            if (table.damage_limit[row] > 0) digest.add(row, table.damage_limit[row], table.damage[row]);
-        for (Row row = 0; row < table.size(); ++row)
-            if (table.gives(row) || table.damping_time[row] != Real(0) || table.motorized[row])
-                digest.add(row, table.max_force[row], table.damping_time[row], table.motor_speed[row],
-                           table.motorized[row]);
-    });
+    for_each_table(world, [&](const auto& table) { add_constraints(table, digest); });
     for (const auto& run : world.sweep) digest.add(run.kind, run.count);
-    for (const auto& pin : world.pins)
-        digest.add(p.slots.find(pin.particle).value_or(Row(p.size())), pin.from, pin.target, pin.compliance,
-                   pin.damping, pin.max_force);
-    for (const auto& pin : world.pins)
-        if (pin.hold != Hold::fixed || pin.steers()) digest.add(pin.hold, pin.steer, pin.steer_damping);
-    for (const auto& figure : world.figures) digest.add(figure.in_use(), figure.direct, figure.tethers);
-    for (std::size_t i = 0; i < world.figures.size(); ++i) {
-        const auto& [layers, mask] = world.figures[i].filter;
-        if (world.figures[i].collides || !(world.figures[i].filter == collide::Filter{}))
-            digest.add(i, layers, mask, world.figures[i].collides, world.figures[i].touches_itself,
-                       world.figures[i].friction);
-    }
-    for (std::size_t i = 0; i < world.figures.size(); ++i)
-        if (world.figures[i].integrator) digest.add(i, *world.figures[i].integrator);
+    add_pins(world, digest);
+    add_figures(world.figures, digest);
     for (const auto& force : world.forces) digest.add(force);
     for (const auto& plane : world.bounds) digest.add(plane);
     for (const auto& collider : world.colliders) digest.add(collider);
-    for (const auto& pair : world.contacts.touching) digest.add(pair.particle, pair.collider);
-    for (const auto& [key, multiplier, friction] : world.contacts.kept) {
-        for (const auto particle : key.particle) digest.add(particle);
-        digest.add(key.collider, key.feature, multiplier, friction);
-    }
+    add_contacts(world.contacts, digest);
     return digest.value();
 }
 

@@ -40,17 +40,16 @@ template <class Real> constexpr Real furthest_move(Real h) {
 template <int D, class Real> struct Particles {
     std::vector<Vec<D, Real>> position;
     std::vector<Vec<D, Real>> previous; ///< position one step ago; the state of classic mode
-    std::vector<Vec<D, Real>> velocity; ///< mean over the substep (in a block: at the end); classic mode: over the step
+    std::vector<Vec<D, Real>> velocity; ///< mean over the substep, or at its end; classic mode: over the step
+    std::vector<char> at_end;           ///< velocity is that at the end of the substep: a direct block's particle
     std::vector<Vec<D, Real>> residual; ///< rounding error of position (Kahan 1965)
     std::vector<Vec<D, Real>> force;    ///< external force, applied for one step, then cleared
     bool any_force = false;             ///< set by whoever writes `force`; the step skips the column while false
-    std::vector<Vec<D, Real>> rebound;  ///< scratch: velocity of separation from the planes struck in this substep
     std::vector<Real> inverse_mass;     ///< 0: immovable
     std::vector<Real> mobility;         ///< inverse mass seen by the constraints; 0 while pinned hard or quarantined
     std::vector<Real> radius;
     std::vector<FigureIndex> figure;
     std::vector<char> quarantined; ///< frozen: the particle or the particle's figure was found non-finite
-    std::vector<char> in_block;    ///< scratch: moved by a direct block, not by the sweep
     Slots<ParticleTag> slots;
 
     std::size_t size() const { return position.size(); }
@@ -59,15 +58,14 @@ template <int D, class Real> struct Particles {
         visit(self.position);
         visit(self.previous);
         visit(self.velocity);
+        visit(self.at_end);
         visit(self.residual);
         visit(self.force);
-        visit(self.rebound);
         visit(self.inverse_mass);
         visit(self.mobility);
         visit(self.radius);
         visit(self.figure);
         visit(self.quarantined);
-        visit(self.in_block);
     }
 };
 
@@ -144,8 +142,6 @@ template <class KindT, class Real> struct Constraints {
     Column<Real> damage_limit;    ///< damage limit: excess strain times time borne before tearing; 0: tears at once
     Column<Real> damage;          ///< damage so far, excess strain times time
     Column<FigureIndex> figure;
-    Column<char> in_block; ///< scratch: solved by a direct block, not by the sweep
-    Column<char> torn;     ///< scratch: to be removed at the end of the step; visited last (remove.h)
     Slots<ConstraintTag> slots;
 
     std::size_t size() const { return limits.size(); }
@@ -163,8 +159,6 @@ template <class KindT, class Real> struct Constraints {
     void expect_tears() {
         slots.remember();
         damage.set_apart();
-        in_block.set_apart();
-        torn.set_apart();
     }
 
     template <class Self, class Visit> static void columns(Self& self, Visit&& visit) {
@@ -181,8 +175,6 @@ template <class KindT, class Real> struct Constraints {
         visit(self.damage_limit);
         visit(self.damage);
         visit(self.figure);
-        visit(self.in_block);
-        visit(self.torn);
     }
 };
 
@@ -226,13 +218,14 @@ template <int D, class Real> struct Pin {
     Real damping = 1;          ///< fraction of critical damping, for a compliant pin
     Real max_force = 0;        ///< largest force; 0: unlimited
     Vec<D, Real> multiplier{}; ///< Lagrange multiplier after the last substep; force = -multiplier / h^2
-    Vec<D, Real> carried{};    ///< scratch: velocity of the particle before the constraints
     Hold hold = Hold::fixed;   ///< classic mode only
     Vec<D, Real> steer{};      ///< acceleration per distance to the target, by axis, 1/s^2; classic mode only
     Real steer_damping = 0;    ///< deceleration per velocity, 1/s; classic mode only
     /// True if the pin accelerates the particle instead of holding it at the target.
     bool steers() const { return steer != Vec<D, Real>{} || steer_damping != Real(0); }
     bool hard() const { return compliance == Real(0) && max_force == Real(0) && !steers(); }
+    /// Target at a share of the step.
+    Vec<D, Real> target_at(Real share) const { return from + (target - from) * share; }
 };
 
 /// Plane with the particles on one side: dot(normal, x) >= offset + radius.

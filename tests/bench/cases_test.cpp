@@ -27,6 +27,16 @@ TEST(Cases, AreFoundByFamilyAndSize) {
         EXPECT_FALSE(find_case(bad)) << bad;
 }
 
+TEST(Timing, APercentileIsTheLeastTimeThatEnoughStepsDoNotExceed) {
+    std::vector<double> times; // 200 down to 1
+    for (int i = 200; i > 0; --i) times.push_back(i);
+    EXPECT_EQ(percentile(times, 0.99), 198);
+    EXPECT_EQ(percentile(times, 0.991), 199);
+    EXPECT_EQ(percentile(times, 1), 200);
+    EXPECT_EQ(percentile({7, 5}, 0.99), 7);
+    EXPECT_EQ(percentile({}, 0.99), 0);
+}
+
 TEST(Cases, TheClothHangsFromTwoCornersWithAKilogramAParticle) {
     const auto work = work_of(*find_case("cloth-256"));
     EXPECT_EQ(work.sticks.size(), 260'610U);

@@ -35,6 +35,10 @@ TEST(Bench, PrintsAnObjectALineForEveryCaseAndNumberOfThreads) {
         EXPECT_GT(line["ratio"].get<double>(), 0);
         EXPECT_GE(line["stretch_max"].get<double>(), line["stretch_mean"].get<double>());
         EXPECT_GT(line["rivals"]["textbook"]["ms_per_step"].get<double>(), 0);
+        for (const auto& times : {line, line["rivals"]["textbook"]}) { // of three steps the 99th percentile is the last
+            EXPECT_GE(times["ms_worst"].get<double>(), times["ms_per_step"].get<double>());
+            EXPECT_EQ(times["ms_percentile_99"], times["ms_worst"]);
+        }
         EXPECT_GT(line["rivals"]["textbook_shuffled"]["ms_per_step"].get<double>(), 0);
         EXPECT_EQ(line.contains("projections_per_s"), line["case"] != "ragdolls-2-direct");
     }
@@ -45,7 +49,8 @@ TEST(Bench, PrintsAnObjectALineForEveryCaseAndNumberOfThreads) {
 TEST(Bench, PrintsATableForPeople) {
     const auto outcome = sinew({"bench", "mesh-5", "--precision", "double", "--threads", "1", "--steps", "2"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    for (const auto* part : {"G projections/s", "mesh-5 (72)", "sinew, double, 1 thread", "textbook, shuffled"})
+    for (const auto* part :
+         {"99 %", "worst", "G projections/s", "mesh-5 (72)", "sinew, double, 1 thread", "textbook, shuffled"})
         EXPECT_TRUE(has(outcome.out, part)) << part << outcome.out;
 }
 
@@ -55,6 +60,8 @@ TEST(Bench, StillMeasuresRopes) {
     ASSERT_EQ(all.size(), 1U);
     EXPECT_EQ(all[0]["links"], 3);
     EXPECT_LT(all[0]["stretch_max"].get<double>(), 1e-6);
+    EXPECT_GE(all[0]["ms_worst"], all[0]["ms_percentile_99"]);
+    EXPECT_GE(all[0]["ms_percentile_99"], all[0]["ms_per_step"]);
 }
 
 TEST(Bench, TellsWhatTimeBuysAndDrawsIt) {

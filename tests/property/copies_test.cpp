@@ -16,10 +16,7 @@ template <class World> void destroy_what_follows(World& world) {
     using Vector = typename World::Vector;
     using Real = typename World::Real;
     const auto nonsense = Vector::axis(0) * Real(123.5);
-    std::fill(world.particles.rebound.begin(), world.particles.rebound.end(), nonsense);
-    std::fill(world.particles.in_block.begin(), world.particles.in_block.end(), char(1));
-    for_each_table(world, [](auto& table) { table.in_block.fill(1); });
-    for (auto& pin : world.pins) pin.carried = nonsense;
+    std::fill(world.particles.at_end.begin(), world.particles.at_end.end(), char(1));
     std::fill(world.solver.scratch.begin(), world.solver.scratch.end(), nonsense);
     world.events.clear();
     world.energy_lost = -5;

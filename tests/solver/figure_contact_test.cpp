@@ -1,4 +1,4 @@
-#include "sinew/solver/contact/colliders.h"
+#include "sinew/world/colliders.h"
 
 #include "tests/worlds.h"
 

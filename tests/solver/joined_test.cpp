@@ -77,7 +77,7 @@ TEST(JoinedFigures, AJellyRestsOnARope) {
         const Polygon jelly{.sides = 9, .radius = 0.2, .braced = "area", .mass = mass};
         build(scene.world, jelly, "jelly", {.at = scene.place(end) - at<Vec<2, double>>(0, 0.25)});
         scene.join(end, scene.id("jelly/corner_4"));
-        expect(watch(scene, lasting(5), 1.5), 0.02, 0.2, "jelly");
+        expect(watch(scene, lasting(5), 1.5), 4e-3, 0.2, "jelly");
     }
 }
 

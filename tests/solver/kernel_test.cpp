@@ -13,34 +13,33 @@ namespace {
 
 /// With each kind that this processor has.
 template <class Check> void on_each(Check&& check) {
-    const Simd usual = simd_in_use();
     for (const Simd simd : {Simd::one, Simd::sse2, Simd::avx2, Simd::avx512})
         if (has_simd(simd)) {
-            use_simd(simd);
             SCOPED_TRACE(name_of(simd));
-            check();
+            check(simd);
         }
-    use_simd(usual);
 }
 
-template <class Real> void expect_found(Real number, Real limit, bool in_limits, bool and_positive) {
+template <class Real> void expect_found(Simd simd, Real number, Real limit, bool in_limits, bool and_positive) {
     for (const std::size_t count : {1U, 3U, 8U, 21U, 64U})
         for (std::size_t at = 0; at < count; ++at) {
             std::vector<Real> numbers(count, limit);
             numbers[at] = number;
-            const auto& kernel = kernels<3, Real>();
+            const auto& kernel = kernels<3, Real>(simd);
             EXPECT_EQ(kernel.all_within(numbers.data(), count, limit), in_limits) << number << " at " << at;
             EXPECT_EQ(kernel.all_within_and_positive(numbers.data(), count, limit), and_positive) << number;
         }
 }
-template <class Real> void expect_all_found() {
+template <class Real> void expect_all_found(Simd simd) {
     using Limits = std::numeric_limits<Real>;
     const Real limit = Real(1e8), above = std::nextafter(limit, Limits::max());
-    for (const Real fine : {Real(0), -Real(0), Limits::denorm_min(), limit}) expect_found(fine, limit, true, true);
-    for (const Real negative : {-Limits::denorm_min(), Real(-1), -limit}) expect_found(negative, limit, true, false);
+    for (const Real fine : {Real(0), -Real(0), Limits::denorm_min(), limit})
+        expect_found(simd, fine, limit, true, true);
+    for (const Real negative : {-Limits::denorm_min(), Real(-1), -limit})
+        expect_found(simd, negative, limit, true, false);
     for (const Real wrong : {above, -above, Limits::max(), Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(),
                              -Limits::quiet_NaN()})
-        expect_found(wrong, limit, false, false);
+        expect_found(simd, wrong, limit, false, false);
 }
 
 TEST(Kernels, FindWhatIsInNoLimitsWhereverItIs) {
@@ -49,7 +48,7 @@ TEST(Kernels, FindWhatIsInNoLimitsWhereverItIs) {
 }
 
 /// Rows in some order, each with numbers of its own.
-template <int D, class Real> void expect_turned() {
+template <int D, class Real> void expect_turned(Simd simd) {
     constexpr std::uint32_t size = 45, apart = 64, room = 16;
     std::vector<std::uint32_t> row_of(size);
     for (std::uint32_t slot = 0; slot < size; ++slot) row_of[slot] = 7 * slot % size;
@@ -63,9 +62,9 @@ template <int D, class Real> void expect_turned() {
             turning.row_of = row_of.data();
             turning.slot_of_last = std::uint32_t(std::find(row_of.begin(), row_of.end(), size - 1) - row_of.begin());
             turning.by = 2, turning.most = 60;
-            kernels<D, Real>().to_columns(turning, first, last);
+            kernels<D, Real>(simd).to_columns(turning, first, last);
             turning.rows = back.data(), turning.by = Real(0.5), turning.most = 0;
-            kernels<D, Real>().to_rows(turning, first, last);
+            kernels<D, Real>(simd).to_rows(turning, first, last);
             for (std::uint32_t slot = 0; slot < size; ++slot)
                 for (unsigned k = 0; k < D; ++k) {
                     const Real was = rows[D * row_of[slot] + k], twice = std::clamp(2 * was, Real(-60), Real(60));

@@ -18,7 +18,7 @@ using Number = std::uint32_t;
 struct Joined {
     std::vector<Number> number; ///< of a place
     std::vector<Number> place;  ///< of a number
-    std::vector<Number> first, near;
+    RowLists<Number> near;
 
     Joined(Number places, Number kept, const std::set<std::pair<Number, Number>>& links) : number(places) {
         std::iota(number.begin(), number.end(), Number(0));
@@ -27,19 +27,15 @@ struct Joined {
         std::copy(others.begin(), others.end(), number.begin() + kept);
         place.resize(places);
         for (Number i = 0; i < places; ++i) place[number[i]] = i;
-        std::vector<std::vector<Number>> of(places);
-        for (const auto& [a, b] : links) of[number[a]].push_back(number[b]), of[number[b]].push_back(number[a]);
-        first.push_back(0);
-        for (const auto& neighbours : of) {
-            near.insert(near.end(), neighbours.begin(), neighbours.end());
-            first.push_back(Number(near.size()));
-        }
+        near.fill(places, [&](auto&& visit) {
+            for (const auto& [a, b] : links) visit(number[a], number[b]), visit(number[b], number[a]);
+        });
     }
 
     /// As places.
     std::vector<std::vector<Number>> rows() const {
         LevelStructure levels;
-        levels.find(first, near);
+        levels.find(near);
         std::vector<std::vector<Number>> rows(levels.size());
         for (std::size_t i = 0; i < rows.size(); ++i)
             for (const Number at : levels[i]) rows[i].push_back(place[at]);
@@ -93,8 +89,8 @@ void expect_rows_of_neighbours(const Joined& joined) {
             row_of[place] = r;
         }
     for (Number i = 0; i < joined.place.size(); ++i)
-        for (auto k = joined.first[i]; k < joined.first[i + 1]; ++k) {
-            const auto a = row_of[joined.place[i]], b = row_of[joined.place[joined.near[k]]];
+        for (const Number near : joined.near[i]) {
+            const auto a = row_of[joined.place[i]], b = row_of[joined.place[near]];
             EXPECT_LE(std::max(a, b) - std::min(a, b), 1U);
         }
 }

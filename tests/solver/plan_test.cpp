@@ -1,5 +1,4 @@
 #include "sinew/math/random.h"
-#include "sinew/solver/progress_report.h"
 #include "sinew/world/measure.h"
 
 #include "tests/sanitized.h"
@@ -119,7 +118,6 @@ template <class Type> struct Planned : ::testing::Test {};
 TYPED_TEST_SUITE(Planned, Everywhere, Names);
 
 TYPED_TEST(Planned, EveryWidthOfLanesGivesTheSameBits) {
-    const Simd usual = simd_in_use();
     for (const bool mixed : {false, true})
         for (const int iterations : {1, 2}) {
             auto begun = of_every_order<typename TypeParam::World>(mixed);
@@ -129,8 +127,8 @@ TYPED_TEST(Planned, EveryWidthOfLanesGivesTheSameBits) {
             std::set<std::uint64_t> hashes;
             for (const Simd simd : {Simd::one, Simd::sse2, Simd::avx2, Simd::avx512}) {
                 if (!has_simd(simd)) continue;
-                use_simd(simd);
                 auto world = begun;
+                world.solver.options.simd = simd;
                 bool repair_window = false;
                 for (int i = 0; i < 5; ++i) {
                     step(world, RealOf<typename TypeParam::World>(1.0 / 60));
@@ -141,7 +139,6 @@ TYPED_TEST(Planned, EveryWidthOfLanesGivesTheSameBits) {
             }
             EXPECT_EQ(hashes.size(), 1U) << mixed << ' ' << iterations;
         }
-    use_simd(usual);
 }
 
 // Packs of up to 16 are solved at once.
@@ -336,7 +333,7 @@ TEST(GettingReady, TellsHowFarItIs) {
     test::Stepped<3, double> world;
     add_cloth(world, {.tethers = true});
     std::vector<double> shares;
-    const Waiting waiting([&](double share) { shares.push_back(share); });
+    world.solver.reports.preparing = [&](double share) { shares.push_back(share); };
     prepare(world);
     ASSERT_GE(shares.size(), 6U);
     EXPECT_EQ(shares.front(), 0);

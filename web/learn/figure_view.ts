@@ -1,9 +1,9 @@
-import { writeAddress } from "../shared/address.js";
-import { el, number } from "../shared/dom.js";
-import type { Loaded } from "../shared/engine.js";
-import { icon } from "../shared/icons.js";
-import { Stage } from "../shared/stage.js";
-import { theme } from "../shared/theme.js";
+import { writeAddress } from "../common/address.js";
+import { el, number } from "../common/dom.js";
+import type { Loaded } from "../common/engine.js";
+import { icon } from "../common/icons.js";
+import { Stage } from "../common/stage.js";
+import { theme } from "../common/theme.js";
 import type { Lesson, Slider } from "./lesson.js";
 import { essence, markedLines, sceneText } from "./scene_text.js";
 

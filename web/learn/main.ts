@@ -1,10 +1,10 @@
-import "../shared/base.css";
+import "../common/base.css";
 import "./learn.css";
-import { byId, el } from "../shared/dom.js";
-import { loadEngine } from "../shared/engine.js";
-import { icon } from "../shared/icons.js";
-import { workOffline } from "../shared/offline.js";
-import { applyTheme, setTheme, theme } from "../shared/theme.js";
+import { byId, el } from "../common/dom.js";
+import { loadEngine } from "../common/engine.js";
+import { icon } from "../common/icons.js";
+import { workOffline } from "../common/offline.js";
+import { applyTheme, setTheme, theme } from "../common/theme.js";
 import { FigureView } from "./figure_view.js";
 import type { Lesson } from "./lesson.js";
 import { lessons } from "./lessons/lessons.js";

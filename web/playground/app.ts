@@ -1,9 +1,9 @@
 import { SceneErrors, type CatalogueScene, type Engine } from "../sinew/index.js";
-import { readAddress, type Address } from "../shared/address.js";
-import { announce, byId, debounced, el, words } from "../shared/dom.js";
-import type { Assets } from "../shared/engine.js";
-import { Stage } from "../shared/stage.js";
-import { applyTheme, setTheme, theme } from "../shared/theme.js";
+import { readAddress, type Address } from "../common/address.js";
+import { announce, byId, debounced, el, words } from "../common/dom.js";
+import type { Assets } from "../common/engine.js";
+import { Stage } from "../common/stage.js";
+import { applyTheme, setTheme, theme } from "../common/theme.js";
 import { Films } from "./films.js";
 import { offer, sceneFile } from "./files.js";
 import { Gallery } from "./gallery.js";

@@ -1,4 +1,4 @@
-import type { Stage } from "../shared/stage.js";
+import type { Stage } from "../common/stage.js";
 
 /** Offers a file for saving. */
 export function offer(blob: Blob, name: string): void {

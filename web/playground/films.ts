@@ -1,5 +1,5 @@
-import { announce, byId, el } from "../shared/dom.js";
-import type { Stage } from "../shared/stage.js";
+import { announce, byId, el } from "../common/dom.js";
+import type { Stage } from "../common/stage.js";
 import { filmGif, filmVideo, offer, type Film } from "./files.js";
 
 const longest = { gif: 10, video: 120 }; // seconds

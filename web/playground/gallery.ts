@@ -1,6 +1,6 @@
 import type { CatalogueScene } from "../sinew/index.js";
-import { byId, el, words } from "../shared/dom.js";
-import { theme } from "../shared/theme.js";
+import { byId, el, words } from "../common/dom.js";
+import { theme } from "../common/theme.js";
 import { Thumbnails } from "./thumbnails.js";
 
 const about: Record<string, string> = {

@@ -1,5 +1,5 @@
 import type { Report, Simulation } from "../sinew/index.js";
-import { el, number } from "../shared/dom.js";
+import { el, number } from "../common/dom.js";
 
 const kept = 300; // samples
 const every = 66; // milliseconds between samples

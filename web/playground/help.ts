@@ -1,6 +1,6 @@
 import type { Engine } from "../sinew/index.js";
-import { el } from "../shared/dom.js";
-import { icon } from "../shared/icons.js";
+import { el } from "../common/dom.js";
+import { icon } from "../common/icons.js";
 
 const pointer = {
     "left button": "takes hold of what is nearest; letting go throws it",

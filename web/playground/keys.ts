@@ -1,4 +1,4 @@
-import { announce } from "../shared/dom.js";
+import { announce } from "../common/dom.js";
 import type { App } from "./app.js";
 
 const renamed: Record<string, string> = { " ": "space", ArrowLeft: "left", ArrowRight: "right", ArrowUp: "up", ArrowDown: "down", Escape: "escape", Delete: "delete", Backspace: "delete", Home: "home" };

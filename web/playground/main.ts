@@ -1,16 +1,16 @@
-import "../shared/base.css";
+import "../common/base.css";
 import "./playground.css";
-import { announce, byId, el } from "../shared/dom.js";
-import { loadEngine } from "../shared/engine.js";
-import { workOffline } from "../shared/offline.js";
-import { applyTheme } from "../shared/theme.js";
+import { announce, byId, el } from "../common/dom.js";
+import { loadEngine, usefulThreads } from "../common/engine.js";
+import { workOffline } from "../common/offline.js";
+import { applyTheme } from "../common/theme.js";
 import { App } from "./app.js";
 
 applyTheme();
 workOffline("./sw.js");
 
 try {
-    const { engine, scenes, assets } = await loadEngine();
+    const { engine, scenes, assets } = await loadEngine(usefulThreads());
     const app = new App(engine, scenes, assets);
     Object.assign(window, { sinew: app }); // for the browser's console
     await app.follow(location.hash);

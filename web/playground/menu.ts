@@ -1,5 +1,5 @@
-import { byId, el } from "../shared/dom.js";
-import { icon } from "../shared/icons.js";
+import { byId, el } from "../common/dom.js";
+import { icon } from "../common/icons.js";
 
 export interface MenuItem {
     name: string;

@@ -1,8 +1,8 @@
 import type { Engine, PlayerState, SceneParameter } from "../sinew/index.js";
-import { byId, debounced, el, number, words } from "../shared/dom.js";
-import { icon } from "../shared/icons.js";
-import type { Stage } from "../shared/stage.js";
-import { setTheme, theme } from "../shared/theme.js";
+import { byId, debounced, el, number, words } from "../common/dom.js";
+import { icon } from "../common/icons.js";
+import type { Stage } from "../common/stage.js";
+import { setTheme, theme } from "../common/theme.js";
 import { Graphs } from "./graphs.js";
 import { ParameterForm } from "./parameters.js";
 import { segments, type Segments } from "./segments.js";

@@ -1,5 +1,5 @@
 import type { SceneParameter } from "../sinew/index.js";
-import { el, number, words } from "../shared/dom.js";
+import { el, number, words } from "../common/dom.js";
 
 export type SetParameter = (path: string, value: unknown, goesOn: boolean) => void;
 

@@ -1,6 +1,6 @@
 import type { Engine, SceneParameter } from "../sinew/index.js";
-import { writeAddress } from "../shared/address.js";
-import type { Stage } from "../shared/stage.js";
+import { writeAddress } from "../common/address.js";
+import type { Stage } from "../common/stage.js";
 import type { Opened } from "./app.js";
 
 /** The shortest address that leads to the scene as it is: a name and pairs where that says all, else the whole text. */

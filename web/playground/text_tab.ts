@@ -1,6 +1,6 @@
 import { SceneErrors, type Engine, type SceneError } from "../sinew/index.js";
-import { debounced, el } from "../shared/dom.js";
-import type { Stage } from "../shared/stage.js";
+import { debounced, el } from "../common/dom.js";
+import type { Stage } from "../common/stage.js";
 import type { SceneEditor } from "./editor.js";
 
 /** The scene as text, read again at every key. The editor is loaded when it is first opened. */

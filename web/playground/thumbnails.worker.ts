@@ -1,6 +1,6 @@
 import { Canvas2DPainter, type CatalogueScene, type Simulation } from "../sinew/index.js";
-import { context2d } from "../shared/context.js";
-import { loadEngine } from "../shared/engine.js";
+import { context2d } from "../common/context.js";
+import { loadEngine } from "../common/engine.js";
 
 export type Order =
     | { order: "open"; name: string; canvas: OffscreenCanvas }

@@ -1,7 +1,7 @@
 import type { PlayerState } from "../sinew/index.js";
-import { byId, el } from "../shared/dom.js";
-import { icon } from "../shared/icons.js";
-import type { Stage } from "../shared/stage.js";
+import { byId, el } from "../common/dom.js";
+import { icon } from "../common/icons.js";
+import type { Stage } from "../common/stage.js";
 import { segments, type Segment, type Segments } from "./segments.js";
 import { iconButton, rove } from "./toolbar.js";
 

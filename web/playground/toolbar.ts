@@ -1,7 +1,7 @@
 import type { Engine, PlayerState } from "../sinew/index.js";
-import { byId, el } from "../shared/dom.js";
-import { icon } from "../shared/icons.js";
-import type { Stage } from "../shared/stage.js";
+import { byId, el } from "../common/dom.js";
+import { icon } from "../common/icons.js";
+import type { Stage } from "../common/stage.js";
 
 /** A button with an icon; the tip is its name for screen readers too. */
 export function iconButton(name: string, tip: string, press: () => void): HTMLButtonElement {

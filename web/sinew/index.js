@@ -4,9 +4,8 @@ import { SceneErrors, SinewError, status } from "./errors.js";
 import { Canvas2DPainter } from "./painters/canvas2d.js";
 import { WebGL2Painter } from "./painters/webgl2.js";
 import { PictureCopy, Shape } from "./picture.js";
+import { isNode, nodeModule } from "./platform.js";
 import { startThreads } from "./threads.js";
-
-const isNode = typeof process !== "undefined" && Boolean(process.versions?.node);
 
 /** The module of a source, compiled. */
 async function compiled(source) {
@@ -16,7 +15,7 @@ async function compiled(source) {
     if (typeof Response !== "undefined" && given instanceof Response) return fromResponse(given);
     const url = new URL(given, globalThis.location?.href ?? import.meta.url);
     if (isNode && url.protocol === "file:") {
-        const { readFile } = await import("node:fs/promises");
+        const { readFile } = await nodeModule("fs/promises");
         return WebAssembly.compile(await readFile(url));
     }
     return fromResponse(await fetch(url));

@@ -1,7 +1,6 @@
 // An engine on shared memory, and the workers that compute with it.
 import { Engine } from "./engine.js";
-
-const isNode = typeof process !== "undefined" && Boolean(process.versions?.node);
+import { isNode, nodeModule } from "./platform.js";
 
 const page = 65536; // bytes
 const initialBytes = 32 * 2 ** 20, mostBytes = 2 ** 30; // as the module was linked: cmake/wasm.cmake
@@ -10,7 +9,7 @@ const stackBytes = 256 * 2 ** 10;
 export async function startThreads(module, threads) {
     const memory = new WebAssembly.Memory({ initial: initialBytes / page, maximum: mostBytes / page, shared: true });
     const engine = new Engine(await WebAssembly.instantiate(module, { env: { memory } }), memory);
-    const Worker = isNode ? (await import("node:worker_threads")).Worker : globalThis.Worker;
+    const Worker = isNode ? (await nodeModule("worker_threads")).Worker : globalThis.Worker;
     const ready = [];
     for (let number = 1; number < threads; ++number) {
         const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });

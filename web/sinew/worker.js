@@ -1,6 +1,7 @@
 // A thread of an engine: serves on the engine's memory until it is ended.
-const isNode = typeof process !== "undefined" && Boolean(process.versions?.node);
-const port = isNode ? (await import("node:worker_threads")).parentPort : globalThis;
+import { isNode, nodeModule } from "./platform.js";
+
+const port = isNode ? (await nodeModule("worker_threads")).parentPort : globalThis;
 
 function serve({ module, memory, number, stack }) {
     const { exports } = new WebAssembly.Instance(module, { env: { memory } });

@@ -42,9 +42,10 @@ export async function visit(root = dist, headers = {}) {
         server,
         browser,
         folder,
-        /** Runs `work` on a page, which may neither complain nor ask another host for anything. */
-        async on(options, where, work) {
+        /** Runs `work` on a page, which may neither complain nor ask another host for anything; `script` runs in it first. */
+        async on({ script = () => {}, ...options }, where, work) {
             const context = await browser.newContext({ colorScheme: "light", acceptDownloads: true, ...options });
+            await context.addInitScript(script);
             const page = await context.newPage();
             const complaints = [];
             page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(`${message.type()}: ${message.text()}`));

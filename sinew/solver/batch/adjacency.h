@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/plan.h"
+#include "sinew/table/row_lists.h"
 #include "sinew/world/world.h"
 
 #include <algorithm>
@@ -37,8 +38,9 @@ template <int D, class Real> class Adjacency {
         }
     }
     void forget() {
-        for (auto* spokes : {&all_, &near_}) *spokes = std::vector<Spoke>();
-        for (auto* numbers : {&begin_, &list_of_, &first_}) *numbers = std::vector<std::uint32_t>();
+        all_ = std::vector<Spoke>();
+        near_ = RowLists<Spoke>();
+        for (auto* numbers : {&begin_, &list_of_}) *numbers = std::vector<std::uint32_t>();
     }
 
     /// Last spoke with a slot offset, or null.
@@ -64,8 +66,7 @@ template <int D, class Real> class Adjacency {
     std::vector<Spoke> all_;           ///< all lists, concatenated
     std::vector<std::uint32_t> begin_; ///< start of each list, and the end of the last
     std::vector<std::uint32_t> list_of_;
-    std::vector<std::uint32_t> first_; ///< offsets in `near_` of the particles of some tiles
-    std::vector<Spoke> near_;
+    RowLists<Spoke> near_; ///< of the particles of some tiles
 
     std::span<const Spoke> spokes(std::size_t list) const {
         return std::span(all_).subspan(begin_[list], begin_[list + 1] - begin_[list]);
@@ -82,20 +83,15 @@ template <int D, class Real> class Adjacency {
     void list_bands(const Component& component, std::uint32_t first, std::uint32_t last) {
         const auto begin = plan_.tiles[component.first_tile + first].first - component.begin.slot;
         const auto count = plan_.tiles[component.first_tile + last - 1].last - component.begin.slot - begin;
-        first_.assign(count + 2, 0);
-        each_rigid(component, first, last, [&](Row, std::uint32_t a, std::uint32_t b) {
-            if (a - begin < count) ++first_[a - begin + 2];
-            if (b - begin < count) ++first_[b - begin + 2];
-        });
-        for (std::size_t s = 2; s < first_.size(); ++s) first_[s] += first_[s - 1];
-        near_.resize(first_.back());
-        each_rigid(component, first, last, [&](Row link, std::uint32_t a, std::uint32_t b) {
-            const Real length = distances_.high(link);
-            if (a - begin < count) near_[first_[a - begin + 1]++] = {b - a, length};
-            if (b - begin < count) near_[first_[b - begin + 1]++] = {a - b, length};
+        near_.fill(count, [&](auto&& visit) {
+            each_rigid(component, first, last, [&](Row link, std::uint32_t a, std::uint32_t b) {
+                const Real length = distances_.high(link);
+                if (a - begin < count) visit(a - begin, Spoke{b - a, length});
+                if (b - begin < count) visit(b - begin, Spoke{a - b, length});
+            });
         });
         for (std::uint32_t s = 0; s < count; ++s) {
-            all_.insert(all_.end(), near_.begin() + first_[s], near_.begin() + first_[s + 1]);
+            all_.insert(all_.end(), near_[s].begin(), near_[s].end());
             list_of_[begin + s] = share_last_list(begin + s);
         }
     }

@@ -28,48 +28,37 @@ template <int D, class Real> class ComponentFinder {
         return true;
     }
     /// Releases the adjacency lists.
-    void forget_neighbours() { give_back(room_.first_near, room_.near, room_.at, room_.levels); }
+    void forget_neighbours() { give_back(room_.near, room_.levels); }
     /// Releases all room of the planner.
     void forget() {
-        give_back(room_.link_at, room_.left, room_.parent, room_.part_of, room_.members, room_.rank, room_.at,
-                  room_.first_near, room_.near, room_.chained, room_.colour, room_.used, room_.sorted, room_.left_over,
-                  room_.of_tile, room_.left_of_tile, room_.sequences, room_.levels);
+        give_back(room_.link_at, room_.left, room_.sets, room_.part_of, room_.members, room_.rank, room_.at, room_.near,
+                  room_.chained, room_.colour, room_.used, room_.sorted, room_.left_over, room_.of_tile,
+                  room_.left_of_tile, room_.sequences, room_.levels);
     }
     bool any() const {
         bool any = false;
         each_swept([&](Row) { any = true; });
         return any;
     }
-    std::size_t size() const { return room_.parts.size(); }
+    std::size_t size() const { return room_.members.size(); }
 
-    std::span<const Row> members(std::size_t part) const {
-        SINEW_ASSERT(part < room_.parts.size(), "the part has been found");
-        return std::span(room_.members).subspan(room_.parts[part].first_member, room_.parts[part].members);
-    }
-    Links links(std::size_t part) const {
-        return std::span(room_.link_at).subspan(room_.parts[part].first_link, room_.parts[part].links);
-    }
+    std::span<const Row> members(std::size_t part) const { return room_.members[part]; }
+    Links links(std::size_t part) const { return room_.link_at[part]; }
     Row rank(Row link, std::size_t i) const { return room_.rank[end(link, i)]; }
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }
 
     /// Number of consecutive parts, from this one on, of the same shape.
     std::size_t count_alike(std::size_t part) const {
         std::size_t count = 1;
-        while (part + count < room_.parts.size() && are_alike(part, part + count)) ++count;
+        while (part + count < size() && are_alike(part, part + count)) ++count;
         return count;
     }
 
     void list_neighbours(std::size_t part) const {
-        const auto all = members(part);
-        auto& first = room_.first_near;
-        first.assign(all.size() + 1, 0);
-        for (const Row link : links(part)) ++first[rank(link, 0) + 1], ++first[rank(link, 1) + 1];
-        for (std::size_t i = 0; i < all.size(); ++i) first[i + 1] += first[i];
-        room_.near.resize(first[all.size()]);
-        auto& next = room_.at;
-        next.assign(first.begin(), first.end());
-        for (const Row link : links(part))
-            for (std::size_t i = 0; i < 2; ++i) room_.near[next[rank(link, i)]++] = rank(link, 1 - i);
+        room_.near.fill(members(part).size(), [&](auto&& visit) {
+            for (const Row link : links(part))
+                for (std::size_t i = 0; i < 2; ++i) visit(rank(link, i), rank(link, 1 - i));
+        });
     }
 
   private:
@@ -90,10 +79,9 @@ template <int D, class Real> class ComponentFinder {
 
     /// Visits the swept particles outside kept components.
     template <class Visit> void each_swept(Visit&& visit) const {
-        const std::span<const char> in_block = world_.particles.in_block;
-        for (std::size_t row = 0, end = 0; (row = next_flag(in_block, end, 0)) < in_block.size();)
-            for (end = next_flag(in_block, row, 1); row < end; ++row)
-                if (swept_.slot_of[row] == none) visit(Row(row));
+        const auto& in_block = world_.particles.at_end;
+        for (Row row = 0; row < in_block.size(); ++row)
+            if (!in_block[row] && swept_.slot_of[row] == none) visit(row);
     }
 
     /// True for a distance with default split and relaxation, without damping, drive or maximum force. Limits outside
@@ -141,65 +129,45 @@ template <int D, class Real> class ComponentFinder {
         return apart;
     }
 
-    Row first_of(Row row) {
-        auto& parent = room_.parent;
-        while (parent[row] != row) row = parent[row] = parent[parent[row]];
-        return row;
-    }
-
     void join() {
-        room_.parent.resize(particles());
-        each_swept([&](Row row) { room_.parent[row] = row; });
-        for (const Row link : room_.links) {
-            const Row a = first_of(end(link, 0)), b = first_of(end(link, 1));
-            room_.parent[std::max(a, b)] = std::min(a, b);
-        }
+        room_.sets.make_room(particles());
+        each_swept([&](Row row) { room_.sets.separate(row); });
+        for (const Row link : room_.links) room_.sets.join(end(link, 0), end(link, 1));
     }
 
     /// Sorts particles and links by component, each in row order, and components by the first particle. Particles
     /// without links share one component.
     void sort_into_parts() {
-        auto& parts = room_.parts;
-        parts.clear();
+        const auto parts = number_parts();
+        room_.members.fill(parts, [&](auto&& visit) { each_swept([&](Row row) { visit(room_.part_of[row], row); }); });
+        room_.link_at.fill(parts, [&](auto&& visit) {
+            for (const Row link : room_.links) visit(room_.part_of[end(link, 0)], link);
+        });
+        room_.rank.resize(particles());
+        for (std::size_t part = 0; part < parts; ++part) {
+            const auto all = members(part);
+            for (Row i = 0; i < all.size(); ++i) room_.rank[all[i]] = i;
+        }
+        give_back(room_.links);
+    }
+    /// Numbers the components in `part_of`, and returns how many there are.
+    Row number_parts() {
         room_.part_of.resize(particles());
         each_swept([&](Row row) { room_.part_of[row] = none; });
         for (const Row link : room_.links) room_.part_of[end(link, 0)] = room_.part_of[end(link, 1)] = 0;
+        Row parts = 0;
         bool any_alone = false;
         each_swept([&](Row row) {
-            if (room_.part_of[row] == none) {
-                any_alone = true;
-            } else if (const Row first = first_of(row); first == row) {
-                room_.part_of[row] = Row(parts.size());
-                parts.push_back({});
-            } else {
-                room_.part_of[row] = room_.part_of[first];
-            }
+            const bool is_alone = room_.part_of[row] == none;
+            any_alone = any_alone || is_alone;
+            if (is_alone) return;
+            const Row first = room_.sets.first_of(row);
+            room_.part_of[row] = first == row ? parts++ : room_.part_of[first];
         });
-        if (any_alone) parts.push_back({});
         each_swept([&](Row row) {
-            if (room_.part_of[row] == none) room_.part_of[row] = Row(parts.size() - 1);
-            ++parts[room_.part_of[row]].members;
+            if (room_.part_of[row] == none) room_.part_of[row] = parts;
         });
-        for (const Row link : room_.links) ++parts[room_.part_of[end(link, 0)]].links;
-        std::uint32_t member = 0, link = 0;
-        for (auto& part : parts) {
-            part.first_member = member, part.first_link = link;
-            member += part.members, link += part.links;
-            part.members = part.links = 0;
-        }
-        room_.members.resize(member);
-        room_.link_at.resize(link);
-        room_.rank.resize(particles());
-        each_swept([&](Row row) {
-            auto& part = parts[room_.part_of[row]];
-            room_.rank[row] = part.members;
-            room_.members[part.first_member + part.members++] = row;
-        });
-        for (const Row row : room_.links) {
-            auto& part = parts[room_.part_of[end(row, 0)]];
-            room_.link_at[part.first_link + part.links++] = row;
-        }
-        give_back(room_.links);
+        return parts + Row(any_alone);
     }
 
     bool are_alike(std::size_t a, std::size_t b) const {

@@ -1,21 +1,21 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
+#include "sinew/solver/batch/grid.h"
 #include "sinew/solver/batch/mesh.h"
 
-/// Order of a component's particles and links. Where links have few directions, as in a cloth, each direction is a
-/// color: all of one direction and then all of the next leaves a quarter of the stretch of a random order, and cell by
-/// cell can grow without bound. Any other mesh is coloured. Many copies of one small shape are interleaved, particle i
-/// of all copies before i + 1, and each copy is solved in the order of its links.
+/// Order of a component's particles and links: a grid where links have few directions, else a mesh, coloured. Many
+/// copies of one small shape are interleaved, particle i of all copies before i + 1, and each copy is solved in the
+/// order of its links.
 namespace sinew::detail {
 
 template <int D, class Real> class SheetMaker {
   public:
     SheetMaker(World<D, Real>& world, Solver<D, Real>& solver, ComponentFinder<D, Real>& parts)
         : world_(world), solver_(solver), swept_(solver.sweep_state), plan_(solver.sweep_state.plan),
-          room_(solver.sweep_state.room), parts_(parts), runs_(world, solver), mesh_(solver, parts, runs_),
-          particle_ids_(world.particles.slots), link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {
-    }
+          room_(solver.sweep_state.room), parts_(parts), runs_(world, solver), grid_(solver, parts, runs_),
+          mesh_(solver, parts, runs_), particle_ids_(world.particles.slots),
+          link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {}
 
     static constexpr std::size_t most_in_copies = 1024; ///< particles
 
@@ -26,8 +26,6 @@ template <int D, class Real> class SheetMaker {
     }
 
   private:
-    static constexpr Row none = ~Row(0);
-
     World<D, Real>& world_;
     Solver<D, Real>& solver_;
     SweepState<D, Real>& swept_;
@@ -35,6 +33,7 @@ template <int D, class Real> class SheetMaker {
     PlanRoom& room_;
     ComponentFinder<D, Real>& parts_;
     RunWriter<D, Real> runs_;
+    GridMaker<D, Real> grid_;
     MeshMaker<D, Real> mesh_;
     const Slots<ParticleTag>& particle_ids_;
     const Slots<ConstraintTag>& link_ids_;
@@ -51,8 +50,8 @@ template <int D, class Real> class SheetMaker {
     void lay_out(std::size_t part) {
         begin_sheet(part);
         constexpr std::size_t few = 64; // links; fewer are solved in row order
-        if (find_directions(part))
-            lay_out_directions(part);
+        if (grid_.find(part))
+            grid_.lay_out(part);
         else if (links(part).size() < few)
             lay_out_list(part);
         else
@@ -88,7 +87,6 @@ template <int D, class Real> class SheetMaker {
 
     std::span<const Row> members(std::size_t part) const { return parts_.members(part); }
     std::span<const Row> links(std::size_t part) const { return parts_.links(part); }
-    Row rank(Row link, std::size_t i) const { return parts_.rank(link, i); }
     Row end(Row link, std::size_t i) const { return parts_.end(link, i); }
     Row slot(Row row) const { return swept_.slot_of[row]; }
 
@@ -141,107 +139,6 @@ template <int D, class Real> class SheetMaker {
         runs_.begin_family();
         runs_.begin_band();
         for (const Row link : links(part)) runs_.add(link, slot(end(link, 0)), slot(end(link, 1)));
-    }
-
-    // --- directions -------------------------------------------------------------------------------------------------
-
-    /// Lists the directions, steps from one end's rank to the other's, in order of appearance. False if there are too
-    /// many.
-    bool find_directions(std::size_t part) {
-        constexpr std::size_t most = 24, least_each = 16;
-        auto& directions = room_.directions;
-        directions.clear();
-        const auto all = links(part);
-        auto at = directions.end();
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const auto step = direction_of(all[i]);
-            if (at == directions.end() || at->step != step) {
-                at = std::find_if(directions.begin(), directions.end(), [&](const auto& d) { return d.step == step; });
-                if (at == directions.end()) at = directions.insert(at, {.step = step, .first = i});
-                if (directions.size() > most) return false;
-            }
-            at->last = i + 1;
-        }
-        return !directions.empty() && all.size() / directions.size() >= least_each;
-    }
-
-    Row direction_of(Row link) const {
-        const Row a = rank(link, 0), b = rank(link, 1);
-        return a < b ? b - a : a - b;
-    }
-
-    /// Neighbours in a row share links with each other; every second particle (or fourth, with longer links) does not.
-    /// Particles of a row are therefore ordered by index modulo 2 or 4.
-    void lay_out_directions(std::size_t part) {
-        const auto all = members(part);
-        auto& chained = room_.chained; // to the next particle of the row
-        chained.assign(all.size(), 0);
-        std::uint32_t classes = 1;
-        for (const Row link : links(part)) {
-            const auto direction = direction_of(link);
-            if (direction > 3) continue;
-            classes = std::max(classes, direction == 1 ? 2U : 4U);
-            if (direction == 1) chained[std::min(rank(link, 0), rank(link, 1))] = 1;
-        }
-        const auto begin = Row(swept_.row_of.size());
-        Row tile = begin;
-        constexpr Row least_in_band = 128;
-        for (std::size_t first = 0, last; first < all.size(); first = last) {
-            last = first + 1;
-            while (last < all.size() && chained[last - 1]) ++last;
-            for (std::size_t c = 0; c < classes; ++c)
-                for (std::size_t i = first + c; i < last; i += classes) swept_.give_slot(all[i]);
-            if (Row(swept_.row_of.size()) - tile < least_in_band && last < all.size()) continue;
-            plan_.tiles.push_back({tile, Row(swept_.row_of.size())});
-            tile = Row(swept_.row_of.size());
-        }
-        for (const auto& direction : room_.directions) add_direction(part, direction);
-    }
-
-    /// Adds the links of a direction, ordered by the slot of the first particle. Links with the same first particle go
-    /// into separate colors.
-    void add_direction(std::size_t part, const PlanRoom::Direction& direction) {
-        auto& at = room_.at;
-        const auto first_tile = plan_.components.back().first_tile;
-        const Row begin = plan_.tiles[first_tile].first;
-        auto& left = room_.left;
-        left.clear();
-        for (const Row link : links(part).subspan(direction.first, direction.last - direction.first))
-            if (direction_of(link) == direction.step) left.push_back(link);
-        while (!left.empty()) {
-            at.assign(members(part).size(), none);
-            std::size_t kept = 0;
-            for (const Row link : left) {
-                Row& place = at[lower_slot(link) - begin];
-                if (place == none)
-                    place = link;
-                else
-                    left[kept++] = link;
-            }
-            left.resize(kept);
-            add_family(first_tile, begin);
-        }
-    }
-    Row lower_end(Row link) const { return rank(link, 0) < rank(link, 1) ? end(link, 0) : end(link, 1); }
-    Row upper_end(Row link) const { return rank(link, 0) < rank(link, 1) ? end(link, 1) : end(link, 0); }
-    Row lower_slot(Row link) const { return slot(lower_end(link)); }
-
-    void add_family(std::uint32_t first_tile, Row begin) {
-        runs_.begin_family();
-        std::uint32_t reach = 0;
-        for (auto tile = first_tile; tile < plan_.tiles.size(); ++tile) {
-            runs_.begin_band();
-            auto furthest = plan_.tiles[tile].first;
-            for (Row s = plan_.tiles[tile].first; s < plan_.tiles[tile].last; ++s) {
-                const Row link = room_.at[s - begin];
-                if (link == none) continue;
-                const Row other = slot(upper_end(link));
-                runs_.add(link, s, other);
-                furthest = std::max(furthest, other);
-            }
-            reach = std::max(reach, plan_.tile_of(first_tile, furthest) - tile);
-        }
-        plan_.colors.back().reach = reach;
     }
 };
 

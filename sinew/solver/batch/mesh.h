@@ -51,7 +51,7 @@ template <int D, class Real> class MeshMaker {
         constexpr Row least_in_band = 128;
         parts_.list_neighbours(part);
         auto& levels = room_.levels;
-        levels.find(room_.first_near, room_.near);
+        levels.find(room_.near);
         Row tile = begin_;
         for (std::size_t i = 0; i < levels.size(); ++i) {
             for (std::size_t c = 0; c < 2; ++c)

@@ -12,8 +12,9 @@ namespace {
 template <int D, class Real> class PlanBuilder {
   public:
     PlanBuilder(World<D, Real>& world, Solver<D, Real>& solver)
-        : world_(world), swept_(solver.sweep_state), plan_(solver.sweep_state.plan), room_(solver.sweep_state.room),
-          parts_(world, solver), sheets_(world, solver, parts_), tethers_(world, solver), keeper_(world, solver) {}
+        : world_(world), solver_(solver), swept_(solver.sweep_state), plan_(solver.sweep_state.plan),
+          room_(solver.sweep_state.room), parts_(world, solver), sheets_(world, solver, parts_),
+          tethers_(world, solver), keeper_(world, solver) {}
 
     void run(bool anew) {
         const bool tore = std::exchange(plan_.may_tear, false);
@@ -24,7 +25,7 @@ template <int D, class Real> class PlanBuilder {
             keeper_.look();
         if (keeper_.rows_moved() || keeper_.any_dropped() || parts_.any()) {
             find_parts();
-            Waiting::tell(0.3);
+            solver_.report(0.3);
             lay_out();
             parts_.forget();
         }
@@ -41,6 +42,7 @@ template <int D, class Real> class PlanBuilder {
     static constexpr Row none = ~Row(0);
 
     World<D, Real>& world_;
+    const Solver<D, Real>& solver_;
     SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;

@@ -114,7 +114,7 @@ template <int D, class Real> class PlanReuse {
         const auto slot = swept_.slot_of[row];
         if (slot == none) return true;
         const auto component = sheet_at(slot);
-        const bool left = world_.particles.in_block[row] || !plan_.components[component].has_links();
+        const bool left = world_.particles.at_end[row] || !plan_.components[component].has_links();
         if (left) drop(component);
         return left;
     }

@@ -2,7 +2,6 @@
 
 #include "sinew/solver/batch/bucket_queue.h"
 #include "sinew/solver/batch/unfolded_triangles.h"
-#include "sinew/solver/progress_report.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
 
@@ -17,15 +16,15 @@ namespace sinew::detail {
 template <int D, class Real> class TetherMaker {
   public:
     TetherMaker(World<D, Real>& world, Solver<D, Real>& solver)
-        : world_(world), swept_(solver.sweep_state), plan_(solver.sweep_state.plan), room_(solver.sweep_state.room),
-          spokes_(world, solver.sweep_state.plan), corners_(spokes_) {}
+        : world_(world), solver_(solver), swept_(solver.sweep_state), plan_(solver.sweep_state.plan),
+          room_(solver.sweep_state.room), spokes_(world, solver.sweep_state.plan), corners_(spokes_) {}
 
     /// Progress of preparation when this share of the components has tethers.
     static double tethered(double share) { return 0.45 + 0.55 * share; }
 
     /// Makes the tethers; none in a world with constraints that can tear.
     void run() {
-        Waiting::tell(tethered(0));
+        solver_.report(tethered(0));
         if (plan_.may_tear) return forget();
         std::size_t kept = 0;
         bool all = true;
@@ -38,6 +37,7 @@ template <int D, class Real> class TetherMaker {
 
   private:
     World<D, Real>& world_;
+    const Solver<D, Real>& solver_;
     SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
@@ -137,7 +137,7 @@ template <int D, class Real> class TetherMaker {
             any_new = true;
             plan_.half_per_reach_square.resize(first + size);
             reach_from(at, std::span(plan_.half_per_reach_square).subspan(first));
-            Waiting::tell(tethered(share + double(i + 1) / double(pins.size() * plan_.components.size())));
+            solver_.report(tethered(share + double(i + 1) / double(pins.size() * plan_.components.size())));
         }
     }
 

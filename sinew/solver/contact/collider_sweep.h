@@ -11,22 +11,12 @@ template <int D, class Real> collide::Filter filter_of(const World<D, Real>& wor
     return figure < world.figures.size() ? world.figures[figure].filter : collide::Filter{};
 }
 
-/// Adds the impulse of a collider on a particle. Each particle reports one collider a step: the last that pressed
-/// harder than all before.
-template <int D, class Real>
-void note_touch(Contacts<D, Real>& contacts, std::uint32_t collider, Row row, Real impulse) {
-    const bool is_same = contacts.touched[row] == collider + 1;
-    if (!is_same && contacts.touched[row] != 0 && impulse <= contacts.pressed[row]) return;
-    contacts.pressed[row] = impulse + (is_same ? contacts.pressed[row] : Real(0));
-    contacts.touched[row] = collider + 1;
-}
-
 template <int D, class Real> class ColliderSweep {
   public:
-    ColliderSweep(World<D, Real>& world, const SweepState<D, Real>& sweep_state, const PlaneContact<D, Real>& contact,
+    ColliderSweep(World<D, Real>& world, Solver<D, Real>& solver, const PlaneContact<D, Real>& contact,
                   SubstepMover<D, Real>& mover, Real from_share, Real to_share)
-        : world_(world), sweep_state_(sweep_state), contact_(contact), mover_(mover), from_(from_share), to_(to_share) {
-    }
+        : world_(world), sweep_state_(solver.sweep_state), touches_(solver.touches), contact_(contact), mover_(mover),
+          from_(from_share), to_(to_share) {}
 
     /// Keeps the particles of slots [first, last) out of all colliders.
     void keep_out(Row first, Row last) const {
@@ -34,13 +24,14 @@ template <int D, class Real> class ColliderSweep {
         for (Row slot = first; slot < last; ++slot) include(around, slot);
         around = around.grown(sweep_state_.largest_radius);
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i)
-            if (world_.contacts.boxes[i].overlaps(around)) keep_out(i, first, last);
+            if (touches_.boxes[i].overlaps(around)) keep_out(i, first, last);
     }
 
   private:
     using BoxT = collide::BoundingBox<D, Real>;
     World<D, Real>& world_;
     const SweepState<D, Real>& sweep_state_;
+    ColliderTouches<D, Real>& touches_;
     const PlaneContact<D, Real>& contact_;
     SubstepMover<D, Real>& mover_;
     Real from_, to_; ///< fractions of the step at the ends of the substep
@@ -58,7 +49,7 @@ template <int D, class Real> class ColliderSweep {
             BoxT near;
             include(near, slot);
             const Real radius = world_.particles.radius[row];
-            if (sweep_state_.mobility[slot] == Real(0) || !world_.contacts.boxes[index].overlaps(near.grown(radius)) ||
+            if (sweep_state_.mobility[slot] == Real(0) || !touches_.boxes[index].overlaps(near.grown(radius)) ||
                 !touch(collider.filter, filter_of(world_, row)))
                 continue;
             moving.contacts(sweep_state_.place_at(slot), mover_.point_at(slot), radius,
@@ -74,10 +65,9 @@ template <int D, class Real> class ColliderSweep {
             stopped = contact_.keep_in(
                 {surface.normal, dot(surface.normal, surface.point), collider.restitution, collider.friction}, slot,
                 contact.surface_move);
-        note(index, sweep_state_.row_of[slot], stopped * inverse_or_zero(sweep_state_.mobility[slot]) * mover_.per_h);
+        touches_.add(sweep_state_.row_of[slot], index,
+                     stopped * inverse_or_zero(sweep_state_.mobility[slot]) * mover_.per_h);
     }
-
-    void note(std::uint32_t index, Row row, Real impulse) const { note_touch(world_.contacts, index, row, impulse); }
 };
 
 } // namespace sinew::detail

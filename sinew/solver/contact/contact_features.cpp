@@ -33,10 +33,10 @@ template <int D, class Real> class FeatureFinder {
         for (FigureIndex i = 0; i < world_.figures.size(); ++i)
             if (world_.figures[i].in_use() && world_.figures[i].collides) add_segments(i);
         list_particles();
-        room_.projector.find(world_, solver_.sweep_state, room_.by_rows, room_.is_exact);
+        room_.projector.find(world_, solver_, room_.by_rows, room_.is_exact);
         for (const Row slot : room_.cloth.slots) room_.is_exact[slot] = 0;
         const auto is_exact = [&](Row slot) { return slot < state.size() && is_held_exactly(solver_, slot); };
-        room_.joints.find(world_, state, is_exact);
+        room_.joints.find(world_, solver_, is_exact);
         room_.exact_components.clear();
         for (const auto& component : state.plan.components)
             room_.exact_components.push_back(is_held_exactly(solver_, component));

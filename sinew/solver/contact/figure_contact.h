@@ -161,9 +161,7 @@ template <int D, class Real> class FigureContact {
         room().joints.store(world_);
         room().projector.store(world_);
     }
-    void note(const ContactRowT& row) {
-        note_touch(world_.contacts, row.collider, state_.row_of[row.slot[0]], row.most / h_);
-    }
+    void note(const ContactRowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.most / h_); }
 };
 
 } // namespace sinew::detail

@@ -35,12 +35,11 @@ template <class Kind> constexpr bool makes_joint_rows = Kind::length_power <= 1 
 template <int D, class Real> class JointRows {
   public:
     /// Lists the plain limits among particles for which `is_exact(slot)`.
-    template <class IsExact>
-    void find(const World<D, Real>& world, const SweepState<D, Real>& state, IsExact&& is_exact) {
+    template <class IsExact> void find(const World<D, Real>& world, const Solver<D, Real>& solver, IsExact&& is_exact) {
         sources_.clear();
         int kind = 0;
         for_each_table(world, [&](const auto& table) {
-            list(table, kind, state, is_exact);
+            list(table, kind, solver, is_exact);
             ++kind;
         });
     }
@@ -80,7 +79,7 @@ template <int D, class Real> class JointRows {
     std::array<std::vector<char>, std::size_t(Kinds<D>::size)> is_taken_;
 
     template <class Table, class IsExact>
-    void list(const Table& table, int kind, const SweepState<D, Real>& state, IsExact&& is_exact) {
+    void list(const Table& table, int kind, const Solver<D, Real>& solver, IsExact&& is_exact) {
         using Kind = typename Table::Kind;
         auto& taken = is_taken_[std::size_t(kind)];
         taken.clear();
@@ -90,9 +89,9 @@ template <int D, class Real> class JointRows {
                 const auto members = table.members[row];
                 bool is_link = Kind::length_power > 0 && table.low(row) == table.high(row);
                 if constexpr (std::is_same_v<Kind, Distance<D>>) is_link = sinew::detail::is_link(table, row);
-                if (is_link || table.in_block[row] || !is_plain(table, row) ||
+                if (is_link || solver.blocks.holds(table, row) || !is_plain(table, row) ||
                     !std::all_of(members.begin(), members.end(),
-                                 [&](Row member) { return is_exact(state.slot_of[member]); }))
+                                 [&](Row member) { return is_exact(solver.sweep_state.slot_of[member]); }))
                     continue;
                 taken[row] = 1;
                 sources_.push_back({kind, row});

@@ -19,9 +19,10 @@ template <int D, class Real> class LinkProjector {
     using Vector = Vec<D, double>;
     using Matrix = sinew::Matrix<D, double>;
 
-    void find(const World<D, Real>& world, const SweepState<D, Real>& state, std::span<const char> takes_part,
+    void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
               std::vector<char>& is_exact) {
-        links_.find(world, state, takes_part, is_exact);
+        const auto& state = solver.sweep_state;
+        links_.find(world, solver, takes_part, is_exact);
         entries_.resize(links_.entries);
         pivots_.resize(links_.list.size());
         right_.resize(links_.list.size());

@@ -42,7 +42,7 @@ template <int D, class Real> class PinRows {
         const double gamma = minimum(2 * double(pin.damping) * square_root(double(pin.compliance)) *
                                          square_root(inverse_or_zero(mean)) / h_,
                                      double(limit::measure<Real>));
-        const auto goal = at(pin, to_), last_goal = at(pin, from_);
+        const auto goal = cast<double>(pin.target_at(to_)), last_goal = cast<double>(pin.target_at(from_));
         const auto place = cast<double>(state_.place_at(slot)), move = cast<double>(state_.move_at(slot));
         const auto error = place + move - goal, drift = error - (place - last_goal);
         for (auto& column : response.column) column *= 1 + gamma;
@@ -73,9 +73,6 @@ template <int D, class Real> class PinRows {
             (norm(solution(middle)) > most ? low : high) = middle;
         }
         return solution(high);
-    }
-    static Vector at(const Pin<D, Real>& pin, Real share) {
-        return cast<double>(pin.from + (pin.target - pin.from) * share);
     }
 };
 

@@ -32,7 +32,8 @@ template <int D, class Real> class PlaneContact {
         const Real resting = Real(4) * mover_.h * norm(push_on(world_, row, swept_.place_at(slot)).acceleration);
         const Real carried = dot(plane.normal, surface_move) * mover_.per_h;
         if (approach * mover_.per_h > resting)
-            p_.rebound[row] += plane.normal * maximum(Real(0), plane.restitution * approach * mover_.per_h + carried);
+            swept_.rebound[slot] +=
+                plane.normal * maximum(Real(0), plane.restitution * approach * mover_.per_h + carried);
         return stopped;
     }
 

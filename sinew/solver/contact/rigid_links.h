@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sinew/solver/sweep_state.h"
+#include "sinew/math/union_find.h"
+#include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
 
 #include <algorithm>
@@ -57,36 +58,32 @@ template <int D, class Real> struct RigidLinks {
     static constexpr std::uint32_t none = ~std::uint32_t(0);
 
     /// `is_exact` receives 1 per slot of the sweep held exactly, or by no distance at all.
-    void find(const World<D, Real>& world, const SweepState<D, Real>& state, std::span<const char> takes_part,
+    void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
               std::vector<char>& is_exact) {
+        const auto& state = solver.sweep_state;
         is_exact.assign(state.size(), 1);
-        collect(world, state, takes_part, is_exact);
+        collect(world, solver, takes_part, is_exact);
         order_by_component();
         keep_narrow(world, state, is_exact);
         list_slots(world, state);
     }
 
   private:
-    std::vector<Row> parent_;
+    UnionFind sets_;                      ///< of slots
     std::vector<std::uint32_t> first_at_; ///< per slot: the first link there
 
-    Row root(Row slot) {
-        while (parent_[slot] != slot) slot = parent_[slot] = parent_[parent_[slot]];
-        return slot;
-    }
-    void join(Row a, Row b) { parent_[std::max(a, b)] = std::min(a, b); }
     static bool moves(const World<D, Real>& world, const SweepState<D, Real>& state, Row slot) {
         return world.particles.mobility[state.row_of[slot]] > Real(0);
     }
-    void collect(const World<D, Real>& world, const SweepState<D, Real>& state, std::span<const char> takes_part,
+    void collect(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
                  std::vector<char>& is_exact) {
+        const auto& state = solver.sweep_state;
         const auto& table = std::get<kind_number<Distance, D>>(world.constraints);
         list.clear();
         is_swept.assign(state.size(), 0);
-        parent_.resize(state.size());
-        for (Row slot = 0; slot < parent_.size(); ++slot) parent_[slot] = slot;
+        sets_.reset(state.size());
         for (Row row = 0; row < table.size(); ++row) {
-            if (table.in_block[row]) continue;
+            if (solver.blocks.holds(table, row)) continue;
             const auto ends = table.members[row];
             const Row a = state.slot_of[ends[0]], b = state.slot_of[ends[1]];
             if (a >= state.size() || b >= state.size() || !(takes_part[a] || takes_part[b])) continue;
@@ -97,7 +94,7 @@ template <int D, class Real> struct RigidLinks {
                 if (table.breaking_strain[row] < limit::measure<Real>) is_exact[a] = is_exact[b] = 0;
                 continue;
             }
-            if (moves_a && moves_b) join(root(a), root(b));
+            if (moves_a && moves_b) sets_.join(a, b);
             const bool is_rope = table.low(row) < table.high(row);
             list.push_back({.row = row,
                             .a = a,
@@ -109,7 +106,7 @@ template <int D, class Real> struct RigidLinks {
         }
     }
     void order_by_component() {
-        for (auto& link : list) link.root = root(link.root);
+        for (auto& link : list) link.root = sets_.first_of(link.root);
         std::sort(list.begin(), list.end(),
                   [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
     }

@@ -13,8 +13,8 @@ template <int D, class Real> class RowBuilder {
     using ContactRowT = ContactRow<D, Real>;
 
     RowBuilder(World<D, Real>& world, Solver<D, Real>& solver, Real h, Real from_share, Real to_share)
-        : world_(world), p_(world.particles), state_(solver.sweep_state), room_(contact_room(solver)), h_(h),
-          from_(from_share), to_(to_share) {}
+        : world_(world), p_(world.particles), state_(solver.sweep_state), room_(contact_room(solver)),
+          touches_(solver.touches), h_(h), from_(from_share), to_(to_share) {}
 
     void run() {
         room_.rows.clear();
@@ -30,6 +30,7 @@ template <int D, class Real> class RowBuilder {
     Particles<D, Real>& p_;
     SweepState<D, Real>& state_;
     ContactRoom<D, Real>& room_;
+    const ColliderTouches<D, Real>& touches_;
     Real h_, from_, to_;
 
     Vector place(Row row) const { return state_.place_at(state_.slot_of[row]); }
@@ -163,7 +164,7 @@ template <int D, class Real> class RowBuilder {
         collide::BoundingBox<D, Real> near;
         near.include(from);
         near.include(to);
-        if (collider.is_sensor || !world_.contacts.boxes[index].overlaps(near.grown(within)) ||
+        if (collider.is_sensor || !touches_.boxes[index].overlaps(near.grown(within)) ||
             !touch(collider.filter, filter_of(world_, p)))
             return;
         const collide::MovingCollider<D, Real> moving(collider, from_, to_);
@@ -191,8 +192,7 @@ template <int D, class Real> class RowBuilder {
         collide::BoundingBox<D, Real> near;
         near.include(a);
         near.include(b);
-        if (collider.is_sensor || collider.one_way != Vector{} ||
-            !world_.contacts.boxes[index].overlaps(near.grown(within)) ||
+        if (collider.is_sensor || collider.one_way != Vector{} || !touches_.boxes[index].overlaps(near.grown(within)) ||
             !touch(collider.filter, filter_of(world_, s.a)))
             return;
         const auto before = collider.pose_at(from_), after = collider.pose_at(to_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
+#include "sinew/solver/direct/find_chain.h"
 #include "sinew/solver/direct/graph.h"
 #include "sinew/solver/solver.h"
 
@@ -26,17 +27,7 @@ template <int D, class Real> class BlockBuilder {
     bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool attached) {
         SINEW_ASSERT(!members.empty(), "a block has a particle that moves");
         part_ = part, hangs_ = attached;
-        neighbours_ = 0;
-        elimination_.begin_graph();
-        for (const Row row : members) {
-            elimination_.begin_row(row);
-            add_neighbours(distances_, row);
-            add_neighbours(angles_, row);
-            add_neighbours(pulleys_, row);
-            graph_.with_volumes([&](const auto& volumes) { add_neighbours(volumes, row); });
-            elimination_.end_row(row);
-        }
-        if (!elimination_.run(members)) return false;
+        if (!eliminate(members)) return false;
         const auto each = 4 + (attached ? most_tethers : 0);
         if (!world_.journal.stale &&
             !blocks_.has_room(each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
@@ -70,6 +61,7 @@ template <int D, class Real> class BlockBuilder {
         }
         SINEW_ASSERT(blocks_.first_entry.size() == blocks_.nodes.size(), "every node knows its first entry");
         SINEW_ASSERT(blocks_.first_pair.size() == blocks_.nodes.size(), "every node knows its first pair");
+        if (!attached) ChainFinder<D>(blocks_, block).run();
         list.push_back(block);
         return true;
     }
@@ -91,6 +83,21 @@ template <int D, class Real> class BlockBuilder {
 
     bool mobile(Row particle) const { return graph_.mobile(particle); }
     template <class Table> static bool is_driven(const Table& table, Row row) { return Graph::is_driven(table, row); }
+
+    /// Orders the members for elimination. False if the factorisation would not stay sparse.
+    bool eliminate(std::span<const Row> members) {
+        neighbours_ = 0;
+        elimination_.begin_graph();
+        for (const Row row : members) {
+            elimination_.begin_row(row);
+            add_neighbours(distances_, row);
+            add_neighbours(angles_, row);
+            add_neighbours(pulleys_, row);
+            graph_.with_volumes([&](const auto& volumes) { add_neighbours(volumes, row); });
+            elimination_.end_row(row);
+        }
+        return elimination_.run(members);
+    }
 
     /// True if all movable members of a constraint are in this block.
     template <class Table> bool takes(const Table& table, Row row) const {
@@ -157,8 +164,12 @@ template <int D, class Real> class BlockBuilder {
             if (added.is_range()) added.length = minimum(added.high, 2 * added.low);
             added.per_length2 = 1 / square(added.length);
             blocks_.links.push_back(added);
-            distances_.in_block.set(link, 1);
+            hold(distances_, link);
         });
+    }
+
+    template <class Table> void hold(const Table& table, Row row) {
+        blocks_.constraints_of(table).set(table.slots.slot_of(row), true);
     }
 
     // --- ports
@@ -176,11 +187,8 @@ template <int D, class Real> class BlockBuilder {
     }
     bool is_port(Row row) const {
         bool found = false;
-        world_.journal.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
-            visit_table(world_, kind, [&](const auto& table) {
-                const Row constraint = table.slots.row_at(slot);
-                found = found || !table.in_block[constraint];
-            });
+        for_each_constraint(world_, row, [&](const auto& table, Row constraint) {
+            found = found || !blocks_.holds(table, constraint);
         });
         return found;
     }
@@ -247,7 +255,7 @@ template <int D, class Real> class BlockBuilder {
                                                                                        : Blocks<D>::none);
             }
         blocks_.ways.push_back(added);
-        table.in_block.set(row, 1);
+        hold(table, row);
     }
 
     bool is_motorized(const Block& block) const {
@@ -309,7 +317,7 @@ template <int D, class Real> class BlockBuilder {
                 added.high_begun = added.high /= added.unit;
                 join(added, members);
                 blocks_.bends.push_back(added);
-                volumes.in_block.set(fold, 1);
+                hold(volumes, fold);
             });
         }
     }
@@ -325,7 +333,7 @@ template <int D, class Real> class BlockBuilder {
             join(added, members);
             for (std::size_t i = 0; i < 2; ++i) added.arms[i] = slack_arm(members[i], members[i + 1]);
             blocks_.bends.push_back(added);
-            angles_.in_block.set(bend, 1);
+            hold(angles_, bend);
         });
     }
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/block.h"
 #include "sinew/solver/direct/graph.h"
 
 /// Eligibility for a block: few loops of links, angles and folds, all with the default split and relaxation.

@@ -1,10 +1,11 @@
 #include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/direct/attached_pieces.h"
 #include "sinew/solver/direct/build.h"
 #include "sinew/solver/direct/eligibility_scan.h"
 #include "sinew/solver/phases.h"
-#include "sinew/solver/progress_report.h"
 #include "sinew/solver/project.h"
 #include "sinew/world/changes.h"
+#include "sinew/world/constraint_graph.h"
 
 #include <algorithm>
 
@@ -25,6 +26,8 @@ template <int D, class Real> class BlockFinder {
         if (!world_.journal.stale) find_again();
         const bool all = world_.journal.stale;
         if (all) find_all();
+        for (Row row = 0; row < particles_.size(); ++row)
+            particles_.at_end[row] = blocks_.particles.has(particles_.slots.slot_of(row));
         list_runs();
         return all;
     }
@@ -40,14 +43,13 @@ template <int D, class Real> class BlockFinder {
     Blocks<D>& blocks_;
     BlockRoom& room_;
 
-    static constexpr char met = 2; ///< value of in_block while a search has reached the constraint
-
     bool mobile(Row particle) const { return graph_.mobile(particle); }
 
     void make_room() {
-        detail::list_bonds(world_);
+        detail::list_constraints(world_);
         const auto count = particles_.size();
         for (auto* column : {&room_.part_of, &room_.node_of, &room_.adjacency, &room_.parent}) column->resize(count);
+        room_.pieces.make_room(count);
         room_.direct.resize(count);
         room_.met.resize(count, 0);
         blocks_.pin_of.resize(count);
@@ -58,19 +60,16 @@ template <int D, class Real> class BlockFinder {
         ++blocks_.looks;
         room_.parts.clear();
         room_.members.clear();
-        room_.constraints.clear();
         room_.hung.clear();
     }
 
     void find_all() {
         begin_look();
         blocks_.clear();
-        std::fill(particles_.in_block.begin(), particles_.in_block.end(), char(0));
         world_.journal.adjacency.forget();
         std::size_t constraints = 0;
         bool may_tear = false; // tears need the adjacency of all constraints
-        for_each_table(world_, [&](auto& table) {
-            table.in_block.fill(0);
+        for_each_table(world_, [&](const auto& table) {
             constraints += table.size();
             may_tear = may_tear || table.may_tear();
         });
@@ -78,7 +77,6 @@ template <int D, class Real> class BlockFinder {
         const bool large = constraints > small;
         if (!large || may_tear || !detail::BlockEligibilityScan(world_, graph_).sees_no_blocks()) spread();
         build_parts();
-        if (large) room_.constraints = decltype(room_.constraints)(); // released, and allocated again on demand
         blocks_.leave_room();
         constexpr std::size_t little = 1024;
         world_.journal.touched.reserve(little + blocks_.nodes.size() / 8);
@@ -97,12 +95,14 @@ template <int D, class Real> class BlockFinder {
             if (!slots.in_use(touched.particle)) continue;
             if (touched.what == Touch::weight) continue;
             const Row row = slots.row_at(touched.particle);
-            if (!mobile(row)) particles_.in_block[row] = 0;
-            if (mobile(row))
+            if (mobile(row)) {
                 spread(row);
-            else if (touched.what == Touch::mobility)
-                world_.journal.adjacency.each(touched.particle,
-                                              [&](int kind, std::uint32_t slot) { spread_over(kind, slot); });
+                continue;
+            }
+            blocks_.particles.set(touched.particle, false);
+            for_each_constraint(world_, row, [&](const auto& table, Row constraint) {
+                if (touched.what == Touch::mobility || !moves_any(table, constraint)) spread_over(table, constraint);
+            });
         }
         const auto gone = [&](const Block& block) {
             if (!slots.in_use(block.particle)) return true;
@@ -126,9 +126,7 @@ template <int D, class Real> class BlockFinder {
         for (auto next = first; next < room_.members.size(); ++next) {
             const Row row = room_.members[next];
             worth_.take_stock(room_.parts.back(), row);
-            world_.journal.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
-                visit_table(world_, kind, [&](auto& table) { reach(table, kind, table.slots.row_at(slot)); });
-            });
+            for_each_constraint(world_, row, [&](const auto& table, Row constraint) { reach(table, constraint, row); });
         }
         const auto part = room_.members.begin() + std::ptrdiff_t(first);
         std::sort(part, room_.members.end());
@@ -139,23 +137,30 @@ template <int D, class Real> class BlockFinder {
         room_.members.push_back(particle);
         return true;
     }
-    template <class Table> void reach(Table& table, int kind, Row row) {
-        if (table.in_block[row] == met) return;
-        table.in_block.set(row, met);
-        room_.constraints.push_back({kind, row});
+    /// Meets the members of a constraint, which counts at its first movable particle.
+    template <class Table> void reach(const Table& table, Row row, Row from) {
         std::uint32_t moving = 0;
-        for (const Row member : std::as_const(table).members[row])
-            if (mobile(member)) meet(member), ++moving;
+        bool is_first = false;
+        for (const Row member : table.members[row]) {
+            if (!mobile(member)) continue;
+            is_first = is_first || (moving == 0 && member == from);
+            meet(member);
+            ++moving;
+        }
+        if (!is_first) return;
+        blocks_.constraints_of(table).set(table.slots.slot_of(row), false);
         worth_.take_stock(room_.parts.back(), table, row, moving);
     }
 
+    template <class Table> bool moves_any(const Table& table, Row row) const {
+        const auto members = table.members[row];
+        return std::any_of(members.begin(), members.end(), [&](Row member) { return mobile(member); });
+    }
+
     /// Collects the components of all members of a constraint, for an immovable particle among the members.
-    void spread_over(int kind, std::uint32_t slot) {
-        visit_table(world_, kind, [&](auto& table) {
-            const Row row = table.slots.row_at(slot);
-            room_.constraints.push_back({kind, row});
-            for (const Row member : std::as_const(table).members[row]) spread(member);
-        });
+    template <class Table> void spread_over(const Table& table, Row row) {
+        blocks_.constraints_of(table).set(table.slots.slot_of(row), false);
+        for (const Row member : table.members[row]) spread(member);
     }
 
     // --- blocks -----------------------------------------------------------------------------------------------------
@@ -165,13 +170,15 @@ template <int D, class Real> class BlockFinder {
     }
 
     void build_parts() {
-        for (const auto& seen : room_.constraints)
-            visit_table(world_, seen.kind, [&](auto& table) { table.in_block.set(seen.row, 0); });
         for (const auto& part : room_.parts) {
             const auto members = members_of(part);
             const bool built = worth_.worthwhile(part) && build(members, members.front(), blocks_.list, false);
-            for (const Row row : members) particles_.in_block[row] = built;
-            if (!built) hang_pieces(part);
+            for (const Row row : members) blocks_.particles.set(particles_.slots.slot_of(row), built);
+            if (built) continue;
+            detail::AttachedPieces<D, Real>(world_, graph_, worth_, room_)
+                .find(members, [&](std::span<const Row> piece, Row root) {
+                    return build(piece, root, blocks_.attached_trees, true);
+                });
         }
         blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
     }
@@ -180,151 +187,13 @@ template <int D, class Real> class BlockFinder {
         return builder_.build(members, part, list, attached);
     }
 
-    // --- trees and figures attached to a component with too many loops: ropes on a cloth, a ragdoll in a hammock ---
-
-    /// Turns trees, and figures eligible for a block, into blocks with ports (ports/ports.h). SweepState particles at
-    /// the other end of a link become nodes, too: all pieces attached to one particle form one block.
-    void hang_pieces(const Part& part) {
-        const auto members = members_of(part);
-        peel(members);
-        auto& direct = room_.direct;
-        for (const Row row : members) direct[row] = 0;
-        for (const Row row : room_.peeled) direct[row] = 1;
-        find_skeletons(members);
-        for (const Row row : members) room_.parent[row] = row, room_.part_of[row] = no_row;
-        for (const Row row : members) unite_with_neighbours(row);
-        auto& pieces = room_.trees;
-        pieces.clear();
-        for (const Row row : members)
-            if (room_.part_of[row] != no_row) pieces.push_back({first_of(row), row});
-        std::sort(pieces.begin(), pieces.end());
-        for (const auto& [first, row] : pieces) room_.part_of[row] = no_row;
-        for (std::size_t first = 0, end = 0; first < pieces.size(); first = end) {
-            room_.tree.clear();
-            const Row root = pieces[first].first;
-            for (; end < pieces.size() && pieces[end].first == root; ++end) room_.tree.push_back(pieces[end].second);
-            if (room_.tree.size() < members.size()) build_piece(root); // the whole component has been judged already
-        }
+    void append_run(int kind, const Rows& rows) {
+        auto* end = blocks_.runs.empty() ? nullptr : &blocks_.runs.back();
+        if (end && end->kind == kind && end->rows.last == rows.first)
+            end->rows.last = rows.last;
+        else
+            blocks_.runs.push_back({kind, rows});
     }
-
-    /// Pieces with many joints, as a rope sewn to a mesh along its length, are left to the sweep.
-    void build_piece(Row root) {
-        constexpr std::size_t most_joints = 16;
-        const auto& all = room_.tree;
-        const auto joints =
-            std::size_t(std::count_if(all.begin(), all.end(), [&](Row row) { return !room_.direct[row]; }));
-        if (all.size() < 2 || joints > most_joints || !build(all, root, blocks_.attached_trees, true)) return;
-        for (const Row row : all)
-            if (room_.direct[row]) room_.hung.push_back(row);
-    }
-
-    Row first_of(Row row) {
-        auto& parent = room_.parent;
-        while (parent[row] != row) row = parent[row] = parent[parent[row]];
-        return row;
-    }
-    /// Unites a particle with neighbours over links with a direct end, and over links between different figures.
-    void unite_with_neighbours(Row row) {
-        if (room_.direct[row]) room_.part_of[row] = row;
-        graph_.each(graph_.distances(), row, [&](Row link) {
-            const Row other = graph_.other_end(link, row);
-            const bool joins = particles_.figure[row] != particles_.figure[other];
-            if (!mobile(other) || !graph_.may_hang(link) || !(room_.direct[row] || joins)) return;
-            room_.part_of[row] = row;
-            room_.part_of[other] = other;
-            const Row a = first_of(row), b = first_of(other);
-            room_.parent[std::max(a, b)] = std::min(a, b);
-        });
-    }
-
-    /// Marks figures joined to others, but eligible for a block alone.
-    void find_skeletons(std::span<const Row> members) {
-        auto& figures = room_.figures;
-        figures.clear();
-        for (const Row row : members)
-            if (particles_.figure[row] < world_.figures.size()) figures.push_back({particles_.figure[row], row});
-        std::sort(figures.begin(), figures.end());
-        for (std::size_t first = 0, end = 0; first < figures.size(); first = end) {
-            while (end < figures.size() && figures[end].first == figures[first].first) ++end;
-            const auto own = std::span(figures).subspan(first, end - first);
-            if (own.size() == members.size() || !is_skeleton(own)) continue;
-            for (const auto& [figure, row] : own) room_.direct[row] = 1;
-        }
-    }
-    /// Judges a figure by the constraints among its particles. A small mesh is left to the sweep: several joined have
-    /// too many loops.
-    bool is_skeleton(std::span<const std::pair<FigureIndex, Row>> own) const {
-        Part part;
-        for (const auto& [figure, row] : own) {
-            worth_.take_stock(part, row);
-            world_.journal.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
-                visit_table(world_, kind, [&](const auto& table) { take_stock(part, table, slot, row); });
-            });
-        }
-        return part.suits && worth_.worthwhile(part) && part.inner_links <= 2 * part.particles;
-    }
-    /// Constraints count at their first movable particle.
-    template <class Table> void take_stock(Part& part, const Table& table, std::uint32_t slot, Row row) const {
-        const Row constraint = table.slots.row_at(slot);
-        std::uint32_t moving = 0;
-        for (const Row member : table.members[constraint]) {
-            if (!mobile(member)) continue;
-            if (particles_.figure[member] != particles_.figure[row] || (moving == 0 && member != row)) return;
-            ++moving;
-        }
-        worth_.take_stock(part, table, constraint, moving);
-        part.suits = part.suits && graph_.is_rigid(table, constraint);
-    }
-
-    /// True if a constraint other than a distance acts on a particle that blocks with ports cannot hold.
-    bool is_soft(Row row) const {
-        bool found = false;
-        world_.journal.adjacency.each(particles_.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
-            if (kind == kind_number<Distance, D>) return;
-            visit_table(world_, kind,
-                        [&](const auto& table) { found = found || !graph_.is_rigid(table, table.slots.row_at(slot)); });
-        });
-        return found;
-    }
-
-    /// Removes leaves until none is left; all removed particles form trees.
-    void peel(std::span<const Row> members) {
-        auto& adjacency = room_.adjacency; // number of links to movable neighbours not yet removed
-        auto& peeled = room_.peeled;
-        peeled.clear();
-        constexpr Row never = 1 << 20; // more than a particle has links
-        for (const Row row : members) {
-            room_.parent[row] = no_row;
-            adjacency[row] = 0;
-            graph_.each(graph_.distances(), row, [&](Row link) {
-                const Row other = graph_.other_end(link, row);
-                if (mobile(other)) adjacency[row] += graph_.may_hang(link) ? 1 : never;
-            });
-            if (is_soft(row)) adjacency[row] += never;
-            if (adjacency[row] == 1) peeled.push_back(row);
-        }
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < peeled.size(); ++i) { // grows on the way
-            const Row row = peeled[i];
-            if (adjacency[row] != 1) continue; // the last of a tree
-            const Row parent = neighbour_left(row);
-            room_.parent[row] = parent;
-            adjacency[row] = 0;
-            if (--adjacency[parent] == 1) peeled.push_back(parent);
-            peeled[kept++] = row;
-        }
-        peeled.resize(kept);
-    }
-
-    Row neighbour_left(Row row) const {
-        Row left = no_row;
-        graph_.each(graph_.distances(), row, [&](Row link) {
-            const Row other = graph_.other_end(link, row);
-            if (left == no_row && mobile(other) && room_.parent[other] == no_row) left = other;
-        });
-        return left;
-    }
-
     /// Lists the constraints left to the sweep.
     void list_runs() {
         blocks_.runs.clear();
@@ -332,16 +201,12 @@ template <int D, class Real> class BlockFinder {
         for (const auto& run : world_.sweep)
             visit_table(world_, run.kind, [&](const auto& table) {
                 auto& row = next[std::size_t(run.kind)];
-                for (const Row last = row + run.count; row < last;) {
-                    const Row first = std::min(last, Row(next_flag(table.in_block, row, 0)));
-                    row = std::min(last, Row(next_flag(table.in_block, first, 1)));
-                    if (first == row) continue;
-                    auto* end = blocks_.runs.empty() ? nullptr : &blocks_.runs.back();
-                    if (end && end->kind == run.kind && end->rows.last == first)
-                        end->rows.last = row;
-                    else
-                        blocks_.runs.push_back({run.kind, {first, row}});
-                }
+                const Row first = row, last = first + run.count;
+                row = last;
+                const auto& held = blocks_.constraints_of(table);
+                if (held.empty()) return append_run(run.kind, {first, last});
+                for (Row i = first; i < last; ++i)
+                    if (!held.has(table.slots.slot_of(i))) append_run(run.kind, {i, i + 1});
             });
     }
 };
@@ -349,6 +214,13 @@ template <int D, class Real> class BlockFinder {
 /// Reserves for every state within reach of tears: a tearing thread must not make a step allocate.
 template <int D, class Real> void reserve_for_tears(World<D, Real>& world, Solver<D, Real>& solver) {
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
+    bool any = false;
+    std::size_t most = 0;
+    for_each_table(world, [&](const auto& table) {
+        any = any || table.may_tear();
+        most = std::max(most, table.size());
+    });
+    if (any) solver.torn.reserve(most);
     constexpr std::size_t small = 100'000; // distances; of more, the room would be waste
     if (!distances.may_tear() || distances.size() > small) return;
     solver.blocks.reserve(world.particles.size(), distances.size(),
@@ -363,18 +235,20 @@ template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world
     if (std::exchange(journal.reader, identity) != identity) journal.stale = true;
     if (!journal.changed && !journal.stale) return;
     detail::make_room_for_widest(world, scratch);
+    if (world.settings.mode == Mode::classic) stays.reserve(world.particles.size());
     reserve_for_tears(world, *this);
     make_room_for_budgets(world, *this);
-    Waiting::tell(0);
+    report(0);
     const bool anew = BlockFinder(world, *this).run();
+    detail::order_chains(blocks, std::size_t(detail::parts_of_chains(options.threads)));
     find_ports(world, *this);
-    Waiting::tell(0.2);
+    report(0.2);
     make_plan(world, *this, anew);
     tie_ports(world, *this);
     find_free_bodies(world, *this);
     if (contacts) contacts->is_stale = true;
     journal.read();
-    Waiting::tell(1);
+    report(1);
 }
 
 #define SINEW_BLOCK_FIND(D, Real) template void Solver<D, Real>::prepare(World<D, Real>&);

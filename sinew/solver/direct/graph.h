@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/world/world.h"
+#include "sinew/world/constraint_graph.h"
 
 /// Constraints eligible for blocks, by particle.
 namespace sinew::detail {
@@ -35,10 +35,7 @@ template <int D, class Real> class BlockGraph {
 
     /// Calls visit(row) for each constraint of a particle of the kind of `table`, in order.
     template <class Table, class Visit> void each(const Table& table, Row particle, Visit&& visit) const {
-        constexpr int wanted = Kinds<D>::template index_of<typename Table::Kind>;
-        world_.journal.adjacency.each(particles_.slots.slot_of(particle), [&](int kind, std::uint32_t slot) {
-            if (kind == wanted) visit(table.slots.row_at(slot));
-        });
+        for_each_row(world_, table, particle, visit);
     }
 
     Row end(Row link, std::size_t i) const { return distances_.members.rows[link][i]; }

@@ -112,7 +112,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             }
     }
 
-  private:
+  protected:
     static constexpr double good_enough = 1e-7;
     static constexpr double braces_give = 1e-6;
     static constexpr double hardly = 1e-5;        ///< relative move after which the next would be too small to matter

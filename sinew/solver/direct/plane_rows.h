@@ -62,8 +62,7 @@ template <int D, class Real> class BlockPlanes {
 
     /// Reports the impulse of a collider on a particle, newton seconds.
     void note(std::uint32_t collider, Row row, double impulse) const {
-        world_.contacts.touched[row] = collider + 1;
-        world_.contacts.pressed[row] = Real(impulse);
+        state_.touches.set(row, collider, Real(impulse));
     }
 
   private:
@@ -75,7 +74,7 @@ template <int D, class Real> class BlockPlanes {
         box.include(cast<Real>(node.start));
         box.include(cast<Real>(node.place));
         return touch(world_.colliders[collider].filter, filter_of(world_, node.row)) &&
-               world_.contacts.boxes[collider].overlaps(box.grown(world_.particles.radius[node.row] + Real(reach)));
+               state_.touches.boxes[collider].overlaps(box.grown(world_.particles.radius[node.row] + Real(reach)));
     }
 
     static Plane plane_of(const collide::Collider<D, Real>& collider, const collide::ColliderContact<D, Real>& contact,

@@ -15,8 +15,8 @@ template <int D, class Real> class BlockState {
   public:
     using Vector = Vec<D, double>;
 
-    BlockState(World<D, Real>& of, Blocks<D>& all, const Block& one, double frame, double last_substep)
-        : world(of), particles(of.particles), blocks(all), block(one),
+    BlockState(World<D, Real>& of, Solver<D, Real>& solver, const Block& one, double frame, double last_substep)
+        : world(of), particles(of.particles), blocks(solver.blocks), touches(solver.touches), block(one),
           distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           angles_(std::get<kind_number<Angle, D>>(world.constraints)),
           pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), frame_(frame) {
@@ -29,6 +29,7 @@ template <int D, class Real> class BlockState {
     World<D, Real>& world;
     Particles<D, Real>& particles;
     Blocks<D>& blocks;
+    ColliderTouches<D, Real>& touches;
     const Block& block;
 
     std::span<BlockNode<D>> nodes() const { return std::span(blocks.nodes).subspan(block.first_node, block.nodes); }
@@ -63,7 +64,7 @@ template <int D, class Real> class BlockState {
         });
         for (auto& node : unknowns()) {
             const Row row = node.row;
-            SINEW_ASSERT(particles.in_block[row], "the sweep leaves out a particle of a block");
+            SINEW_ASSERT(particles.at_end[row], "the sweep leaves out a particle of a block");
             node.start = node.place = cast<double>(particles.position[row]) + cast<double>(particles.residual[row]);
             const auto velocity = cast<double>(particles.velocity[row]);
             const auto middle = particles.position[row] + particles.velocity[row] * Real(0.5 * h_);

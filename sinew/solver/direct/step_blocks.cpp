@@ -1,8 +1,8 @@
 #include "sinew/solver/direct/contact_rows.h"
 #include "sinew/solver/direct/energy.h"
 #include "sinew/solver/direct/joint_stops.h"
-#include "sinew/solver/direct/look_up_rows.h"
 #include "sinew/solver/direct/project_velocities.h"
+#include "sinew/solver/direct/step_chains.h"
 #include "sinew/solver/workers.h"
 
 namespace sinew {
@@ -14,12 +14,25 @@ using detail::Rule;
 /// fold in shorter ones, finally by backward Euler.
 template <int D, class Real> class BlockStep {
   public:
-    BlockStep(World<D, Real>& world, Blocks<D>& blocks, const Block& block, double frame, double last_substep)
-        : state_(world, blocks, block, frame, last_substep), contact_(state_), frame_(frame) {}
+    BlockStep(World<D, Real>& world, Solver<D, Real>& solver, const Block& block, double frame, double last_substep)
+        : state_(world, solver, block, frame, last_substep), contact_(state_), frame_(frame) {}
 
     void run(int substeps) {
         longest_ = frame_ / substeps;
         for (int s = 0; s < substeps; ++s) advance(double(s) / substeps, double(s + 1) / substeps, 0);
+    }
+    /// Moves a chain over a part of the step, at a depth of division, from the tensions of its links on. Returns the
+    /// energy lost, J.
+    double redo(double longest, double from, double to, int depth, std::span<double> tensions) {
+        const auto& chain = state_.blocks.chains.list[state_.block.chain];
+        const auto before = [&](std::size_t i) -> double& {
+            return state_.blocks.links[state_.blocks.chains.links[chain.first + i].link].before;
+        };
+        longest_ = longest;
+        for (std::size_t i = 0; i < tensions.size(); ++i) before(i) = tensions[i];
+        advance(from, to, depth);
+        for (std::size_t i = 0; i < tensions.size(); ++i) tensions[i] = before(i);
+        return lost();
     }
     void report_tensions(double substep) {
         state_.report_tensions(substep);
@@ -107,7 +120,10 @@ template <int D, class Real> class BlockStep {
             if (!refine(solve)) return Went::too_far;
             gain = energy.gain();
         }
-        if (gain > (shortest ? slight : 1)) return Went::too_far;
+        // Redundant links in a plane, exact to a millionth, press each other out of it: the harder, the shorter the
+        // substep.
+        const bool no_cut_helps = D == 3 && state_.block.braced();
+        if (gain > (shortest || no_cut_helps ? slight : 1)) return Went::too_far;
         if (depth < deepest_at_ends && solve.worst_overshoot() > overshoot) return Went::past_an_end;
         const double per_h = 1 / state_.substep();
         for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * (2 * per_h) - node.velocity;
@@ -295,6 +311,36 @@ template <int D, class Real> class BlockStep {
 constexpr int a_part = 8;
 constexpr std::size_t worth_a_thread = 500; ///< nodes; for fewer, starting threads takes longer than the work
 
+struct ChainFrame {
+    double frame, report_substep; ///< duration of the step, and of the substep that multipliers are reported for, s
+    int substeps;
+};
+
+/// Moves the chains, in parts of consecutive turns. `move(block)` moves a block that does not fit into the lanes.
+template <int D, class Real, class Move>
+void step_chains(World<D, Real>& world, Solver<D, Real>& solver, int threads, const ChainFrame& frame,
+                 const Move& move) {
+    auto& blocks = solver.blocks;
+    const std::span<const ChainTurn> turns = blocks.chains.turns;
+    const int most = int(blocks.chains.spaces.size()), parts = std::min(most, detail::parts_of_chains(threads));
+    Workers::run(threads, parts, [&](int part) {
+        const auto redo = [&](Block& block, double from, double to, int depth, std::span<double> tensions) {
+            BlockStep<D, Real> step(world, solver, block, frame.frame, double(world.last_substep));
+            return step.redo(frame.frame / frame.substeps, from, to, depth, tensions);
+        };
+        const auto begin = [&](int i) {
+            return turns.begin() + std::ptrdiff_t(turns.size() * std::size_t(i) / std::size_t(parts));
+        };
+        detail::ChainStep<D, Real> step(world, solver, blocks.chains.spaces[std::size_t(part)], frame.frame,
+                                        frame.substeps);
+        for (auto first = begin(part), end = begin(part + 1); first != end;) {
+            const auto last = std::find_if(first, end, [&](const auto& turn) { return turn.links != first->links; });
+            step.run({first, last}, frame.report_substep, move, redo);
+            first = last;
+        }
+    });
+}
+
 template <int D> int parts_of(const Blocks<D>& blocks) {
     return int((blocks.list.size() + a_part - 1) / a_part);
 }
@@ -317,17 +363,22 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, R
     }
     constexpr int few = 2;
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : few;
-    const auto move = [&](int part) {
-        for (auto& block : part_of(blocks, part)) {
-            detail::look_up_rows(world, blocks, block);
-            BlockStep<D, Real> step(world, blocks, block, double(dt), double(world.last_substep));
-            step.run(substeps);
-            step.report_tensions(double(substep));
-            block.lost = step.lost();
-        }
+    const auto move = [&](Block& block) {
+        detail::follow_rows(world, blocks, block);
+        BlockStep<D, Real> step(world, solver, block, double(dt), double(world.last_substep));
+        step.run(substeps);
+        step.report_tensions(double(substep));
+        block.lost = step.lost();
     };
-    const int threads = solver.options.threads > 0 ? solver.options.threads : hardware_threads();
-    Workers::run(blocks.nodes.size() < worth_a_thread ? 1 : threads, parts_of(blocks), move);
+    const int wanted = solver.options.threads > 0 ? solver.options.threads : hardware_threads();
+    const int threads = blocks.nodes.size() < worth_a_thread ? 1 : wanted;
+    const bool in_lanes = detail::ChainStep<D, Real>::serves(world) && !blocks.chains.turns.empty();
+    if (in_lanes) step_chains(world, solver, threads, {double(dt), double(substep), substeps}, move);
+    if (!in_lanes || blocks.chains.turns.size() < blocks.list.size())
+        Workers::run(threads, parts_of(blocks), [&](int part) {
+            for (auto& block : part_of(blocks, part))
+                if (!in_lanes || block.chain == Blocks<D>::none) move(block);
+        });
     for (const auto& block : blocks.list) world.energy_lost += block.lost;
 }
 

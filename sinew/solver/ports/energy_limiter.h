@@ -35,8 +35,12 @@ template <int D, class Real> class EnergyLimiter {
     void find_gains() {
         constexpr double least = 0.7; // share of the velocity; above it solved positions are kept
         for (auto& group : ports_.groups) {
+            group.lost = 0;
             group.share = group.motorized ? 1 : share_left(group);
-            group.spin = due_spin(group);
+            if (anchors(group).empty()) {
+                group.spin = due_spin(group);
+                if (group.lost < 0) stiffen(group), group.share = 1, group.lost = 0;
+            }
             if (group.share < least && is_multiplied(group)) slow_down(group), group.share = 1;
         }
     }
@@ -84,8 +88,9 @@ template <int D, class Real> class EnergyLimiter {
     double mass(Row slot) const { return inverse_or_zero(ports_.mobilities[slot]); }
     Vector move(Row slot) const { return cast<double>(swept_.move_at(slot)); }
 
-    /// Factor of the velocities that removes energy added by constraints, 0..1.
-    double share_left(const PortGroup<D>& group) const {
+    /// Factor of the velocities that removes energy added by constraints, 0..1. Notes energy that they have taken, or
+    /// added to the motion as one body.
+    double share_left(PortGroup<D>& group) const {
         Frame frame;
         if (!find_frame(group, frame)) return 1;
         double work = 0, kinetic = 0;
@@ -99,6 +104,7 @@ template <int D, class Real> class EnergyLimiter {
         const double gain = work * square(per_h_) + (group.springs > 0 ? stored(group, true) - group.stored : 0);
         kinetic *= square(per_h_);
         constexpr double rounding = 1e-14;
+        group.lost = gain <= 0 ? -gain : minimum(kinetic - gain, 0.0);
         return gain > rounding * kinetic ? square_root(maximum(0.0, 1 - gain / kinetic)) : 1;
     }
 
@@ -119,20 +125,47 @@ template <int D, class Real> class EnergyLimiter {
         return spin;
     }
     /// Turns the velocities of a free group until its angular momentum is the due one. The energy of the rotation is
-    /// taken from the rest of the motion: a lost spin gained back must not be gained twice.
+    /// what constraints have taken in the substep, and then a part of the rest of the motion: a lost spin gained back
+    /// must not be gained twice. Without as much energy some of the spin stays lost, as where a mesh drawn out by a
+    /// load contracts: the same spin would turn it faster.
     void restore_spin(const PortGroup<D>& group) {
         const auto now = Motion::of(bodies(group), place_of);
         auto missing = now;
         missing.spin = group.spin - now.spin;
         const auto drift = now.momentum * inverse_or_zero(now.mass);
         const Frame present{now.center, drift, now.rate_of(bodies(group), place_of)};
-        const Frame due{now.center, drift, present.rate + missing.rate_of(bodies(group), place_of)};
-        const double inner = energy_beside(group, present), rise = energy_between(group, present, due);
+        const Frame added{now.center, drift, missing.rate_of(bodies(group), place_of)};
+        const double inner = energy_beside(group, present), lost = group.lost / square(per_h_);
+        Frame due = present;
+        due.rate = group.motorized ? present.rate + added.rate : affordable(group, present, added, inner + lost);
+        const double rise = energy_between(group, present, due) - lost;
         const double share = rise > 0 ? square_root(maximum(0.0, 1 - rise * inverse_or_zero(inner))) : 1;
         for (const auto s : members(group)) {
             const auto own = move(s) - present.at(place(s));
             swept_.set_move(s, cast<Real>(due.at(place(s)) + own * share));
         }
+    }
+    /// Rate of a rotation, with as much of the added one as raises the energy by `most` or less: the fraction f of
+    ///
+    ///     q f^2 + a f = most,        0 <= f <= 1
+    Spin affordable(const PortGroup<D>& group, const Frame& present, const Frame& added, double most) const {
+        const Frame still{present.center, present.velocity, {}};
+        Frame whole = present;
+        whole.rate = present.rate + added.rate;
+        const double rise = energy_between(group, present, whole);
+        if (rise <= most) return whole.rate;
+        const double q = energy_between(group, still, added), a = rise - q;
+        const double root = square_root(maximum(a * a + 4 * q * most, 0.0));
+        const double f = a >= 0 ? 2 * most * inverse_or_zero(a + root) : (root - a) * inverse_or_zero(2 * q);
+        return present.rate + added.rate * clamp(f, 0.0, 1.0);
+    }
+    /// Moves a free group as one rigid body with the spin due: of all motions with this spin the one of least energy,
+    /// for a substep in which constraints add more than all of the inner motion.
+    void stiffen(const PortGroup<D>& group) {
+        auto due = Motion::of(bodies(group), place_of);
+        due.spin = group.spin;
+        const Frame frame{due.center, due.momentum * inverse_or_zero(due.mass), due.rate_of(bodies(group), place_of)};
+        for (const auto s : members(group)) swept_.set_move(s, cast<Real>(frame.at(place(s))));
     }
     /// Energy of the motion relative to a frame, times h^2.
     double energy_beside(const PortGroup<D>& group, const Frame& frame) const {

@@ -2,6 +2,7 @@
 #include "sinew/solver/direct/look_up_rows.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/ports/load_tethers.h"
+#include "sinew/world/constraint_graph.h"
 
 #include <algorithm>
 #include <tuple>
@@ -64,11 +65,8 @@ template <int D, class Real> void list_rows(World<D, Real>& world, Solver<D, Rea
     auto& rows = blocks.ports.rows;
     rows.clear();
     for (const auto& port : blocks.ports.list)
-        world.journal.adjacency.each(blocks.nodes[port.node].slot, [&](int kind, std::uint32_t slot) {
-            visit_table(world, kind, [&](const auto& table) {
-                const Row row = table.slots.row_at(slot);
-                if (!table.in_block[row]) rows.push_back({.kind = kind, .row = row});
-            });
+        for_each_constraint(world, blocks.nodes[port.node].row, [&]<class Table>(const Table& table, Row row) {
+            if (!blocks.holds(table, row)) rows.push_back({.kind = kind_of<World<D, Real>, Table>, .row = row});
         });
     std::sort(rows.begin(), rows.end(),
               [](const auto& a, const auto& b) { return std::pair(-a.kind, a.row) < std::pair(-b.kind, b.row); });
@@ -79,11 +77,28 @@ template <int D, class Real> void list_rows(World<D, Real>& world, Solver<D, Rea
 template <int D, class Real> void mark_sheets(Solver<D, Real>& solver) {
     auto& ports = solver.blocks.ports;
     const auto& plan = solver.sweep_state.plan;
-    ports.components.assign(plan.components.size(), 0);
+    ports.passes.assign(plan.components.size(), 0);
     for (const auto& port : ports.list)
         if (const auto* component =
                 detail::sheet_at(plan, solver.sweep_state.slot_of[solver.blocks.nodes[port.node].row]))
-            ports.components[std::size_t(component - plan.components.data())] = 1;
+            ports.passes[std::size_t(component - plan.components.data())] = 2;
+}
+
+/// More passes over held components without tethers. Tethers bring the pull of a pin to all of a mesh at once; without
+/// them nothing but the ports holds the mesh, from link to link.
+template <int D, class Real> void pass_more_often(Solver<D, Real>& solver) {
+    constexpr char often = 6;
+    auto& ports = solver.blocks.ports;
+    const auto& plan = solver.sweep_state.plan;
+    for (const auto& group : ports.groups) {
+        if (group.anchors == 0) continue;
+        for (const Row slot : std::span(ports.members).subspan(group.first, group.members)) {
+            const auto* component = detail::sheet_at(plan, slot);
+            if (!component || component->tethers > 0) continue;
+            auto& passes = ports.passes[std::size_t(component - plan.components.data())];
+            if (passes > 0) passes = often;
+        }
+    }
 }
 
 /// Connected components with ports. Immovable particles do not connect.
@@ -122,11 +137,10 @@ template <int D, class Real> class GroupFinder {
         auto& group = ports_.groups.back();
         for (auto next = group.first; next < ports_.members.size(); ++next) {
             const Row row = solver_.sweep_state.row_of[ports_.members[next]];
-            world_.journal.adjacency.each(world_.particles.slots.slot_of(row), [&](int kind, std::uint32_t slot) {
-                visit_table(world_, kind, [&](const auto& table) {
-                    reach(group, kind, table, table.slots.row_at(slot), row);
-                    if (kind == kind_number<Distance, D>) measure(double(table.high(table.slots.row_at(slot))));
-                });
+            for_each_constraint(world_, row, [&]<class Table>(const Table& table, Row constraint) {
+                constexpr int kind = kind_of<World<D, Real>, Table>;
+                reach(group, kind, table, constraint, row);
+                if (kind == kind_number<Distance, D>) measure(double(table.high(constraint)));
             });
         }
     }
@@ -181,6 +195,7 @@ template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Rea
         for (std::uint32_t p = 0; p < block.ports; ++p)
             tethers.set_anchors(std::span(blocks.links).subspan(first_tether(block, p), most_tethers));
     GroupFinder<D, Real>(world, solver).run();
+    pass_more_often(solver);
     blocks.ports.free_moves.resize(solver.sweep_state.size());
     blocks.ports.last_moves.resize(solver.sweep_state.size());
     blocks.ports.mobilities.resize(solver.sweep_state.size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
+#include "sinew/solver/direct/chord.h"
 #include "sinew/solver/ports/port_response.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
@@ -29,15 +30,23 @@ template <int D, class Real> class PortBlock {
         for (auto& link : links()) link.slackened = false;
         for (auto& port : ports()) port.impulse = port.guess;
         start_tensions();
-        solve();
-        respond(Held::as_solved);
+        if (solve_by_chord()) {
+            note_slack();
+        } else {
+            start_tensions();
+            solve();
+            factorise(Held::as_solved);
+        }
+        find_free_moves();
     }
     /// Once more, linear about no impulse, with an upper bound of the mobility.
     void predict_loosely() {
         for (auto& port : ports()) port.impulse = {};
         start_tensions();
         solve();
-        respond(Held::at_least);
+        factorise(Held::at_least);
+        block_.is_factorised = false;
+        find_free_moves();
     }
 
     /// Places of the ports before the sweep. Only the sweep's impulses move the block from here on.
@@ -123,7 +132,9 @@ template <int D, class Real> class PortBlock {
             const auto s = slot(node);
             node.start = begin_of(node);
             node.velocity = blocks_.ports.free_moves[s] * (1 / h_);
-            node.mass = inverse_or_zero(blocks_.ports.mobilities[s]);
+            const double mass = inverse_or_zero(blocks_.ports.mobilities[s]);
+            block_.is_factorised = block_.is_factorised && mass == node.mass;
+            node.mass = mass;
             node.push = {};
         }
         for (const auto& port : ports()) {
@@ -151,6 +162,20 @@ template <int D, class Real> class PortBlock {
 
     static constexpr int enough = 20; ///< iterations
 
+    /// Solution by the factors of an earlier substep, where they serve, or by new ones.
+    bool solve_by_chord() {
+        load();
+        if (!keeps_factors()) return false;
+        const auto guess = [&](const BlockNode<D>& node) { return blocks_.ports.last_moves[slot(node)]; };
+        if (block_.is_factorised && ChordSolve<D>(blocks_, block_, h_).run(guess)) return true;
+        start_tensions();
+        ChordSolve<D> solve(blocks_, block_, h_);
+        block_.is_factorised = solve.run_anew(guess);
+        if (block_.is_factorised) PortResponse<D>(solve, blocks_, block_).find();
+        return block_.is_factorised;
+    }
+    /// Links that may be redundant have no tensions to start from.
+    bool keeps_factors() const { return block_.bends == 0 && !block_.braced(); }
     void solve() {
         load();
         BlockSolve<D> solve(blocks_, block_, h_);
@@ -160,6 +185,8 @@ template <int D, class Real> class PortBlock {
     /// Solution with the last one for a guess.
     void solve_again() {
         load();
+        if (block_.is_factorised && ChordSolve<D>(blocks_, block_, h_).run_again()) return note_slack();
+        block_.is_factorised = false;
         BlockSolve<D> solve(blocks_, block_, h_);
         if (!solve.run_again(Rule::implicit, enough, [] {})) {
             start_tensions();
@@ -204,9 +231,16 @@ template <int D, class Real> class PortBlock {
         return sum * inverse_or_zero(mass);
     }
 
-    void respond(Held held) {
+    /// Equations of simple links alone keep their factors for the chord method.
+    void factorise(Held held) {
         BlockSolve<D> solve(blocks_, block_, h_);
-        PortResponse<D>(solve, blocks_, block_).find(held);
+        PortResponse<D> response(solve, blocks_, block_);
+        response.factorise(held);
+        response.find();
+        block_.is_factorised = keeps_factors();
+    }
+    /// Displacements of the ports without impulses, by the linear model.
+    void find_free_moves() {
         for (auto& port : ports()) {
             const auto& node = blocks_.nodes[port.node];
             port.free_move = node.place - begin_of(node);

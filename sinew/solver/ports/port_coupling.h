@@ -18,7 +18,7 @@ template <int D, class Real> class PortCoupling {
     void begin() {
         if (!any()) return;
         note_free_moves();
-        if (number_ == 1) guess_from_multipliers();
+        if (number_ == 1) begin_step();
         each([&](Block&, PortBlock<D, Real> block) { block.predict(), block.show(); });
         begin_rows();
     }
@@ -43,7 +43,7 @@ template <int D, class Real> class PortCoupling {
     void begin_again() {
         for (Row s = 0; s < swept_.size(); ++s) {
             swept_.set_move(s, cast<Real>(blocks_.ports.free_moves[s]));
-            world_.particles.rebound[swept_.row_of[s]] = {};
+            if (!swept_.rebound.empty()) swept_.rebound[s] = {};
         }
         each([&](Block& block, PortBlock<D, Real> solver) {
             if (block.lost > 0) solver.predict_loosely();
@@ -77,6 +77,12 @@ template <int D, class Real> class PortCoupling {
             row.multiplier = 0;
             visit_table(world_, row.kind, [&](auto& table) { table.multiplier[row.row] = Real(0); });
         }
+    }
+
+    /// Factors are kept within a step only: they are no part of the world's state.
+    void begin_step() {
+        for (auto& block : blocks_.attached_trees) block.is_factorised = false;
+        guess_from_multipliers();
     }
 
     /// The impulse at a port is the sum over the constraints there.

@@ -18,8 +18,26 @@ template <int D> class PortResponse {
     PortResponse(BlockEquations<D>& equations, Blocks<D>& blocks, const Block& block)
         : equations_(equations), blocks_(blocks), block_(block) {}
 
-    void find(Held held) {
-        factorise(held);
+    /// Factorises the equations at the present positions. The chord method goes on with the factors.
+    void factorise(Held held) {
+        const double per_h2 = 1 / square(equations_.substep());
+        for (auto& node : equations_.unknowns()) {
+            node.diagonal = Matrix<D, double>::diagonal(node.mass * per_h2);
+            node.residual = {};
+        }
+        equations_.clear_entries();
+        for (auto& link : equations_.links()) {
+            link.stiffness = holds(link, held) ? equations_.stiffness() * link.per_length2 : 0;
+            if (link.stiffness == 0) continue;
+            link.along = equations_.node(link.b).place - equations_.node(link.a).place;
+            auto matrix = outer(link.along * link.stiffness, link.along);
+            if (held == Held::as_solved) matrix += Matrix<D, double>::diagonal(maximum(link.tension, 0.0));
+            equations_.add(link, matrix, Vector{});
+        }
+        equations_.bends().stiffen(held == Held::as_solved, equations_.stiffness());
+        equations_.solve();
+    }
+    void find() {
         for (std::uint32_t p = 0; p < block_.ports; ++p)
             for (int axis = 0; axis < D; ++axis) respond(p, axis);
     }
@@ -43,24 +61,6 @@ template <int D> class PortResponse {
     static bool holds(const DistanceRow<D>& link, Held held) {
         if (!link.one_sided()) return true;
         return held == Held::at_least ? !link.slackened : link.tension * link.side > 0;
-    }
-
-    void factorise(Held held) {
-        const double per_h2 = 1 / square(equations_.substep());
-        for (auto& node : equations_.unknowns()) {
-            node.diagonal = Matrix<D, double>::diagonal(node.mass * per_h2);
-            node.residual = {};
-        }
-        equations_.clear_entries();
-        for (auto& link : equations_.links()) {
-            if (!holds(link, held)) continue;
-            const auto along = equations_.node(link.b).place - equations_.node(link.a).place;
-            auto matrix = outer(along * (equations_.stiffness() * link.per_length2), along);
-            if (held == Held::as_solved) matrix += Matrix<D, double>::diagonal(maximum(link.tension, 0.0));
-            equations_.add(link, matrix, Vector{});
-        }
-        equations_.bends().stiffen(held == Held::as_solved, equations_.stiffness());
-        equations_.solve();
     }
 
     void respond(std::uint32_t p, int axis) {

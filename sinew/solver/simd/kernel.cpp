@@ -1,9 +1,5 @@
 #include "sinew/solver/simd/kernel.h"
 
-#include <atomic>
-#include <cstdlib>
-#include <cstring>
-
 namespace sinew {
 
 // The build names the kernels that it leaves out; the wide ones are for x86 only.
@@ -39,11 +35,6 @@ const KernelSet* set_of(Simd simd) {
     }
 }
 
-std::atomic<Simd>& in_use() {
-    static std::atomic<Simd> simd = best_simd();
-    return simd;
-}
-
 } // namespace
 
 bool has_simd(Simd simd) {
@@ -70,22 +61,20 @@ bool has_simd(Simd simd) {
     }
 }
 
+namespace {
+constexpr Simd all[] = {Simd::avx512, Simd::avx2, Simd::sse2, Simd::one};
+} // namespace
+
 Simd best_simd() {
-    constexpr Simd all[] = {Simd::avx512, Simd::avx2, Simd::sse2, Simd::one};
-    const char* const wanted = std::getenv("SINEW_SIMD");
-    for (const Simd simd : all)
-        if (wanted && has_simd(simd) && std::strcmp(wanted, name_of(simd)) == 0) return simd;
     for (const Simd simd : all)
         if (has_simd(simd)) return simd;
     return Simd::one;
 }
 
-void use_simd(Simd simd) {
-    if (has_simd(simd)) in_use() = simd;
-}
-
-Simd simd_in_use() {
-    return in_use();
+std::optional<Simd> simd_called(std::string_view name) {
+    for (const Simd simd : all)
+        if (has_simd(simd) && name == name_of(simd)) return simd;
+    return std::nullopt;
 }
 
 const char* name_of(Simd simd) {
@@ -99,11 +88,11 @@ const char* name_of(Simd simd) {
     return names[int(simd)];
 }
 
-template <int D, class Real> const Kernels<D, Real>& kernels() {
-    return *set_of(in_use());
+template <int D, class Real> const Kernels<D, Real>& kernels(Simd simd) {
+    return *set_of(has_simd(simd) ? simd : best_simd());
 }
 
-#define SINEW_KERNELS_OF(D, Real) template const Kernels<D, Real>& kernels();
+#define SINEW_KERNELS_OF(D, Real) template const Kernels<D, Real>& kernels(Simd);
 SINEW_INSTANTIATE(SINEW_KERNELS_OF)
 
 } // namespace sinew

@@ -2,10 +2,13 @@
 
 #include "sinew/math/limit.h"
 #include "sinew/math/moments.h"
+#include "sinew/solver/simd/chain_pack.h"
 #include "sinew/world/world_types.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 /// SIMD kernels over many particles. Each function is compiled from the same text for every instruction set
 /// (simd/targets/all.h) and selected at run time; all variants give the same bits.
@@ -145,6 +148,10 @@ template <int D, class Real> struct Kernels {
     /// True if all numbers are within [-limit, limit], or [0, limit]; NaN is not.
     bool (*all_within)(const Real* numbers, std::size_t count, Real limit);
     bool (*all_within_and_positive)(const Real* numbers, std::size_t count, Real limit);
+    /// Moves chains on by a substep: as many side by side as there are lanes, or a single one.
+    int chain_lanes;
+    void (*swing_chains)(ChainPack<D>&);
+    void (*swing_chain)(ChainPack<D>&);
 };
 
 /// Kernels of an instruction set.
@@ -153,16 +160,16 @@ using KernelSet = EveryWorld<AllKernels, Kernels>;
 
 enum class Simd { one, sse2, avx2, avx512 };
 
-/// Best instruction set of this processor, or the available one named by the environment's SINEW_SIMD (one, sse2 or
-/// neon, avx2, avx512).
-Simd best_simd();
 /// True if both the processor and the build support the instruction set.
 bool has_simd(Simd simd);
-/// Selects the kernels used from now on. For tests: results do not change by a bit.
-void use_simd(Simd simd);
+/// The widest instruction set that both support.
+Simd best_simd();
+/// one; sse2, neon or simd128; avx2; avx512.
 const char* name_of(Simd simd);
-Simd simd_in_use();
+/// The instruction set of a name, if it is supported.
+std::optional<Simd> simd_called(std::string_view name);
 
-template <int D, class Real> const Kernels<D, Real>& kernels();
+/// Kernels of an instruction set; of the best one instead of one that is not supported. Results are the same bits.
+template <int D, class Real> const Kernels<D, Real>& kernels(Simd simd);
 
 } // namespace sinew

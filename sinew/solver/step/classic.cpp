@@ -42,17 +42,95 @@ template <class Real> ClassicRules<Real> held_in_limits(ClassicRules<Real> rules
     return rules;
 }
 
+/// Walls of classic mode: planes, and colliders as planes at each contact.
+template <int D, class Real> class ClassicWalls {
+  public:
+    ClassicWalls(World<D, Real>& world, ColliderTouches<D, Real>& touches, const ClassicRules<Real>& rules, Real h)
+        : world_(world), p_(world.particles), touches_(touches), rules_(rules), h_(h) {}
+
+    /// Moves particles back onto planes and colliders.
+    void keep_in() {
+        for (const auto& plane : world_.bounds)
+            for (Row row = 0; row < p_.size(); ++row)
+                if (p_.mobility[row] > Real(0)) hit(plane, row);
+        for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) hit(world_.colliders[i], i);
+    }
+
+  private:
+    World<D, Real>& world_;
+    Particles<D, Real>& p_;
+    ColliderTouches<D, Real>& touches_;
+    const ClassicRules<Real>& rules_;
+    Real h_;
+
+    /// A collider is a wall at each contact, where it will be at the end of the step.
+    void hit(const collide::Collider<D, Real>& collider, std::uint32_t index) {
+        const collide::MovingCollider<D, Real> moving(collider, Real(1), Real(1));
+        for (Row row = 0; row < p_.size(); ++row) {
+            if (!(p_.mobility[row] > Real(0)) || !touch(collider.filter, detail::filter_of(world_, row))) continue;
+            moving.contacts(p_.previous[row], p_.position[row], p_.radius[row], [&](const auto& contact) {
+                touches_.collider[row] = index + 1;
+                const auto& surface = contact.surface;
+                if (!collider.is_sensor) hit({surface.normal, dot(surface.normal, surface.point)}, row);
+            });
+        }
+    }
+
+    /// Moves a particle back onto a wall; with a bounce, x_prev is mirrored: the normal velocity is reversed, whatever
+    /// its sign.
+    void hit(const HalfSpace<D, Real>& plane, Row row) {
+        const auto& position = p_.position[row];
+        const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, position);
+        if (depth <= grain(plane, row)) return;
+        const auto velocity = position - p_.previous[row];
+        p_.position[row] = clamp_components(position + plane.normal * depth, limit::coordinate<Real>);
+        if (rules_.bounce == Real(0) && rules_.floor_keep == Real(1)) return;
+        const Real approach = -dot(plane.normal, velocity);
+        const auto along = velocity + plane.normal * approach;
+        const Real away = approach * rules_.bounce;
+        const auto leaving = plane.normal * (faces_wrong_way(plane) ? -away : away);
+        p_.previous[row] = p_.position[row] - leaving - along * (is_floor(plane, away) ? rules_.floor_keep : Real(1));
+    }
+
+    /// Rounding error of a depth: a particle on the wall is not struck again.
+    Real grain(const HalfSpace<D, Real>& plane, Row row) const {
+        Real size = absolute(plane.offset) + p_.radius[row];
+        for (int i = 0; i < D; ++i) size += absolute(plane.normal[i] * p_.position[row][i]);
+        return Real(4) * std::numeric_limits<Real>::epsilon() * size;
+    }
+
+    /// Roblox's walls at the top and the right have the wrong sign.
+    bool faces_wrong_way(const HalfSpace<D, Real>& plane) const {
+        return rules_.outward_bounce && (plane.normal[0] < Real(0) || dot(plane.normal, gravity()) > Real(0));
+    }
+
+    /// Resting on the floor: gravity presses against the plane, and the rebound is no faster than a frame's fall.
+    bool is_floor(const HalfSpace<D, Real>& plane, Real away) const {
+        const Real pull = -dot(plane.normal, gravity()) * h_ * h_;
+        return pull > Real(0) && away <= pull;
+    }
+
+    Vec<D, Real> gravity() const {
+        Vec<D, Real> sum{};
+        for (const auto& force : world_.forces)
+            if (const auto* gravity = std::get_if<Gravity<D, Real>>(&force))
+                sum += clamp_components(gravity->acceleration, limit::measure<Real>);
+        return sum;
+    }
+};
+
 template <int D, class Real> class ClassicStep {
   public:
     ClassicStep(World<D, Real>& world, Solver<D, Real>& solver, Real dt)
-        : world_(world), scratch_(solver.scratch), p_(world.particles), rules_(held_in_limits(world.settings.classic)),
+        : world_(world), scratch_(solver.scratch), stays_(solver.stays), p_(world.particles),
+          rules_(held_in_limits(world.settings.classic)),
           h_(clamp(minimum(dt, rules_.longest_step * world.settings.frame) * rules_.time_scale, Real(0),
                    limit::step<Real>)),
-          mover_{p_} {}
+          mover_{p_}, walls_(world, solver.touches, rules_, h_) {}
 
     void run() {
         if (h_ < limit::shortest_step<Real> && !rules_.unscaled_inertia) return; // time stands still
-        std::fill(p_.rebound.begin(), p_.rebound.end(), Vec<D, Real>{});         // marks particles that stay
+        stays_.assign(p_.size(), 0);
         carry_pins();
         move_limits(world_, h_);
         const int moves = rules_.points_only_passes ? rules_.passes : 1;
@@ -61,7 +139,7 @@ template <int D, class Real> class ClassicStep {
             for (int i = 0; i < sweeps; ++i) move_and_sweep(moves, 1);
         else
             move_and_sweep(moves, sweeps);
-        if (rules_.order == PassOrder::walls_last) walls();
+        if (rules_.order == PassOrder::walls_last) walls_.keep_in();
         let_go();
         read_velocities();
         if (h_ > Real(0)) world_.last_step = world_.last_substep = h_;
@@ -70,17 +148,19 @@ template <int D, class Real> class ClassicStep {
   private:
     World<D, Real>& world_;
     std::span<Vec<D, Real>> scratch_;
+    std::vector<char>& stays_; ///< by row: neither moved by forces nor by velocity in this frame
     Particles<D, Real>& p_;
     const ClassicRules<Real> rules_;
     Real h_;
     ClassicMover<D, Real> mover_;
+    ClassicWalls<D, Real> walls_;
 
     void move_and_sweep(int moves, int sweeps) {
         for (int i = 0; i < moves; ++i) move_all();
-        if (rules_.order == PassOrder::sweeps_last) walls();
+        if (rules_.order == PassOrder::sweeps_last) walls_.keep_in();
         for (int i = 0; i < sweeps; ++i) {
             sweep();
-            if (rules_.order == PassOrder::walls_each_pass) walls();
+            if (rules_.order == PassOrder::walls_each_pass) walls_.keep_in();
         }
     }
 
@@ -114,8 +194,8 @@ template <int D, class Real> class ClassicStep {
         stay(row);
     }
 
-    void stay(Row row) { p_.rebound[row][0] = Real(1); }
-    bool is_free(Row row) const { return p_.mobility[row] > Real(0) && p_.rebound[row][0] == Real(0); }
+    void stay(Row row) { stays_[row] = 1; }
+    bool is_free(Row row) const { return p_.mobility[row] > Real(0) && !stays_[row]; }
 
     /// Restores mobilities for physical mode, where only hard pins fix a particle.
     void let_go() {
@@ -229,68 +309,6 @@ template <int D, class Real> class ClassicStep {
         const auto both = ab * (Real(2) * s * table.relaxation[row]);
         mover_.push(ends[0], -both * table.split[row]);
         mover_.push(ends[1], both * (Real(1) - table.split[row]));
-    }
-
-    void walls() {
-        for (const auto& plane : world_.bounds)
-            for (Row row = 0; row < p_.size(); ++row)
-                if (p_.mobility[row] > Real(0)) hit(plane, row);
-        for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) hit(world_.colliders[i], i);
-    }
-
-    /// A collider is a wall at each contact, where it will be at the end of the step.
-    void hit(const collide::Collider<D, Real>& collider, std::uint32_t index) {
-        const collide::MovingCollider<D, Real> moving(collider, Real(1), Real(1));
-        for (Row row = 0; row < p_.size(); ++row) {
-            if (!(p_.mobility[row] > Real(0)) || !touch(collider.filter, detail::filter_of(world_, row))) continue;
-            moving.contacts(p_.previous[row], p_.position[row], p_.radius[row], [&](const auto& contact) {
-                world_.contacts.touched[row] = index + 1;
-                const auto& surface = contact.surface;
-                if (!collider.is_sensor) hit({surface.normal, dot(surface.normal, surface.point)}, row);
-            });
-        }
-    }
-
-    /// Moves a particle back onto a wall; with a bounce, x_prev is mirrored: the normal velocity is reversed, whatever
-    /// its sign.
-    void hit(const HalfSpace<D, Real>& plane, Row row) {
-        const auto& position = p_.position[row];
-        const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, position);
-        if (depth <= grain(plane, row)) return;
-        const auto velocity = position - p_.previous[row];
-        p_.position[row] = clamp_components(position + plane.normal * depth, limit::coordinate<Real>);
-        if (rules_.bounce == Real(0) && rules_.floor_keep == Real(1)) return;
-        const Real approach = -dot(plane.normal, velocity);
-        const auto along = velocity + plane.normal * approach;
-        const Real away = approach * rules_.bounce;
-        const auto leaving = plane.normal * (faces_wrong_way(plane) ? -away : away);
-        p_.previous[row] = p_.position[row] - leaving - along * (is_floor(plane, away) ? rules_.floor_keep : Real(1));
-    }
-
-    /// Rounding error of a depth: a particle on the wall is not struck again.
-    Real grain(const HalfSpace<D, Real>& plane, Row row) const {
-        Real size = absolute(plane.offset) + p_.radius[row];
-        for (int i = 0; i < D; ++i) size += absolute(plane.normal[i] * p_.position[row][i]);
-        return Real(4) * std::numeric_limits<Real>::epsilon() * size;
-    }
-
-    /// Roblox's walls at the top and the right have the wrong sign.
-    bool faces_wrong_way(const HalfSpace<D, Real>& plane) const {
-        return rules_.outward_bounce && (plane.normal[0] < Real(0) || dot(plane.normal, gravity()) > Real(0));
-    }
-
-    /// Resting on the floor: gravity presses against the plane, and the rebound is no faster than a frame's fall.
-    bool is_floor(const HalfSpace<D, Real>& plane, Real away) const {
-        const Real pull = -dot(plane.normal, gravity()) * h_ * h_;
-        return pull > Real(0) && away <= pull;
-    }
-
-    Vec<D, Real> gravity() const {
-        Vec<D, Real> sum{};
-        for (const auto& force : world_.forces)
-            if (const auto* gravity = std::get_if<Gravity<D, Real>>(&force))
-                sum += clamp_components(gravity->acceleration, limit::measure<Real>);
-        return sum;
     }
 
     /// Velocities for readers: classic mode itself uses x and x_prev.

@@ -8,6 +8,8 @@
 #include "sinew/solver/sweep/projections.h"
 #include "sinew/solver/sweep/substeps.h"
 
+#include <algorithm>
+
 namespace sinew::detail {
 
 /// Substep after substep over all components together, for worlds in which components act on each other: by contacts,
@@ -80,19 +82,29 @@ template <int D, class Real> class CoupledSweep {
     /// Runs an iteration over all constraints: ports after everything not at a port, and before the tethers. Components
     /// with ports are swept again, since most of the load on them comes from outside.
     void project_all(Substep<D, Real>& substep) {
-        const auto& ports = solver_.blocks.ports;
-        const int rounds = ports.list.empty() ? 1 : 2;
+        const int rounds = most_passes();
         const bool first = substep.mover().first_iteration;
         for (int round = 0; round < rounds; ++round) {
             substep.mover().first_iteration = first && round == 0;
             for (std::size_t i = 0; i < plan_.components.size(); ++i)
-                if ((round == 0 || ports.components[i]) && !is_exact(i)) project(substep, plan_.components[i]);
+                if (round < passes(i) && !is_exact(i)) project(substep, plan_.components[i]);
             for (const auto& run : plan_.others) project(substep, run);
             PortMover<D, Real>::project_all(world_, solver_, substep.mover());
             for (std::size_t i = 0; i < plan_.components.size(); ++i)
-                if (round == 0 || ports.components[i]) tether(substep, plan_.components[i]);
+                if (round < passes(i)) tether(substep, plan_.components[i]);
         }
         substep.mover().first_iteration = first;
+    }
+    /// Passes over a component in an iteration.
+    int passes(std::size_t component) const {
+        const auto& ports = solver_.blocks.ports;
+        return ports.list.empty() ? 1 : std::max(1, int(ports.passes[component]));
+    }
+    int most_passes() const {
+        const auto& ports = solver_.blocks.ports;
+        int most = ports.list.empty() ? 1 : 2;
+        for (const char count : ports.passes) most = std::max(most, int(count));
+        return most;
     }
     /// True for a component whose links are exact beside the sweep (contact/link_projector.h).
     bool is_exact(std::size_t component) const {
@@ -121,7 +133,7 @@ template <int D, class Real> class CoupledSweep {
     void hold(Substep<D, Real>& substep, int number) {
         if (has_figure_contacts(solver_) && !solver_.contacts->cloth.empty())
             ClothContact<D, Real>(world_, solver_, substeps_.h, number, substeps_.count).solve();
-        for (const auto& tile : plan_.tiles) substep.pull_pins(tile);
+        for (const auto& tile : plan_.tiles) substep.pins().pull(tile);
         for (const auto& tile : plan_.tiles) substep.keep_in_bounds(tile);
     }
 };

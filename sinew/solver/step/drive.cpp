@@ -28,11 +28,6 @@ template <class Table> bool is_driven(const Table& table) {
     return table.motorized.any_of([](char driven) { return driven != 0; }) || table.any_gives();
 }
 
-template <int D, class Real> bool is_in_block(const World<D, Real>& world, std::span<const Row> members) {
-    return std::any_of(members.begin(), members.end(),
-                       [&](Row member) { return world.particles.in_block[member] != 0; });
-}
-
 } // namespace
 
 template <int D, class Real> bool any_driven(const World<D, Real>& world) {
@@ -60,7 +55,7 @@ template <int D, class Real> void slip(World<D, Real>& world, Solver<D, Real>& s
     for_each_table(world, [&](auto& table) {
         if constexpr (std::decay_t<decltype(table)>::Kind::length_power == 1)
             for (Row row = 0; row < table.size(); ++row) {
-                if (!table.gives(row) || is_in_block(world, std::as_const(table).members[row])) continue;
+                if (!table.gives(row) || moves_any(solver.blocks, world, std::as_const(table).members[row])) continue;
                 if (absolute(table.multiplier[row]) < Real(slipping_share) * table.max_force[row] * h * h) continue;
                 const Real by = slipped(solver, table, row);
                 const auto moved = [&](Real end) { return is_limit(end) ? maximum(end + by, Real(0)) : end; };

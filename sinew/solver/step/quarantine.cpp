@@ -10,9 +10,9 @@ namespace sinew {
 namespace {
 
 /// True if rows [first, first + count) are within the limits; `previous` is checked in classic mode only.
-template <int D, class Real> bool all_in_limits(const World<D, Real>& world, std::size_t first, std::size_t count) {
+template <int D, class Real>
+bool all_in_limits(const World<D, Real>& world, const Kernels<D, Real>& look, std::size_t first, std::size_t count) {
     const auto& p = world.particles;
-    const auto& look = kernels<D, Real>();
     const auto vectors = [&](const std::vector<Vec<D, Real>>& column, Real limit) {
         static_assert(sizeof column[0] == D * sizeof limit);
         return look.all_within(column[first].component.data(), count * D, limit);
@@ -35,13 +35,14 @@ template <int D, class Real> void note_previous(World<D, Real>& world, std::size
 }
 
 /// True if all particles are within the limits, the usual case; updates `previous` while in cache.
-template <int D, class Real> bool all_in_limits(World<D, Real>& world, int threads) {
+template <int D, class Real> bool all_in_limits(World<D, Real>& world, const SolverOptions& options) {
+    const auto& look = kernels<D, Real>(options.simd);
     constexpr std::size_t a_part = 4096;
     const std::size_t size = world.particles.size();
     std::atomic<bool> all = true;
-    Workers::run(threads_for(size, threads), int((size + a_part - 1) / a_part), [&](int part) {
+    Workers::run(threads_for(size, options.threads), int((size + a_part - 1) / a_part), [&](int part) {
         const auto first = std::size_t(part) * a_part, count = std::min(a_part, size - first);
-        if (all_in_limits(world, first, count))
+        if (all_in_limits(world, look, first, count))
             note_previous(world, first, count);
         else
             all = false;
@@ -98,7 +99,7 @@ template <int D, class Real> void hold(Particles<D, Real>& p) {
 } // namespace
 
 template <int D, class Real> void hold_in_limits(World<D, Real>& world, Solver<D, Real>& solver) {
-    if (!all_in_limits(world, solver.options.threads)) {
+    if (!all_in_limits(world, solver.options)) {
         quarantine_non_finite(world);
         hold(world.particles);
         note_previous(world, 0, world.particles.size());

@@ -1,4 +1,3 @@
-#include "sinew/solver/contact/colliders.h"
 #include "sinew/solver/profile.h"
 #include "sinew/solver/step/coupled_sweep.h"
 #include "sinew/solver/sweep/repair_window.h"
@@ -12,7 +11,7 @@ template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& 
     if (world.settings.mode == Mode::classic) detail::make_room_for_widest(world, solver.scratch);
     hold_in_limits(world, solver);
     apply_random_pushes(world);
-    begin_contacts(world);
+    begin_touches(world, solver);
 }
 
 template <int D, class Real> void step_sweep(World<D, Real>& world, Solver<D, Real>& solver, int count, Real h) {
@@ -46,7 +45,7 @@ void physical_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt, deta
 }
 
 template <int D, class Real> void end(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
-    end_contacts(world);
+    end_touches(world, solver);
     tear(world, solver, dt);
     for (auto& pin : world.pins) pin.from = pin.target;
     forget_forces(world);
@@ -59,7 +58,7 @@ template <int D, class Real> void end(World<D, Real>& world, Solver<D, Real>& so
 template <int D, class Real> void Solver<D, Real>::step(World<D, Real>& world, Real dt) {
     if (!(dt >= limit::shortest_step<Real>)) return;
     dt = minimum(dt, limit::step<Real>);
-    detail::Laps laps;
+    detail::Laps laps(reports.times.get());
     begin(world, *this);
     if (world.settings.mode == Mode::classic)
         classic_step(world, *this, dt);

@@ -59,17 +59,18 @@ template <int D, class Real> void tear(World<D, Real>& world, Solver<D, Real>& s
     bool any_link = false, any = false;
     int kind = 0;
     for_each_table(world, [&](auto& table) {
-        bool torn = false;
+        auto& torn = solver.torn;
+        torn.clear();
         for (Row row = 0; row < table.size(); ++row) {
             const bool attached = kind > 0 && any_link && lost_a_link(world, table.members[row]);
             if (!attached && !tears(world, std::span(solver.scratch), table, row, dt)) continue;
             if (!attached) report(world, table, kind, row);
-            table.torn.set(row, 1);
-            torn = true;
+            torn.resize(table.size(), 0);
+            torn[row] = 1;
         }
-        if (torn) detail::erase_constraints(world, table, kind, table.torn.each());
-        any = any || torn;
-        if (kind++ == 0) any_link = torn;
+        if (!torn.empty()) detail::erase_constraints(world, table, kind, torn);
+        any = any || !torn.empty();
+        if (kind++ == 0) any_link = !torn.empty();
     });
     if (any) detail::forget_constraints(world);
 }

@@ -21,18 +21,15 @@ template <int D, class Real> double inertia_of(const SweepState<D, Real>& sweep_
     return inverse_or_zero(double(sweep_state.mobility[slot]));
 }
 
-template <int D, class Real> bool find_limited(World<D, Real>& world, Budgets<D>& budgets) {
-    auto& figures = budgets.figures;
+template <int D, class Real> bool find_limited(World<D, Real>& world, Solver<D, Real>& solver) {
+    auto& figures = solver.budgets.figures;
     const auto count = world.figures.size();
     bool any = false;
-    const auto in_block = [&](std::span<const Row> members) { // direct blocks never accept added energy
-        return std::any_of(members.begin(), members.end(),
-                           [&](Row member) { return world.particles.in_block[member] != 0; });
-    };
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
+            // Blows of others give a figure energy; direct blocks never accept added energy.
             if (limits_turn(table, row) && table.figure[row] < count && !world.figures[table.figure[row]].collides &&
-                !in_block(table.members[row])) { // blows of others give a figure energy
+                !moves_any(solver.blocks, world, table.members[row])) {
                 if (!any) figures.assign(count, {});
                 any = figures[table.figure[row]].passive = true;
             }
@@ -48,13 +45,15 @@ template <int D, class Real> void make_room_for_budgets(World<D, Real>& world, S
     for_each_table(world, [&]<class Table>(const Table& table) {
         any = any || (Table::Kind::length_power == 0 && table.size() > 0);
     });
-    if (any) solver.budgets.figures.resize(world.figures.size());
+    if (!any) return;
+    solver.budgets.figures.resize(world.figures.size());
+    solver.budgets.carried.reserve(world.pins.size());
 }
 
 template <int D, class Real> void find_passive(World<D, Real>& world, Solver<D, Real>& solver) {
     const auto& p = world.particles;
-    auto& [figures, any] = solver.budgets;
-    any = find_limited(world, solver.budgets);
+    auto& [figures, carried, any] = solver.budgets;
+    any = find_limited(world, solver);
     if (!any) return;
     const auto is_not = [&](FigureIndex figure) {
         if (figure < figures.size()) figures[figure].passive = false;
@@ -75,7 +74,7 @@ template <int D, class Real> void find_passive(World<D, Real>& world, Solver<D, 
 }
 
 template <int D, class Real> void note_energy(World<D, Real>& world, Solver<D, Real>& solver) {
-    auto& [figures, any] = solver.budgets;
+    auto& [figures, carried, any] = solver.budgets;
     if (!any) return;
     const auto& p = world.particles;
     const auto& sweep_state = solver.sweep_state;
@@ -85,8 +84,8 @@ template <int D, class Real> void note_energy(World<D, Real>& world, Solver<D, R
         const auto v = sweep_state.velocity_at(slot);
         if (figure < figures.size()) figures[figure].before += 0.5 * inertia_of(sweep_state, slot) * double(dot(v, v));
     }
-    for (const auto& pinned : sweep_state.plan.pins)
-        world.pins[pinned.pin].carried = sweep_state.velocity_at(pinned.slot);
+    carried.clear();
+    for (const auto& pinned : sweep_state.plan.pins) carried.push_back(sweep_state.velocity_at(pinned.slot));
 }
 
 namespace {
@@ -111,14 +110,16 @@ template <int D, class Real> void add_up(World<D, Real>& world, Solver<D, Real>&
         budget.momentum += v * m;
         budget.after += 0.5 * m * dot(v, v);
     }
-    for (const auto& pinned : sweep_state.plan.pins) {
+    for (std::size_t i = 0; i < sweep_state.plan.pins.size(); ++i) {
+        const auto& pinned = sweep_state.plan.pins[i];
         const auto& pin = world.pins[pinned.pin];
         const auto figure = p.figure[sweep_state.row_of[pinned.slot]];
         if (pin.hard() || figure >= figures.size()) continue;
         auto& budget = figures[figure];
         budget.held = true;
         const auto impulse = pin.multiplier * inverse_or_zero(h);
-        budget.before += double(dot(impulse, (pin.carried + sweep_state.velocity_at(pinned.slot)) * Real(0.5)));
+        budget.before +=
+            double(dot(impulse, (solver.budgets.carried[i] + sweep_state.velocity_at(pinned.slot)) * Real(0.5)));
     }
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
@@ -130,7 +131,7 @@ template <int D, class Real> void add_up(World<D, Real>& world, Solver<D, Real>&
 } // namespace
 
 template <int D, class Real> void take_back_gains(World<D, Real>& world, Solver<D, Real>& solver, Real h) {
-    auto& [figures, any] = solver.budgets;
+    auto& [figures, carried, any] = solver.budgets;
     if (!any) return;
     add_up(world, solver, h);
     for (auto& budget : figures) {

@@ -15,7 +15,7 @@ template <int D, class Real> class FreeBodyFinder {
   public:
     FreeBodyFinder(World<D, Real>& world, Solver<D, Real>& solver)
         : world_(world), state_(solver.sweep_state), ports_(solver.blocks.ports), plan_(solver.sweep_state.plan),
-          bodies_(solver.sweep_state.bodies), parent_(solver.sweep_state.room.parent),
+          bodies_(solver.sweep_state.bodies), sets_(solver.sweep_state.room.sets),
           number_(solver.sweep_state.room.part_of) {}
 
     void run() {
@@ -24,7 +24,7 @@ template <int D, class Real> class FreeBodyFinder {
         each_other([&](const auto& table, Row row) { join(table.members[row]); });
         hold();
         for (Row slot = 0; slot < state_.size(); ++slot)
-            if (auto& members = number_[first_of(slot)]; members != held) ++members;
+            if (auto& members = number_[sets_.first_of(slot)]; members != held) ++members;
         list_bodies();
         list_members();
         note_springs();
@@ -39,22 +39,17 @@ template <int D, class Real> class FreeBodyFinder {
     const Ports<D>& ports_;
     Plan<Real>& plan_;
     FreeBodies<D>& bodies_;
-    std::vector<Row>& parent_; ///< by slot
+    UnionFind& sets_;          ///< of slots
     std::vector<Row>& number_; ///< by first slot: number of members, later index in the list; or `held`
 
     void begin() {
-        parent_.resize(state_.size());
+        sets_.make_room(state_.size());
         number_.assign(state_.size(), 0);
         for (const auto& component : plan_.components) {
             const Row first = component.begin.slot, last = plan_.end_of(component).slot;
             const Row parts = !component.has_links() ? last - first : maximum(component.copies, 1U);
-            for (Row slot = first; slot < last; ++slot) parent_[slot] = first + (slot - first) % parts;
+            for (Row slot = first; slot < last; ++slot) sets_.attach(slot, first + (slot - first) % parts);
         }
-    }
-
-    Row first_of(Row slot) {
-        while (parent_[slot] != slot) slot = parent_[slot] = parent_[parent_[slot]];
-        return slot;
     }
 
     /// Calls visit(table, row) for each constraint that is no simple distance.
@@ -68,9 +63,9 @@ template <int D, class Real> class FreeBodyFinder {
         Row joined = none;
         for (const Row member : members) {
             if (state_.slot_of[member] == none) continue;
-            const Row slot = first_of(state_.slot_of[member]), first = std::min(slot, joined);
-            if (joined != none) parent_[std::max(slot, joined)] = first;
-            joined = first;
+            const Row slot = state_.slot_of[member];
+            if (joined != none) sets_.join(joined, slot);
+            joined = slot;
         }
     }
 
@@ -80,17 +75,17 @@ template <int D, class Real> class FreeBodyFinder {
         const auto& figure = world_.particles.figure;
         for (Row slot = 0; slot < state_.size(); ++slot)
             if (const auto of = figure[state_.row_of[slot]]; has_figure(world_, of) && world_.figures[of].collides)
-                number_[first_of(slot)] = held;
-        for (const auto& pinned : plan_.pins) number_[first_of(pinned.slot)] = held;
+                number_[sets_.first_of(slot)] = held;
+        for (const auto& pinned : plan_.pins) number_[sets_.first_of(pinned.slot)] = held;
         for (const auto& group : ports_.groups)
             for (const auto slot : std::span(ports_.members).subspan(group.first, group.members))
-                number_[first_of(slot)] = held;
+                number_[sets_.first_of(slot)] = held;
         each_other([&](const auto& table, Row row) {
             const auto members = table.members[row];
             const auto is_outside = [&](Row member) { return state_.slot_of[member] == none; };
             if (table.split[row] == Real(0.5) && std::none_of(members.begin(), members.end(), is_outside)) return;
             for (const Row member : members)
-                if (!is_outside(member)) number_[first_of(state_.slot_of[member])] = held;
+                if (!is_outside(member)) number_[sets_.first_of(state_.slot_of[member])] = held;
         });
     }
 
@@ -98,7 +93,7 @@ template <int D, class Real> class FreeBodyFinder {
         for (auto& component : plan_.components) {
             component.first_body = std::uint32_t(bodies_.list.size());
             for (Row slot = component.begin.slot; slot < plan_.end_of(component).slot; ++slot) {
-                if (parent_[slot] != slot) continue;
+                if (!sets_.is_first(slot)) continue;
                 const auto members = number_[slot];
                 const bool is_body = members != held && members > 1;
                 number_[slot] = is_body ? Row(bodies_.list.size()) : held;
@@ -121,7 +116,7 @@ template <int D, class Real> class FreeBodyFinder {
                 bodies_.slots[body->first + body->members++] = slot;
     }
     FreeBody<D>* body_of(Row slot) {
-        const Row number = number_[first_of(slot)];
+        const Row number = number_[sets_.first_of(slot)];
         return number == held ? nullptr : &bodies_.list[number];
     }
 

@@ -65,6 +65,7 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, R
     bodies.touched.assign(!has_walls(world) || bodies.list.empty() ? 0 : sweep_state.size(), 0);
     sweep_state.largest_radius = 0;
     if (!has_walls(world)) return;
+    sweep_state.rebound.resize(sweep_state.size());
     for (const Row row : sweep_state.row_of)
         sweep_state.largest_radius = maximum(sweep_state.largest_radius, world.particles.radius[row]);
 }
@@ -73,7 +74,7 @@ template <int D, class Real> void gather(World<D, Real>& world, Solver<D, Real>&
     auto& p = world.particles;
     auto& sweep_state = solver.sweep_state;
     if (first == last) return;
-    const auto& kernel = kernels<D, Real>();
+    const auto& kernel = kernels<D, Real>(solver.options.simd);
     read_through(sweep_state, first, last, p.position, p.residual, p.velocity, p.mobility);
     kernel.to_columns(turning(sweep_state, p.position, sweep_state.place[0]), first, last);
     kernel.to_columns(turning(sweep_state, p.residual, sweep_state.residual[0]), first, last);
@@ -90,7 +91,7 @@ template <int D, class Real> void gather(World<D, Real>& world, Solver<D, Real>&
 template <int D, class Real> void scatter(World<D, Real>& world, Solver<D, Real>& solver, Row first, Row last) {
     auto& p = world.particles;
     auto& sweep_state = solver.sweep_state;
-    const auto& kernel = kernels<D, Real>();
+    const auto& kernel = kernels<D, Real>(solver.options.simd);
     kernel.to_rows(turning(sweep_state, p.position, sweep_state.place[0]), first, last);
     kernel.to_rows(turning(sweep_state, p.residual, sweep_state.residual[0]), first, last);
     auto moves = turning(sweep_state, p.velocity, sweep_state.move[0]);

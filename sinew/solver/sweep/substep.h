@@ -1,11 +1,10 @@
 #pragma once
 
-#include "sinew/math/decay.h"
 #include "sinew/solver/contact/collider_sweep.h"
-#include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
-#include "sinew/solver/substep_mover.h"
+#include "sinew/solver/sweep/pin_projector.h"
+#include "sinew/solver/sweep/predictor.h"
 
 #include <algorithm>
 
@@ -16,10 +15,10 @@ template <int D, class Real> class Substep {
   public:
     Substep(World<D, Real>& world, Solver<D, Real>& solver, const Kernels<D, Real>& kernels,
             const DistanceColumns<D, Real>& links, int number, int substeps, Real h)
-        : world_(world), solver_(solver), p_(world.particles), swept_(solver.sweep_state), kernels_(kernels),
-          links_(links), mover_{solver.sweep_state, h}, share_(Real(number) / Real(substeps)),
-          share_of_substep_(Real(1) / Real(substeps)), number_(number), last_(number == substeps),
-          tethered_((substeps - number) % 2 == 0), kick_(number == 1 ? Real(0.5) * (world.last_substep + h) : h) {
+        : world_(world), solver_(solver), swept_(solver.sweep_state), kernels_(kernels),
+          links_(links), mover_{solver.sweep_state, h}, predictor_(world, solver.sweep_state, mover_, number),
+          share_(Real(number) / Real(substeps)), share_of_substep_(Real(1) / Real(substeps)), number_(number),
+          last_(number == substeps), tethered_((substeps - number) % 2 == 0) {
         motion_.place = swept_.place[0];
         motion_.move = swept_.move[0];
         motion_.residual = swept_.residual[0];
@@ -27,27 +26,25 @@ template <int D, class Real> class Substep {
         motion_.mobility = swept_.mobility;
         motion_.most = mover_.furthest;
         motion_.furthest = limit::coordinate<Real>;
-        if (swept_.everyone_alike) decay_ = decay_over(kick_);
-        fall(motion_, kick_, decay_);
+        predictor_.fall(motion_);
     }
 
     SubstepMover<D, Real>& mover() { return mover_; }
+    PinProjector<D, Real> pins() { return {world_, solver_, mover_, share_ - share_of_substep_, share_, number_ > 1}; }
     /// Factor of velocities by the common damping.
-    Real keep() const { return decay_.keep; }
+    Real keep() const { return predictor_.keep(); }
 
-    /// x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of the last substep to
-    /// the middle of this one. Drag scales mobilities by the same factor as the push, so a weight at rest pulls
-    /// with its full weight at any damping.
+    /// Free motion, and hard pins.
     void predict(const Tile& tile) {
         if (has_walls(world_))
-            for (Row slot = tile.first; slot < tile.last; ++slot) p_.rebound[swept_.row_of[slot]] = {};
+            std::fill(swept_.rebound.begin() + tile.first, swept_.rebound.begin() + tile.last, Vector{});
         if (swept_.everyone_alike) {
-            weigh(tile);
+            predictor_.weigh(tile);
             kernels_.drift(motion_, tile.first, tile.last);
         } else {
-            for (Row slot = tile.first; slot < tile.last; ++slot) predict(slot);
+            for (Row slot = tile.first; slot < tile.last; ++slot) predictor_.predict(slot);
         }
-        move_pins(tile);
+        pins().move(tile);
     }
 
     /// Projects the simple distances of a colour that start in tile `tile`.
@@ -110,37 +107,6 @@ template <int D, class Real> class Substep {
         }
     }
 
-    /// Compliant pins are damped springs to their target: dlambda = -(e + alpha lambda + gamma u) / (w (1 + gamma)
-    /// + alpha), e the offset from the target and u the change of e in the substep; the force never exceeds
-    /// max_force.
-    void pull_pins(const Tile& tile) {
-        for (auto i = tile.first_pin; i < tile.last_pin; ++i) {
-            auto& pin = world_.pins[swept_.plan.pins[i].pin];
-            const Row slot = swept_.plan.pins[i].slot;
-            const Real w = swept_.mobility[slot];
-            if (pin.hard() || w == Real(0) || is_held_exactly(solver_, slot)) continue;
-            const Real alpha = mover_.alpha(pin.compliance);
-            // critical damping for stiffness 1/c and mass 1/w is 2 / sqrt(c w); gamma = damper * compliance / h
-            const Real gamma = minimum(Real(2) * pin.damping * square_root(pin.compliance) *
-                                           square_root(inverse_or_zero(w)) * mover_.per_h,
-                                       limit::measure<Real>);
-            const auto goal = pin.from + (pin.target - pin.from) * share_;
-            const auto error = mover_.point_at(slot) - goal;
-            const auto last_goal = pin.from + (pin.target - pin.from) * (share_ - share_of_substep_);
-            const auto drift = error - (swept_.place_at(slot) - last_goal);
-            const auto lambda = mover_.first_iteration ? Vector{} : pin.multiplier;
-            const Real per_resistance = inverse_or_zero(w * (Real(1) + gamma) + alpha);
-            auto next = clamp_components(lambda - (error + lambda * alpha + drift * gamma) * per_resistance,
-                                         limit::multiplier<Real>);
-            if (pin.max_force > Real(0)) {
-                const Real most = pin.max_force * mover_.h * mover_.h;
-                next *= minimum(Real(1), most * inverse_or_zero(norm(next)));
-            }
-            mover_.push_at(slot, (next - lambda) * w);
-            pin.multiplier = next;
-        }
-    }
-
     /// Sets the anchors of a component's tethers for this substep.
     void set_anchors(const Component& component) {
         const auto& plan = swept_.plan;
@@ -148,7 +114,7 @@ template <int D, class Real> class Substep {
         for (std::uint32_t i = 0; i < component.tethers; ++i) {
             const auto& tether = plan.tethers[component.first_tether + i];
             const auto& pin = world_.pins[tether.pin];
-            const auto goal = pin.from + (pin.target - pin.from) * share_;
+            const auto goal = pin.target_at(share_);
             for (int k = 0; k < D; ++k) anchors_[i].opposite[k] = -goal[k];
             anchors_[i].half_per_reach_square = plan.half_per_reach_square.data() + tether.first - first;
         }
@@ -175,7 +141,7 @@ template <int D, class Real> class Substep {
             for (Row slot = tile.first; slot < tile.last; ++slot) contact.keep_in(plane, slot);
         }
         if (!world_.colliders.empty())
-            ColliderSweep<D, Real>(world_, swept_, contact, mover_, share_ - share_of_substep_, share_)
+            ColliderSweep<D, Real>(world_, solver_, contact, mover_, share_ - share_of_substep_, share_)
                 .keep_out(tile.first, tile.last);
     }
 
@@ -187,7 +153,7 @@ template <int D, class Real> class Substep {
     void rebound(const Tile& tile) {
         if (!has_walls(world_)) return;
         for (Row slot = tile.first; slot < tile.last; ++slot) {
-            const auto& struck = p_.rebound[swept_.row_of[slot]];
+            const auto& struck = swept_.rebound[slot];
             const Real speed = norm(struck);
             if (speed == Real(0)) continue;
             const auto away = struck * inverse_or_zero(speed);
@@ -199,14 +165,14 @@ template <int D, class Real> class Substep {
 
     void hold(const Tile& tile) {
         tether_in_turn(tile);
-        pull_pins(tile);
+        pins().pull(tile);
         keep_in_bounds(tile);
     }
 
     /// Ends this substep and begins the next one, if any, in one pass where particles move independently (only
     /// gravity, no planes, no soft pins).
     void go_on(const Tile& tile, Substep* next) {
-        if (!swept_.everyone_alike || has_walls(world_) || has_soft_pins(tile)) {
+        if (!swept_.everyone_alike || has_walls(world_) || pins().any_soft(tile)) {
             hold(tile);
             advance(tile);
             rebound(tile);
@@ -216,8 +182,8 @@ template <int D, class Real> class Substep {
         tether_in_turn(tile);
         if (!next) return advance(tile);
         kernels_.go_on(next->motion_, tile.first, tile.last);
-        next->weigh(tile);
-        next->move_pins(tile);
+        next->predictor_.weigh(tile);
+        next->pins().move(tile);
     }
 
   private:
@@ -225,75 +191,16 @@ template <int D, class Real> class Substep {
 
     World<D, Real>& world_;
     Solver<D, Real>& solver_;
-    Particles<D, Real>& p_;
     SweepState<D, Real>& swept_;
     const Kernels<D, Real>& kernels_;
     const DistanceColumns<D, Real>& links_;
     SubstepMover<D, Real> mover_;
+    Predictor<D, Real> predictor_;
     Real share_, share_of_substep_; ///< fraction of the step elapsed at the end of the substep, and per substep
     int number_;                    ///< 1 to the number of substeps
     bool last_, tethered_;
-    Real kick_;
-    Decay<Real> decay_; ///< cached: most particles share a rate
     Motion<D, Real> motion_{};
     std::array<Anchor<D, Real>, most_tethers> anchors_;
-
-    Decay<Real> decay_over(Real time) const {
-        return Decay<Real>::of(clamp(world_.settings.damping, Real(0), limit::measure<Real>), time);
-    }
-
-    /// Motion under gravity and the common damping.
-    void fall(Motion<D, Real>& motion, Real kick, const Decay<Real>& decay) const {
-        motion.keep = decay.keep;
-        const auto add = clamp_components(swept_.gravity * (kick * decay.yield) * mover_.h, mover_.furthest);
-        for (int i = 0; i < D; ++i) motion.add[i] = add[i];
-    }
-
-    /// Scales mobilities by drag. Kicks are equally long from the second substep on: later substeps change nothing.
-    void weigh(const Tile& tile) {
-        if (decay_.yield == Real(1) || number_ > 2) return;
-        for (Row slot = tile.first; slot < tile.last; ++slot) weigh(slot, decay_.yield);
-    }
-
-    void weigh(Row slot, Real yield) {
-        if (swept_.mobility[slot] > Real(0))
-            swept_.mobility[slot] =
-                maximum(p_.inverse_mass[swept_.row_of[slot]] * yield, std::numeric_limits<Real>::min());
-    }
-
-    bool has_soft_pins(const Tile& tile) const {
-        if (!swept_.any_pin_soft) return false;
-        for (auto i = tile.first_pin; i < tile.last_pin; ++i)
-            if (!world_.pins[swept_.plan.pins[i].pin].hard()) return true;
-        return false;
-    }
-
-    void predict(Row slot) {
-        if (swept_.mobility[slot] == Real(0)) {
-            swept_.set_move(slot, {}); // immovable, unless carried by a pin
-            return;
-        }
-        const auto push = push_on(world_, swept_.row_of[slot], swept_.place_at(slot));
-        const Real rate = clamp(world_.settings.damping + push.drag_rate, Real(0), limit::measure<Real>);
-        if (rate != decay_.rate) decay_ = Decay<Real>::of(rate, kick_);
-        const auto pushed = swept_.move_at(slot) * decay_.keep + push.acceleration * (kick_ * decay_.yield) * mover_.h;
-        swept_.set_move(slot, clamp_components(pushed, mover_.furthest));
-        weigh(slot, decay_.yield);
-    }
-
-    /// Moves particles to their hard pins' targets; the displacement is their velocity. From the second substep on
-    /// pins at rest are skipped.
-    void move_pins(const Tile& tile) {
-        if (number_ > 1 && !swept_.any_pin_moves) return;
-        for (auto i = tile.first_pin; i < tile.last_pin; ++i) {
-            const auto& pin = world_.pins[swept_.plan.pins[i].pin];
-            const Row slot = swept_.plan.pins[i].slot;
-            const bool rests = number_ > 1 && pin.from == pin.target;
-            if (rests || !pin.hard() || p_.quarantined[swept_.row_of[slot]]) continue;
-            const auto goal = pin.from + (pin.target - pin.from) * share_;
-            swept_.set_move(slot, clamp_components(goal - swept_.place_at(slot), mover_.furthest));
-        }
-    }
 
     void part_heaps(std::uint32_t first, std::uint32_t last) {
         auto& table = std::get<kind_number<Distance, D>>(world_.constraints);

@@ -13,7 +13,7 @@ template <int D, class Real> class Substeps {
     const Real h; ///< length of a substep, time units
 
     Substeps(World<D, Real>& world, Solver<D, Real>& solver, int count, Real h)
-        : count(count), h(h), world_(world), solver_(solver), kernels_(sinew::kernels<D, Real>()),
+        : count(count), h(h), world_(world), solver_(solver), kernels_(sinew::kernels<D, Real>(solver.options.simd)),
           links_(solver.sweep_state.link_columns(
               std::get<kind_number<Distance, D>>(world.constraints).multiplier.data())) {}
 

@@ -1,5 +1,6 @@
 import { Shape } from "../picture.js";
 import { drawImageGrid } from "./image_grid.js";
+import { Mesh, endOfTiles, leastRun } from "./mesh.js";
 
 const usualFont = '"Inter", "DejaVu Sans", system-ui, sans-serif';
 
@@ -21,6 +22,7 @@ export class Canvas2DPainter {
         this.context = context;
         this.font = font;
         this.sprites = new Map();
+        this.mesh = new Mesh();
     }
 
     /** Images by the names in the scene. */
@@ -40,12 +42,23 @@ export class Canvas2DPainter {
         context.fillStyle = this.paper;
         context.fillRect(0, 0, picture.width, picture.height);
         context.save();
-        for (const item of picture) if (isFinitePath(item.points)) this.paintItem(picture, item);
+        this.paintItems(picture);
         context.restore();
         context.restore();
     }
 
+    paintItems(picture) {
+        const isPlain = this.context.getTransform()?.isIdentity;
+        for (let i = 0; i < picture.length; ) {
+            const end = isPlain ? endOfTiles(picture, i) : i;
+            if (end - i >= leastRun) this.mesh.paint(this.context, picture, i, end);
+            else for (let k = i; k < Math.max(end, i + 1); ++k) this.paintItem(picture, picture.item(k));
+            i = Math.max(end, i + 1);
+        }
+    }
+
     paintItem(picture, item) {
+        if (!isFinitePath(item.points)) return;
         if (item.shape === Shape.image) return this.paintImage(picture, item);
         if (item.color[3] <= 0) return;
         const color = cssColor(item.color);

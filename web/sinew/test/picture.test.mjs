@@ -2,7 +2,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Canvas2DPainter, catalogue, Shape } from "../index.js";
 import { Geometry } from "../painters/geometry.js";
+import { TileRaster } from "../painters/tile_raster.js";
 import { signedArea, triangulate } from "../painters/triangles.js";
+import { itemWords } from "../picture.js";
 import { engine, pendulum } from "./engine_for_tests.mjs";
 
 /** A 2D context that counts calls. */
@@ -78,6 +80,52 @@ test("triangles cover a polygon exactly", () => {
         });
         assert.ok(Math.abs(area - Math.abs(signedArea(outline))) < 1e-12);
     }
+});
+
+/** A picture of polygons, as the painters read it. */
+function pictureOf(outlines, color) {
+    const points = Float32Array.from(outlines.flat()), words = new Uint32Array(itemWords * outlines.length);
+    const floats = new Float32Array(words.buffer);
+    let first = 0;
+    outlines.forEach((outline, i) => {
+        words.set([Shape.polygon, first, outline.length / 2], i * itemWords);
+        floats.set(color, i * itemWords + 4);
+        first += outline.length / 2;
+    });
+    return { points, words, floats };
+}
+
+/** Pixels of 40 x 40 after polygons of one colour, filled one after another. */
+function filled(outlines, color = [0.2, 0.4, 0.6, 1]) {
+    const raster = new TileRaster(40, 40, new Int32Array(40 * 40)), picture = pictureOf(outlines, color);
+    outlines.forEach((_, i) => raster.fillItem(picture, i));
+    return raster.pixels;
+}
+
+const coverOf = (pixels) => pixels.reduce((sum, pixel) => sum + (pixel >>> 24) / 255, 0);
+
+test("a filled tile covers as many pixels as its area, at any angle and place", () => {
+    for (let i = 0; i < 60; ++i) {
+        const [c, s] = [9 * Math.cos(i), 9 * Math.sin(i)], [x, y] = [20 + (i % 7) / 7, 20 + (i % 11) / 11];
+        const square = [x + c, y + s, x - s, y + c, x - c, y - s, x + s, y - c];
+        const triangle = square.slice(0, 6), backwards = [...square.slice(6), ...square.slice(4, 6), ...square.slice(2, 4), ...square.slice(0, 2)];
+        for (const outline of [square, triangle, backwards]) { // a corner may lose half a pixel: what two sides cut off is added up
+            const area = Math.abs(signedArea(outline)), cover = coverOf(filled([outline]));
+            assert.ok(Math.abs(cover - area) < 1.5, `${outline}: ${cover}, not ${area}`);
+        }
+    }
+});
+
+test("tiles that overlap by a pixel leave no seam, and those beyond the picture change nothing", () => {
+    const tiles = [];
+    for (let i = 0; i < 4; ++i)
+        for (let k = 0; k < 4; ++k) {
+            const [left, top, right, bottom] = [5.3 + 6.7 * i - 0.5, 4.9 + 6.7 * k - 0.5, 5.3 + 6.7 * (i + 1) + 0.5, 4.9 + 6.7 * (k + 1) + 0.5];
+            tiles.push([left, top, right, top, right, bottom, left, bottom]);
+        }
+    const pixels = filled(tiles);
+    for (let y = 6; y < 30; ++y) for (let x = 6; x < 30; ++x) assert.equal(pixels[40 * y + x] >>> 0, 0xff996633);
+    assert.ok(filled([[-30, 5, -20, 5, -20, 9, -30, 9], [50, 50, 60, 50, 60, 60]]).every((pixel) => pixel === 0));
 });
 
 test("geometry of a stroke stays within its width", () => {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/simd/body_moments.h"
+#include "sinew/solver/simd/chain.h"
 #include "sinew/solver/simd/distance.h"
 #include "sinew/solver/simd/integrate.h"
 #include "sinew/solver/simd/range_check.h"
@@ -24,7 +25,10 @@ template <int D, class Real> constexpr Kernels<D, Real> kernels_here(std::type_i
             .to_columns = to_columns<D, Real>,
             .to_rows = to_rows<D, Real>,
             .all_within = all_within<true, Real>,
-            .all_within_and_positive = all_within<false, Real>};
+            .all_within_and_positive = all_within<false, Real>,
+            .chain_lanes = lane::widest<double>,
+            .swing_chains = swing_chains<D, lane::widest<double>>,
+            .swing_chain = swing_chains<D, 1>};
 }
 
 template <class... Each> constexpr AllKernels<Each...> all_kernels_here(std::type_identity<AllKernels<Each...>>) {

@@ -1,9 +1,11 @@
 // Keeps every file of the site, so that it opens without a network. A new version takes over at the next visit.
 const files = [/* files */];
+const modulesOfThreads = [/* modules of threads */];
 const cacheName = "sinew-/* version */";
 
 self.addEventListener("install", (event) => {
-    event.waitUntil(caches.open(cacheName).then((cache) => cache.addAll(files)).then(() => self.skipWaiting()));
+    const wanted = self.crossOriginIsolated ? [...files, ...modulesOfThreads] : files;
+    event.waitUntil(caches.open(cacheName).then((cache) => cache.addAll(wanted)).then(() => self.skipWaiting()));
 });
 
 self.addEventListener("activate", (event) => {

@@ -34,8 +34,4 @@ struct FigureContactSpec {
 /// Changes the contact of a figure; false for an unknown figure.
 template <int D, class Real> bool set_contact(World<D, Real>& world, FigureIndex figure, const FigureContactSpec& spec);
 
-/// Makes room for the contacts of a step, and ends a step: touches become events, colliders arrive at their targets.
-template <int D, class Real> void begin_contacts(World<D, Real>& world);
-template <int D, class Real> void end_contacts(World<D, Real>& world);
-
 } // namespace sinew

@@ -44,7 +44,13 @@ export interface Loaded {
     assets: Assets;
 }
 
-export async function loadEngine(): Promise<Loaded> {
-    const [engine, scenes] = await Promise.all([load().then((engine) => loadFloat(engine)), catalogue()]);
+const mostThreads = 4; // a step of a large world gains little from more
+
+/** Threads that large worlds are worth: all processors but one, which paints. */
+export const usefulThreads = (): number => Math.min(Math.max((navigator.hardwareConcurrency || 1) - 1, 1), mostThreads);
+
+/** Several threads need a page that is cross-origin isolated; elsewhere the engine has one. */
+export async function loadEngine(threads = 1): Promise<Loaded> {
+    const [engine, scenes] = await Promise.all([load(undefined, { threads }).then((engine) => loadFloat(engine)), catalogue()]);
     return { engine, scenes, assets: new Assets(scenes) };
 }

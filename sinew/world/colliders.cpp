@@ -1,6 +1,4 @@
-#include "sinew/solver/contact/colliders.h"
-
-#include <algorithm>
+#include "sinew/world/colliders.h"
 
 namespace sinew {
 namespace {
@@ -12,34 +10,6 @@ template <int D, class Real> bool is_finite_pose(const collide::Pose<D, Real>& p
 template <int D, class Real> collide::Pose<D, Real> within_limits(collide::Pose<D, Real> pose) {
     pose.position = clamp_components(pose.position, limit::coordinate<Real>);
     return pose;
-}
-
-/// Pairs of the step, in order; the columns of the particles are cleared.
-template <int D, class Real> void list_touches(World<D, Real>& world, std::vector<ColliderTouch>& touching) {
-    auto& contacts = world.contacts;
-    touching.clear();
-    for (Row row = 0; row < world.particles.size(); ++row)
-        if (contacts.touched[row] != 0)
-            touching.push_back(
-                {world.particles.slots.slot_of(row), world.collider_slots.slot_of(contacts.touched[row] - 1)});
-    std::sort(touching.begin(), touching.end());
-}
-
-template <int D, class Real> void report(World<D, Real>& world, EventType type, const ColliderTouch& pair) {
-    if (world.events.size() >= events_per_step) return;
-    if (!world.particles.slots.in_use(pair.particle) || !world.collider_slots.in_use(pair.collider)) return;
-    const Row row = world.particles.slots.row_at(pair.particle);
-    world.events.push_back({.type = type,
-                            .figure = world.particles.figure[row],
-                            .particle = world.particles.slots.id_of(row),
-                            .collider = world.collider_slots.id_of(world.collider_slots.row_at(pair.collider)),
-                            .impulse = type == EventType::touched ? double(world.contacts.pressed[row]) : 0});
-}
-
-/// Calls visit(pair) for the pairs of one list that are not in the other; both are in order.
-template <class List, class Visit> void each_missing(const List& list, const List& other, Visit&& visit) {
-    for (const auto& pair : list)
-        if (!std::binary_search(other.begin(), other.end(), pair)) visit(pair);
 }
 
 } // namespace
@@ -107,31 +77,6 @@ bool set_contact(World<D, Real>& world, FigureIndex figure, const FigureContactS
     return true;
 }
 
-template <int D, class Real> void begin_contacts(World<D, Real>& world) {
-    if (world.colliders.empty()) return;
-    auto& contacts = world.contacts;
-    contacts.boxes.resize(world.colliders.size());
-    for (std::size_t i = 0; i < world.colliders.size(); ++i)
-        contacts.boxes[i] = collide::bounds_in_step(world.colliders[i]);
-    for (auto* pairs : {&contacts.touching, &contacts.touching_before}) pairs->reserve(world.particles.size());
-    contacts.touched.assign(world.particles.size(), 0);
-    contacts.pressed.assign(world.particles.size(), Real(0));
-}
-
-template <int D, class Real> void end_contacts(World<D, Real>& world) {
-    auto& contacts = world.contacts;
-    if (world.colliders.empty() && contacts.touching.empty()) return;
-    contacts.touched.resize(world.particles.size(), 0);
-    contacts.pressed.resize(world.particles.size(), Real(0));
-    std::swap(contacts.touching, contacts.touching_before);
-    list_touches(world, contacts.touching);
-    each_missing(contacts.touching, contacts.touching_before,
-                 [&](const auto& pair) { report(world, EventType::touched, pair); });
-    each_missing(contacts.touching_before, contacts.touching,
-                 [&](const auto& pair) { report(world, EventType::parted, pair); });
-    for (auto& collider : world.colliders) collider.from = collider.target;
-}
-
 #define SINEW_COLLIDERS(D, Real)                                                                                       \
     template ColliderId add_collider(World<D, Real>&, const collide::Collider<D, Real>&);                              \
     template bool remove_collider(World<D, Real>&, ColliderId);                                                        \
@@ -139,9 +84,7 @@ template <int D, class Real> void end_contacts(World<D, Real>& world) {
     template bool place_collider(World<D, Real>&, ColliderId, const collide::Pose<D, Real>&);                          \
     template collide::Collider<D, Real>* find_collider(World<D, Real>&, ColliderId);                                   \
     template std::optional<ColliderId> collider_called(const World<D, Real>&, std::string_view);                       \
-    template bool set_contact(World<D, Real>&, FigureIndex, const FigureContactSpec&);                                 \
-    template void begin_contacts(World<D, Real>&);                                                                     \
-    template void end_contacts(World<D, Real>&);
+    template bool set_contact(World<D, Real>&, FigureIndex, const FigureContactSpec&);
 SINEW_INSTANTIATE(SINEW_COLLIDERS)
 
 } // namespace sinew
