@@ -55,6 +55,8 @@ template <int D, class Real> class Surroundings {
         settings.iterations = solver.iterations;
         settings.damping = Real(scene_.world.damping.value_or(0));
         settings.frame = Real(scene_.measures().per_second / 60);
+        if (solver.sleep)
+            settings.sleep = {Real(solver.sleep->speed), Real(solver.sleep->delay.value_or(30 * settings.frame))};
         const auto order = std::find(RulesSection::orders.begin(), RulesSection::orders.end(), rules.order);
         settings.classic = {
             .passes = solver.passes,

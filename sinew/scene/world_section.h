@@ -265,6 +265,26 @@ struct RulesSection {
     }
 };
 
+/// Sleep of figures at rest.
+struct SleepSection {
+    double speed = 0;
+    std::optional<double> delay;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.speed, Field{.name = "speed",
+                                .help = "Speed below which a particle counts as at rest",
+                                .unit = unit::speed,
+                                .low = 0,
+                                .high = 1e6,
+                                .required = true});
+        visit(self.delay, Field{.name = "delay",
+                                .help = "Time at rest before an island falls asleep; half a second if left out",
+                                .unit = unit::time,
+                                .low = 0,
+                                .high = 1e6});
+    }
+};
+
 struct SolverSection {
     std::string mode = "physical";
     std::string precision = "double";
@@ -274,6 +294,7 @@ struct SolverSection {
     int passes = 1;
     RulesSection rules;
     std::string direct = "auto";
+    std::optional<SleepSection> sleep;
     std::int64_t seed = 0;
 
     static constexpr std::array<std::string_view, 2> modes = {"physical", "classic"};
@@ -299,6 +320,10 @@ struct SolverSection {
                     .help = "Direct solution of components connected by distances, angles and pulleys. auto: with few "
                             "loops; on: as long as the matrix stays sparse; off: iterative sweeps instead",
                     .choices = direct_names});
+        visit(self.sleep,
+              Field{.name = "sleep",
+                    .help = "Sleep of what is at rest: islands are left out of the steps until something touches them "
+                            "(physical mode); if left out, nothing sleeps"});
         visit(self.rate, Field{.name = "rate", .help = "Steps per second", .low = 1, .high = 10000});
         visit(self.passes, Field{.name = "passes",
                                  .help = "Number of sweeps over the constraints each frame (classic mode)",

@@ -64,6 +64,12 @@ template <int D, class Real> void slip(World<D, Real>& world, Solver<D, Real>& s
 template <int D, class Real> void begin_touches(World<D, Real>& world, Solver<D, Real>& solver);
 template <int D, class Real> void end_touches(World<D, Real>& world, Solver<D, Real>& solver);
 
+/// sleep.cpp: before a step, wakes the islands that something may touch, that are moved, or all after an edit; after
+/// it, puts islands to sleep that have been at rest for long enough, and notes the parameters with which they sleep.
+template <int D, class Real> void wake(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
+template <int D, class Real> void fall_asleep(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
+template <int D, class Real> void note_sleep_parameters(World<D, Real>& world);
+
 /// classic.cpp: a step by the originals' rules.
 template <int D, class Real> void classic_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 

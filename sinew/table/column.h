@@ -45,6 +45,7 @@ template <class T> class Column {
         size_ += count;
         SINEW_ASSERT(!apart_ || each_.size() == size_, "a column that is stored apart has a value per row");
     }
+    void push_back(const T& value) { append(1, value); }
     /// Stores a value per row: afterwards set() allocates nothing.
     void set_apart() {
         if (apart_) return;

@@ -113,6 +113,8 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
     p.radius.push_back(is_finite(spec.radius) ? clamp(spec.radius, Real(0), furthest) : spec.radius);
     p.figure.push_back(known(world, spec.figure));
     p.quarantined.push_back(0);
+    p.rest_time.push_back(Real(0));
+    p.asleep.push_back(char(0));
     p.at_end.push_back(0);
     world.events.reserve(events_per_step);
     SINEW_ASSERT(p.at_end.size() == p.size(), "the columns of a table have one length");

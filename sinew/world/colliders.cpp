@@ -69,6 +69,7 @@ bool set_contact(World<D, Real>& world, FigureIndex figure, const FigureContactS
     auto& changed = world.figures[figure];
     const bool collides = spec.figures || spec.itself;
     if (changed.collides != collides) world.journal.stale = world.journal.changed = true; // blocks are not for them
+    world.journal.changed |= changed.touches_itself != spec.itself || changed.friction != spec.friction;
     changed.collides = collides;
     changed.touches_itself = spec.itself;
     changed.friction = clamp(spec.friction, 0.0, double(limit::measure<Real>));

@@ -1,5 +1,6 @@
 #include "sinew/math/hash.h"
 #include "sinew/world/measure.h"
+#include "sinew/world/parameter_hash.h"
 
 namespace sinew {
 namespace {
@@ -9,6 +10,12 @@ class Digest {
   public:
     template <class... T> void add(const T&... values) { (add_one(values), ...); }
     std::uint64_t value() const { return hash_.value(); }
+
+    template <int D, class Real> void add_but_target(const collide::Collider<D, Real>& collider) {
+        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, name, tag] = collider;
+        add(shape.index(), from, restitution, friction, filter.layers, filter.mask, one_way, is_sensor);
+        std::visit([&](const auto& held) { add_shape(held); }, shape);
+    }
 
   private:
     Hash hash_;
@@ -28,11 +35,14 @@ class Digest {
         hash_.add(column.size());
         hash_.add(column);
     }
+    template <class T> void add_one(std::span<const T> rows) { hash_.add(std::as_bytes(rows)); }
     template <class T> void add_one(const Column<T>& column) { add_one(column.rows()); }
 
     template <class Real> void add_one(const Settings<Real>& settings) {
-        const auto& [mode, substeps, iterations, damping, frame, classic] = settings;
+        const auto& [mode, substeps, iterations, damping, frame, classic, sleep] = settings;
         add(mode, substeps, iterations, damping, frame, classic);
+        const auto& [speed, delay] = sleep;
+        if (speed != 0) add(speed, delay);
     }
     template <class Real> void add_one(const ClassicRules<Real>& rules) {
         const auto& [passes, order, moves_each_pass, integrator, keep, damp_after_force, root_free, bounce, floor_keep,
@@ -97,6 +107,13 @@ class Digest {
     }
 };
 
+template <class Table> void add_drives(const Table& table, Digest& digest) {
+    for (Row row = 0; row < table.size(); ++row)
+        if (table.gives(row) || table.damping_time[row] != 0 || table.motorized[row])
+            digest.add(row, table.max_force[row], table.damping_time[row], table.motor_speed[row],
+                       table.motorized[row]);
+}
+
 /// Rows of one kind of constraint; columns that are rarely used count only where a row uses them.
 template <class Table> void add_constraints(const Table& table, Digest& digest) {
     for (Row row = 0; row < table.size(); ++row)
@@ -105,10 +122,18 @@ template <class Table> void add_constraints(const Table& table, Digest& digest) 
                table.breaking_strain, table.multiplier, table.figure);
     for (Row row = 0; row < table.size(); ++row)
         if (table.damage_limit[row] > 0) digest.add(row, table.damage_limit[row], table.damage[row]);
-    for (Row row = 0; row < table.size(); ++row)
-        if (table.gives(row) || table.damping_time[row] != 0 || table.motorized[row])
-            digest.add(row, table.max_force[row], table.damping_time[row], table.motor_speed[row],
-                       table.motorized[row]);
+    add_drives(table, digest);
+}
+
+/// Parameters that edits change, by columns: a world with sleepers hashes them in every step.
+template <class Table> void add_parameters(const Table& table, Digest& digest) {
+    if constexpr (requires { table.members.pool; })
+        digest.add(table.members.pool, table.members.first);
+    else
+        digest.add(table.members.rows);
+    digest.add(table.limits.lows(), table.limits.highs(), table.compliance, table.relaxation, table.split,
+               table.breaking_strain, table.damage_limit, table.figure);
+    add_drives(table, digest);
 }
 
 template <class WorldT> void add_pins(const WorldT& world, Digest& digest) {
@@ -131,6 +156,16 @@ void add_figures(const std::vector<Figure>& figures, Digest& digest) {
         if (figures[i].integrator) digest.add(i, *figures[i].integrator);
 }
 
+/// Positions of the sleepers, by runs of rows.
+template <class Particles> void add_sleepers(const Particles& p, Digest& digest) {
+    const auto is_asleep = [&](std::size_t row) { return row < p.size() && p.asleep[row]; };
+    for (std::size_t row = 0; row < p.size(); ++row) {
+        const auto first = row;
+        while (is_asleep(row)) ++row;
+        if (row > first) digest.add(first, std::span(p.position).subspan(first, row - first));
+    }
+}
+
 /// Contacts of the last step, from which the next one starts.
 template <class Contacts> void add_contacts(const Contacts& contacts, Digest& digest) {
     for (const auto& pair : contacts.touching) digest.add(pair.particle, pair.collider);
@@ -149,6 +184,7 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     if (world.repair_window) digest.add(world.repair_window);
     digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.radius, p.figure,
                p.quarantined, p.mobility);
+    if (world.settings.sleep.speed != 0) digest.add(p.rest_time, p.asleep, world.sleep_parameters);
     for_each_table(world, [&](const auto& table) { add_constraints(table, digest); });
     for (const auto& run : world.sweep) digest.add(run.kind, run.count);
     add_pins(world, digest);
@@ -160,7 +196,24 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     return digest.value();
 }
 
-#define SINEW_STATE_HASH(D, Real) template std::uint64_t state_hash(const World<D, Real>&);
+template <int D, class Real> std::uint64_t parameter_hash(const World<D, Real>& world) {
+    Digest digest;
+    const auto& p = world.particles;
+    digest.add(world.settings, p.inverse_mass, p.radius, p.figure, p.quarantined, p.mobility);
+    add_sleepers(p, digest);
+    for_each_table(world, [&](const auto& table) { add_parameters(table, digest); });
+    for (const auto& pin : world.pins)
+        digest.add(p.slots.find(pin.particle).value_or(Row(p.size())), pin.compliance, pin.damping, pin.max_force);
+    add_figures(world.figures, digest);
+    for (const auto& force : world.forces) digest.add(force);
+    for (const auto& plane : world.bounds) digest.add(plane);
+    for (const auto& collider : world.colliders) digest.add_but_target(collider);
+    return digest.value();
+}
+
+#define SINEW_STATE_HASH(D, Real)                                                                                      \
+    template std::uint64_t state_hash(const World<D, Real>&);                                                          \
+    template std::uint64_t parameter_hash(const World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_STATE_HASH)
 
 } // namespace sinew

@@ -50,6 +50,8 @@ template <int D, class Real> struct Particles {
     std::vector<Real> radius;
     std::vector<FigureIndex> figure;
     std::vector<char> quarantined; ///< frozen: the particle or the particle's figure was found non-finite
+    Column<Real> rest_time;        ///< time for which the body of a particle, its first one, has been at rest
+    Column<char> asleep;           ///< left out of the step until the body is woken (docs/concepts/contact.md)
     Slots<ParticleTag> slots;
 
     std::size_t size() const { return position.size(); }
@@ -66,6 +68,8 @@ template <int D, class Real> struct Particles {
         visit(self.radius);
         visit(self.figure);
         visit(self.quarantined);
+        visit(self.rest_time);
+        visit(self.asleep);
     }
 };
 
@@ -271,6 +275,12 @@ template <class Real> struct ClassicRules {
 /// Substeps of a sweep when the settings leave the number open.
 inline constexpr int usual_substeps = 16;
 
+/// Sleep of bodies at rest, by island (physical mode).
+template <class Real> struct SleepRules {
+    Real speed = 0; ///< speed below which a particle counts as at rest, length per time; 0: nothing falls asleep
+    Real delay = 0; ///< time at rest before an island falls asleep, time units
+};
+
 template <class Real> struct Settings {
     Mode mode = Mode::physical;
     int substeps = 0; ///< 0: automatic, `usual_substeps` where constraints are swept
@@ -278,6 +288,7 @@ template <class Real> struct Settings {
     Real damping = 0;            ///< rate of decay of velocities, >= 0: exp(-damping t)
     Real frame = Real(1.0 / 60); ///< length of a frame in the user's time unit; tick of classic mode
     ClassicRules<Real> classic;
+    SleepRules<Real> sleep;
 };
 
 enum class EventType : std::uint8_t {
@@ -335,7 +346,9 @@ template <int D, class RealT> struct World {
     Real last_step = 0;     ///< length of the last step; in classic mode the Verlet step is corrected for a change
     Real last_substep = 0;  ///< length of the last substep; the velocity update is corrected for a change
     std::uint32_t repair_window =
-        0;                     ///< repair window, tiles: overstretched links of tethered components are swept again
+        0; ///< repair window, tiles: overstretched links of tethered components are swept again
+    std::uint64_t sleep_parameters =
+        0;                     ///< hash of all parameters since which nothing was edited, while anything sleeps
     std::vector<Event> events; ///< reported by the last step
     Journal journal;           ///< changes for the solver to follow
 };

@@ -1,6 +1,9 @@
 #include "sinew/world/colliders.h"
 
+#include "tests/crates.h"
 #include "tests/worlds.h"
+
+#include <algorithm>
 
 namespace sinew::SINEW_TEST_FILE {
 namespace {
@@ -9,53 +12,6 @@ using namespace test;
 
 template <class RealT> struct Figures2 : ::testing::Test {};
 using Precisions = ::testing::Types<float, double>;
-
-template <class Real> using FlatWorld = test::Stepped<2, Real>;
-template <class Real> using V2 = Vec<2, Real>;
-
-template <class Real> FigureIndex add_touching(FlatWorld<Real>& world, double friction, bool itself = false) {
-    const auto figure = add_figure(world, "figure" + std::to_string(world.figures.size()));
-    set_contact(world, figure, {.figures = true, .itself = itself, .friction = friction});
-    return figure;
-}
-
-/// A rigid square of four particles and six links; its outline is `size` wide, radii included.
-template <class Real>
-std::vector<ParticleId> add_crate(FlatWorld<Real>& world, double x, double y, double size, double mass, double turn = 0,
-                                  double friction = 0.5) {
-    constexpr double radius = 0.02;
-    const auto figure = add_touching(world, friction);
-    const double half = size / 2 - radius, c = std::cos(turn), s = std::sin(turn);
-    std::vector<ParticleId> corners;
-    for (const auto& [u, v] : {std::pair{-half, -half}, {half, -half}, {half, half}, {-half, half}})
-        corners.push_back(add_particle(world, {.position = {{Real(x + c * u - s * v), Real(y + s * u + c * v)}},
-                                               .mass = Real(mass / 4),
-                                               .radius = Real(radius),
-                                               .figure = figure}));
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t k = i + 1; k < 4; ++k) add<Distance>(world, {corners[i], corners[k]}, {.figure = figure});
-    Piece inside{.mark = Mark::fill};
-    for (const auto id : corners) inside.particles.push_back(id), world.figures[figure].particles.push_back(id);
-    world.figures[figure].pieces.push_back(inside);
-    return corners;
-}
-
-template <class Real> void add_ground(FlatWorld<Real>& world, double angle = 0, double friction = 0.5) {
-    fall(world, 10);
-    world.bounds.push_back({{{Real(-std::sin(angle)), Real(std::cos(angle))}}, 0, 0, Real(friction)});
-}
-
-template <class Real> double mean_speed(const FlatWorld<Real>& world) {
-    double sum = 0;
-    for (const auto& velocity : world.particles.velocity) sum += double(norm(velocity));
-    return sum / double(world.particles.size());
-}
-
-template <class Real> V2<Real> middle_of(const FlatWorld<Real>& world, const std::vector<ParticleId>& ids) {
-    V2<Real> sum{};
-    for (const auto id : ids) sum += *position_of(world, id) * (Real(1) / Real(ids.size()));
-    return sum;
-}
 
 TYPED_TEST_SUITE(Figures2, Precisions);
 
@@ -73,6 +29,21 @@ TYPED_TEST(Figures2, AStackOfTenRests) {
         EXPECT_NEAR(double(middle[1]), 0.5 + i, 0.02);
         EXPECT_NEAR(double(middle[0]), 0.01 * (i % 3), 0.01);
     }
+}
+
+TYPED_TEST(Figures2, APyramidOfFifteenRowsRests) {
+    using Real = TypeParam;
+    constexpr int rows = 15;
+    FlatWorld<Real> world;
+    add_ground(world);
+    for (int row = 0; row < rows; ++row)
+        for (int i = 0; i < rows - row; ++i) add_crate(world, 1.1 * (i + 0.5 * row), 0.5 + row, 1, 1);
+    const auto before = world.particles.position;
+    run(world, 10);
+    EXPECT_LT(mean_speed(world), 1e-3);
+    EXPECT_LT(stretch(world).max, 1e-3);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_LT(double(norm(world.particles.position[i] - before[i])), 0.05) << i;
 }
 
 // A crate on a slope of angle a slides if and only if tan a > mu, and then with g (sin a - mu cos a).
@@ -109,6 +80,57 @@ TYPED_TEST(Figures2, ABlowKeepsMomentumAndIsSharedByMass) {
         EXPECT_NEAR(double((*velocity_of(world, striker))[0]), common, 1e-3 * common);
         EXPECT_NEAR(double((*velocity_of(world, struck))[0]), common, 1e-3 * common);
         EXPECT_GT(double((*position_of(world, struck))[0] - (*position_of(world, striker))[0]), 0.399);
+    }
+}
+
+/// A light rope over a round post, with a load at each end, `ratio` times as heavy on the right.
+template <class Real> struct Capstan {
+    FlatWorld<Real> world;
+    std::vector<ParticleId> rope;
+
+    Capstan(double friction, double ratio) {
+        constexpr double post = 1, radius = 0.02, around = post + radius, weight = 0.2;
+        constexpr int links = 16; // on the half circle
+        const double link = 2 * around * std::sin(pi<double> / links / 2);
+        const int tail = int(2 / link);
+        fall(world, 10);
+        world.settings.damping = Real(0.5);
+        add_collider(world, collide::Collider<2, Real>{.shape = collide::Sphere<2, Real>{Real(post)},
+                                                       .friction = Real(friction)});
+        const auto figure = add_touching(world, friction);
+        const double mass = weight / (links + 2 * tail + 1), hanging = mass * tail;
+        for (int i = -tail; i <= links + tail; ++i) {
+            const double angle = pi<double> * (1 - double(std::clamp(i, 0, links)) / links);
+            const double below = i < 0 ? -i * link : std::max(0, i - links) * link;
+            const double load = i == -tail ? 1 : i == links + tail ? ratio * (1 + hanging) - hanging : mass;
+            rope.push_back(add_particle(
+                world, {.position = {{Real(around * std::cos(angle)), Real(around * std::sin(angle) - below)}},
+                        .mass = Real(load),
+                        .radius = Real(radius),
+                        .figure = figure}));
+            if (rope.size() > 1)
+                add<Distance>(world, {rope.end()[-2], rope.back()}, {.limits = at_most(Real(link)), .figure = figure});
+        }
+        Piece line{.mark = Mark::curve};
+        for (const auto id : rope) line.particles.push_back(id), world.figures[figure].particles.push_back(id);
+        world.figures[figure].pieces.push_back(line);
+    }
+    /// Way of the right load in two seconds, once the rope has settled.
+    double slip() {
+        run(world, 1);
+        const auto height = [&] { return double((*position_of(world, rope.back()))[1]); };
+        const double before = height();
+        run(world, 2);
+        return before - height();
+    }
+};
+
+// A rope round a post holds a load exp(mu angle) times as heavy (Euler, Eytelwein).
+TYPED_TEST(Figures2, ARopeRoundAPostHoldsTheLoadOfEulerAndEytelwein) {
+    for (const double friction : {0.15, 0.3, 0.5}) {
+        const double law = std::exp(friction * pi<double>);
+        EXPECT_NEAR(Capstan<TypeParam>(friction, 0.95 * law).slip(), 0, 2e-3) << friction;
+        EXPECT_GT(Capstan<TypeParam>(friction, 1.05 * law).slip(), 0.2) << friction;
     }
 }
 

@@ -1,7 +1,9 @@
+#include "sinew/solver/contact/cloth_features.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
 
 #include <algorithm>
+#include <utility>
 
 /// Features of colliding figures, and the pairs of them that may touch.
 namespace sinew {
@@ -27,28 +29,39 @@ template <int D, class Real> class FeatureFinder {
         room_.segments.clear();
         room_.by_rows.assign(state.size(), 0);
         room_.in_segment.assign(world_.particles.size(), 0);
+        if (room_.is_stale) detail::ClothFeatures<D, Real>(world_, state, room_.cloth).find();
         for (FigureIndex i = 0; i < world_.figures.size(); ++i)
             if (world_.figures[i].in_use() && world_.figures[i].collides) add_segments(i);
-        for (Row row = 0; row < world_.particles.size(); ++row) {
-            const auto figure = world_.particles.figure[row];
-            if (figure >= world_.figures.size() || !world_.figures[figure].collides) continue;
-            if (state.slot_of[row] >= state.size()) continue;
-            room_.particles.push_back(row);
-            room_.by_rows[state.slot_of[row]] = 1;
-        }
+        list_particles();
         room_.projector.find(world_, solver_, room_.by_rows, room_.is_exact);
+        for (const Row slot : room_.cloth.slots) room_.is_exact[slot] = 0;
         const auto is_exact = [&](Row slot) { return slot < state.size() && is_held_exactly(solver_, slot); };
         room_.joints.find(world_, solver_, is_exact);
         room_.exact_components.clear();
         for (const auto& component : state.plan.components)
             room_.exact_components.push_back(is_held_exactly(solver_, component));
-        list_links();
+        if (std::exchange(room_.is_stale, false)) list_links();
     }
 
   private:
     World<D, Real>& world_;
     Solver<D, Real>& solver_;
     ContactRoom<D, Real>& room_;
+
+    /// Walls hold cloth as they hold everything swept; rows hold the rest. Cloth alone has no pairs with others.
+    void list_particles() {
+        const auto& state = solver_.sweep_state;
+        bool any_other = false;
+        for (Row row = 0; row < world_.particles.size(); ++row) {
+            const auto figure = world_.particles.figure[row];
+            if (figure >= world_.figures.size() || !world_.figures[figure].collides) continue;
+            if (state.slot_of[row] >= state.size()) continue;
+            room_.particles.push_back(row);
+            room_.by_rows[state.slot_of[row]] = !room_.is_of_cloth(row);
+            any_other = any_other || !room_.is_of_cloth(row);
+        }
+        if (!any_other) room_.particles.clear();
+    }
 
     Row row_at(const Piece& piece, std::size_t i) const {
         return world_.particles.slots.find(piece.particles[i % piece.particles.size()]).value_or(no_row);
@@ -73,6 +86,7 @@ template <int D, class Real> class FeatureFinder {
         for (std::size_t i = 0; i + (is_closed(piece) ? 0 : 1) < n; ++i) {
             const Row a = row_at(piece, i), b = row_at(piece, i + 1);
             if (!is_swept(a) || !is_swept(b) || a == b || is_known(a, b, first_of_figure)) continue;
+            if (room_.is_of_cloth(a) && room_.is_of_cloth(b)) continue;
             room_.segments.push_back({.a = a, .b = b, .figure = figure, .side = side});
             room_.in_segment[a] = room_.in_segment[b] = 1;
         }
@@ -105,6 +119,7 @@ template <int D, class Real> class FeatureFinder {
             const auto ends = table.members[row];
             const auto figure = world_.particles.figure[ends[0]];
             if (figure >= world_.figures.size() || !world_.figures[figure].touches_itself) continue;
+            if (room_.is_of_cloth(ends[0]) && room_.is_of_cloth(ends[1])) continue;
             room_.links.push_back({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])});
         }
         std::sort(room_.links.begin(), room_.links.end());
@@ -169,7 +184,8 @@ template <int D, class Real> class CandidateFinder {
             collide::BoundingBox<D, Real> box;
             box.include(room_.expected[i]);
             box.include(room_.expected[i] + room_.velocity[i] * left_);
-            room_.boxes.push_back(box.grown(p_.radius[row] + Real(2) * room_.margin));
+            const Real radius = maximum(p_.radius[row], room_.cover_of(row));
+            room_.boxes.push_back(box.grown(radius + Real(2) * room_.margin));
             ++i;
         }
         for (const auto& segment : room_.segments) {
@@ -203,6 +219,7 @@ template <int D, class Real> class CandidateFinder {
                !are_linked(s.a, t.b) && !are_linked(s.b, t.a) && !are_linked(s.b, t.b);
     }
     bool meets(Row a, Row b) const {
+        if (room_.is_of_cloth(a) && room_.is_of_cloth(b)) return false; // cloth_contact.h
         if (p_.figure[a] == p_.figure[b]) return world_.figures[p_.figure[a]].touches_itself;
         return touch(detail::filter_of(world_, a), detail::filter_of(world_, b));
     }

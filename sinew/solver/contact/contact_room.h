@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/collide/broadphase.h"
+#include "sinew/solver/contact/cloth_room.h"
 #include "sinew/solver/contact/contact_row.h"
 #include "sinew/solver/contact/joint_rows.h"
 #include "sinew/solver/contact/link_projector.h"
@@ -11,6 +12,7 @@ namespace sinew {
 /// Contacts of colliding figures during a step: everything that follows from the rest of the world.
 template <int D, class Real> struct ContactRoom {
     bool is_active = false;     ///< some figure collides
+    bool is_stale = true;       ///< constraints or figures have changed since the last step
     std::vector<Row> particles; ///< rows of the particles of colliding figures
     std::vector<ContactSegment> segments;
     std::vector<char> by_rows;          ///< per slot of the sweep: held by rows of contact, not plane by plane
@@ -30,6 +32,11 @@ template <int D, class Real> struct ContactRoom {
     std::vector<KeptContact<D, Real>> spare;
     detail::LinkProjector<D, Real> projector;
     detail::JointRows<D, Real> joints;
+    detail::ClothRoom<D, Real> cloth;
+
+    /// Radius of a particle of cloth against everything; 0 for other particles.
+    Real cover_of(Row row) const { return cloth.empty() ? Real(0) : cloth.cover[row]; }
+    bool is_of_cloth(Row row) const { return cover_of(row) > Real(0); }
 };
 
 /// Work space of the contacts, made on demand.

@@ -2,6 +2,7 @@
 
 #include "sinew/solver/contact/pin_rows.h"
 #include "sinew/solver/contact/row_builder.h"
+#include "sinew/world/asleep.h"
 
 /// Contacts of colliding figures in a substep of the sweep: soft rows on displacements, whose multipliers are kept from
 /// substep to substep (Catto 2011; small steps: Macklin et al. 2019); after each pass over the rows the links of the
@@ -151,7 +152,8 @@ template <int D, class Real> class FigureContact {
 
     void keep() {
         auto& contacts = world_.contacts;
-        contacts.kept.clear();
+        std::erase_if(contacts.kept,
+                      [&](const auto& kept) { return !is_asleep(world_.particles, kept.key.particle[0]); });
         for (const auto& row : room().rows) {
             if (row.most > Real(0) && row.collider != ~std::uint32_t(0)) note(row);
             if (row.keeps && row.multiplier > Real(0)) contacts.kept.push_back({row.key, row.multiplier, row.tangent});

@@ -19,7 +19,8 @@ template <int D, class Real> class RowBuilder {
     void run() {
         room_.rows.clear();
         for (const auto& pair : room_.candidates) add(pair);
-        for (const Row row : room_.particles) add_walls(row);
+        for (const Row row : room_.particles)
+            if (room_.by_rows[state_.slot_of[row]]) add_walls(row);
         for (const auto& segment : room_.segments)
             for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) add_collider_row(segment, i);
     }
@@ -56,7 +57,8 @@ template <int D, class Real> class RowBuilder {
         ContactRowT row;
         row.key.particle = {id(a), ContactKey::none, id(b), ContactKey::none};
         row.normal = normal_of(away, Vector::axis(1));
-        row.gap = norm(away) - p_.radius[a] - p_.radius[b];
+        const Real cover = maximum(room_.cover_of(a), room_.cover_of(b));
+        row.gap = minimum(norm(away) - p_.radius[a] - p_.radius[b], norm(away) - cover);
         take(row, a, Real(1));
         take(row, b, Real(-1));
         finish(row, a, b);
@@ -75,7 +77,8 @@ template <int D, class Real> class RowBuilder {
             distance = dot(row.normal, away);
             if (distance < Real(0) && !is_nearest_side(x, s, distance)) return;
         }
-        row.gap = distance - p_.radius[p] - minimum(p_.radius[s.a], p_.radius[s.b]);
+        row.gap =
+            minimum(distance - p_.radius[p] - minimum(p_.radius[s.a], p_.radius[s.b]), distance - room_.cover_of(p));
         take(row, p, Real(1));
         if (t < Real(1)) take(row, s.a, t - Real(1));
         if (t > Real(0)) take(row, s.b, -t);

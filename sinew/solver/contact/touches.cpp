@@ -1,11 +1,12 @@
 #include "sinew/solver/phases.h"
+#include "sinew/world/asleep.h"
 
 #include <algorithm>
 
 namespace sinew {
 namespace {
 
-/// Pairs of the step, in order.
+/// Pairs of the step, in order. Particles asleep touch the same as before.
 template <int D, class Real> void list_touches(World<D, Real>& world, const ColliderTouches<D, Real>& touches) {
     auto& touching = world.contacts.touching;
     touching.clear();
@@ -13,7 +14,10 @@ template <int D, class Real> void list_touches(World<D, Real>& world, const Coll
         if (touches.collider[row] != 0)
             touching.push_back(
                 {world.particles.slots.slot_of(row), world.collider_slots.slot_of(touches.collider[row] - 1)});
+    for (const auto& pair : touches.before)
+        if (is_asleep(world.particles, pair.particle) && world.collider_slots.in_use(pair.collider)) touching.push_back(pair);
     std::sort(touching.begin(), touching.end());
+    touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
 }
 
 template <int D, class Real>

@@ -1,8 +1,10 @@
+#include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/direct/attached_pieces.h"
 #include "sinew/solver/direct/build.h"
 #include "sinew/solver/direct/eligibility_scan.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
+#include "sinew/world/asleep.h"
 #include "sinew/world/changes.h"
 #include "sinew/world/constraint_graph.h"
 
@@ -74,7 +76,9 @@ template <int D, class Real> class BlockFinder {
         });
         constexpr std::size_t small = 100'000;
         const bool large = constraints > small;
-        if (!large || may_tear || !detail::BlockEligibilityScan(world_, graph_).sees_no_blocks()) spread();
+        if (!large || may_tear || any_asleep(particles_) ||
+            !detail::BlockEligibilityScan(world_, graph_).sees_no_blocks())
+            spread();
         build_parts();
         blocks_.leave_room();
         constexpr std::size_t little = 1024;
@@ -171,6 +175,10 @@ template <int D, class Real> class BlockFinder {
     void build_parts() {
         for (const auto& part : room_.parts) {
             const auto members = members_of(part);
+            if (particles_.asleep[members.front()]) {
+                leave_out(members);
+                continue;
+            }
             const bool built = worth_.worthwhile(part) && build(members, members.front(), blocks_.list, false);
             for (const Row row : members) blocks_.particles.set(particles_.slots.slot_of(row), built);
             if (built) continue;
@@ -180,6 +188,15 @@ template <int D, class Real> class BlockFinder {
                 });
         }
         blocks_.first_entry.push_back(std::uint32_t(blocks_.entries.size()));
+    }
+    /// A body asleep is neither a block nor swept.
+    void leave_out(std::span<const Row> members) {
+        for (const Row row : members) {
+            blocks_.particles.set(particles_.slots.slot_of(row), true);
+            for_each_constraint(world_, row, [&](const auto& table, Row constraint) {
+                blocks_.constraints_of(table).set(table.slots.slot_of(constraint), true);
+            });
+        }
     }
     bool build(std::span<const Row> members, Row part, std::vector<Block>& list, bool attached) {
         for (const Row row : members) room_.part_of[row] = part;
@@ -246,6 +263,7 @@ template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world
     make_plan(world, *this, anew);
     tie_ports(world, *this);
     find_free_bodies(world, *this);
+    if (contacts) contacts->is_stale = true;
     journal.read();
     report(1);
 }

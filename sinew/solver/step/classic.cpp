@@ -1,6 +1,7 @@
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
+#include "sinew/solver/step/classic_polygons.h"
 #include "sinew/solver/step/free_motion.h"
 
 #include <algorithm>
@@ -259,7 +260,7 @@ template <int D, class Real> class ClassicStep {
         p_.previous[row] = clamp_components(p_.position[row] - moved.change * after, limit::coordinate<Real>);
     }
 
-    /// Projects the constraints in the order of their addition.
+    /// Projects the constraints in the order of their addition, then parts the polygons that overlap.
     void sweep() {
         std::array<Row, std::size_t(Kinds<D>::size)> next{};
         for (const auto& run : world_.sweep)
@@ -268,6 +269,9 @@ template <int D, class Real> class ClassicStep {
                 for (const Row end = row + run.count; row < end; ++row) project(table, row);
             });
         mover_.first_iteration = false;
+        if constexpr (D == 2)
+            detail::ClassicPolygons<Real>(world_).part_all(
+                [&](Row row, const Vec<D, Real>& by) { mover_.push(row, by); });
     }
 
     template <class Table> void project(Table& table, Row row) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/contact/cloth_contact.h"
 #include "sinew/solver/contact/figure_contact.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
@@ -51,7 +52,7 @@ template <int D, class Real> class CoupledSweep {
         FigureContact<D, Real> contacts(world_, solver_, substeps_.h, number, substeps_.count);
         contacts.begin();
         solve_with_ports(substep, number);
-        hold(substep);
+        hold(substep, number);
         contacts.solve();
         limiter.find_gains();
         for (const auto& tile : plan_.tiles) substep.advance(tile);
@@ -67,7 +68,7 @@ template <int D, class Real> class CoupledSweep {
         ports.begin();
         for (bool again = false;; again = true) {
             for (int i = 0; i < world_.settings.iterations; ++i) {
-                if (i > 0) hold(substep);
+                if (i > 0) hold(substep, number);
                 substep.mover().first_iteration = i == 0;
                 project_all(substep);
             }
@@ -126,8 +127,10 @@ template <int D, class Real> class CoupledSweep {
         for (const auto& tile : substeps_.tiles_of(component)) substep.tether_in_turn(tile);
     }
 
-    /// Constraints on single particles, including particles of blocks: pins and planes.
-    void hold(Substep<D, Real>& substep) {
+    /// Contacts of cloth, then constraints on single particles, including particles of blocks: pins and planes.
+    void hold(Substep<D, Real>& substep, int number) {
+        if (has_figure_contacts(solver_) && !solver_.contacts->cloth.empty())
+            ClothContact<D, Real>(world_, solver_, substeps_.h, number, substeps_.count).solve();
         for (const auto& tile : plan_.tiles) substep.pins().pull(tile);
         for (const auto& tile : plan_.tiles) substep.keep_in_bounds(tile);
     }

@@ -6,8 +6,9 @@
 namespace sinew {
 namespace {
 
-template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& solver) {
+template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
     world.events.clear();
+    wake(world, solver, dt);
     if (world.settings.mode == Mode::classic) detail::make_room_for_widest(world, solver.scratch);
     hold_in_limits(world, solver);
     apply_random_pushes(world);
@@ -44,12 +45,14 @@ void physical_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt, deta
 }
 
 template <int D, class Real> void end(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
+    fall_asleep(world, solver, dt);
     end_touches(world, solver);
     tear(world, solver, dt);
     for (auto& pin : world.pins) pin.from = pin.target;
     forget_forces(world);
     world.time += double(dt);
     ++world.steps;
+    note_sleep_parameters(world);
 }
 
 } // namespace
@@ -58,7 +61,7 @@ template <int D, class Real> void Solver<D, Real>::step(World<D, Real>& world, R
     if (!(dt >= limit::shortest_step<Real>)) return;
     dt = minimum(dt, limit::step<Real>);
     detail::Laps laps(reports.times.get());
-    begin(world, *this);
+    begin(world, *this, dt);
     if (world.settings.mode == Mode::classic)
         classic_step(world, *this, dt);
     else

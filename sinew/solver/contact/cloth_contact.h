@@ -1,0 +1,179 @@
+#pragma once
+
+#include "sinew/collide/filter.h"
+#include "sinew/solver/contact/contact_room.h"
+#include "sinew/world/world.h"
+
+#include <algorithm>
+
+/// Contact of cloth with itself and with other cloth: spheres at the particles keep layers apart. No side is
+/// remembered: where layers are pressed through each other for a moment, the spheres part them again.
+namespace sinew::detail {
+
+template <int D, class Real> class ClothContact {
+  public:
+    using Vector = Vec<D, Real>;
+
+    /// `number`: substep, counted from 1.
+    ClothContact(const World<D, Real>& world, Solver<D, Real>& solver, Real h, int number, int substeps)
+        : world_(world), state_(solver.sweep_state), room_(contact_room(solver).cloth), h_(h), number_(number),
+          substeps_(substeps) {}
+
+    /// After an iteration over the links.
+    void solve() {
+        read();
+        if (!is_list_valid()) list();
+        find_touching();
+        for (const auto& pair : room_.touching) part(pair);
+        if (!room_.touching.empty()) write();
+    }
+
+  private:
+    const World<D, Real>& world_;
+    SweepState<D, Real>& state_;
+    ClothRoom<D, Real>& room_;
+    Real h_;
+    int number_, substeps_;
+
+    void read() {
+        room_.particles.resize(room_.size());
+        room_.spheres.resize(room_.size());
+        for (std::size_t i = 0; i < room_.size(); ++i) {
+            const Row slot = room_.slots[i];
+            const auto place = state_.place_at(slot), move = state_.move_at(slot);
+            room_.particles[i] = {place, move, state_.mobility[slot], room_.friction[i]};
+            room_.spheres[i] = {place + move, room_.radius[i]};
+        }
+    }
+    void write() {
+        const Real furthest = furthest_move(h_);
+        for (std::size_t i = 0; i < room_.size(); ++i)
+            state_.set_move(room_.slots[i], clamp_components(room_.particles[i].move, furthest));
+    }
+
+    // --- candidates --------------------------------------------------------------------------------------------------
+
+    Real largest_radius() const { return *std::max_element(room_.radius.begin(), room_.radius.end()); }
+    /// Distance beyond contact up to which pairs are listed.
+    Real margin() const { return Real(0.8) * largest_radius(); }
+
+    /// In a calm step the list of an earlier step is used until it might miss a pair. Otherwise each step makes a list
+    /// of its own, and another one whenever the cloth has changed its shape by half the margin, at most twice a step.
+    /// All follows from the state of the world at the beginning of the step.
+    bool is_list_valid() {
+        const Real half = Real(0.5) * margin();
+        if (number_ == 1) {
+            begin_step(half);
+            return room_.is_calm && room_.listed.size() == room_.size() && deviation(room_.listed) <= Real(0.5) * half;
+        }
+        if (room_.is_calm) return room_.is_calm = deviation(room_.step_at) <= Real(0.5) * half;
+        const int least = std::max(1, substeps_ / 2);
+        return number_ - room_.listed_in < least || deviation(room_.listed) <= half;
+    }
+    void begin_step(Real half) {
+        Real fastest = 0;
+        for (const auto& particle : room_.particles) fastest = maximum(fastest, dot(particle.move, particle.move));
+        room_.is_calm = square_root(fastest) * Real(substeps_) <= Real(0.25) * half;
+        note(room_.step_at);
+    }
+    void note(std::vector<Vector>& places) const {
+        places.clear();
+        for (const auto& sphere : room_.spheres) places.push_back(sphere.center);
+    }
+    /// Largest distance from the places, apart from a common translation.
+    Real deviation(const std::vector<Vector>& places) const {
+        Vector mean{};
+        for (std::size_t i = 0; i < places.size(); ++i) mean += room_.spheres[i].center - places[i];
+        mean *= Real(1) / Real(places.size());
+        Real furthest = 0;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const auto off = room_.spheres[i].center - places[i] - mean;
+            furthest = maximum(furthest, dot(off, off));
+        }
+        return square_root(furthest);
+    }
+
+    void list() {
+        note(room_.listed);
+        room_.listed_in = number_;
+        room_.found.clear();
+        const Real extra = margin();
+        room_.grid.each_pair(room_.listed, Real(2) * largest_radius() + extra, [&](auto i, auto k) {
+            if (i == k) return;
+            const ClothPair pair{std::min(i, k), std::max(i, k)};
+            if (may_touch(pair)) room_.found.push_back(pair);
+        });
+        sort_found();
+    }
+    bool may_touch(const ClothPair& pair) const {
+        const auto a = room_.figure[pair.first], b = room_.figure[pair.second];
+        if (a != b) return touch(world_.figures[a].filter, world_.figures[b].filter);
+        const auto near = room_.near_of(pair.first);
+        return world_.figures[a].touches_itself && std::find(near.begin(), near.end(), pair.second) == near.end();
+    }
+    /// Sorts by both numbers, and leaves each pair once.
+    void sort_found() {
+        auto& first = room_.first;
+        first.assign(room_.size() + 1, 0);
+        for (const auto& pair : room_.found) ++first[pair.first + 1];
+        for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+        room_.second.resize(room_.found.size());
+        for (const auto& pair : room_.found) room_.second[first[pair.first]++] = pair.second;
+        std::uint32_t kept = 0, begin = 0; // first[i] is the end of i now
+        for (std::size_t i = 0; i < room_.size(); ++i) {
+            const auto from = room_.second.begin() + begin, to = room_.second.begin() + first[i];
+            begin = first[i];
+            std::sort(from, to);
+            const auto last = std::unique(from, to);
+            first[i] = kept;
+            kept = std::uint32_t(std::move(from, last, room_.second.begin() + kept) - room_.second.begin());
+        }
+        first.back() = kept;
+        room_.second.resize(kept);
+    }
+
+    // --- solution ----------------------------------------------------------------------------------------------------
+
+    void find_touching() {
+        auto& touching = room_.touching;
+        touching.resize(room_.second.size());
+        std::size_t count = 0;
+        for (std::uint32_t i = 0; i < room_.size(); ++i) {
+            const auto own = room_.spheres[i];
+            for (const auto k : room_.candidates_of(i)) {
+                const auto& other = room_.spheres[k];
+                const auto away = own.center - other.center;
+                touching[count] = {i, k}; // overwritten unless it counts
+                count += dot(away, away) < square(own.radius + other.radius);
+            }
+        }
+        touching.resize(count);
+    }
+
+    /// Share of an overlap removed in a substep. All at once would leave the layers with its speed: undamped cloth
+    /// never rested (docs/measured/contact.md).
+    static constexpr Real push_out = Real(0.25);
+
+    /// Stops the approach of two particles nearer than layers, and moves them apart by a share of the overlap that
+    /// there was before, each by its share of mobility; friction takes back the slip.
+    void part(const ClothPair& pair) {
+        auto &a = room_.particles[pair.first], &b = room_.particles[pair.second];
+        const auto away = (a.place - b.place) + (a.move - b.move);
+        const Real apart = room_.radius[pair.first] + room_.radius[pair.second], length = norm(away);
+        const Real mobility = a.mobility + b.mobility;
+        if (!(length < apart) || mobility == Real(0)) return;
+        const auto normal = length > Real(0) ? away * inverse_or_zero(length) : Vector::axis(D - 1);
+        const auto slip = a.move - b.move;
+        const Real along = dot(slip, normal);
+        const Real approach = maximum(-along, Real(0)), overlap = apart - length;
+        const Real pushed = minimum(overlap, approach) + push_out * maximum(overlap - approach, Real(0));
+        const auto across = slip - normal * along;
+        const Real most = minimum(a.friction, b.friction) * pushed;
+        const auto change = (normal * pushed - across * minimum(Real(1), most * inverse_or_zero(norm(across)))) *
+                            inverse_or_zero(mobility);
+        a.move += change * a.mobility;
+        b.move -= change * b.mobility;
+    }
+};
+
+} // namespace sinew::detail
