@@ -7,6 +7,7 @@
 #include "sinew/solver/chains.h"
 #include "sinew/solver/elimination.h"
 #include "sinew/solver/ports.h"
+#include "sinew/solver/programs.h"
 #include "sinew/world/constraint_adjacency.h"
 
 #include <array>
@@ -128,6 +129,7 @@ template <int D> struct AngleRow : BlockLimit, BlockDrive {
     bool strikes = false;
     double taut = 1;              ///< fraction of a spring's stiffness that acts in this substep, 0..1
     std::array<double, 2> arms{}; ///< squared lengths at which the arms are taut, m^2; 0 for an arm that is never slack
+    bool replaces_link = false;   ///< volume zero of a flat square, `constraint` a distance (direct/flat_squares.h)
     std::size_t arity = 3;
     std::array<std::uint32_t, most_nodes> nodes{};
     std::array<std::uint32_t, most_pairs> entries{}; ///< matrix entries of the pairs 0 1, 0 2, .. 1 2, ..
@@ -149,14 +151,16 @@ struct Block {
     std::uint32_t first_link = 0, links = 0;
     std::uint32_t first_bend = 0, bends = 0;
     std::uint32_t first_way = 0, ways = 0;
-    std::uint32_t particle = 0;  ///< slot of one member
-    std::uint32_t row_moves = 0; ///< `Journal::row_moves` at the last look-up of rows
-    bool is_motorized = false;   ///< some limits are driven, and may do work
-    bool springy = false;        ///< some constraints are compliant
-    bool is_factorised = false;  ///< of a block with ports: factors of an earlier substep of this step are in use
-    double lost = 0;             ///< energy lost in the last step, J
-    std::uint32_t ranges = 0;    ///< links that are a joint's range, and seldom active
-    std::uint32_t chain = ~std::uint32_t(0); ///< index in Chains::list; none if the block is no chain
+    std::uint32_t particle = 0;     ///< slot of one member
+    std::uint32_t row_moves = 0;    ///< `Journal::row_moves` at the last look-up of rows
+    bool is_motorized = false;      ///< some limits are driven, and may do work
+    bool springy = false;           ///< some constraints are compliant
+    bool is_factorised = false;     ///< of a block with ports: factors of an earlier substep of this step are in use
+    double lost = 0;                ///< energy lost in the last step, J
+    std::uint32_t ranges = 0;       ///< links that are a joint's range, and seldom active
+    std::uint32_t flat_squares = 0; ///< distances replaced by angle rows (direct/flat_squares.h)
+    std::uint32_t chain = ~std::uint32_t(0);   ///< index in Chains::list; none if the block is no chain
+    std::uint32_t program = ~std::uint32_t(0); ///< index in Programs::list; none if the block is solved by itself
 
     // Only for a block joined to the sweep.
     std::uint32_t first_port = 0, ports = 0; ///< range in Ports::list
@@ -164,7 +168,7 @@ struct Block {
     std::uint32_t load_tethers = 0;          ///< at the end of the links, each with a fixed node apart
 
     /// True if some links may be redundant.
-    bool braced() const { return links - ranges - load_tethers > unknowns + 1; }
+    bool braced() const { return links - ranges - load_tethers > unknowns + 2 * flat_squares + 1; }
     /// True if an immovable particle holds the block, load tethers aside.
     bool fixed() const { return nodes > unknowns + load_tethers; }
 };
@@ -195,6 +199,13 @@ class SlotFlags {
     std::vector<char> flags_;
 };
 
+/// A rigid link between two nodes, while flat squares are looked for.
+struct SquareSide {
+    std::uint32_t link = 0; ///< none if two nodes are coupled by fill only
+    bool is_taken = false;  ///< in a square
+    bool is_replaced = false;
+};
+
 /// Work space for finding the blocks.
 struct BlockRoom {
     /// A connected component, with the properties that decide whether a block is built.
@@ -215,6 +226,7 @@ struct BlockRoom {
     std::vector<Row> hung;                  ///< direct particles of pieces that became blocks
     std::vector<char> direct;               ///< per particle: in a tree, or in a figure that alone would be a block
     std::vector<std::pair<FigureIndex, Row>> figures; ///< pairs (figure, particle) of a part
+    std::vector<SquareSide> sides;                    ///< by entry of a block
 
     void reserve(std::size_t particles) {
         parts.reserve(particles);
@@ -246,8 +258,9 @@ template <int D> struct Blocks {
     SlotFlags particles;                                            ///< moved by a block of `list`, not by the sweep
     std::array<SlotFlags, std::size_t(Kinds<D>::size)> constraints; ///< by kind: held by a block, not by the sweep
     std::vector<SweepRun> runs;                                     ///< constraints left to the sweep, in sweep order
-    Ports<D> ports;   ///< joints between blocks of `attached_trees` and the rest
-    Chains<D> chains; ///< blocks of `list` that are chains
+    Ports<D> ports;       ///< joints between blocks of `attached_trees` and the rest
+    Chains<D> chains;     ///< blocks of `list` that are chains
+    Programs<D> programs; ///< other blocks of `list` that are solved side by side
 
     // Work space of a step.
     std::vector<std::uint32_t> pin_of, next_pin; ///< first pin of each particle, next pin of the same particle
@@ -286,6 +299,8 @@ template <int D> struct Blocks {
         visit(pairs);
         visit(chains.list);
         visit(chains.links);
+        visit(programs.list);
+        visit(programs.numbers);
     }
 
     /// Reserves for every state that so many particles and constraints can reach by tearing.
@@ -303,7 +318,9 @@ template <int D> struct Blocks {
         elimination.reserve(particles, 2 * distances + 6 * angles);
         ports.reserve(particles, distances + angles);
         chains.reserve(particles, distances);
+        programs.reserve(particles, 2 * distances + 4 * particles + 2 * angles, most_entries);
         room.reserve(particles);
+        room.sides.reserve(most_entries);
     }
 
     /// True if each column has room for `more` elements: changed blocks are appended behind all others.

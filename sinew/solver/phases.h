@@ -53,14 +53,6 @@ template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Rea
 /// free_bodies.cpp: after planning, finds what nothing holds.
 template <int D, class Real> void find_free_bodies(World<D, Real>& world, Solver<D, Real>& solver);
 
-/// sweep/energy_budgets.cpp: angle limits must not add energy to a figure. Finds the figures for which this is
-/// guaranteed, notes their energy before the constraints act, and removes the energy added. Room for budgets is
-/// reserved before the step.
-template <int D, class Real> void make_room_for_budgets(World<D, Real>& world, Solver<D, Real>& solver);
-template <int D, class Real> void find_passive(World<D, Real>& world, Solver<D, Real>& solver);
-template <int D, class Real> void note_energy(World<D, Real>& world, Solver<D, Real>& solver);
-template <int D, class Real> void take_back_gains(World<D, Real>& world, Solver<D, Real>& solver, Real h);
-
 /// drive.cpp: finds out if any limit is driven or has a maximum force; advances driven limits; shifts the limits of
 /// lengths loaded up to the maximum force.
 template <int D, class Real> bool any_driven(const World<D, Real>& world);

@@ -2,7 +2,6 @@
 
 #include "sinew/solver/block.h"
 #include "sinew/solver/collider_touches.h"
-#include "sinew/solver/energy_budgets.h"
 #include "sinew/solver/profile.h"
 #include "sinew/solver/sweep_state.h"
 
@@ -36,7 +35,6 @@ template <int D, class Real> struct Solver {
     SolverReports reports;
     Blocks<D> blocks;                               ///< constraints solved at once instead of in the sweep
     SweepState<D, Real> sweep_state;                ///< plan and columns of the sweep
-    Budgets<D, Real> budgets;                       ///< limits on the energy added by constraints of figures
     std::shared_ptr<ContactRoom<D, Real>> contacts; ///< of figures with each other; none before the first
     std::shared_ptr<SleepRoom<D, Real>> sleep;      ///< bodies that may fall asleep; none before the first
     std::vector<Vec<D, Real>> scratch;              ///< points and gradients of the widest constraint

@@ -149,7 +149,7 @@ template <int D, class Real, class Counts> Energy energy_where(const World<D, Re
     for_each_table(world, [&](const auto& table) {
         using Kind = typename std::decay_t<decltype(table)>::Kind;
         for (Row row = 0; row < table.size(); ++row) {
-            if (table.compliance[row] == Real(0) || !counts(table.figure[row])) continue;
+            if (table.is_rigid(row) || !counts(table.figure[row])) continue;
             const auto middle = [&](Row particle) { return place_of_velocity(world, particle); };
             const auto state = state_of(table, row, measure_row(table, row, middle), world.last_substep);
             double stored = 0.5 * square(state.error) / double(table.compliance[row]);

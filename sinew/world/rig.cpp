@@ -83,7 +83,7 @@ template <int D, class Real> class Inspector {
                        name_of_constraint(table, kind, row));
                 continue;
             }
-            if (table.compliance[row] > Real(0)) continue;
+            if (!table.is_rigid(row)) continue;
             const auto state = constraint_state(world_, ConstraintId{kind, table.slots.id_of(row)});
             if (!state || !(absolute(state->strain) > least_strain)) continue;
             const auto members = table.members[row];
@@ -134,7 +134,7 @@ template <int D, class Real> class Inspector {
         ShortestPaths ways(world_, most_ways);
         for (Row row = 0; row < distances().size() && faults_.size() < most_; ++row) {
             const double low = double(distances().low(row));
-            if (!(low > 0) || distances().compliance[row] > Real(0)) continue;
+            if (!(low > 0) || !distances().is_rigid(row)) continue;
             const auto [a, b] = distances().members.rows[row];
             const auto way = ways.between(a, b, low * (1 - least_strain), row);
             if (way)

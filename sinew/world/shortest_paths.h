@@ -20,7 +20,7 @@ class ShortestPaths {
         const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
         links_.fill(world.particles.size(), [&](auto&& visit) {
             for (Row row = 0; row < distances.size(); ++row) {
-                if (distances.compliance[row] > Real(0) || !ties(distances, row)) continue;
+                if (!distances.is_rigid(row) || !ties(distances, row)) continue;
                 const auto& [a, b] = distances.members.rows[row];
                 const double length = maximum(double(distances.high(row)), 0.0);
                 visit(a, Link{row, b, length}), visit(b, Link{row, a, length});

@@ -151,6 +151,7 @@ template <class KindT, class Real> struct Constraints {
     std::size_t size() const { return limits.size(); }
     Real low(Row row) const { return limits.low(row); }
     Real high(Row row) const { return limits.high(row); }
+    bool is_rigid(Row row) const { return compliance[row] == Real(0); }
     /// True if the force of the constraint is limited.
     bool gives(Row row) const { return max_force[row] < limit::measure<Real>; }
     bool any_gives() const {

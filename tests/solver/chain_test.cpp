@@ -1,8 +1,7 @@
 #include "sinew/prefab/rope.h"
-#include "sinew/solver/simd/kernel.h"
 #include "sinew/world/edit.h"
 
-#include "tests/worlds.h"
+#include "tests/crowds.h"
 
 #include <cmath>
 #include <cstddef>
@@ -20,75 +19,32 @@ template <class World> void add_rope(World& world, int i) {
     const Rope rope{.length = 1 + 0.13 * (i % 4),
                     .segments = links[i % 5],
                     .angle = i % 3 == 0 ? pi<double> / 2 : 0.31 * i,
-                    .mass = 1 + i % 2,
+                    .mass = 1.0 + i % 2,
                     .weight = i % 4 == 1 ? 3.0 : 0,
                     .links = i % 6 == 5 ? "at_most" : "exact"};
     build(world, rope, "rope_" + std::to_string(i));
 }
-template <class World> World crowd(int first, int last) {
-    World world;
-    fall(world, 9.81);
-    for (int i = first; i < last; ++i) add_rope(world, i);
-    return world;
-}
-
-template <class World> void expect_same(const World& a, Row first, const World& b) {
-    for (Row row = 0; row < b.particles.size(); ++row) {
-        ASSERT_EQ(a.particles.position[first + row], b.particles.position[row]) << row;
-        ASSERT_EQ(a.particles.residual[first + row], b.particles.residual[row]) << row;
-        ASSERT_EQ(a.particles.velocity[first + row], b.particles.velocity[row]) << row;
-    }
-}
-
 constexpr int ropes = 23;
 constexpr double seconds = 1.5;
 
+const auto add_one = [](auto& world, int i) { add_rope(world, i); };
+
 TYPED_TEST(Chains, MoveAloneAsInACrowd) {
-    using World = typename TypeParam::World;
-    auto all = crowd<World>(0, ropes);
-    run(all, seconds);
-    Row first = 0;
-    for (int i = 0; i < ropes; ++i) {
-        SCOPED_TRACE(i);
-        auto alone = crowd<World>(i, i + 1);
-        run(alone, seconds);
-        expect_same(all, first, alone);
-        first += Row(alone.particles.size());
-    }
+    expect_alone_as_in_a_crowd<typename TypeParam::World>(ropes, seconds, add_one);
 }
 
 TYPED_TEST(Chains, MoveAlikeInAnyNumberOfLanesAndThreads) {
-    using World = typename TypeParam::World;
-    auto expected = crowd<World>(0, ropes);
-    run(expected, seconds);
-    for (const Simd simd : {Simd::one, Simd::sse2, Simd::avx2, Simd::avx512})
-        for (const int threads : {1, 3}) {
-            if (!has_simd(simd)) continue;
-            SCOPED_TRACE(name_of(simd));
-            auto world = crowd<World>(0, ropes);
-            world.solver.options.simd = simd;
-            world.solver.options.threads = threads;
-            run(world, seconds);
-            expect_same(expected, 0, world);
-            EXPECT_EQ(expected.energy_lost, world.energy_lost);
-        }
+    expect_alike_in_any_lanes_and_threads<typename TypeParam::World>(ropes, seconds, add_one);
 }
 
 TYPED_TEST(Chains, NeedNothingThatIsNotInTheWorld) {
-    using World = typename TypeParam::World;
-    auto kept = crowd<World>(0, ropes), thrown_away = crowd<World>(0, ropes);
-    for (int i = 0; i < 60; ++i) {
-        run(kept, 1 / 60.0);
-        thrown_away.solver = {};
-        run(thrown_away, 1 / 60.0);
-    }
-    expect_same(kept, 0, thrown_away);
+    expect_nothing_needed_but_the_world<typename TypeParam::World>(ropes, 60, add_one);
 }
 
 TYPED_TEST(Chains, FollowRowsThatMoveWhileAFieldKeepsThemOutOfTheLanes) {
     using World = typename TypeParam::World;
     using Real = typename TypeParam::Real;
-    auto kept = crowd<World>(0, ropes), thrown_away = crowd<World>(0, ropes);
+    auto kept = crowd<World>(0, ropes, add_one), thrown_away = crowd<World>(0, ropes, add_one);
     for (auto* world : {&kept, &thrown_away}) {
         const auto go_on = [&](int steps) {
             for (int i = 0; i < steps; ++i) {
@@ -144,7 +100,7 @@ TYPED_TEST(Chains, KeepTheirEnergyAndLengths) {
 /// A pack of chains of three links, in motion.
 template <int D> struct ThreeLinks {
     static constexpr std::size_t per_node = sizeof(ChainNode<D, double>) / sizeof(double);
-    std::vector<double> numbers = std::vector<double>(4 * per_node * max_chain_lanes + 8);
+    std::vector<double> numbers = std::vector<double>(4 * per_node * max_block_lanes + 8);
     ChainPack<D> pack;
 
     explicit ThreeLinks(int width) {
@@ -214,8 +170,8 @@ TEST(ChainKernel, FollowsTheMidpointRule) {
         SCOPED_TRACE(name_of(simd));
         const auto& flat = kernels<2, float>(simd);
         const auto& spatial = kernels<3, float>(simd);
-        expect_midpoint_rule<2>(flat.chain_lanes, flat.swing_chains);
-        expect_midpoint_rule<3>(spatial.chain_lanes, spatial.swing_chains);
+        expect_midpoint_rule<2>(flat.block_lanes, flat.swing_chains);
+        expect_midpoint_rule<3>(spatial.block_lanes, spatial.swing_chains);
         expect_midpoint_rule<3>(1, spatial.swing_chain);
     }
 }

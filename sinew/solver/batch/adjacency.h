@@ -125,7 +125,7 @@ template <int D, class Real> class Adjacency {
             const auto from = first - std::min(first, plan_.colors[f].reach);
             for (auto run = first_batch[from]; run < first_batch[last]; ++run)
                 plan_.each_link(plan_.runs[run], [&](Row link, std::uint32_t a, std::uint32_t b) {
-                    if (distances_.compliance[link] == Real(0) && distances_.high(link) < limit::coordinate<Real>)
+                    if (distances_.is_rigid(link) && distances_.high(link) < limit::coordinate<Real>)
                         visit(link, a - component.begin.slot, b - component.begin.slot);
                 });
         }

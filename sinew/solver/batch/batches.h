@@ -68,7 +68,7 @@ template <int D, class Real> class RunWriter {
                               .row_step = 1,
                               .parameters = parameters,
                               .uniform = true,
-                              .compliant = distances_.compliance[link] > Real(0),
+                              .compliant = !distances_.is_rigid(link),
                               .equality = is_exact(link),
                               .old_gradient = swings_,
                               .equal_mass = is_even(link)});
@@ -161,7 +161,7 @@ template <int D, class Real> class RunWriter {
     }
 
     void note(LinkBatch& run, Row link) {
-        run.compliant = run.compliant || distances_.compliance[link] > Real(0);
+        run.compliant = run.compliant || !distances_.is_rigid(link);
         run.equality = run.equality && is_exact(link);
         run.equal_mass = run.equal_mass && is_even(link);
         ++run.count;

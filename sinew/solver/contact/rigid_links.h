@@ -12,8 +12,8 @@ namespace sinew::detail {
 
 /// True for a constraint that is neither soft, nor driven, nor able to slip or tear.
 template <class Table> bool is_plain(const Table& table, Row row) {
-    using Real = std::decay_t<decltype(table.compliance[row])>;
-    return table.compliance[row] == Real(0) && table.relaxation[row] == Real(1) && table.split[row] == Real(0.5) &&
+    using Real = std::decay_t<decltype(table.relaxation[row])>;
+    return table.is_rigid(row) && table.relaxation[row] == Real(1) && table.split[row] == Real(0.5) &&
            !table.gives(row) && !table.motorized[row] && table.breaking_strain[row] >= limit::measure<Real>;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "sinew/solver/direct/cable_geometry.h"
 #include "sinew/solver/direct/matrices.h"
-#include "sinew/solver/direct/rule.h"
 
 /// Cables of a block: ropes running freely over some nodes, with limits on the total length (Pulley); and distances
 /// with a motor or a largest force. As for links, each leg pulls along the mean of its old and new directions, so the
@@ -13,21 +13,20 @@ template <int D> class BlockWays {
     using Vector = Vec<D, double>;
     using Entry = Matrix<D, double>;
 
-    BlockWays(Blocks<D>& blocks, const Block& block, double substep) : blocks_(blocks), block_(block), h_(substep) {}
+    BlockWays(Blocks<D>& blocks, const Block& block, double substep)
+        : blocks_(blocks), block_(block), geometry_(blocks), h_(substep) {}
 
     std::span<CableRow> all() const { return std::span(blocks_.ways).subspan(block_.first_way, block_.ways); }
-    std::span<CableNode<D>> nodes(const CableRow& way) const {
-        return std::span(blocks_.way_nodes).subspan(way.first, way.nodes);
-    }
+    const CableGeometry<D>& geometry() const { return geometry_; }
 
     /// Starts a substep; returns the total length of all cables.
     double set_out(double tautness) {
         double reach = 0;
         for (auto& way : all()) {
             double length = 0;
-            const auto on = nodes(way);
+            const auto on = geometry_.nodes(way);
             for (std::size_t i = 0; i + 1 < on.size(); ++i) {
-                on[i].start = node(on[i + 1]).start - node(on[i]).start;
+                on[i].start = geometry_.node(on[i + 1]).start - geometry_.node(on[i]).start;
                 length += norm(on[i].start);
             }
             reach += length;
@@ -50,25 +49,25 @@ template <int D> class BlockWays {
         return worst;
     }
 
-    /// Change of a cable's length by the last move, to first order.
-    double change(const CableRow& way) const {
-        double sum = 0;
-        for (const auto& on : nodes(way)) sum += dot(on.gradient, node(on).move);
-        return sum;
-    }
-
-    double length_of(const CableRow& way, bool at_start) const {
-        double sum = 0;
-        const auto on = nodes(way);
-        const auto place = [&](std::size_t i) { return at_start ? node(on[i]).start : node(on[i]).place; };
-        for (std::size_t i = 0; i + 1 < on.size(); ++i) sum += norm(place(i + 1) - place(i));
-        return sum;
-    }
-
     double stored(const CableRow& way, bool at_start) const {
         if (!soft(way)) return 0;
-        const double length = length_of(way, at_start);
+        const double length = geometry_.length_of(way, at_start);
         return 0.5 * square(length - clamp(length, way.low, way.high)) / way.compliance;
+    }
+
+    /// Largest change of a leg by the last move, squared, relative to the leg or to a tenth of the cable if longer.
+    double largest_change2() const {
+        double most = 0;
+        for (const auto& way : all()) {
+            const auto on = geometry_.nodes(way);
+            for (std::size_t i = 0; i + 1 < on.size(); ++i) {
+                const auto leg = geometry_.node(on[i + 1]).place - geometry_.node(on[i]).place;
+                const auto change = geometry_.node(on[i + 1]).move - geometry_.node(on[i]).move;
+                most = maximum(most,
+                               dot(change, change) * inverse_or_zero(maximum(dot(leg, leg), square(0.1 * way.length))));
+            }
+        }
+        return most;
     }
 
     /// Worst relative violation of a rigid cable without a motor.
@@ -76,25 +75,10 @@ template <int D> class BlockWays {
         double worst = 0;
         for (const auto& way : all()) {
             if (soft(way) || way.motorized) continue;
-            const double length = length_of(way, at_start);
+            const double length = geometry_.length_of(way, at_start);
             worst = maximum(worst, absolute(length - clamp(length, way.low, way.high)) / maximum(length, 1e-6));
         }
         return worst;
-    }
-
-    /// Largest change of a leg by the last move, squared, relative to the leg or to a tenth of the cable if longer.
-    double largest_change2() const {
-        double most = 0;
-        for (const auto& way : all()) {
-            const auto on = nodes(way);
-            for (std::size_t i = 0; i + 1 < on.size(); ++i) {
-                const auto leg = node(on[i + 1]).place - node(on[i]).place;
-                const auto change = node(on[i + 1]).move - node(on[i]).move;
-                most = maximum(most,
-                               dot(change, change) * inverse_or_zero(maximum(dot(leg, leg), square(0.1 * way.length))));
-            }
-        }
-        return most;
     }
 
     // --- velocities
@@ -103,18 +87,18 @@ template <int D> class BlockWays {
     bool has_velocity_error(double usual, double h) const {
         for (const auto& way : all()) {
             if (soft(way) || way.slips || (way.one_sided() && way.tension == 0)) continue;
-            point(way);
+            geometry_.point(way);
             constexpr double driven = 1e-5;
-            if (absolute(lengthening(way)) * h > (way.motorized ? driven : usual) * way.high) return true;
+            if (absolute(geometry_.lengthening(way)) * h > (way.motorized ? driven : usual) * way.high) return true;
         }
         return false;
     }
     void begin_settling() {
-        for (auto& way : all()) way.pull = 0, point(way);
+        for (auto& way : all()) way.pull = 0, geometry_.point(way);
     }
     void project_velocities(double k) {
         for (auto& way : all()) {
-            const double pull = way.pull + k * lengthening(way);
+            const double pull = way.pull + k * geometry_.lengthening(way);
             const bool tightened = way.before == 0 && way.tension != 0; // no bounce
             const bool resists = !way.one_sided() || tightened || pull * way.tension > 0;
             way.stiffness = resists && !soft(way) && !way.slips ? k : 0;
@@ -123,7 +107,7 @@ template <int D> class BlockWays {
     }
     void end_round() {
         for (auto& way : all())
-            if (way.stiffness > 0) way.pull += way.stiffness * change(way);
+            if (way.stiffness > 0) way.pull += way.stiffness * geometry_.change(way);
     }
 
     static bool soft(const CableRow& way) { return way.compliance > 0; }
@@ -131,30 +115,11 @@ template <int D> class BlockWays {
   private:
     Blocks<D>& blocks_;
     const Block& block_;
+    CableGeometry<D> geometry_;
     double h_;
 
-    BlockNode<D>& node(const CableNode<D>& on) const { return blocks_.nodes[on.node]; }
-
-    double lengthening(const CableRow& way) const {
-        double rate = -way.motor_speed;
-        for (const auto& on : nodes(way)) rate += dot(on.gradient, node(on).velocity);
-        return rate;
-    }
-
-    /// Gradient of the length at the present positions.
-    void point(const CableRow& way) const {
-        const auto on = nodes(way);
-        for (auto& at : on) at.gradient = {};
-        for (std::size_t i = 0; i + 1 < on.size(); ++i) {
-            const auto n = direction(node(on[i + 1]).place - node(on[i]).place);
-            on[i].gradient -= n;
-            on[i + 1].gradient += n;
-        }
-        for (auto& at : on) at.along = at.gradient;
-    }
-
     double assemble(CableRow& way, Rule rule, double hardest, bool elastic, double margin) {
-        measure(way, rule);
+        geometry_.measure(way, rule);
         way.stiffness = 0;
         const bool stiff = !soft(way);
         if (rule == Rule::place && (!stiff || way.motorized)) return 0; // no time passes: springs and motors yield
@@ -183,37 +148,18 @@ template <int D> class BlockWays {
         way.tension = 0;
         if (error == 0) return;
         const double k = minimum(1 / way.compliance, hardest);
-        const double moved = (way.length - length_of(way, true)) / h_ - way.motor_speed;
+        const double moved = (way.length - geometry_.length_of(way, true)) / h_ - way.motor_speed;
         way.tension = way.held(k * (error + way.damping_time * moved), last, way.one_sided() && error > 0);
         way.stiffness = way.slips ? 0 : k * (1 + way.damping_time / h_);
         add(way, way.stiffness, way.tension);
         add_geometric(way, rule, maximum(way.tension, 0.0));
     }
 
-    /// Length, gradient, and directions of pull.
-    void measure(CableRow& way, Rule rule) {
-        const auto on = nodes(way);
-        for (auto& at : on) at.gradient = at.along = {};
-        way.length = 0;
-        for (std::size_t i = 0; i + 1 < on.size(); ++i) {
-            const auto leg = node(on[i + 1]).place - node(on[i]).place;
-            const double length = norm(leg);
-            way.length += length;
-            const auto n = leg * inverse_or_zero(length);
-            const auto mean =
-                rule == Rule::swing ? (leg + on[i].start) * inverse_or_zero(length + norm(on[i].start)) : n;
-            on[i].gradient -= n;
-            on[i + 1].gradient += n;
-            on[i].along -= mean;
-            on[i + 1].along += mean;
-        }
-    }
-
     void add(const CableRow& way, double stiffness, double pull) {
-        const auto on = nodes(way);
+        const auto on = geometry_.nodes(way);
         auto entry = way.first_entry;
         for (std::size_t i = 0; i < on.size(); ++i) {
-            auto& at = node(on[i]);
+            auto& at = geometry_.node(on[i]);
             at.residual -= on[i].along * pull;
             at.diagonal += outer(on[i].along * stiffness, on[i].gradient);
             for (std::size_t j = i + 1; j < on.size(); ++j, ++entry) {
@@ -229,18 +175,18 @@ template <int D> class BlockWays {
 
     /// Geometric stiffness: a leg under tension resists rotation.
     void add_geometric(const CableRow& way, Rule rule, double tension) {
-        const auto on = nodes(way);
+        const auto on = geometry_.nodes(way);
         auto entry = way.first_entry;
         for (std::size_t i = 0; i + 1 < on.size(); entry += std::uint32_t(on.size() - 1 - i), ++i) {
-            const auto leg = node(on[i + 1]).place - node(on[i]).place;
+            const auto leg = geometry_.node(on[i + 1]).place - geometry_.node(on[i]).place;
             const double length = norm(leg);
             const double span = rule == Rule::swing ? length + norm(on[i].start) : length;
             if (!(length > 1e-9 * way.length)) continue;
             const auto n = leg * (1 / length);
             auto turn = Entry::diagonal(tension / span);
             turn -= outer(n * (tension / span), n);
-            node(on[i]).diagonal += turn;
-            node(on[i + 1]).diagonal += turn;
+            geometry_.node(on[i]).diagonal += turn;
+            geometry_.node(on[i + 1]).diagonal += turn;
             const auto e = blocks_.way_entries[entry];
             if (e == Blocks<D>::none) continue;
             blocks_.entries[e].lower -= turn;

@@ -21,9 +21,10 @@ template <int D, class Real> class ChainRoom {
     Box find(const Vec<D, double>& held, double length, const Box& reached) const {
         Box all;
         all.include(held);
-        if (is_clear(all.grown(length))) return Box::everything();
-        return is_clear(reached) ? reached : Box{};
+        return is_clear(all.grown(length)) ? Box::everything() : find(reached);
     }
+    /// Same for a free block.
+    Box find(const Box& reached) const { return is_clear(reached) ? reached : Box{}; }
 
   private:
     const World<D, Real>& world_;

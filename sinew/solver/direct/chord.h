@@ -16,7 +16,7 @@ template <int D> class ChordSolve : public BlockSolve<D> {
     using Base = BlockSolve<D>;
 
   public:
-    using Base::Base, Base::links, Base::unknowns, Base::node;
+    using Base::Base, Base::unknowns, Base::node;
     using typename Base::Vector;
 
     /// Solves from the displacements guess(node). False without a solution in few iterations.
@@ -44,7 +44,7 @@ template <int D> class ChordSolve : public BlockSolve<D> {
     static constexpr double precise = 1e-8;  ///< error left, as a fraction of the reach
     static constexpr double unknown = 1e-10; ///< same for the first move, whose error has no estimate
 
-    using Base::good_enough, Base::moved_, Base::moved_before_;
+    using Base::good_enough, Base::links_, Base::sizes_;
 
     template <class Guess> void begin(Guess&& guess) {
         Base::set_out(Rule::implicit);
@@ -52,22 +52,22 @@ template <int D> class ChordSolve : public BlockSolve<D> {
     }
     bool iterate(int first = 0) {
         if (first == 0)
-            for (auto& link : links()) keep_side(link);
+            for (auto& link : links_.all()) keep_side(link);
         for (int i = first; i < most_iterations; ++i) {
             if (!find_residuals()) return false;
             solve_block_again(Base::blocks_, Base::block_);
             Base::take_step(1);
             if (Base::progress().share < 1) return false;
             if (goes_well(i)) return true;
-            if (i > 0 && moved_ > slow * moved_before_) return false;
+            if (i > 0 && sizes_.moved > slow * sizes_.moved_before) return false;
         }
         return false;
     }
     bool goes_well(int iteration) { return is_precise(iteration) && Base::worst_error() <= good_enough; }
     /// True if the next moves, of a geometric series, would not matter.
     bool is_precise(int iteration) const {
-        if (moved_ <= unknown * Base::reach()) return true;
-        return iteration > 0 && square(moved_) <= precise * Base::reach() * moved_before_;
+        if (sizes_.moved <= unknown * Base::reach()) return true;
+        return iteration > 0 && square(sizes_.moved) <= precise * Base::reach() * sizes_.moved_before;
     }
 
     /// A slack link near its limit is not held before it is too long.
@@ -86,7 +86,7 @@ template <int D> class ChordSolve : public BlockSolve<D> {
     /// link has turned.
     bool find_residuals() {
         for (auto& node : unknowns()) node.residual = (node.aim - node.place) * node.inertia;
-        for (auto& link : links()) {
+        for (auto& link : links_.all()) {
             auto &a = node(link.a), &b = node(link.b);
             const auto now = b.place - a.place;
             const double length2 = dot(now, now);

@@ -20,9 +20,9 @@ template <int D> class BlockEnergy {
         double sum = 0;
         for (const auto& node : solve_.unknowns()) sum += node.mass * dot(node.push, node.place - node.start);
         if (!solve_.block().springy) return sum;
-        for (const auto& link : solve_.links())
-            sum -= solve_.stored(link, solve_.node(link.b).place - solve_.node(link.a).place) -
-                   solve_.stored(link, link.start);
+        for (const auto& link : solve_.links().all())
+            sum -= solve_.links().stored(link, solve_.node(link.b).place - solve_.node(link.a).place) -
+                   solve_.links().stored(link, link.start);
         for (const auto& bend : solve_.bends().all())
             sum -= solve_.bends().stored(bend, false) - solve_.bends().stored(bend, true);
         for (const auto& way : solve_.ways().all())

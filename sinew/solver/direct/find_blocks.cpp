@@ -253,10 +253,11 @@ template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world
     detail::make_room_for_widest(world, scratch);
     if (world.settings.mode == Mode::classic) stays.reserve(world.particles.size());
     reserve_for_tears(world, *this);
-    make_room_for_budgets(world, *this);
     report(0);
     const bool anew = BlockFinder(world, *this).run();
-    detail::order_chains(blocks, std::size_t(detail::parts_of_chains(options.threads)));
+    const auto parts = std::size_t(detail::parts_in_lanes(options.threads));
+    detail::order_chains(blocks, parts);
+    detail::order_programs(blocks, parts);
     find_ports(world, *this);
     report(0.2);
     make_plan(world, *this, anew);

@@ -76,8 +76,8 @@ template <int D> class ChainFinder {
     }
 };
 
-/// Number of parts into which the work on chains is divided. More than threads, because chains that whip take longer.
-inline int parts_of_chains(int threads) {
+/// Number of parts into which the work in lanes is divided. More than threads, because blocks that whip take longer.
+inline int parts_in_lanes(int threads) {
     constexpr int per_thread = 4;
     const int all = threads > 0 ? threads : hardware_threads();
     return all > 1 ? per_thread * all : 1;

@@ -22,7 +22,7 @@ template <int D, class Real> class BlockGraph {
     }
     /// True for a tetrahedron that limits a joint: rigid at both limits, no jelly.
     template <class Table> static bool is_fold(const Table& table, Row row) {
-        return natural(table, row) && table.compliance[row] == Real(0) && !is_driven(table, row) &&
+        return natural(table, row) && table.is_rigid(row) && !is_driven(table, row) &&
                table.low(row) < table.high(row) && fold_unit(table, row) > 0;
     }
     /// Larger limit, m^3; 0 if either is infinite.
@@ -61,7 +61,7 @@ template <int D, class Real> class BlockGraph {
 
     /// True for a rigid link: neither a spring nor a motor.
     bool is_stick(Row link) const {
-        return distances_.compliance[link] == Real(0) && natural(distances_, link) && has_length(link) &&
+        return distances_.is_rigid(link) && natural(distances_, link) && has_length(link) &&
                !is_driven(distances_, link);
     }
 
@@ -70,8 +70,7 @@ template <int D, class Real> class BlockGraph {
         using Kind = typename Table::Kind;
         if constexpr (std::is_same_v<Kind, Distance<D>>) return is_stick(row);
         if constexpr (std::is_same_v<Kind, Angle<D>>)
-            return table.compliance[row] == Real(0) && natural(table, row) && !is_driven(table, row) &&
-                   !opens(table, row);
+            return table.is_rigid(row) && natural(table, row) && !is_driven(table, row) && !opens(table, row);
         return false;
     }
 

@@ -36,8 +36,8 @@ template <int D> class BlockBounce {
             bend.strikes = bend.side == 0 && bends_.bounces(bend) && strikes(bend, landing);
             any = any || bend.strikes;
         }
-        for (auto& link : block_.links()) {
-            link.strikes = link.side == 0 && block_.bounces(link) && strikes(link, landing);
+        for (auto& link : block_.links().all()) {
+            link.strikes = link.side == 0 && block_.links().bounces(link) && strikes(link, landing);
             if (link.strikes) link.tension = link.side; // makes the link resist in project_block_velocities
             any = any || link.strikes;
         }
@@ -55,7 +55,7 @@ template <int D> class BlockBounce {
             else
                 bend.side = 0;
         }
-        for (auto& link : block_.links()) {
+        for (auto& link : block_.links().all()) {
             if (!link.strikes) continue;
             link.tension = rests ? link.pull / block_.substep() : 0;
             if (!rests) link.side = 0;
@@ -77,10 +77,10 @@ template <int D> class BlockBounce {
     }
 
     bool strikes(AngleRow<D>& bend, bool landing) {
-        const double angle = bends_.angle_of(bend, false);
+        const double angle = bends_.geometry().angle_of(bend, false);
         bend.side = angle > bend.high ? 1 : angle < bend.low ? -1 : 0;
         const bool comes_back = bend.side != 0 && bends_.beyond(bend, bend.begun) >= 0;
-        if (bend.side != 0 && comes_back == landing && bends_.rate_at_end(bend) * bend.side > 0) return true;
+        if (bend.side != 0 && comes_back == landing && bends_.geometry().rate_at_end(bend) * bend.side > 0) return true;
         bend.side = 0;
         return false;
     }

@@ -29,6 +29,7 @@ template <int D, class Real> void look_up_rows(const World<D, Real>& world, Bloc
     });
     each(blocks.links, block.first_link, block.links, row_in(distances));
     each(blocks.bends, block.first_bend, block.bends, [&](AngleRow<D>& bend) {
+        if (bend.replaces_link) return row_in(distances)(bend);
         if constexpr (D == 3)
             if (bend.is_fold()) return row_in(std::get<kind_number<Volume, D>>(world.constraints))(bend);
         row_in(angles)(bend);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "sinew/solver/direct/convergence.h"
 #include "sinew/solver/direct/equations.h"
+#include "sinew/solver/direct/multiplier_update.h"
 
 #include <utility>
 
@@ -22,7 +24,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     using Base = BlockEquations<D>;
 
   public:
-    using Base::Base, Base::links, Base::unknowns, Base::soft, Base::bounces;
+    using Base::Base, Base::unknowns;
     using typename Base::Vector;
     BlockNode<D>& node(std::uint32_t i) const { return Base::node(i); }
 
@@ -41,14 +43,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
     /// Chooses the active limits at the start of the substep.
     void choose_active_limits(Rule rule) {
-        reach_ = 0;
-        Base::ranges_bounce_ = bounce_ && rule == Rule::swing;
-        for (auto& link : links()) {
-            link.start = node(link.b).start - node(link.a).start;
-            reach_ += link.length;
-            choose_side(link);
-        }
-        bends_.set_out(Base::ranges_bounce_);
+        const bool bounce = bounce_ && rule == Rule::swing;
+        reach_ = links_.set_out(bounce, as_good_as_taut);
+        bends_.set_out(bounce);
         reach_ += ways_.set_out(as_good_as_taut);
     }
 
@@ -84,43 +81,12 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
     /// Largest overshoot of a bouncing joint past the limit, and past the state at the start of the substep: radians
     /// for an angle, a fraction of half the length for a link.
-    double worst_overshoot() const {
-        double worst = bends_.worst_overshoot();
-        for (const auto& link : links()) {
-            if (link.side != 0 || !bounces(link)) continue;
-            const double begun = norm(link.start), now = norm(node(link.b).place - node(link.a).place);
-            const double beyond = maximum(now - maximum(link.high, begun), minimum(link.low, begun) - now);
-            worst = maximum(worst, 2 * beyond / link.length);
-        }
-        return worst;
-    }
-
-    /// Gauss-Seidel sweeps over the links from the start positions: brings lengths nearer where Newton's method fails.
-    void sweep() {
-        constexpr int rounds = 20;
-        for (auto& node : unknowns()) node.place = node.start;
-        for (int i = 0; i < rounds; ++i)
-            for (auto& link : links()) {
-                auto &a = node(link.a), &b = node(link.b);
-                const double wa = mobility(link.a), wb = mobility(link.b);
-                const auto now = b.place - a.place;
-                const double length = norm(now);
-                const auto correction = now * ((length - clamp(length, link.low, link.high)) * inverse_or_zero(length) *
-                                               inverse_or_zero(wa + wb));
-                a.place += correction * wa;
-                b.place -= correction * wb;
-            }
-    }
+    double worst_overshoot() const { return maximum(bends_.worst_overshoot(), links_.worst_overshoot()); }
 
   protected:
     static constexpr double good_enough = 1e-7;
     static constexpr double braces_give = 1e-6;
-    static constexpr double hardly = 1e-5;        ///< relative move after which the next would be too small to matter
-    static constexpr double hardly_light = 1e-10; ///< same where light trees have velocities
-    static constexpr double precise = 1e-11, nearly_precise = 1e-8; ///< same where `is_precise_`
-    static constexpr double stagnant = 0.25;      ///< ratio to the last move, above which the iteration only rounds
-    static constexpr double crude = 1e-3;         ///< violation above which the multipliers of light trees mean nothing
-    static constexpr double hardly_pulled = 3e-3; ///< same for a tension
+    static constexpr double crude = 1e-3; ///< violation above which the multipliers of light trees mean nothing
     static constexpr double acceptable = 1e-5;
     static constexpr double absurd = 100;
     static constexpr int undecided_after =
@@ -131,32 +97,26 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     static constexpr double as_good_as_taut = 1e-4;
     static constexpr double small_angle =
         1e-2; ///< an angle's error in radians counts as this fraction of a relative length error
-    static constexpr int most_flips = 2;
 
-    using Base::add, Base::clear_entries, Base::bends_, Base::ways_, Base::block_, Base::h_, Base::per_h_;
+    using Base::clear_entries, Base::links_, Base::bends_, Base::ways_, Base::block_, Base::h_, Base::per_h_;
     double reach_ = 0;
     SolveProgress progress_{};
-    double moved_before_ = 0; ///< `moved_` of the iteration before
-    double moved_ = 0, tightened_ = 0,
-           strongest_ = 0; ///< largest move of a node, change of a tension, and tension in an iteration
+    StepSizes sizes_;
     bool elastic_ = false, bounce_ = false, is_precise_ = false;
     bool releases_ = true; ///< limits may be released in this iteration
     bool let_go_ = false;  ///< a limit was released since `patience` was last checked
     double slight_ = 0;    ///< tension that counts as zero
 
-    double mobility(std::uint32_t i) const {
-        return i < block_.first_node + block_.unknowns ? inverse_or_zero(node(i).mass) : 0;
-    }
-
     template <class Hold> bool iterate(Rule rule, int most_iterations, Hold&& hold) {
         double before = 0, last = 0;
         for (int i = 0;; ++i) {
-            if (i > 0 && steady() && worst_error() <= good_enough && agrees(hold)) return true;
+            if (i > 0 && is_steady() && worst_error() <= good_enough && agrees(hold)) return true;
             const double worst = assemble(rule);
-            releases_ = !Base::has_light_trees_ || worst <= crude;
+            releases_ = !links_.uses_shares() || worst <= crude;
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
-            if (i > 1 && block_.braced() && worst <= braces_give && worst > 0.5 * last && moved_ <= hardly * reach_)
+            if (i > 1 && block_.braced() && worst <= braces_give && worst > 0.5 * last &&
+                sizes_.moved <= StepSizes::hardly * reach_)
                 return true; // redundant links in a plane: Newton's method stagnates
             last = worst;
             if (i % patience == 0) { // the error falls if there is a solution
@@ -166,11 +126,11 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             }
             // contacts that alternate: lengths are right, and nodes hardly move
             const double slight_move = slight * reach_ / double(block_.links + block_.ways);
-            if (rule == Rule::implicit && i >= undecided_after && worst <= acceptable && moved_ <= slight_move)
+            if (rule == Rule::implicit && i >= undecided_after && worst <= acceptable && sizes_.moved <= slight_move)
                 return true;
             if (i == most_iterations)
                 return worst <= acceptable &&
-                       moved_ <= acceptable * reach_; // links that alternate between taut and slack
+                       sizes_.moved <= acceptable * reach_; // links that alternate between taut and slack
             Base::solve();
             take_step(i >= undecided_after ? 0.5 : 1);
         }
@@ -183,7 +143,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// Displacement from which the iteration starts: the free flight. Light parts whirl too fast for that, and heavy
     /// ones hardly move in a substep.
     Vector guess(Rule rule, const BlockNode<D>& node) const {
-        return Base::has_light_trees_ ? Vector{} : flight(rule, node);
+        return links_.uses_shares() ? Vector{} : flight(rule, node);
     }
 
     /// Sets inertia and the positions without constraints, and chooses the active limits.
@@ -198,27 +158,6 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         slight_ = 1e-6 * Base::weight() * inverse_or_zero(reach_) * double(block_.links + block_.ways);
     }
 
-    /// Active limit at the start of the substep. A link within the margin of a limit counts as taut: a falling rope
-    /// would otherwise tighten link by link.
-    void choose_side(DistanceRow<D>& link) const {
-        link.flips = 0;
-        link.give = 0;
-        if (bounces(link)) return rest_on_end(link);
-        link.side = link.low == link.high || link.tension > 0 ? 1 : link.tension < 0 ? -1 : 0;
-        if (link.side != 0) return;
-        const double length = norm(link.start), margin = as_good_as_taut * link.length;
-        link.side = length > link.high - margin ? 1 : length < link.low + margin ? -1 : 0;
-    }
-
-    /// For a bouncing link: only the limit on which the link rests is active, offset by the present excess.
-    static void rest_on_end(DistanceRow<D>& link) {
-        constexpr double hardly_short = 1e-6;
-        const double length2 = dot(link.start, link.start), margin = hardly_short * square(link.length);
-        const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
-        link.side = link.tension > 0 && above > -margin ? 1 : link.tension < 0 && below < margin ? -1 : 0;
-        link.give = link.side > 0 ? maximum(above, 0.0) : link.side < 0 ? minimum(below, 0.0) : 0;
-    }
-
     /// Assembles the equations at the present positions. Returns the worst violation of a rigid link, relative to the
     /// length.
     double assemble(Rule rule) {
@@ -227,125 +166,58 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             node.residual = (node.aim - node.place) * node.inertia;
         }
         clear_entries();
-        const double hardest = Base::stiffness();
-        double worst = 0;
-        for (auto& link : links()) {
-            const auto now = node(link.b).place - node(link.a).place;
-            if (soft(link)) {
-                spring(rule, link, now);
-                continue;
-            }
-            const double k = hardest * link.per_length2 * Base::share(link);
-            const double length2 = dot(now, now);
-            const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
-            if (link.side == 0 && !bounces(link)) link.activate(above, below, good_enough * square(link.length));
-            const double error = (link.side > 0 ? above : link.side < 0 ? below : 0) - link.give;
-            worst = maximum(worst, absolute(error) * link.per_length2);
-            link.pull = link.side != 0 ? link.tension + k * error : 0;
-            link.stiffness = link.side != 0 ? k : 0;
-            if (link.side == 0) continue;
-            const bool swings = rule == Rule::swing;
-            const auto along = swings ? (link.start + now) * 0.5 : rule == Rule::shake ? link.start : now;
-            link.along = now;
-            auto matrix = outer(along * k, now);
-            if (rule != Rule::place && rule != Rule::shake)
-                matrix +=
-                    Matrix<D, double>::diagonal(maximum(elastic_ ? link.pull : link.tension, 0.0) * (swings ? 0.5 : 1));
-            add(link, matrix, along * link.pull);
-        }
+        const double hardest = links_.stiffness();
+        double worst = links_.assemble(rule, elastic_, good_enough);
         worst = maximum(worst, small_angle * bends_.assemble(rule, hardest, good_enough / small_angle));
         worst = maximum(worst, ways_.assemble(rule, hardest, elastic_, good_enough));
         return worst;
     }
 
     /// Worst violation of links and angles at the present positions, scaled as in `assemble`.
-    double worst_error() {
-        double worst = 0;
-        for (const auto& link : links()) {
-            if (soft(link) || (link.side == 0 && bounces(link))) continue;
-            const auto now = node(link.b).place - node(link.a).place;
-            const double length2 = dot(now, now) - 2 * link.give;
-            const double above = length2 - square(link.high), below = length2 - square(link.low);
-            worst = maximum(worst, 0.5 * link.outside(above, below) * link.per_length2);
-        }
-        return maximum(worst, small_angle * bends_.worst_error());
-    }
-
-    /// A compliant link: the force follows from the length, without a multiplier.
-    void spring(Rule rule, DistanceRow<D>& link, const Vector& now) {
-        const double length = norm(now), per_length = inverse_or_zero(length);
-        const double error = length - clamp(length, link.low, link.high);
-        link.stiffness = 0;
-        link.pull = link.tension = 0;
-        if (error == 0 || rule == Rule::place) return;
-        const double k = 1 / link.compliance;
-        double force = k * error;
-        auto along = now * per_length;
-        auto matrix = outer(along * k, along);
-        matrix += Matrix<D, double>::diagonal(maximum(force, 0.0) * per_length);
-        add(link, matrix, along * force);
-        link.pull = link.tension = force * per_length;
-    }
+    double worst_error() const { return maximum(links_.worst_error(), small_angle * bends_.worst_error()); }
 
     /// Trust region: the fraction of the step at which no link changes by more than `most_change`. Newton's model means
     /// nothing further out.
     double trusted_share() {
         double most = 0;
-        tightened_ = strongest_ = 0;
-        for (auto& link : links()) {
+        sizes_.tightened = sizes_.strongest = 0;
+        for (auto& link : links_.all()) {
             const auto change = node(link.b).move - node(link.a).move;
             most = maximum(most, dot(change, change) * link.per_length2);
             link.pull += link.stiffness * dot(link.along, change);
-            tightened_ = maximum(tightened_, absolute(link.pull - link.tension) * link.length / Base::share(link));
-            strongest_ = maximum(strongest_, absolute(link.pull) * link.length);
+            sizes_.tightened =
+                maximum(sizes_.tightened, absolute(link.pull - link.tension) * link.length / links_.share(link));
+            sizes_.strongest = maximum(sizes_.strongest, absolute(link.pull) * link.length);
         }
         most = maximum(most, ways_.largest_change2());
         return most > square(most_change) ? most_change / square_root(most) : 1;
     }
 
-    bool steady() const {
-        return moved_ <= (Base::has_light_trees_ ? hardly_light : hardly) * reach_ &&
-               tightened_ <= hardly_pulled * strongest_ && (!is_precise_ || is_rounding());
-    }
-    /// True if the last move was no more than rounding.
-    bool is_rounding() const {
-        return moved_ <= precise * reach_ || (moved_ <= nearly_precise * reach_ && moved_ > stagnant * moved_before_);
+    bool is_steady() const {
+        return sizes_.are_small(reach_, links_.uses_shares()) && (!is_precise_ || sizes_.are_rounding(reach_));
     }
 
     void take_step(double most) {
         const double share = progress_.share = minimum(most, trusted_share());
         ++progress_.iteration;
-        moved_before_ = std::exchange(moved_, 0);
+        sizes_.moved_before = std::exchange(sizes_.moved, 0);
         for (auto& node : unknowns()) {
             node.place += node.move * share;
-            moved_ = maximum(moved_, largest_component(node.move));
+            sizes_.moved = maximum(sizes_.moved, largest_component(node.move));
         }
-        for (auto& link : links())
-            if (!soft(link)) renew(link, link.pull, share, slight_ * Base::share(link));
-        for (auto& bend : bends_.all())
-            if (!bends_.soft(bend)) {
-                renew(bend, bend.pull + bend.stiffness * bends_.change(bend), share, slight_);
-                bend.tension = clamp(bend.tension, -bend.most, bend.most);
+        MultiplierUpdate update{.share = share, .elastic = elastic_, .releases = releases_};
+        for (auto& link : links_.all())
+            if (!links_.soft(link)) update.renew(link, link.pull, slight_ * links_.share(link));
+        const auto renew_driven = [&](auto& rows) {
+            for (auto& row : rows.all()) {
+                if (rows.soft(row)) continue;
+                update.renew(row, row.pull + row.stiffness * rows.geometry().change(row), slight_);
+                row.tension = clamp(row.tension, -row.most, row.most);
             }
-        for (auto& way : ways_.all())
-            if (!ways_.soft(way)) {
-                renew(way, way.pull + way.stiffness * ways_.change(way), share, slight_);
-                way.tension = clamp(way.tension, -way.most, way.most);
-            }
-    }
-
-    /// Updates the multiplier. A limit whose multiplier has the wrong sign, by more than `slight`, is released, unless
-    /// activated more than `most_flips` times in this substep.
-    void renew(BlockLimit& limit, double next, double share, double slight) {
-        if (elastic_) {
-            limit.tension = 0;
-            limit.side = limit.one_sided() && next * limit.side < 0 ? 0 : limit.side;
-            return;
-        }
-        limit.tension = limit.side != 0 ? limit.tension + share * (next - limit.tension) : 0;
-        const bool undecided = limit.flips > most_flips;
-        if (releases_ && limit.one_sided() && !undecided && next * limit.side < -slight)
-            limit.side = 0, limit.tension = 0, let_go_ = true;
+        };
+        renew_driven(bends_);
+        renew_driven(ways_);
+        let_go_ = let_go_ || update.any_released;
     }
 
     static double largest_component(const Vector& v) {

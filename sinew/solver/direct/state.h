@@ -3,10 +3,12 @@
 #include "sinew/assert/assert.h"
 #include "sinew/math/decay.h"
 #include "sinew/solver/block.h"
-#include "sinew/solver/direct/cable_rows.h"
+#include "sinew/solver/direct/cable_geometry.h"
+#include "sinew/solver/direct/tensions.h"
 #include "sinew/solver/phases.h"
 
 #include <algorithm>
+#include <optional>
 
 /// State of a block: loaded from the world at the start of a substep, and stored at the end.
 namespace sinew::detail {
@@ -15,14 +17,17 @@ template <int D, class Real> class BlockState {
   public:
     using Vector = Vec<D, double>;
 
-    BlockState(World<D, Real>& of, Solver<D, Real>& solver, const Block& one, double frame, double last_substep)
+    /// Tensions are those of a substep of the length `last_substep`, by the multipliers of the world; without it, they
+    /// are `before` of each row.
+    BlockState(World<D, Real>& of, Solver<D, Real>& solver, const Block& one, double frame,
+               std::optional<double> last_substep)
         : world(of), particles(of.particles), blocks(solver.blocks), touches(solver.touches), block(one),
           distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           angles_(std::get<kind_number<Angle, D>>(world.constraints)),
           pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), frame_(frame) {
-        const double per = inverse_or_zero(square(last_substep));
-        for (auto& bend : bends()) bend.before = -double(multiplier_of(bend)) * per * bend.unit;
-        for (auto& link : links()) link.before = -double(distances_.multiplier[link.constraint]) * per / link.length;
+        if (!last_substep) return;
+        const double per = inverse_or_zero(square(*last_substep));
+        tensions().load(per);
         if (block.ways > 0 || block.is_motorized) find_drives(per);
     }
 
@@ -124,14 +129,9 @@ template <int D, class Real> class BlockState {
 
     /// Stores the tensions as multipliers of a substep of the given length, and limits moved by slipping.
     void report_tensions(double substep) {
-        constexpr double most = double(limit::multiplier<Real>);
-        for (const auto& link : links())
-            distances_.multiplier[link.constraint] =
-                Real(clamp(-link.before * link.length * square(substep), -most, most));
-        for (const auto& bend : bends())
-            multiplier_of(bend) = Real(clamp(-bend.before / bend.unit * square(substep), -most, most));
+        tensions().report(substep);
         for (const auto& way : ways()) {
-            multiplier_of(way) = Real(clamp(-way.before * square(substep), -most, most));
+            multiplier_of(way) = BlockTensions<D, Real>::multiplier(way.before, substep);
             if (!way.gives()) continue;
             if (way.is_pulley)
                 tell_limits(way, pulleys_, way.constraint);
@@ -154,6 +154,8 @@ template <int D, class Real> class BlockState {
     double from_ = 0, to_ = 0, h_ = 0; ///< fractions of the frame at the ends of the substep, and its length
     bool motorized_ = false;
 
+    BlockTensions<D, Real> tensions() { return {world, blocks, block}; }
+
     /// Tension at the end of the substep; zero for a limit released since.
     static double kept(const BlockLimit& limit) {
         return limit.one_sided() && limit.tension * limit.side <= 0 ? 0 : limit.tension;
@@ -163,12 +165,6 @@ template <int D, class Real> class BlockState {
 
     Real& multiplier_of(const CableRow& way) {
         return way.is_pulley ? pulleys_.multiplier[way.constraint] : distances_.multiplier[way.constraint];
-    }
-
-    Real& multiplier_of(const AngleRow<D>& bend) {
-        if constexpr (D == 3)
-            if (bend.is_fold()) return std::get<kind_number<Volume, D>>(world.constraints).multiplier[bend.constraint];
-        return angles_.multiplier[bend.constraint];
     }
 
     template <class Table> static void find_drive(BlockDrive& drive, const Table& table, Row row) {
@@ -199,7 +195,7 @@ template <int D, class Real> class BlockState {
 
     /// Moves the limits to the length reached.
     void slip(CableRow& way) {
-        const double length = BlockWays<D>(blocks, block, h_).length_of(way, false);
+        const double length = CableGeometry<D>(blocks).length_of(way, false);
         const double error = length - clamp(length, way.low, way.high), spring = way.most * way.compliance;
         const double by = error - clamp(error, -spring, spring);
         for (double* end : {&way.low_begun, &way.high_begun})

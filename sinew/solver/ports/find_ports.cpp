@@ -169,8 +169,7 @@ template <int D, class Real> class GroupFinder {
         group.motorized = group.motorized || table.motorized[constraint] || table.gives(constraint);
         const bool first =
             std::none_of(members.begin(), members.end(), [&](Row row) { return row < from && mobile(row); });
-        if (first && table.compliance[constraint] > Real(0))
-            ports_.springs.push_back({.kind = kind, .row = constraint});
+        if (first && !table.is_rigid(constraint)) ports_.springs.push_back({.kind = kind, .row = constraint});
     }
 };
 

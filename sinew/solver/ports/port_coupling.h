@@ -19,7 +19,7 @@ template <int D, class Real> class PortCoupling {
         if (!any()) return;
         note_free_moves();
         if (number_ == 1) begin_step();
-        each([&](Block&, PortBlock<D, Real> block) { block.predict(), block.show(); });
+        each([&](Block&, PortBlock<D, Real> block) { block.predict(), block.state().show(); });
         begin_rows();
     }
 
@@ -29,12 +29,12 @@ template <int D, class Real> class PortCoupling {
         bool well = true;
         each([&](Block& block, PortBlock<D, Real> solver) {
             const double fed = solver.take();
-            const bool feeds = fed > solver.trace(double(norm(swept_.gravity)));
+            const bool feeds = fed > solver.state().trace(double(norm(swept_.gravity)));
             block.lost = feeds ? fed : 0;
             well = well && !feeds;
         });
         if (!well && !again) return false;
-        each([&](Block&, PortBlock<D, Real> block) { block.store(); });
+        each([&](Block&, PortBlock<D, Real> block) { block.state().store(); });
         for (auto& row : blocks_.ports.rows)
             visit_table(world_, row.kind, [&](auto& table) { table.multiplier[row.row] = Real(row.multiplier); });
         return true;
@@ -47,7 +47,7 @@ template <int D, class Real> class PortCoupling {
         }
         each([&](Block& block, PortBlock<D, Real> solver) {
             if (block.lost > 0) solver.predict_loosely();
-            solver.show();
+            solver.state().show();
         });
         begin_rows();
     }

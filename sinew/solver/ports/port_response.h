@@ -26,15 +26,15 @@ template <int D> class PortResponse {
             node.residual = {};
         }
         equations_.clear_entries();
-        for (auto& link : equations_.links()) {
-            link.stiffness = holds(link, held) ? equations_.stiffness() * link.per_length2 : 0;
+        for (auto& link : equations_.links().all()) {
+            link.stiffness = holds(link, held) ? equations_.links().stiffness() * link.per_length2 : 0;
             if (link.stiffness == 0) continue;
             link.along = equations_.node(link.b).place - equations_.node(link.a).place;
             auto matrix = outer(link.along * link.stiffness, link.along);
             if (held == Held::as_solved) matrix += Matrix<D, double>::diagonal(maximum(link.tension, 0.0));
-            equations_.add(link, matrix, Vector{});
+            equations_.links().add(link, matrix, Vector{});
         }
-        equations_.bends().stiffen(held == Held::as_solved, equations_.stiffness());
+        equations_.bends().stiffen(held == Held::as_solved, equations_.links().stiffness());
         equations_.solve();
     }
     void find() {

@@ -2,25 +2,26 @@
 
 #include "sinew/solver/simd/chain_pack.h"
 #include "sinew/solver/simd/kernel.h"
-#include "sinew/solver/simd/lane_vec.h"
+#include "sinew/solver/simd/lane_swing.h"
 
-/// Kernel of chains: a substep by the midpoint rule, as direct/newton.h has it, for chains side by side in lanes. The
-/// text is the same for one lane and for eight, and a lane never reads another: the bits of a chain do not depend on
-/// its neighbours. Lanes that have converged wait, unchanged, for the others.
+/// Kernel of chains: a substep by the midpoint rule, as direct/newton.h has it, for chains side by side in lanes.
 namespace sinew {
 namespace {
 
-using namespace lane;
+template <int D, class V> class ChainSwing : LaneSwing<D, V> {
+    using Base = LaneSwing<D, V>;
+    using Base::active_at_start_, Base::far2_, Base::moved2_, Base::before_, Base::after_, Base::due_, Base::jolt_;
+    using Base::number, Base::of, Base::at, Base::h_, Base::keep_, Base::half_h2_, Base::least_pull_, Base::beyond_;
+    using Base::usual_error, Base::exact, Base::hardly, Base::crude, Base::as_good_as_taut, Base::most_iterations;
+    using typename Base::Mask;
+    using typename Base::Pair;
 
-template <int D, class V> class ChainSwing {
   public:
     using Node = ChainNode<D, V>;
-    using Pair = Arrow<D, V>;
-    using Mask = decltype(V() < V());
 
     explicit ChainSwing(ChainPack<D>& pack)
-        : pack_(pack), nodes_(reinterpret_cast<Node*>(pack.nodes)), links_(pack.links), h_(of(pack.h)),
-          keep_(of(pack.keep)), half_h2_(h_ * h_ * number(0.5)), pulls_only_(of(pack.pulls_only) > V{}) {}
+        : Base(pack), pack_(pack), nodes_(reinterpret_cast<Node*>(pack.nodes)), links_(pack.links),
+          pulls_only_(of(pack.pulls_only) > V{}) {}
 
     void run() {
         Mask active = of(pack_.active) > V{};
@@ -39,42 +40,20 @@ template <int D, class V> class ChainSwing {
         V lost = most(due_ - after_, V{});
         if (any(struck)) straighten(struck, tightened, good, alien, lost);
         if (any(good)) store_good(good);
-        store(pack_.good.lane, good ? number(1) : V{});
-        store(pack_.alien.lane, alien);
-        store(pack_.lost.lane, lost);
+        Base::report(good, alien, lost);
     }
 
   private:
-    static constexpr int most_iterations = 8;           ///< where more are needed, shorter substeps are cheaper
-    static constexpr double exact = 1e-8;               ///< error of a length, relative
-    static constexpr double hardly = 1e-5;              ///< last move of a node, relative to the total length
-    static constexpr double crude = 1e-3;               ///< error of a length at the start that is not moved with
-    static constexpr double as_good_as_taut = 1 - 2e-4; ///< squared length, relative
-    static constexpr double usual_error = 0.02;  ///< change of a length by the velocities, relative, in a substep
-    static constexpr double most_change2 = 0.25; ///< squared change of a link in one iteration, relative
-    static constexpr double rounding = 1e-6, tiny = 2e-7; ///< tolerance of energies, as in direct/energy.h
-    static constexpr double share_of_rounding = 0.02;
-
     ChainPack<D>& pack_;
     Node* nodes_;
     int links_;
-    V h_, keep_, half_h2_;
-    Mask pulls_only_, active_at_start_{};
-    V far2_{}, moved2_{};          ///< largest change of a link, relative, and move of a node; squared
-    V before_{}, after_{}, due_{}; ///< kinetic energies, J
-    V jolt_{}, least_pull_{};
+    Mask pulls_only_;
     V slackest_{}; ///< least tension at the start, N/m
-    V beyond_{};   ///< largest distance of a node beyond the room, m
-
-    static V number(double x) { return spread<V>(x); }
-    static V of(const typename ChainPack<D>::template Lanes<double>& lanes) { return load<V>(lanes.lane); }
-    static Pair at(const V (&numbers)[D]) { return Pair::of(numbers); }
 
     /// Free flight, and the tensions of the last substep.
     void set_out() {
         const V unit = half_h2_ * of(pack_.yield);
-        Pair fall;
-        for (int k = 0; k < D; ++k) fall.at[k] = of(pack_.push[k]) * half_h2_;
+        const Pair fall = Base::push() * half_h2_;
         at(nodes_[0].start).to(nodes_[0].place);
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
@@ -188,19 +167,15 @@ template <int D, class V> class ChainSwing {
 
     /// Newton step of the active lanes, within the trust region. Returns the worst error of a length, relative.
     V take_step(const Mask& active) {
-        V share = number(1), worst{};
-        if (any(far2_ > number(most_change2)))
-            share = far2_ > number(most_change2) ? root(number(most_change2) / far2_) : share;
+        const V share = Base::trusted_share();
+        V worst{};
         Pair before = at(nodes_[0].place);
         least_pull_ = number(1);
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
-            Pair place = at(node.place), moved = place + at(node.move) * share;
-#pragma GCC unroll 3
-            for (int k = 0; k < D; ++k) place.at[k] = active ? moved.at[k] : place.at[k];
+            Base::move(node.place, at(node.move) * share, active);
             node.pull = active ? node.pull + (node.next - node.pull) * share : node.pull;
-            place.to(node.place);
-            const Pair span = place - before;
+            const Pair place = at(node.place), span = place - before;
             span.to(node.span);
             before = place;
             worst = most(size_of(dot(span, span) - node.length2) * node.per_length2, worst);
@@ -209,14 +184,11 @@ template <int D, class V> class ChainSwing {
         return worst * number(0.5);
     }
 
-    /// Velocities at the end, and the lanes whose energy is right. Work that links do because lengths are not exact,
-    /// now or at the start, is no error of this iteration.
+    /// Velocities at the end, and the lanes whose energy is right.
     Mask keeps_energy() {
         const V per = number(2) / h_;
         Pair before{}, carried{};
         V slip{};
-        Pair low, high;
-        for (int k = 0; k < D; ++k) low.at[k] = of(pack_.low[k]), high.at[k] = of(pack_.high[k]);
         after_ = jolt_ = beyond_ = V{};
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
@@ -228,16 +200,9 @@ template <int D, class V> class ChainSwing {
             slip = slip + (dot(span, span) - dot(begun, begun)) * node.pull;
             jolt_ = most(size_of(dot(span, velocity - before)) * node.per_length2, jolt_);
             before = velocity;
-#pragma GCC unroll 3
-            for (int k = 0; k < D; ++k)
-                beyond_ = most(most(low.at[k] - node.place[k], node.place[k] - high.at[k]), beyond_);
+            Base::measure_room(node.place);
         }
-        Pair push;
-        for (int k = 0; k < D; ++k) push.at[k] = of(pack_.push[k]);
-        due_ = before_ + dot(push, carried);
-        const V most_gain = (before_ + after_) * number(rounding) + of(pack_.weight_reach) * number(tiny);
-        const V gain = after_ - due_, unexplained = gain + slip / (h_ * h_);
-        return both(size_of(gain) <= most_gain, size_of(unexplained) <= most_gain * number(share_of_rounding));
+        return Base::conserves(carried, slip, before_ + after_);
     }
 
     /// Removes velocities along the links, an error of the midpoint rule after the crack of a whip, and gives their

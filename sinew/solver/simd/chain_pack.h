@@ -1,10 +1,9 @@
 #pragma once
 
+#include "sinew/solver/simd/lane_pack.h"
+
 /// Chains side by side in the lanes of packs: ropes held at the first node, of rigid links one after the other.
 namespace sinew {
-
-/// Most chains side by side.
-inline constexpr int max_chain_lanes = 8;
 
 /// A node of a chain, and the link to the node before. V is a pack, with one number for each chain.
 template <int D, class V> struct ChainNode {
@@ -27,32 +26,12 @@ template <int D, class V> struct ChainNode {
     V error, stiffness;  ///< right-hand side of that row, and its inverse pivot
 };
 
-/// A substep of several chains of the same number of links. Numbers by lane; unused lanes have `active` 0.
-template <int D> struct ChainPack {
-    template <class T> struct alignas(64) Lanes {
-        T lane[max_chain_lanes] = {};
-    };
+/// A substep of several chains of the same number of links. The first node is immovable.
+template <int D> struct ChainPack : LanePack<D> {
     int links = 0;
-    int width = 1;           ///< lanes of the kernel
-    double* nodes = nullptr; ///< links + 1 nodes, ChainNode<D, pack of `width`>; the first one is immovable
-    double longest = 0;      ///< length of an undivided substep, s
+    double* nodes = nullptr; ///< links + 1 nodes, ChainNode<D, pack of `width`>
 
-    Lanes<double> active;       ///< 1 or 0
-    Lanes<double> fresh;        ///< 1: lengths and velocities at the start are to be examined
-    Lanes<double> pulls_only;   ///< 1: the links can go slack
-    Lanes<double> shortest;     ///< 1: the substep is not to be divided any further
-    Lanes<double> h;            ///< length of the substep, s
-    Lanes<double> keep, yield;  ///< factors of drag (math/decay.h)
-    Lanes<double> push[D];      ///< acceleration times `yield`, m/s^2
-    Lanes<double> reach;        ///< total length, m
-    Lanes<double> weight_reach; ///< weight times total length, J
-
-    Lanes<double> low[D], high[D]; ///< room in which the nodes meet nothing, m
-
-    /// Results.
-    Lanes<double> good;  ///< 1: the chain has moved on by h; otherwise it is as before
-    Lanes<double> alien; ///< 1: a substep that needs more than shorter substeps: slack, stretched, or struck
-    Lanes<double> lost;  ///< energy lost, times `yield`, J
+    typename LanePack<D>::Numbers pulls_only; ///< 1: the links can go slack
 };
 
 } // namespace sinew

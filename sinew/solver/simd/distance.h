@@ -63,22 +63,64 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     DistancePass<Real>& pass;
     const LinkBatch& run;
 
+    /// Links from a number on: ends with their displacements, link now, and direction of correction.
+    template <class V> struct Link {
+        Ends a, b;
+        V move_a[D], move_b[D];
+        V e[D], d[D];
+        V e2{}, d2{}, d_e{};
+    };
+
     /// Solves the links from number i on: a full pack with `all`, otherwise `count`.
     template <class V, bool all>
     [[gnu::always_inline]] void project(std::uint32_t i, int count, const Limits<V>& limits) const {
+        const auto link = link_at<V>(i, count);
+        if (!run.compliant) look_at<V, all>(link.e2, rules.range || rules.kept ? limits.high : limits.low, count);
+        const V w_a = link.a.template get<V>(columns.mobility, count);
+        const V w_b = link.b.template get<V>(columns.mobility, count);
+        V resistance = (w_a + w_b) * link.d_e, length{}, d_length{}, zero{};
+        if constexpr (rules.compliant || rules.kept) d_length = root(link.d2);
+        if constexpr (rules.range || rules.kept) length = root(link.e2);
+        if constexpr (rules.compliant) resistance = resistance + limits.alpha * (length * d_length);
+        // zero length or mobility gives zero resistance: the products below are then zero
+        constexpr Real least_resistance = sizeof(Real) == 4 ? Real(1e-26) : Real(1e-200);
+        const V per = Real(1) / most(resistance, spread<V>(least_resistance));
+        if constexpr (rules.kept) {
+            const V gain = w_a + w_b > zero ? length * per * d_length : zero;
+            const V s = store_lambda<V, all>(i, count, limits, length, d_length, gain);
+            move<V, all>(link, s * w_a, s * w_b, count);
+        } else {
+            V s;
+            if constexpr (rules.range)
+                s = (most(limits.low - length, zero) + least(limits.high - length, zero)) * length;
+            else
+                s = lacking_of(limits.low, link.e2);
+            move<V, all>(link, s * (per * w_a), s * (per * w_b), count);
+        }
+    }
+
+    template <class V> [[gnu::always_inline]] Link<V> link_at(std::uint32_t i, int count) const {
         const auto [a, b] = ends(i);
-        V move_a[D], move_b[D], e[D], d[D], e2{}, zero{};
+        Link<V> link;
+        link.a = a, link.b = b;
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
-            move_a[k] = a.template get<V>(columns.move + k * columns.apart, count);
-            move_b[k] = b.template get<V>(columns.move + k * columns.apart, count);
-            d[k] = b.template get<V>(columns.place + k * columns.apart, count) -
-                   a.template get<V>(columns.place + k * columns.apart, count);
-            e[k] = d[k] + (move_b[k] - move_a[k]);
-            e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
+            link.move_a[k] = a.template get<V>(columns.move + k * columns.apart, count);
+            link.move_b[k] = b.template get<V>(columns.move + k * columns.apart, count);
+            link.d[k] = b.template get<V>(columns.place + k * columns.apart, count) -
+                        a.template get<V>(columns.place + k * columns.apart, count);
+            link.e[k] = link.d[k] + (link.move_b[k] - link.move_a[k]);
+            link.e2 = k ? link.e2 + link.e[k] * link.e[k] : link.e[k] * link.e[k];
         }
-        V d2 = e2, d_e = e2;
+        choose_direction(link);
+        return link;
+    }
+
+    /// The direction at the start of the substep, in `d`, is kept with `old_gradient` if it agrees with the link now.
+    template <class V> [[gnu::always_inline]] void choose_direction(Link<V>& link) const {
+        auto& [a, b, move_a, move_b, e, d, e2, d2, d_e] = link;
         if constexpr (rules.old_gradient) {
+            const V zero{};
             d2 = d_e = zero;
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d2 = d2 + d[k] * d[k], d_e = d_e + d[k] * e[k];
@@ -89,38 +131,25 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d[k] = agree ? d[k] : e[k];
         } else {
+            d2 = d_e = e2;
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d[k] = e[k];
         }
-        if (!run.compliant) look_at<V, all>(e2, rules.range || rules.kept ? limits.high : limits.low, count);
-        const V w_a = a.template get<V>(columns.mobility, count), w_b = b.template get<V>(columns.mobility, count);
-        V resistance = (w_a + w_b) * d_e, length{}, d_length{};
-        if constexpr (rules.compliant || rules.kept) d_length = root(d2);
-        if constexpr (rules.range || rules.kept) length = root(e2);
-        if constexpr (rules.compliant) resistance = resistance + limits.alpha * (length * d_length);
-        // zero length or mobility gives zero resistance: the products below are then zero
-        constexpr Real least_resistance = sizeof(Real) == 4 ? Real(1e-26) : Real(1e-200);
-        const V per = Real(1) / most(resistance, spread<V>(least_resistance));
-        if constexpr (rules.kept) {
-            const V lambda = multipliers<V, all>(i, count);
-            const V slack = rules.compliant ? limits.alpha * lambda : zero;
-            const V gain = w_a + w_b > zero ? length * per * d_length : zero;
-            const V pushing = lambda + (limits.low - length - slack) * gain;
-            const V pulling = lambda + (limits.high - length - slack) * gain;
-            V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(limit::multiplier<Real>));
-            if (pass.again) next = least(next, lambda);                        // repair only shortens
-            const V divisor = d_length > zero ? d_length : spread<V>(Real(1)); // masked lanes are divided, too
-            const V s = d_length > zero ? (next - lambda) / divisor : zero;
-            note<V, all>(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
-            move<V, all>(a, b, move_a, move_b, d, s * w_a, s * w_b, count);
-        } else {
-            V s;
-            if constexpr (rules.range)
-                s = (most(limits.low - length, zero) + least(limits.high - length, zero)) * length;
-            else
-                s = lacking_of(limits.low, e2);
-            move<V, all>(a, b, move_a, move_b, d, s * (per * w_a), s * (per * w_b), count);
-        }
+    }
+
+    /// Updates the multipliers by a `gain` for a unit of length. Returns the changes, relative to the direction.
+    template <class V, bool all>
+    [[gnu::always_inline]] V store_lambda(std::uint32_t i, int count, const Limits<V>& limits, const V& length,
+                                          const V& d_length, const V& gain) const {
+        const V zero{}, lambda = multipliers<V, all>(i, count);
+        const V slack = rules.compliant ? limits.alpha * lambda : zero;
+        const V pushing = lambda + (limits.low - length - slack) * gain;
+        const V pulling = lambda + (limits.high - length - slack) * gain;
+        V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(limit::multiplier<Real>));
+        if (pass.again) next = least(next, lambda); // repair only shortens
+        note<V, all>(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
+        const V divisor = d_length > zero ? d_length : spread<V>(Real(1)); // masked lanes are divided, too
+        return d_length > zero ? (next - lambda) / divisor : zero;
     }
 
     /// (limit - length) length. Near the limit half of the difference of the squares is accurate and needs no root; not
@@ -142,12 +171,11 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     }
 
     template <class V, bool all>
-    [[gnu::always_inline]] void move(const Ends& a, const Ends& b, const V (&move_a)[D], const V (&move_b)[D],
-                                     const V (&d)[D], const V& s_a, const V& s_b, int count) const {
+    [[gnu::always_inline]] void move(const Link<V>& link, const V& s_a, const V& s_b, int count) const {
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
-            a.template put<all>(columns.move + k * columns.apart, move_a[k] - d[k] * s_a, count);
-            b.template put<all>(columns.move + k * columns.apart, move_b[k] + d[k] * s_b, count);
+            link.a.template put<all>(columns.move + k * columns.apart, link.move_a[k] - link.d[k] * s_a, count);
+            link.b.template put<all>(columns.move + k * columns.apart, link.move_b[k] + link.d[k] * s_b, count);
         }
     }
 

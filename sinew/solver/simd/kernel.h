@@ -3,6 +3,7 @@
 #include "sinew/math/limit.h"
 #include "sinew/math/moments.h"
 #include "sinew/solver/simd/chain_pack.h"
+#include "sinew/solver/simd/program_pack.h"
 #include "sinew/world/world_types.h"
 
 #include <cstddef>
@@ -148,10 +149,12 @@ template <int D, class Real> struct Kernels {
     /// True if all numbers are within [-limit, limit], or [0, limit]; NaN is not.
     bool (*all_within)(const Real* numbers, std::size_t count, Real limit);
     bool (*all_within_and_positive)(const Real* numbers, std::size_t count, Real limit);
-    /// Moves chains on by a substep: as many side by side as there are lanes, or a single one.
-    int chain_lanes;
+    /// Moves chains or other blocks on by a substep: as many side by side as there are lanes, or a single one.
+    int block_lanes;
     void (*swing_chains)(ChainPack<D>&);
     void (*swing_chain)(ChainPack<D>&);
+    void (*swing_programs)(ProgramPack<D>&);
+    void (*swing_program)(ProgramPack<D>&);
 };
 
 /// Kernels of an instruction set.

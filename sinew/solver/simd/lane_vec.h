@@ -49,6 +49,24 @@ template <int D, class V> [[gnu::always_inline]] inline V dot(const Arrow<D, V>&
 template <int D, class V> struct Square {
     V at[D * D];
 
+    [[gnu::always_inline]] static Square of(const V (&numbers)[D * D]) {
+        Square m;
+#pragma GCC unroll 9
+        for (int k = 0; k < D * D; ++k) m.at[k] = numbers[k];
+        return m;
+    }
+    [[gnu::always_inline]] void to(V (&numbers)[D * D]) const {
+#pragma GCC unroll 9
+        for (int k = 0; k < D * D; ++k) numbers[k] = at[k];
+    }
+    [[gnu::always_inline]] void add_to(V (&numbers)[D * D]) const {
+#pragma GCC unroll 9
+        for (int k = 0; k < D * D; ++k) numbers[k] = numbers[k] + at[k];
+    }
+    [[gnu::always_inline]] void take_from(V (&numbers)[D * D]) const {
+#pragma GCC unroll 9
+        for (int k = 0; k < D * D; ++k) numbers[k] = numbers[k] - at[k];
+    }
     [[gnu::always_inline]] void add_to_diagonal(const V& s) {
 #pragma GCC unroll 3
         for (int k = 0; k < D; ++k) at[(D + 1) * k] = at[(D + 1) * k] + s;
@@ -79,6 +97,39 @@ template <int D, class V>
         product.at[i] = sum;
     }
     return product;
+}
+
+template <int D, class V>
+[[gnu::always_inline]] inline Square<D, V> operator*(const Square<D, V>& m, const Square<D, V>& n) {
+    Square<D, V> product;
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i)
+#pragma GCC unroll 3
+        for (int j = 0; j < D; ++j) {
+            V sum = m.at[D * i] * n.at[j];
+#pragma GCC unroll 3
+            for (int k = 1; k < D; ++k) sum = sum + m.at[D * i + k] * n.at[D * k + j];
+            product.at[D * i + j] = sum;
+        }
+    return product;
+}
+template <int D, class V> [[gnu::always_inline]] inline Square<D, V> operator*(Square<D, V> m, const V& s) {
+#pragma GCC unroll 9
+    for (int k = 0; k < D * D; ++k) m.at[k] = m.at[k] * s;
+    return m;
+}
+/// a b^T
+template <int D, class V> [[gnu::always_inline]] inline Square<D, V> outer(const Arrow<D, V>& a, const Arrow<D, V>& b) {
+    Square<D, V> product;
+#pragma GCC unroll 3
+    for (int i = 0; i < D; ++i)
+#pragma GCC unroll 3
+        for (int j = 0; j < D; ++j) product.at[D * i + j] = a.at[i] * b.at[j];
+    return product;
+}
+template <class V> [[gnu::always_inline]] inline Arrow<3, V> cross(const Arrow<3, V>& a, const Arrow<3, V>& b) {
+    return {{a.at[1] * b.at[2] - a.at[2] * b.at[1], a.at[2] * b.at[0] - a.at[0] * b.at[2],
+             a.at[0] * b.at[1] - a.at[1] * b.at[0]}};
 }
 
 /// The adjugate: the inverse times the determinant.

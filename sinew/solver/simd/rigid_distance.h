@@ -1,8 +1,6 @@
 #pragma once
 
-#include "sinew/math/lane.h"
-#include "sinew/solver/simd/inverse_length.h"
-#include "sinew/solver/simd/kernel.h"
+#include "sinew/solver/simd/rigid_correction.h"
 
 #include <array>
 #include <limits>
@@ -14,14 +12,6 @@ namespace sinew {
 namespace {
 
 using namespace lane;
-
-/// Variant of rigid links to compile a kernel for.
-struct Rigid {
-    bool equality = true;      ///< all links are equalities
-    bool kept = false;         ///< multipliers are stored
-    bool old_gradient = false; ///< corrected along the links at the start of the substep (simd/distance.h)
-    bool equal_mass = true;    ///< both ends of every link have the same nonzero mobility
-};
 
 template <int D, class Real, Rigid rules> struct RigidLinks {
     using V = Pack<Real, widest<Real>>;
@@ -53,16 +43,9 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     [[gnu::always_inline]] void solve_any() const { run.uniform ? solve_uniform() : solve_each(); }
 
   private:
-    /// Limits of the length, as 1 / (4 length^2).
-    struct Wanted {
-        V low, high;
-    };
-
-    struct Link {
-        V a[D], b[D]; ///< displacements of the ends
-        V d[D], e[D]; ///< link at the start of the substep, link now
-        V e2{};
-    };
+    using Wanted = sinew::Wanted<V>;
+    using Link = RigidLink<D, V>;
+    using Correction = RigidCorrection<D, Real, rules>;
 
     /// The last pack begins early enough to be full. Links in both of the last two packs are loaded before the first
     /// store, and solved twice with equal results.
@@ -86,15 +69,9 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         for (unsigned p = 0; p < packs; ++p) {
             const Wanted& wanted = limits(i[p]);
             link[p] = link_at(i[p]);
-            half[p] = half_tangent(link[p].e2, wanted);
-            away[p] = half[p] * half[p];
-            if constexpr (rules.old_gradient) {
-                const V turned = quarter() - dot(link[p].d, link[p].e) * wanted.low;
-                away[p] = most(away[p], turned * turned);
-                half[p] = along_tangent(half[p], turned);
-            }
+            half[p] = Correction::by_tangent(link[p], wanted, away[p]);
         }
-        if (any_less(near() * near(), away)) [[unlikely]]
+        if (any_less(Correction::near() * Correction::near(), away)) [[unlikely]]
             return false;
 #pragma GCC unroll 2
         for (unsigned p = 0; p < packs; ++p) {
@@ -116,8 +93,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     template <bool all> [[gnu::always_inline]] void project(std::size_t i, int count) const {
         const Wanted wanted = run.uniform ? uniformly_wanted() : wanted_of(i);
         Link link = link_at(i);
-        const V half =
-            rules.old_gradient ? half_along<all>(link, count, wanted) : half_lacking<all>(link.e2, count, wanted);
+        const V half = Correction{pass}.template exact<all>(link, count, wanted);
         move<all>(i, count, link, half);
         if constexpr (rules.kept) keep<all>(i, count, link, half, wanted);
     }
@@ -133,67 +109,6 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         const V lambda = within(along * half / mobility, spread<V>(limit::multiplier<Real>));
         const auto has_length = wanted.low < spread<V>(Real(0.1) * most_per_square<Real>);
         note<all>(i, count, lambda, has_length ? length : spread<V>(Real(1)));
-    }
-
-    /// Half of the relative correction: the share of each end with equal mobilities.
-    template <bool all> [[gnu::always_inline]] V half_lacking(const V& e2, int count, const Wanted& wanted) const {
-        V half = half_tangent(e2, wanted);
-        if constexpr (!all) half = first_lanes(half, count, Real(0));
-        return lacking(
-            half, Real(0.5), [&]() __attribute__((always_inline)) {
-                look_at(half);
-                if constexpr (rules.equality) return e2 * wanted.low * Real(4);
-                return e2 * (half < V{} ? wanted.high : wanted.low) * Real(4);
-            });
-    }
-
-    /// Half of the correction relative to d, the link at the start of the substep; e is the link now:
-    ///
-    ///     (1/sqrt(t) - 1)/2 t/u,   t = e^2 / L^2,   u = d e / L^2;   near t = u = 1 about (1 - t)/4 (2 - u)
-    ///
-    /// Where the link has turned by more than 8 degrees or is at least twice too long, d becomes e.
-    template <bool all> [[gnu::always_inline]] V half_along(Link& link, int count, const Wanted& wanted) const {
-        auto& [a, b, d, e, e2] = link;
-        const V d_e = dot(d, e);
-        V half = half_tangent(e2, wanted), turned = quarter() - d_e * wanted.low;
-        if constexpr (!all) half = first_lanes(half, count, Real(0)), turned = first_lanes(turned, count, Real(0));
-        const V nearly = along_tangent(half, turned), away = most(half * half, turned * turned);
-        if (!any_less(near() * near(), away)) return nearly;
-        look_at(half);
-        const V t = e2 * wanted.low * Real(4), one = spread<V>(Real(1)), zero{};
-        V along = turned * turned < spread<V>(Real(1.0 / 64)) ? d_e : zero; // u from 1/2 to 3/2
-        along = t < spread<V>(Real(4)) ? along : zero;
-        const auto agree = along * along > Real(least_agreement * least_agreement) * (e2 * dot(d, d));
-        const V lack = Real(0.5) / root(most(t, spread<V>(Real(1e-30)))) - Real(0.5);
-        const V part = lack * ((agree ? e2 : one) / (agree ? along : one));
-        for (unsigned k = 0; k < D; ++k) d[k] = near() * near() < away ? (agree ? d[k] : e[k]) : d[k];
-        return near() * near() < away ? part : nearly;
-    }
-
-    [[gnu::always_inline]] void look_at(const V& half) const {
-        if (any(half < spread<V>(Real(0.25) * (1 - overstretched<Real>)))) pass.overstretched = true;
-    }
-
-    [[gnu::always_inline]] static V quarter() {
-        return spread<V>(Real(0.25));
-    }
-    /// Largest `half` for the tangent; larger values take a square root.
-    [[gnu::always_inline]] static V near() {
-        return spread<V>(Real(1.0 / 128));
-    }
-
-    [[gnu::always_inline]] static V half_tangent(const V& e2, const Wanted& wanted) {
-        const V half = quarter() - e2 * wanted.low, zero{};
-        return rules.equality ? half : most(half, zero) + least(quarter() - e2 * wanted.high, zero);
-    }
-    [[gnu::always_inline]] static V along_tangent(const V& half, const V& turned) {
-        return half * (turned * Real(4) + Real(1));
-    }
-    [[gnu::always_inline]] static V dot(const V (&a)[D], const V (&b)[D]) {
-        V sum = a[0] * b[0];
-#pragma GCC unroll 3
-        for (unsigned k = 1; k < D; ++k) sum = sum + a[k] * b[k];
-        return sum;
     }
 
     [[gnu::always_inline]] Link link_at(std::size_t i) const {

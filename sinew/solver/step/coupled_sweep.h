@@ -49,7 +49,6 @@ template <int D, class Real> class CoupledSweep {
         limiter.begin();
         for (const auto& tile : plan_.tiles) substep.predict(tile);
         keeper_.note(bodies, 1);
-        note_energy(world_, solver_);
         FigureContact<D, Real> contacts(world_, solver_, substeps_.h, number, substeps_.count);
         contacts.begin();
         solve_with_ports(substep, number);
@@ -57,7 +56,6 @@ template <int D, class Real> class CoupledSweep {
         contacts.solve();
         limiter.find_gains();
         for (const auto& tile : plan_.tiles) substep.advance(tile);
-        take_back_gains(world_, solver_, substeps_.h);
         keeper_.restore(bodies);
         limiter.take_gains();
         for (const auto& tile : plan_.tiles) substep.rebound(tile);

@@ -22,8 +22,8 @@ template <int D, class Real> void step_sweep(World<D, Real>& world, Solver<D, Re
     begin_sweep(world, solver, h);
     find_contact_features(world, solver);
     const detail::Substeps<D, Real> substeps(world, solver, count, h);
-    const bool is_coupled = !plan.others.empty() || motorized || !solver.blocks.attached_trees.empty() ||
-                            solver.budgets.any || has_figure_contacts(solver);
+    const bool is_coupled =
+        !plan.others.empty() || motorized || !solver.blocks.attached_trees.empty() || has_figure_contacts(solver);
     if (is_coupled)
         detail::CoupledSweep<D, Real>(world, solver, substeps, motorized).run();
     else
@@ -36,7 +36,6 @@ void physical_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt, deta
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : usual_substeps;
     const Real h = dt / Real(substeps);
     solver.prepare(world);
-    find_passive(world, solver);
     laps.end(Phase::prepare);
     step_blocks(world, solver, dt, h);
     laps.end(Phase::blocks);

@@ -128,7 +128,7 @@ template <int D, class Real> class FreeBodyFinder {
                 if (auto* body = body_of(slot)) body->lossless = false;
         }
         each_other([&](const auto& table, Row row) {
-            if (!(table.compliance[row] > Real(0) || table.motorized[row] || table.gives(row))) return;
+            if (table.is_rigid(row) && !table.motorized[row] && !table.gives(row)) return;
             for (const Row member : table.members[row])
                 if (const Row slot = state_.slot_of[member]; slot != none)
                     if (auto* body = body_of(slot)) body->lossless = false;

@@ -15,22 +15,6 @@ template <int D, class Real> bool any_force(const World<D, Real>& world, const S
                                       [&](Row row) { return p.force[row] != Vec<D, Real>{}; });
 }
 
-/// Prefetch. Copies of a shape are contiguous in memory but gathered across copies, a pattern no prefetcher foresees;
-/// so the rows are first touched in memory order, a byte per cache line.
-template <int D, class Real, class... T>
-void read_through(const SweepState<D, Real>& sweep_state, Row first, Row last, const std::vector<T>&... columns) {
-    constexpr Row near = 4;
-    constexpr std::size_t line = 64;
-    if (last - first < 2 || sweep_state.row_of[first + 1] <= sweep_state.row_of[first] + near) return;
-    const Row begin = sweep_state.row_of[first], end = sweep_state.row_of[last - 1] + 1;
-    if (end - begin != last - first) return;
-    const auto read = [&](const auto& column) {
-        const volatile char* const bytes = reinterpret_cast<const char*>(column.data() + begin);
-        for (std::size_t at = 0; at < (end - begin) * sizeof column[0]; at += line) (void)bytes[at];
-    };
-    (read(columns), ...);
-}
-
 template <int D, class Real>
 Transposition<D, Real> turning(const SweepState<D, Real>& sweep_state, std::vector<Vec<D, Real>>& rows, Real* columns) {
     static_assert(sizeof rows[0] == D * sizeof(Real));
@@ -75,7 +59,6 @@ template <int D, class Real> void gather(World<D, Real>& world, Solver<D, Real>&
     auto& sweep_state = solver.sweep_state;
     if (first == last) return;
     const auto& kernel = kernels<D, Real>(solver.options.simd);
-    read_through(sweep_state, first, last, p.position, p.residual, p.velocity, p.mobility);
     kernel.to_columns(turning(sweep_state, p.position, sweep_state.place[0]), first, last);
     kernel.to_columns(turning(sweep_state, p.residual, sweep_state.residual[0]), first, last);
     auto moves = turning(sweep_state, p.velocity, sweep_state.move[0]);

@@ -4,6 +4,7 @@
 #include "sinew/solver/simd/chain.h"
 #include "sinew/solver/simd/distance.h"
 #include "sinew/solver/simd/integrate.h"
+#include "sinew/solver/simd/program.h"
 #include "sinew/solver/simd/range_check.h"
 #include "sinew/solver/simd/transpose.h"
 
@@ -26,9 +27,11 @@ template <int D, class Real> constexpr Kernels<D, Real> kernels_here(std::type_i
             .to_rows = to_rows<D, Real>,
             .all_within = all_within<true, Real>,
             .all_within_and_positive = all_within<false, Real>,
-            .chain_lanes = lane::widest<double>,
+            .block_lanes = lane::widest<double>,
             .swing_chains = swing_chains<D, lane::widest<double>>,
-            .swing_chain = swing_chains<D, 1>};
+            .swing_chain = swing_chains<D, 1>,
+            .swing_programs = swing_programs<D, lane::widest<double>>,
+            .swing_program = swing_programs<D, 1>};
 }
 
 template <class... Each> constexpr AllKernels<Each...> all_kernels_here(std::type_identity<AllKernels<Each...>>) {

@@ -1,0 +1,275 @@
+#pragma once
+
+#include "sinew/math/decay.h"
+#include "sinew/solver/direct/chain_room.h"
+#include "sinew/solver/direct/light_trees.h"
+#include "sinew/solver/direct/look_up_rows.h"
+#include "sinew/solver/direct/tensions.h"
+#include "sinew/solver/phases.h"
+#include "sinew/solver/simd/kernel.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+
+/// Step of blocks of equal structure side by side, each lane with a block and a substep of its own. A substep that
+/// fails is cut into halves, and the lane goes on with the first; a block that has arrived makes room for the next. A
+/// block that needs more than shorter substeps is handed to the solver of blocks (direct/step_blocks.cpp) for one
+/// substep.
+namespace sinew::detail {
+
+/// Part of a step, in units of the shortest substep.
+struct LaneClock {
+    static constexpr std::uint32_t deepest = 6; ///< maximum depth of division of a substep
+    static constexpr std::uint32_t whole = 64;  ///< shortest substeps in an undivided one: 2^deepest
+
+    std::uint32_t begun = 0, depth = 0;
+
+    std::uint32_t length() const { return whole >> depth; }
+    std::uint32_t end() const { return begun + length(); }
+    /// Goes on with the next substep: as long as the one that has been divided, once all its parts are done.
+    void advance() {
+        begun = end();
+        while (depth > 0 && begun % (2 * length()) == 0) --depth;
+    }
+};
+
+/// A table of packs, `per` numbers of each lane in a row.
+struct LaneTable {
+    double* numbers;
+    std::size_t per, width, lane;
+
+    template <class Record> static LaneTable of(double* numbers, int width, int lane) {
+        return {numbers, sizeof(Record) / sizeof(double), std::size_t(width), std::size_t(lane)};
+    }
+    /// Number of a row, at an offset in the record of one lane.
+    double& at(std::size_t row, std::size_t offset) const {
+        return numbers[(row * per + offset / sizeof(double)) * width + lane];
+    }
+    template <int D> void put(std::size_t row, std::size_t offset, const Vec<D, double>& vector) const {
+        for (int k = 0; k < D; ++k) at(row, offset + std::size_t(k) * sizeof(double)) = vector[k];
+    }
+    template <int D> Vec<D, double> get(std::size_t row, std::size_t offset) const {
+        return Vec<D, double>::map([&](int k) { return at(row, offset + std::size_t(k) * sizeof(double)); });
+    }
+};
+
+/// True if blocks can be solved in lanes in this world: no field acts on them but gravity.
+template <int D, class Real> bool serves_lanes(const World<D, Real>& world) {
+    return std::all_of(world.forces.begin(), world.forces.end(),
+                       [](const auto& force) { return std::holds_alternative<Gravity<D, Real>>(force); });
+}
+
+/// Looks up the rows of a block by slots, if rows have moved, and with them those of a chain.
+template <int D, class Real> void follow_rows(const World<D, Real>& world, Blocks<D>& blocks, Block& block) {
+    if (block.row_moves == world.journal.row_moves) return;
+    look_up_rows(world, blocks, block);
+    if (block.chain == Blocks<D>::none) return;
+    auto& chain = blocks.chains.list[block.chain];
+    chain.held = blocks.nodes[chain.held_node].row;
+    for (auto& link : std::span(blocks.chains.links).subspan(chain.first, chain.links)) {
+        link.particle = blocks.nodes[link.node].row;
+        link.constraint = blocks.links[link.link].constraint;
+    }
+}
+
+/// `Layout` knows where the numbers of a block are: load(lane, block) and store(lane, block) move positions and
+/// velocities between world and lane; load_tensions(lane, block, per) and report_tensions(lane, block, substep)
+/// tensions between multipliers and lane, take_tensions(lane, block) and put_tensions(lane, block) between rows and
+/// lane. each_particle(block, visit) and each_held(block, visit) visit rows of particles.
+template <class Layout, int D, class Real> class LaneStep {
+  public:
+    LaneStep(World<D, Real>& world, Solver<D, Real>& solver, LanePack<D>& pack, double frame, int substeps)
+        : world_(world), solver_(solver), particles_(world.particles), blocks_(solver.blocks), pack_(pack),
+          frame_(frame), last_(LaneClock::whole * std::uint32_t(substeps)),
+          per_last2_(inverse_or_zero(square(double(world.last_substep)))) {
+        pack_.longest = frame / substeps;
+        for (std::uint32_t depth = 0; depth <= LaneClock::deepest; ++depth)
+            decay_[depth] = Decay<double>::of(clamp(double(world.settings.damping), 0.0, limit::measure<double>),
+                                              pack_.longest / double(1U << depth));
+    }
+
+  protected:
+    struct Lane {
+        Block* block = nullptr;
+        LaneClock clock;
+    };
+
+    World<D, Real>& world_;
+    Solver<D, Real>& solver_;
+    Particles<D, Real>& particles_;
+    Blocks<D>& blocks_;
+    LanePack<D>& pack_;
+
+    /// Moves the blocks of `turns`, all of one structure. `swing()` moves the lanes on by a substep; `whole(block)`
+    /// moves a block as any other; `redo(block, from, to, depth)` moves one over a part of the step, and returns the
+    /// energy lost.
+    template <class Turns, class Swing, class Whole, class Redo>
+    void run(const Turns& turns, double report_substep, Swing&& swing, Whole&& whole, Redo&& redo) {
+        pack_.active = {};
+        for (auto next = turns.begin();;) {
+            int busy = 0;
+            for (int l = 0; l < pack_.width; ++l) {
+                while (!lanes_[std::size_t(l)].block && next != turns.end())
+                    take_in(l, blocks_.list[(next++)->block], whole);
+                busy += lanes_[std::size_t(l)].block != nullptr;
+            }
+            if (busy == 0) return;
+            swing();
+            for (int l = 0; l < pack_.width; ++l)
+                if (lanes_[std::size_t(l)].block) go_on(l, report_substep, redo);
+        }
+    }
+
+    Vec<D, double> held_place(Row row) const {
+        auto place = cast<double>(particles_.position[row]);
+        for (auto i = blocks_.pin_of[row]; i != Blocks<D>::none; i = blocks_.next_pin[i])
+            if (world_.pins[i].hard() && !particles_.quarantined[row]) place = cast<double>(world_.pins[i].target);
+        return place;
+    }
+    /// Loads position and velocity of a particle into a row of nodes; returns the mass, kg.
+    template <class Node> double load_node(const LaneTable& nodes, std::size_t node, Row row) const {
+        const double mass = inverse_or_zero(double(particles_.inverse_mass[row]));
+        nodes.template put<D>(node, offsetof(Node, start),
+                              cast<double>(particles_.position[row]) + cast<double>(particles_.residual[row]));
+        nodes.template put<D>(node, offsetof(Node, velocity), cast<double>(particles_.velocity[row]));
+        nodes.at(node, offsetof(Node, mass)) = mass;
+        return mass;
+    }
+    template <class Node> void store_node(const LaneTable& nodes, std::size_t node, Row row) const {
+        constexpr double fastest = double(limit::speed<Real>), furthest = double(limit::coordinate<Real>);
+        const auto place = clamp_components(nodes.template get<D>(node, offsetof(Node, start)), furthest);
+        const auto held = cast<Real>(place);
+        particles_.residual[row] = cast<Real>(place - cast<double>(held));
+        particles_.position[row] = held;
+        particles_.velocity[row] =
+            cast<Real>(clamp_components(nodes.template get<D>(node, offsetof(Node, velocity)), fastest));
+    }
+    void start_block(int lane, double total, double reach, Row any) {
+        const auto l = std::size_t(lane);
+        push_[l] = cast<double>(push_on(world_, any).acceleration);
+        pack_.total.lane[l] = total;
+        pack_.reach.lane[l] = reach;
+        weight_reach_[l] = total * norm(push_[l]) * reach;
+        pack_.active.lane[l] = 1;
+    }
+
+  private:
+    double frame_;
+    std::uint32_t last_; ///< end of the step, in shortest substeps
+    double per_last2_;   ///< 1 / squared length of the substep that multipliers were reported for
+    std::array<Decay<double>, LaneClock::deepest + 1> decay_;
+    std::array<Lane, max_block_lanes> lanes_{};
+    std::array<Vec<D, double>, max_block_lanes> push_{}; ///< acceleration by gravity, m/s^2
+    std::array<double, max_block_lanes> weight_reach_{}; ///< weight times length, J
+
+    Layout& layout() { return static_cast<Layout&>(*this); }
+
+    // --- into the lanes
+
+    template <class Whole> void take_in(int lane, Block& block, Whole&& whole) {
+        follow_rows(world_, blocks_, block);
+        if (!fits(block) || !find_room(lane, block)) return whole(block);
+        block.lost = 0;
+        lanes_[std::size_t(lane)] = {&block, {}};
+        layout().load(lane, block);
+        layout().load_tensions(lane, block, per_last2_);
+        start_substep(lane, true);
+    }
+
+    /// False for a block that something pulls or carries about, and for one of very unequal masses.
+    bool fits(const Block& block) {
+        double lightest = 1e300, total = 0;
+        bool is_left_alone = true;
+        layout().each_particle(block, [&](Row row) {
+            const double mass = inverse_or_zero(double(particles_.inverse_mass[row]));
+            total += mass;
+            lightest = minimum(lightest, mass);
+            const bool is_pulled = particles_.any_force && particles_.force[row] != Vec<D, Real>{};
+            is_left_alone = is_left_alone && !is_pulled && blocks_.pin_of[row] == Blocks<D>::none;
+        });
+        layout().each_held(block, [&](Row row) {
+            for (auto i = blocks_.pin_of[row]; i != Blocks<D>::none; i = blocks_.next_pin[i])
+                is_left_alone = is_left_alone && world_.pins[i].from == world_.pins[i].target;
+        });
+        return is_left_alone && lightest >= light * total;
+    }
+
+    /// Sets the room of a lane for the step. False if a plane or a collider may be touched. A whip gets faster than at
+    /// the start: what leaves the room is left to the solver of blocks.
+    bool find_room(int lane, const Block& block) {
+        auto room = collide::BoundingBox<D, double>::everything();
+        if (has_walls(world_)) room = room_of(block);
+        if (room.high[0] < room.low[0]) return false;
+        const auto l = std::size_t(lane);
+        for (int k = 0; k < D; ++k) pack_.low[k].lane[l] = room.low[k], pack_.high[k].lane[l] = room.high[k];
+        return true;
+    }
+    collide::BoundingBox<D, double> room_of(const Block& block) {
+        constexpr double margin = 2;
+        collide::BoundingBox<D, double> reached;
+        double thickness = 0, fastest2 = 0, push = 0;
+        layout().each_particle(block, [&](Row row) {
+            const auto velocity = cast<double>(particles_.velocity[row]);
+            reached.include(cast<double>(particles_.position[row]));
+            fastest2 = maximum(fastest2, dot(velocity, velocity));
+            thickness = maximum(thickness, double(particles_.radius[row]));
+            push = norm(cast<double>(push_on(world_, row).acceleration));
+        });
+        std::optional<Vec<D, double>> held;
+        layout().each_held(block, [&](Row row) { reached.include(*(held = held_place(row))); });
+        const auto reach = reached.grown(margin * frame_ * (square_root(fastest2) + frame_ * push) + thickness);
+        const ChainRoom<D, Real> around(world_, solver_);
+        const auto room =
+            held ? around.find(*held, 1.001 * layout().length_of(block) + thickness, reach) : around.find(reach);
+        return room.grown(-thickness);
+    }
+
+    void start_substep(int lane, bool fresh) {
+        const auto l = std::size_t(lane);
+        const auto depth = lanes_[l].clock.depth;
+        const auto& decay = decay_[depth];
+        pack_.fresh.lane[l] = fresh;
+        pack_.shortest.lane[l] = depth == LaneClock::deepest;
+        pack_.h.lane[l] = pack_.longest / double(1U << depth);
+        pack_.keep.lane[l] = decay.keep;
+        pack_.yield.lane[l] = decay.yield;
+        for (int k = 0; k < D; ++k) pack_.push[k].lane[l] = push_[l][k] * decay.yield;
+        pack_.weight_reach.lane[l] = weight_reach_[l] * decay.yield;
+    }
+
+    // --- on, and out of the lanes
+
+    template <class Redo> void go_on(int lane, double report_substep, Redo&& redo) {
+        const auto l = std::size_t(lane);
+        auto& [block, clock] = lanes_[l];
+        const bool good = pack_.good.lane[l] > 0;
+        if (!good && pack_.alien.lane[l] == 0 && clock.depth < LaneClock::deepest) {
+            ++clock.depth;
+            return start_substep(lane, false);
+        }
+        if (good)
+            block->lost += pack_.lost.lane[l] / pack_.yield.lane[l];
+        else
+            hand_over(lane, redo);
+        clock.advance();
+        if (clock.begun < last_) return start_substep(lane, !good);
+        layout().store(lane, *block);
+        layout().report_tensions(lane, *block, report_substep);
+        block = nullptr;
+        pack_.active.lane[l] = 0;
+    }
+
+    template <class Redo> void hand_over(int lane, Redo&& redo) {
+        const auto& [block, clock] = lanes_[std::size_t(lane)];
+        layout().store(lane, *block);
+        layout().put_tensions(lane, *block);
+        const double from = double(clock.begun) / last_, to = double(clock.end()) / last_;
+        block->lost += redo(*block, from, to, int(clock.depth) / 2);
+        layout().load(lane, *block);
+        layout().take_tensions(lane, *block);
+    }
+};
+
+} // namespace sinew::detail

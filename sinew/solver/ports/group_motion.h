@@ -1,0 +1,107 @@
+#pragma once
+
+#include "sinew/solver/rigid_motion.h"
+#include "sinew/solver/solver.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace sinew::detail {
+
+/// Motion of the members of a group in a substep. Displacements stand for velocities, energies are times h^2.
+template <int D, class Real> class GroupMotion {
+  public:
+    using Vector = Vec<D, double>;
+    using Motion = RigidMotion<D>;
+    using Spin = typename Motion::Spin;
+
+    GroupMotion(SweepState<D, Real>& swept, const Ports<D>& ports, const PortGroup<D>& group)
+        : swept_(swept), ports_(ports), group_(group) {}
+
+    std::span<const std::uint32_t> members() const {
+        return std::span(ports_.members).subspan(group_.first, group_.members);
+    }
+    std::span<const std::uint32_t> anchors() const {
+        return std::span(ports_.anchors).subspan(group_.first_anchor, group_.anchors);
+    }
+    double mass(Row slot) const { return inverse_or_zero(ports_.mobilities[slot]); }
+    Vector place(Row slot) const { return cast<double>(swept_.place_at(slot)); }
+    Vector move(Row slot) const { return cast<double>(swept_.move_at(slot)); }
+    /// Displacement in the substep before.
+    const Vector& last_move(Row slot) const { return ports_.last_moves[slot]; }
+    /// Displacement without constraints.
+    const Vector& free_move(Row slot) const { return ports_.free_moves[slot]; }
+
+    Motion rigid() const { return Motion::of(bodies(), place_of); }
+
+    /// Motion of a rigid body, in which the rest of a group's motion is measured.
+    struct Frame {
+        Vector center{}, velocity{};
+        Spin rate{}; ///< radians a substep
+
+        Vector at(const Vector& place) const { return velocity + turning(rate, place - center); }
+    };
+    Frame frame_of(const Motion& motion) const {
+        return {motion.center, motion.momentum * inverse_or_zero(motion.mass), motion.rate_of(bodies(), place_of)};
+    }
+    /// Frame in which energy is measured: pins that are all carried alike do no work in this one. False for other pins.
+    bool find_frame(Frame& frame) const {
+        const auto held = anchors();
+        if (held.empty()) {
+            frame = frame_of(rigid());
+            return true;
+        }
+        frame.velocity = move(held.front());
+        return std::all_of(held.begin(), held.end(), [&](Row s) { return move(s) == frame.velocity; });
+    }
+
+    /// Energy of the motion relative to a frame.
+    double energy_beside(const Frame& frame) const {
+        double sum = 0;
+        for (const auto s : members()) {
+            const auto own = move(s) - frame.at(place(s));
+            sum += 0.5 * mass(s) * dot(own, own);
+        }
+        return sum;
+    }
+    /// Energy that a group gains about its centre if it turns as one frame in place of the other.
+    double energy_between(const Frame& one, const Frame& other) const {
+        double sum = 0;
+        for (const auto s : members()) {
+            const auto from = one.at(place(s)) - one.velocity, to = other.at(place(s)) - other.velocity;
+            sum += 0.5 * mass(s) * (dot(to, to) - dot(from, from));
+        }
+        return sum;
+    }
+
+    /// Puts one frame in place of another, and scales the motion beside.
+    void replace(const Frame& frame, const Frame& other, double share) const {
+        for (const auto s : members()) {
+            const auto own = move(s) - frame.at(place(s));
+            swept_.set_move(s, cast<Real>(other.at(place(s)) + own * share));
+        }
+    }
+    /// Moves all members with a frame.
+    void stiffen(const Frame& frame) const {
+        for (const auto s : members()) swept_.set_move(s, cast<Real>(frame.at(place(s))));
+    }
+
+  private:
+    SweepState<D, Real>& swept_;
+    const Ports<D>& ports_;
+    const PortGroup<D>& group_;
+
+    /// A particle with its displacement in the substep as its velocity.
+    struct Body {
+        double mass = 0;
+        Vector place{}, velocity{};
+    };
+    static Vector place_of(const Body& body) { return body.place; }
+    auto bodies() const {
+        return std::views::transform(members(), [this](Row s) { return Body{mass(s), place(s), move(s)}; });
+    }
+};
+
+template <int D, class Real> using GroupFrame = typename GroupMotion<D, Real>::Frame;
+
+} // namespace sinew::detail
