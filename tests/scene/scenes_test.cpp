@@ -68,6 +68,20 @@ std::string with_a_joint(const std::string& first, const std::string& second) {
            "]}";
 }
 
+// Half a second, in the scene's own unit of time, if nothing else is said.
+TEST(Scenes, SleepHasTheSpeedAndTheDelayThatTheSceneNames) {
+    const auto rules = [](const std::string& units, const std::string& sleep) {
+        auto document = load(R"({"sinew": 1, "units": {)" + units + R"(}, "solver": {"sleep": )" + sleep + "}}", "s");
+        const auto opened = open_scene(document, {}, {});
+        EXPECT_TRUE(opened) << to_text(document.diagnostics);
+        return opened ? std::get<World<2, double>>(opened->world).settings.sleep : SleepRules<double>{};
+    };
+    EXPECT_EQ(rules("", R"({"speed": 0.02, "delay": 1})").speed, 0.02);
+    EXPECT_EQ(rules("", R"({"speed": 0.02, "delay": 1})").delay, 1);
+    EXPECT_DOUBLE_EQ(rules("", R"({"speed": 0.02})").delay, 0.5);
+    EXPECT_DOUBLE_EQ(rules(R"("time": "frame")", R"({"speed": 0.02})").delay, 30);
+}
+
 TEST(Scenes, AFigureJoinsAndDrawsParticlesOfThoseBeforeIt) {
     auto document = load(with_a_joint("hook", "ball"), "a.json");
     const auto open = open_scene(document);

@@ -15,7 +15,8 @@ template <int D, class Real> void list_touches(World<D, Real>& world, const Coll
             touching.push_back(
                 {world.particles.slots.slot_of(row), world.collider_slots.slot_of(touches.collider[row] - 1)});
     for (const auto& pair : touches.before)
-        if (is_asleep(world.particles, pair.particle) && world.collider_slots.in_use(pair.collider)) touching.push_back(pair);
+        if (is_asleep(world.particles, pair.particle) && world.collider_slots.in_use(pair.collider))
+            touching.push_back(pair);
     std::sort(touching.begin(), touching.end());
     touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
 }
