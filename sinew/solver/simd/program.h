@@ -55,7 +55,7 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
     static constexpr double overshoot = 2e-3;   ///< beyond a limit, from which a joint bounces at once
     /// Last move of a node of a free block, relative to the total length. The next would be rounding: no decision may
     /// depend on how fast the whole flies.
-    static constexpr double precise = 1e-8;
+    static constexpr double precise = 1e-9;
 
     ProgramPack<D>& pack_;
     const BlockProgram& program_;
