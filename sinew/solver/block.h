@@ -304,22 +304,22 @@ template <int D> struct Blocks {
     }
 
     /// Reserves for every state that so many particles and constraints can reach by tearing.
-    void reserve(std::size_t particles, std::size_t distances, std::size_t angles) {
-        for (auto* blocks : {&list, &attached_trees}) blocks->reserve(particles / 2 + 1);
-        const auto most_nodes = 2 * (3 * particles + distances + 2 * angles);
-        const auto most_entries = 8 * distances + 16 * angles + 1024;
+    void reserve(std::size_t particle_count, std::size_t distance_count, std::size_t angle_count) {
+        for (auto* blocks : {&list, &attached_trees}) blocks->reserve(particle_count / 2 + 1);
+        const auto most_nodes = 2 * (3 * particle_count + distance_count + 2 * angle_count);
+        const auto most_entries = 8 * distance_count + 16 * angle_count + 1024;
         nodes.reserve(most_nodes);
-        links.reserve(2 * distances + 4 * particles);
-        bends.reserve(2 * angles);
+        links.reserve(2 * distance_count + 4 * particle_count);
+        bends.reserve(2 * angle_count);
         for (auto* column : {&first_entry, &first_pair}) column->reserve(most_nodes + 1);
         entries.reserve(most_entries);
         pairs.reserve(2 * most_entries);
-        runs.reserve(2 * (distances + angles) + particles);
-        elimination.reserve(particles, 2 * distances + 6 * angles);
-        ports.reserve(particles, distances + angles);
-        chains.reserve(particles, distances);
-        programs.reserve(particles, 2 * distances + 4 * particles + 2 * angles, most_entries);
-        room.reserve(particles);
+        runs.reserve(2 * (distance_count + angle_count) + particle_count);
+        elimination.reserve(particle_count, 2 * distance_count + 6 * angle_count);
+        ports.reserve(particle_count, distance_count + angle_count);
+        chains.reserve(particle_count, distance_count);
+        programs.reserve(particle_count, 2 * distance_count + 4 * particle_count + 2 * angle_count, most_entries);
+        room.reserve(particle_count);
         room.sides.reserve(most_entries);
     }
 
