@@ -48,7 +48,7 @@ template <int D> class ChordSolve : public BlockSolve<D> {
 
     template <class Guess> void begin(Guess&& guess) {
         Base::set_out(Rule::implicit);
-        for (auto& node : unknowns()) node.place = node.start + guess(node);
+        for (auto& moved : unknowns()) moved.place = moved.start + guess(moved);
     }
     bool iterate(int first = 0) {
         if (first == 0)
@@ -85,7 +85,7 @@ template <int D> class ChordSolve : public BlockSolve<D> {
     /// Residuals at the present positions. False if the active limits are others than those of the factors, or if a
     /// link has turned.
     bool find_residuals() {
-        for (auto& node : unknowns()) node.residual = (node.aim - node.place) * node.inertia;
+        for (auto& moved : unknowns()) moved.residual = (moved.aim - moved.place) * moved.inertia;
         for (auto& link : links_.all()) {
             auto &a = node(link.a), &b = node(link.b);
             const auto now = b.place - a.place;
