@@ -13,7 +13,8 @@ template <int D, class Real> class Substeps {
     const Real h; ///< length of a substep, time units
 
     Substeps(World<D, Real>& world, Solver<D, Real>& solver, int substeps, Real substep)
-        : count(substeps), h(substep), world_(world), solver_(solver), kernels_(sinew::kernels<D, Real>(solver.options.simd)),
+        : count(substeps), h(substep), world_(world), solver_(solver),
+          kernels_(sinew::kernels<D, Real>(solver.options.simd)),
           links_(solver.sweep_state.link_columns(
               std::get<kind_number<Distance, D>>(world.constraints).multiplier.data())) {}
 
