@@ -46,7 +46,7 @@ struct Affordable {
 /// Ropes released level, 10 cm apart.
 template <class Real> void add_ropes(World<3, Real>& world, int links, int ropes) {
     for (int i = 0; i < ropes; ++i)
-        build(world, Rope{.length = 0.1 * links, .segments = links, .angle = pi<double> / 2, .mass = double(links), .links = "exact"},
+        build(world, Rope{.length = 0.1 * links, .segments = links, .angle = pi<double> / 2, .mass = double(links)},
               fmt::format("rope_{}", i), {.at = {{0, 0, Real(0.1 * i)}}});
 }
 
