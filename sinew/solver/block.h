@@ -52,6 +52,13 @@ struct BlockLimit {
     bool slackened = false; ///< released in a solve of this substep; only in a block with ports
 
     bool one_sided() const { return low < high; }
+    bool is_compliant() const { return compliance > 0; }
+    /// Distance of a measure from the limits, signed.
+    double error_of(double measure) const { return measure - clamp(measure, low, high); }
+    /// Stiffness of a compliant limit, at most `hardest`.
+    double spring_stiffness(double hardest = 1e300) const { return minimum(1 / compliance, hardest); }
+    /// Energy of a compliant limit, J.
+    double spring_energy(double measure) const { return 0.5 * square(error_of(measure)) / compliance; }
     void activate(double above, double below, double margin) {
         if (!(above > margin || below < -margin)) return;
         side = above > margin ? 1 : -1;

@@ -212,11 +212,9 @@ template <int D, class Real> class TetherMaker {
             }
             for (std::size_t i = 0; i < near.size(); ++i) shorten(s + near[i].apart, lengths[i]);
         }
-        for (auto& number : half_per_square) {
-            const double reach = minimum(double(absolute(number)) * slack, far);
-            number = reach > 0 ? Real(0.5 / square(reach)) : Real(0);
-        }
+        for (auto& length : way) length = half_per_square_of(minimum(double(absolute(length)) * slack, far));
     }
+    static Real half_per_square_of(double reach) { return reach > 0 ? Real(0.5 / square(reach)) : Real(0); }
 };
 
 } // namespace sinew::detail

@@ -161,7 +161,7 @@ template <int D, class Real> class FigureContact {
         const auto by_key = [](const auto& a, const auto& b) { return a.key < b.key; };
         std::sort(contacts.kept.begin(), contacts.kept.end(), by_key);
         room().joints.store(world_);
-        room().projector.store(world_);
+        room().projector.links().store(world_);
     }
     void note(const ContactRowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.most / h_); }
 };

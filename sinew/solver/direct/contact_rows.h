@@ -4,6 +4,7 @@
 #include "sinew/solver/direct/newton.h"
 #include "sinew/solver/direct/plane_rows.h"
 #include "sinew/solver/direct/state.h"
+#include "sinew/solver/pin_spring.h"
 
 #include <utility>
 
@@ -25,7 +26,7 @@ template <int D, class Real> class BlockContact {
         const double h = state_.substep();
         for (const auto& node : state_.unknowns()) {
             const double reach = h * (norm(node.velocity) + h * norm(node.push)) * 2;
-            for (const auto& plane : world_.bounds) near_ = near_ || depth(node, plane) > -reach;
+            for (const auto& plane : world_.bounds) near_ = near_ || depth(node, plane.template as<double>()) > -reach;
             if (planes_.is_any_collider_near(node, reach)) near_ = true;
         }
     }
@@ -89,21 +90,18 @@ template <int D, class Real> class BlockContact {
     SolveProgress progress_{};
     std::uint64_t decisions_ = 0; ///< hash of all decisions: contact, sliding, saturation
 
-    double depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
-        return double(plane.offset) + double(world_.particles.radius[node.row]) -
-               dot(cast<double>(plane.normal), node.place);
+    double depth(const BlockNode<D>& node, const HalfSpace<D, double>& plane) const {
+        return planes_.depth(node, plane);
     }
-    double depth(const BlockNode<D>& node, const Plane& plane) const { return planes_.depth(node, plane); }
 
     void decide(int choice) { decisions_ = random::mix(decisions_ + std::uint64_t(choice)); }
 
     /// A damped spring to the goal, with a maximum force.
     void pull(BlockNode<D>& node, Pin<D, Real>& pin, double hardest) {
         const double h = state_.substep();
-        const double per_compliance = inverse_or_zero(double(pin.compliance));
-        const double k = per_compliance > 0 ? minimum(per_compliance, hardest) : hardest;
-        const double damper = double(pin.damping) * 2 * square_root(k * node.mass) / h;
-        const auto error = node.place - state_.goal(pin, true), before = node.start - state_.goal(pin, false);
+        const double k = pin_stiffness(pin, hardest), damper = pin_damper(pin, k, node.mass) / h;
+        const auto error = node.place - pin.template target_at<double>(state_.to());
+        const auto before = node.start - pin.template target_at<double>(state_.from());
         auto force = error * k + (error - before) * damper;
         auto growth = Matrix::diagonal(k + damper);
         if (const double most = double(pin.max_force); most > 0)

@@ -106,8 +106,7 @@ template <int D> class BlockLinks {
 
     double stored(const DistanceRow<D>& link, const Vector& span) const {
         if (!soft(link)) return 0;
-        const double length = norm(span);
-        return 0.5 * square(length - clamp(length, link.low, link.high)) / link.compliance;
+        return link.spring_energy(norm(span));
     }
 
     // --- velocities
@@ -204,11 +203,11 @@ template <int D> class BlockLinks {
     /// A compliant link: the force follows from the length, without a multiplier.
     void spring(Rule rule, DistanceRow<D>& link, const Vector& now) {
         const double length = norm(now), per_length = inverse_or_zero(length);
-        const double error = length - clamp(length, link.low, link.high);
+        const double error = link.error_of(length);
         link.stiffness = 0;
         link.pull = link.tension = 0;
         if (error == 0 || rule == Rule::place) return;
-        const double k = 1 / link.compliance;
+        const double k = link.spring_stiffness();
         double force = k * error;
         auto along = now * per_length;
         auto matrix = outer(along * k, along);

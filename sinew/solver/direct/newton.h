@@ -210,7 +210,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             if (!links_.soft(link)) update.renew(link, link.pull, slight_ * links_.share(link));
         const auto renew_driven = [&](auto& rows) {
             for (auto& row : rows.all()) {
-                if (rows.soft(row)) continue;
+                if (row.is_compliant()) continue;
                 update.renew(row, row.pull + row.stiffness * rows.geometry().change(row), slight_);
                 row.tension = clamp(row.tension, -row.most, row.most);
             }
