@@ -1,4 +1,4 @@
-#include "player/deed.h"
+#include "player/action.h"
 
 #include "sinew/world/edit.h"
 
@@ -8,28 +8,28 @@ namespace {
 struct EventApplier {
     Session& session;
 
-    void operator()(const PointAt& deed) const { session.point_at(deed.place); }
-    void operator()(const Grab& deed) const {
+    void operator()(const PointAt& action) const { session.point_at(action.place); }
+    void operator()(const Grab& action) const {
         std::vector<ParticleId> members;
-        for (const Row row : deed.members) members.push_back(id_at(session.world(), row));
-        session.grab(members, deed.place);
+        for (const Row row : action.members) members.push_back(id_at(session.world(), row));
+        session.grab(members, action.place);
     }
-    void operator()(const Drag& deed) const { session.drag(deed.place); }
+    void operator()(const Drag& action) const { session.drag(action.place); }
     void operator()(const LetGo&) const { session.let_go(); }
-    void operator()(const Slash& deed) const { session.cut(deed.line, {}, deed.look.view(session.scene())); }
-    void operator()(const Become& deed) const { session.become(*deed.scene); }
-    void operator()(const Return& deed) const { session = *deed.to; }
+    void operator()(const Slash& action) const { session.cut(action.line, {}, action.look.view(session.scene())); }
+    void operator()(const Become& action) const { session.become(*action.scene); }
+    void operator()(const Return& action) const { session = *action.to; }
     void operator()(const Restart&) const { session.restart(); }
-    void operator()(const Quicken& deed) const { session.quicken(deed.by); }
-    void operator()(const Tweak& deed) const {
+    void operator()(const Quicken& action) const { session.quicken(action.by); }
+    void operator()(const Tweak& action) const {
         std::visit(
             [&]<class WorldT>(WorldT& world) {
                 using Real = typename WorldT::Real;
                 constexpr int D = WorldT::dimension;
-                const auto id = id_at(session.world(), deed.particle);
-                if (deed.position) set_position(world, id, deed.position->template as<D, Real>());
-                if (deed.velocity) set_velocity(world, id, deed.velocity->template as<D, Real>());
-                if (deed.mass) set_mass(world, id, Real(*deed.mass));
+                const auto id = id_at(session.world(), action.particle);
+                if (action.position) set_position(world, id, action.position->template as<D, Real>());
+                if (action.velocity) set_velocity(world, id, action.velocity->template as<D, Real>());
+                if (action.mass) set_mass(world, id, Real(*action.mass));
             },
             session.world());
     }
@@ -51,8 +51,8 @@ std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> part
     return rows;
 }
 
-void carry_out(const Action& deed, Session& session) {
-    std::visit(EventApplier{session}, deed);
+void carry_out(const Action& action, Session& session) {
+    std::visit(EventApplier{session}, action);
 }
 
 } // namespace sinew::play

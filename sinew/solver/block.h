@@ -230,7 +230,7 @@ struct BlockRoom {
     UnionFind pieces;
     std::vector<Row> adjacency, parent, peeled, tree;
     std::vector<std::pair<Row, Row>> trees; ///< particles of pieces, each after the first of the piece
-    std::vector<Row> hung;                  ///< direct particles of pieces that became blocks
+    std::vector<Row> attached;              ///< direct particles of pieces that became blocks
     std::vector<char> direct;               ///< per particle: in a tree, or in a figure that alone would be a block
     std::vector<std::pair<FigureIndex, Row>> figures; ///< pairs (figure, particle) of a part
     std::vector<SquareSide> sides;                    ///< by entry of a block
@@ -241,7 +241,7 @@ struct BlockRoom {
         trees.reserve(particles);
         figures.reserve(particles);
         direct.reserve(particles);
-        hung.reserve(particles);
+        attached.reserve(particles);
     }
 };
 

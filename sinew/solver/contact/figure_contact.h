@@ -50,7 +50,7 @@ template <int D, class Real> class FigureContact {
     /// After the particles have moved: velocities without the push out of overlaps, then rebounds.
     void relax() {
         if (!is_active_) return;
-        room().projector.settle(state_);
+        room().projector.restore_energy(state_);
         room().joints.solve(state_, Soft::none());
         for (auto& row : room().rows) solve(row, Soft::none());
         room().projector.project_velocities(state_);

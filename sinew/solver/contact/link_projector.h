@@ -52,10 +52,10 @@ template <int D, class Real> class LinkProjector {
 
     /// After the particles have moved: velocities that keep the lengths there, with no more energy than before the
     /// lengths were projected.
-    void settle(SweepState<D, Real>& state) {
+    void restore_energy(SweepState<D, Real>& state) {
         factorise(state);
         is_current_ = true;
-        for (const auto& component : links_.components) settle(state, component);
+        for (const auto& component : links_.components) restore_energy(state, component);
     }
 
     /// Displacement of a particle for an impulse on it, with the lengths held: a symmetric matrix, 1 / kg.
@@ -111,7 +111,7 @@ template <int D, class Real> class LinkProjector {
             if (!component.has_ropes) return apply(state, component, 1);
             if (i + 1 < most_rounds && release(component)) continue;
             apply(state, component, 1);
-            if (!tighten(component, [&](const Link& link) {
+            if (!activate_taut(component, [&](const Link& link) {
                     return norm(link.edge) >= taut * link.length &&
                            dot(link.along, move(state, link.b) - move(state, link.a)) > slight * link.length;
                 }))
@@ -130,7 +130,7 @@ template <int D, class Real> class LinkProjector {
             const auto excess = [&](const Link& link) {
                 return norm(link.edge + move(state, link.b) - move(state, link.a)) - link.length;
             };
-            tighten(component, [&](const Link& link) { return excess(link) > exact * link.length; });
+            activate_taut(component, [&](const Link& link) { return excess(link) > exact * link.length; });
             double worst = 0;
             each(component, [&](auto& link, double& right) {
                 right = link.is_active ? excess(link) : 0;
@@ -162,7 +162,7 @@ template <int D, class Real> class LinkProjector {
         return any;
     }
     /// Takes hold of the ropes that `pulls` says are taut. True if there are any.
-    template <class Pulls> bool tighten(const Component& component, Pulls&& pulls) {
+    template <class Pulls> bool activate_taut(const Component& component, Pulls&& pulls) {
         if (!component.has_ropes) return false;
         bool any = false;
         each(component, [&](auto& link, double&) {
@@ -215,7 +215,7 @@ template <int D, class Real> class LinkProjector {
         component.energy = motion.energy(motion.frame());
         motion.save(before(component));
     }
-    void settle(SweepState<D, Real>& state, const Component& component) {
+    void restore_energy(SweepState<D, Real>& state, const Component& component) {
         constexpr double much = 1.001;
         project_velocities(state, component);
         const auto motion = motion_of(state, component);

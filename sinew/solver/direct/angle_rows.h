@@ -6,9 +6,9 @@
 /// Angles of a block: rigid between their limits, springs and motors; the folds of 3D joints alike.
 namespace sinew::detail {
 
-template <int D> class BlockBends {
+template <int D> class AngleRows {
   public:
-    BlockBends(Blocks<D>& blocks, const Block& block, double substep)
+    AngleRows(Blocks<D>& blocks, const Block& block, double substep)
         : blocks_(blocks), block_(block), geometry_(blocks), h_(substep) {}
 
     std::span<AngleRow<D>> all() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
@@ -162,11 +162,11 @@ template <int D> class BlockBends {
         if (bend.is_compliant()) angle = geometry_.turned_on(bend, angle);
         geometry_.point(bend, rule, angle);
         bend.stiffness = 0;
-        if (rule == Rule::place && bend.motorized) return 0; // no time passes: a motor yields
+        if (rule == Rule::static_projection && bend.motorized) return 0; // no time passes: a motor yields
         if (bend.is_compliant()) {
             const double error = bend.error_of(angle);
             if (limp_) bend.tension = 0;
-            if (error == 0 || rule == Rule::place || limp_) return 0;
+            if (error == 0 || rule == Rule::static_projection || limp_) return 0;
             const double k = minimum(bend.taut * bend.spring_stiffness(), hardest * geometry_.arm2(bend));
             bend.tension = bend.held(k * (error + bend.damping_time * ((angle - bend.begun) / h_ - bend.motor_speed)),
                                      bend.tension, false);

@@ -8,12 +8,12 @@
 /// work is tension times the change of length.
 namespace sinew::detail {
 
-template <int D> class BlockWays {
+template <int D> class CableRows {
   public:
     using Vector = Vec<D, double>;
     using Entry = Matrix<D, double>;
 
-    BlockWays(Blocks<D>& blocks, const Block& block, double substep)
+    CableRows(Blocks<D>& blocks, const Block& block, double substep)
         : blocks_(blocks), block_(block), geometry_(blocks), h_(substep) {}
 
     std::span<CableRow> all() const { return std::span(blocks_.ways).subspan(block_.first_way, block_.ways); }
@@ -119,7 +119,8 @@ template <int D> class BlockWays {
         geometry_.measure(way, rule);
         way.stiffness = 0;
         const bool stiff = !way.is_compliant();
-        if (rule == Rule::place && (!stiff || way.motorized)) return 0; // no time passes: springs and motors yield
+        if (rule == Rule::static_projection && (!stiff || way.motorized))
+            return 0; // no time passes: springs and motors yield
         if (!stiff) {
             spring(way, rule, hardest);
             return 0;
@@ -135,7 +136,7 @@ template <int D> class BlockWays {
         way.pull = way.held(way.tension + hardest * error, way.tension, way.one_sided() && way.side > 0);
         way.stiffness = way.slips ? 0 : hardest;
         add(way, way.stiffness, way.pull);
-        if (rule != Rule::place) add_geometric(way, rule, maximum(elastic ? way.pull : way.tension, 0.0));
+        if (rule != Rule::static_projection) add_geometric(way, rule, maximum(elastic ? way.pull : way.tension, 0.0));
         return way.slips ? 0 : absolute(error) / maximum(way.length, 1e-6);
     }
 
@@ -177,7 +178,7 @@ template <int D> class BlockWays {
         for (std::size_t i = 0; i + 1 < on.size(); entry += std::uint32_t(on.size() - 1 - i), ++i) {
             const auto leg = geometry_.node(on[i + 1]).place - geometry_.node(on[i]).place;
             const double length = norm(leg);
-            const double span = rule == Rule::swing ? length + norm(on[i].start) : length;
+            const double span = rule == Rule::midpoint ? length + norm(on[i].start) : length;
             if (!(length > 1e-9 * way.length)) continue;
             const auto n = leg * (1 / length);
             auto turn = Entry::diagonal(tension / span);

@@ -44,7 +44,7 @@ template <int D, class Real> class BlockContact {
 
     /// Adds all terms to the equations. `hardest` is the penalty stiffness of a link. True if all terms able to release
     /// or saturate do as in the equations before.
-    bool hold(double hardest, const SolveProgress& progress) {
+    bool add_external_terms(double hardest, const SolveProgress& progress) {
         progress_ = progress;
         const auto before = std::exchange(decisions_, 0);
         if (state_.motorized())
@@ -53,12 +53,12 @@ template <int D, class Real> class BlockContact {
                     pull(node, world_.pins[i], hardest);
         if (near_)
             for (auto& node : state_.unknowns())
-                planes_.each(node, [&](const Plane& plane) { press(node, plane, hardest); });
+                planes_.each(node, [&](const Plane& plane) { add_contact(node, plane, hardest); });
         return decisions_ == before;
     }
 
     /// Moves nodes beyond a plane onto the plane.
-    void lift() {
+    void push_out() {
         for (auto& node : state_.unknowns())
             planes_.each(node, [&](const Plane& plane) {
                 node.place += plane.normal * maximum(planes_.depth(node, plane), 0.0);
@@ -75,7 +75,8 @@ template <int D, class Real> class BlockContact {
                     clamp_components(world_.pins[i].multiplier * longer, limit::multiplier<Real>);
     }
 
-    /// Same as `hold`, for velocities: a node leaves a plane with the restitution after a blow; a resting node stays.
+    /// Same as `add_external_terms`, for velocities: a node leaves a plane with the restitution after a blow; a resting
+    /// node stays.
     void rebound(double k) {
         if (!near_) return;
         for (auto& node : state_.unknowns()) planes_.each(node, [&](const Plane& plane) { rebound(node, plane, k); });
@@ -112,7 +113,7 @@ template <int D, class Real> class BlockContact {
     }
 
     /// Contact with Coulomb friction, both so stiff that nothing sinks or creeps visibly.
-    void press(BlockNode<D>& node, const Plane& plane, double k) {
+    void add_contact(BlockNode<D>& node, const Plane& plane, double k) {
         const auto& normal = plane.normal;
         const double pressure = k * depth(node, plane);
         decide(pressure > 0);
