@@ -50,7 +50,7 @@ template <int D, class Real> class FigureContact {
     /// After the particles have moved: velocities without the push out of overlaps, then rebounds.
     void relax() {
         if (!is_active_) return;
-        room().projector.settle(state_);
+        room().projector.restore_energy(state_);
         room().joints.solve(state_, Soft::none());
         for (auto& row : room().rows) solve(row, Soft::none());
         room().projector.project_velocities(state_);
@@ -161,7 +161,7 @@ template <int D, class Real> class FigureContact {
         const auto by_key = [](const auto& a, const auto& b) { return a.key < b.key; };
         std::sort(contacts.kept.begin(), contacts.kept.end(), by_key);
         room().joints.store(world_);
-        room().projector.store(world_);
+        room().projector.links().store(world_);
     }
     void note(const ContactRowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.most / h_); }
 };
