@@ -20,20 +20,20 @@ void ActionLog::plant(const Session& session) {
     now_ = {root, 0};
 }
 
-void ActionLog::note(const Action& deed, const Session& session) {
-    if (const auto* back = std::get_if<Return>(&deed)) return go_to(back->at);
-    if (const auto* point = std::get_if<PointAt>(&deed)) pointer_ = *point;
-    if (std::holds_alternative<Restart>(deed)) {
+void ActionLog::note(const Action& action, const Session& session) {
+    if (const auto* back = std::get_if<Return>(&action)) return go_to(back->at);
+    if (const auto* point = std::get_if<PointAt>(&action)) pointer_ = *point;
+    if (std::holds_alternative<Restart>(action)) {
         plant(session);
         if (!pointer_.place) return;
         return note(Action(PointAt(pointer_)), session);
     }
     const bool is_newest = now_.last + 1 == nodes_.size();
-    if (is_newest && nodes_.back().step == now_.step && replaces(deed, nodes_.back().deed)) {
-        nodes_.back().deed = deed;
+    if (is_newest && nodes_.back().step == now_.step && replaces(action, nodes_.back().action)) {
+        nodes_.back().action = action;
         return;
     }
-    nodes_.push_back({now_.last, now_.step, deed});
+    nodes_.push_back({now_.last, now_.step, action});
     now_.last = std::uint32_t(nodes_.size() - 1);
 }
 
@@ -41,9 +41,9 @@ Recipe ActionLog::recipe() const {
     Recipe recipe{.scene = nullptr, .actions = {}, .steps = now_.step};
     auto index = now_.last;
     for (; nodes_[index].before != index; index = nodes_[index].before)
-        recipe.actions.push_back({nodes_[index].step, nodes_[index].deed});
+        recipe.actions.push_back({nodes_[index].step, nodes_[index].action});
     std::reverse(recipe.actions.begin(), recipe.actions.end());
-    recipe.scene = std::get<Become>(nodes_[index].deed).scene;
+    recipe.scene = std::get<Become>(nodes_[index].action).scene;
     return recipe;
 }
 

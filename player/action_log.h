@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/deed.h"
+#include "player/action.h"
 
 #include <cstdint>
 #include <memory>
@@ -11,7 +11,7 @@ namespace sinew::play {
 /// An action carried out after `step` steps.
 struct LoggedAction {
     std::uint64_t step = 0;
-    Action deed;
+    Action action;
 };
 
 /// A scene and all actions since the start, in order: sufficient to replay a session.
@@ -30,7 +30,7 @@ class ActionLog {
     Branch now() const { return now_; }
     void step() { ++now_.step; }
     /// Records an action just carried out on the session.
-    void note(const Action& deed, const Session& session);
+    void note(const Action& action, const Session& session);
     /// Continues from an earlier moment.
     void go_to(const Branch& branch) { now_ = branch; }
 
@@ -41,7 +41,7 @@ class ActionLog {
     struct Node {
         std::uint32_t before = 0; ///< index of the preceding action; its own index at a root
         std::uint64_t step = 0;   ///< steps since the root
-        Action deed;              ///< at a root: Become, with the scene that starts there
+        Action action;            ///< at a root: Become, with the scene that starts there
     };
 
     /// Adds a root: the session is at the start of a scene.

@@ -46,7 +46,7 @@ void Play::open(const std::string& scene, std::vector<Override> overrides) {
 void Play::open_now(const std::string& scene, std::vector<Override> overrides) {
     if (is_file_name(scene))
         if (const auto text = read_file(scene, most_bytes); text && is_state(*text)) return open_state(scene);
-    auto fetched = shelf_.fetch(scene, overrides);
+    auto fetched = library_.fetch(scene, overrides);
     if (!fetched.opened) return report_problem(std::move(fetched.problem));
     let_go_of_everything();
     name_ = scene;
@@ -57,7 +57,7 @@ void Play::open_now(const std::string& scene, std::vector<Override> overrides) {
 }
 
 void Play::open_neighbour(int by) {
-    const auto& names = shelf_.names;
+    const auto& names = library_.names;
     if (names.empty()) return;
     const auto found = std::find(names.begin(), names.end(), name_);
     const auto count = std::ptrdiff_t(names.size());
@@ -67,7 +67,7 @@ void Play::open_neighbour(int by) {
 
 void Play::open_text(const std::string& text, const std::string& name) {
     unless_lost("open another scene", [this, text, name] {
-        auto fetched = shelf_.read(text, name, {});
+        auto fetched = library_.read(text, name, {});
         if (!fetched.opened) return report_problem(std::move(fetched.problem));
         let_go_of_everything();
         name_ = name;
@@ -113,7 +113,7 @@ void Play::note_recent(const fs::path& path) {
 
 void Play::open_state(const fs::path& path) {
     const auto text = read_file(path, most_bytes);
-    Restoration restoration(text.value_or(""), path.string(), shelf_);
+    Restoration restoration(text.value_or(""), path.string(), library_);
     if (!restoration.problem().empty()) return report_problem(restoration.problem());
     let_go_of_everything();
     restoration_ = std::move(restoration);
@@ -125,13 +125,13 @@ void Play::open_state(const fs::path& path) {
 }
 
 void Play::end_restoration() {
-    auto tape = restoration_->finish();
+    auto timeline = restoration_->finish();
     auto problem = restoration_->problem();
     const auto from = restoration_->from();
     restoration_.reset();
-    if (!tape) return report_problem(std::move(problem));
+    if (!timeline) return report_problem(std::move(problem));
     std::vector<Pane> panes;
-    panes.push_back({std::move(*tape), {}});
+    panes.push_back({std::move(*timeline), {}});
     name_ = restored_from_.string();
     overrides_.clear();
     path_.clear();
@@ -143,7 +143,7 @@ void Play::end_restoration() {
 
 bool Play::save_state(const fs::path& path) {
     let_go_of_everything();
-    const auto text = state_text(tape().recipe(), beside_.empty() ? "" : full_path(beside_), hash());
+    const auto text = state_text(timeline().recipe(), beside_.empty() ? "" : full_path(beside_), hash());
     if (auto failure = write_file(path, text)) return report_problem(std::move(*failure)), false;
     message = "saved " + full_path(path);
     note_recent(path);
@@ -154,7 +154,7 @@ bool Play::save_state(const fs::path& path) {
 // --- saving ----------------------------------------------------------------------------------------------------------
 
 std::string Play::saved_text() const {
-    return text_of(panes_[own_pane_].tape.session());
+    return text_of(panes_[own_pane_].timeline.session());
 }
 
 bool Play::would_lose() const {
@@ -167,7 +167,7 @@ bool Play::save(const fs::path& path) {
     written_ = time_written(path_);
     name_ = path.string();
     overrides_.clear();
-    saved_edits_ = tape().edits();
+    saved_edits_ = timeline().edits();
     saved_as_ = saved_text();
     drop_draft();
     note_recent(path);
@@ -222,7 +222,7 @@ void Play::unless_lost(const std::string& verb, std::function<void()> go_on) {
     let_go_of_everything();
     const auto saves = [this, go_on] { save_then(go_on); };
     const auto drops = [this, go_on] {
-        saved_edits_ = tape().edits();
+        saved_edits_ = timeline().edits();
         drop_draft();
         go_on();
     };
@@ -273,13 +273,13 @@ void Play::write_draft() {
     if (draft_.path.empty() || !would_lose()) return;
     const auto origin = beside_.empty() ? "" : concat(draft_origin, full_path(beside_), "\n");
     if (!write_file(draft_.path, origin + saved_text())) tell("draft", {{"path", draft_.path.string()}});
-    draft_.edits = tape().edits();
+    draft_.edits = timeline().edits();
 }
 
 /// Writes the draft while edits are unsaved; otherwise removes it.
 void Play::tend_draft(double seconds) {
     draft_.age += seconds;
-    if (draft_.path.empty() || draft_.age < draft_every || draft_.edits == tape().edits()) return;
+    if (draft_.path.empty() || draft_.age < draft_every || draft_.edits == timeline().edits()) return;
     draft_.age = 0;
     if (would_lose()) return write_draft();
     drop_draft();
@@ -287,7 +287,7 @@ void Play::tend_draft(double seconds) {
 
 void Play::drop_draft() {
     if (!draft_.path.empty()) remove_file(draft_.path);
-    draft_.edits = tape().edits();
+    draft_.edits = timeline().edits();
 }
 
 void Play::offer_draft() {
@@ -297,7 +297,7 @@ void Play::offer_draft() {
     const auto open = [this, text = *text] {
         const auto line = text.substr(0, text.find('\n'));
         const fs::path origin = line.starts_with(draft_origin) ? line.substr(draft_origin.size()) : "";
-        auto fetched = shelf_.read(text, "draft", origin);
+        auto fetched = library_.read(text, "draft", origin);
         if (!fetched.opened) return report_problem(std::move(fetched.problem));
         name_ = "unsaved " + origin.stem().string();
         overrides_.clear();

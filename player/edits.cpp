@@ -9,18 +9,18 @@ namespace sinew::play {
 
 void Play::undo() {
     let_go_of_everything();
-    const auto what = tape().undo_name();
+    const auto what = timeline().undo_name();
     if (what.empty()) return;
-    each_pane([&] { tape().undo(); });
+    each_pane([&] { timeline().undo(); });
     message = "undone: " + what;
     tell("undo", {{"edit", what}, {"hash", hash()}});
 }
 
 void Play::redo() {
     let_go_of_everything();
-    const auto what = tape().redo_name();
+    const auto what = timeline().redo_name();
     if (what.empty()) return;
-    each_pane([&] { tape().redo(); });
+    each_pane([&] { timeline().redo(); });
     message = "done again: " + what;
     tell("redo", {{"edit", what}, {"hash", hash()}});
 }
@@ -28,7 +28,7 @@ void Play::redo() {
 /// `scenes`: one per pane.
 void Play::become(const std::vector<Scene>& scenes, const std::string& name, bool goes_on) {
     let_go_of_everything();
-    each_pane([&] { tape().edit(Become{std::make_shared<const Scene>(scenes[active_])}, name, goes_on); });
+    each_pane([&] { timeline().edit(Become{std::make_shared<const Scene>(scenes[active_])}, name, goes_on); });
     clock_->set_rate(session().scene().solver.rate);
     tell("edit", {{"edit", name}});
 }
@@ -40,17 +40,17 @@ void Play::change(const std::function<void(Scene&)>& change, const std::string& 
 }
 
 /// In other panes the edit applies to the particle of the same name.
-void Play::edit(Action deed, std::string name) {
+void Play::edit(Action action, std::string name) {
     const auto& world = session().world();
     const auto under_pointer = active_;
     each_pane([&] {
-        auto own = deed;
+        auto own = action;
         if (auto* tweak = std::get_if<Tweak>(&own); tweak && active_ != under_pointer) {
             const auto id = id_at(world, tweak->particle);
             const auto same = namesakes(world, {&id, 1}, session().world());
             tweak->particle = same ? rows_of(session().world(), *same).front() : ~Row(0);
         }
-        tape().edit(std::move(own), name, tape().undo_name() == name);
+        timeline().edit(std::move(own), name, timeline().undo_name() == name);
     });
     tell("edit", {{"edit", std::move(name)}});
 }
@@ -58,7 +58,7 @@ void Play::edit(Action deed, std::string name) {
 bool Play::add_figure(json::Object figure, const std::string& name) {
     auto changed = edited(session().scene(), [&](json::Object& root) { append(root, "figures", std::move(figure)); });
     if (!changed.scene) return report_problem(std::move(changed.problem)), false;
-    tape().edit(Become{std::make_shared<const Scene>(std::move(*changed.scene))}, "add " + name);
+    timeline().edit(Become{std::make_shared<const Scene>(std::move(*changed.scene))}, "add " + name);
     tell("edit", {{"edit", "add " + name}});
     tell("add", {{"figure", name}});
     return true;
@@ -88,7 +88,7 @@ void Play::switch_mode() {
 /// settings for each mode.
 void Play::show_mode(const std::string& mode) {
     for (std::size_t i = 0; i < panes_.size() && is_split(); ++i)
-        if (panes_[i].tape.session().scene().solver.mode == mode) return switch_pane(i), toggle_split();
+        if (panes_[i].timeline.session().scene().solver.mode == mode) return switch_pane(i), toggle_split();
     if (session().scene().solver.mode == mode) return;
     if (would_lose() || path_.empty()) {
         set("solver.mode", mode);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "player/eye.h"
-#include "player/tape.h"
+#include "player/camera_controller.h"
+#include "player/timeline.h"
 
 #include <cstddef>
 
@@ -9,8 +9,8 @@ namespace sinew::play {
 
 /// A session in its part of the picture. A split view has two panes side by side, which step together.
 struct Pane {
-    Timeline tape;
-    CameraController eye;
+    Timeline timeline;
+    CameraController camera;
     std::size_t told = 0; ///< number of the session's events reported so far
 };
 

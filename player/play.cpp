@@ -43,8 +43,8 @@ std::vector<std::unique_ptr<Tool>> all_tools() {
     return all;
 }
 
-Play::Play(SceneLibrary shelf, std::string scene, std::vector<Override> overrides)
-    : shelf_(std::move(shelf)), tools_(all_tools()) {
+Play::Play(SceneLibrary library, std::string scene, std::vector<Override> overrides)
+    : library_(std::move(library)), tools_(all_tools()) {
     open_now(scene, std::move(overrides));
 }
 
@@ -100,7 +100,7 @@ void Play::look_at_file(double seconds) {
 
 /// An invalid file leaves the running scene as it is.
 void Play::read_again() {
-    auto fetched = shelf_.fetch(name_, overrides_);
+    auto fetched = library_.fetch(name_, overrides_);
     if (!fetched.opened) return report_problem(std::move(fetched.problem));
     let_go_of_everything();
     const bool split = is_split();
@@ -123,7 +123,7 @@ void Play::advance(double seconds, const std::function<bool()>& enough) {
     look_at_file(seconds);
     tend_draft(seconds);
     for (int due = clock_->advance(seconds); due > 0; --due) {
-        each_pane([&] { tape().step(); });
+        each_pane([&] { timeline().step(); });
         tell_happenings();
         if (enough && due > 1 && enough()) {
             clock_->forget();
@@ -142,7 +142,7 @@ void Play::pause(bool on) {
 
 void Play::step() {
     pause(true);
-    each_pane([&] { tape().step(); });
+    each_pane([&] { timeline().step(); });
     tell_happenings();
     tell("step", {{"hash", hash()}});
 }
@@ -150,7 +150,7 @@ void Play::step() {
 void Play::step_back() {
     pause(true);
     each_pane([&] {
-        if (tape().now() > tape().first()) tape().go_to(tape().now() - 1);
+        if (timeline().now() > timeline().first()) timeline().go_to(timeline().now() - 1);
     });
     tell("back", {{"hash", hash()}});
 }
@@ -158,13 +158,13 @@ void Play::step_back() {
 void Play::go_to(std::uint64_t step) {
     let_go_of_everything();
     pause(true);
-    each_pane([&] { tape().go_to(step); });
+    each_pane([&] { timeline().go_to(step); });
     tell("scrub", {{"hash", hash()}});
 }
 
 void Play::restart() {
     let_go_of_everything();
-    each_pane([&] { tape().act(Restart{}); });
+    each_pane([&] { timeline().act(Restart{}); });
     tell("restart");
 }
 
@@ -177,7 +177,7 @@ void Play::resize(int width, int height, double density) {
 }
 
 void Play::zoom(double factor) {
-    each_pane([&] { eye().zoom(session(), pointer_, factor); });
+    each_pane([&] { camera().zoom(session(), pointer_, factor); });
 }
 
 void Play::handle(const Input& input) {
@@ -190,11 +190,11 @@ void Play::handle(const Input& input) {
             const double notches = std::clamp(scrolled.notches, -most_notches, most_notches);
             const auto& scene = play.session().scene();
             if (scene.pointer.wheel_time_scale > 0 && scene.solver.mode == "classic")
-                return play.tape().act(Quicken{notches * scene.pointer.wheel_time_scale});
+                return play.timeline().act(Quicken{notches * scene.pointer.wheel_time_scale});
             play.zoom(std::pow(a_notch, notches));
         }
         void operator()(const Pinched& pinched) const {
-            play.each_pane([&] { play.eye().pan(play.session(), pinched.by); });
+            play.each_pane([&] { play.camera().pan(play.session(), pinched.by); });
             play.zoom(pinched.factor);
         }
         void operator()(const Key& key) const { play.key(key.name); }
@@ -241,13 +241,13 @@ void Play::moved(Vec2<double> to) {
     over_ = true;
     if (busy_) return busy_->move(*this);
     const bool around = held_ == Button::left || held_ == Button::right;
-    if (held_ && (held_ == Button::middle || space_)) return each_pane([&] { eye().pan(session(), by); });
-    if (held_ && around) return each_pane([&] { eye().orbit(session(), by); });
+    if (held_ && (held_ == Button::middle || space_)) return each_pane([&] { camera().pan(session(), by); });
+    if (held_ && around) return each_pane([&] { camera().orbit(session(), by); });
     hovered = pick_here();
     if (clock_->paused()) return;
     each_pane([&] {
         if (feels_pointer(session().scene()))
-            tape().act(PointAt{view().place_of(pointer_, hovered ? hovered->depth : 1)});
+            timeline().act(PointAt{view().place_of(pointer_, hovered ? hovered->depth : 1)});
     });
 }
 

@@ -9,7 +9,7 @@
 #include "player/pane.h"
 #include "player/pick.h"
 #include "player/question.h"
-#include "player/shelf.h"
+#include "player/scene_library.h"
 #include "player/state_file.h"
 
 #include <functional>
@@ -31,7 +31,7 @@ struct Told {
 /// The file that keeps unsaved edits.
 struct Draft {
     std::filesystem::path path; ///< empty if no drafts are kept
-    std::int64_t edits = 0;     ///< the tape's edits at the last draft
+    std::int64_t edits = 0;     ///< the timeline's edits at the last draft
     double age = 0;             ///< seconds since the last draft
 };
 
@@ -40,7 +40,7 @@ struct Draft {
 class Play {
   public:
     /// Opens the scene; on failure problem() gives the reason and ready() is false.
-    Play(SceneLibrary shelf, std::string scene, std::vector<Override> overrides = {});
+    Play(SceneLibrary library, std::string scene, std::vector<Override> overrides = {});
     Play(const Play&) = delete;
     Play& operator=(const Play&) = delete;
     ~Play();
@@ -63,17 +63,17 @@ class Play {
 
     // --- for panels ----------------------------------------------------------------------------------------------
 
-    const Session& session() const { return pane().tape.session(); }
+    const Session& session() const { return pane().timeline.session(); }
     /// Reports of the present scene's solver, until the time or the scene is changed.
-    void report(const SolverReports& reports) { pane().tape.report(reports); }
-    const Timeline& tape() const { return pane().tape; }
-    Timeline& tape() { return pane().tape; }
+    void report(const SolverReports& reports) { pane().timeline.report(reports); }
+    const Timeline& timeline() const { return pane().timeline; }
+    Timeline& timeline() { return pane().timeline; }
     Clock& clock() { return *clock_; }
-    CameraController& eye() { return pane().eye; }
-    View view() const { return pane().eye.view(session()); }
-    const SceneLibrary& shelf() const { return shelf_; }
+    CameraController& camera() { return pane().camera; }
+    View view() const { return pane().camera.view(session()); }
+    const SceneLibrary& library() const { return library_; }
     const std::string& scene_name() const { return name_; }
-    bool is_edited() const { return ready() && tape().edits() != saved_edits_; }
+    bool is_edited() const { return ready() && timeline().edits() != saved_edits_; }
 
     void restart();
     void pause(bool on);
@@ -85,7 +85,7 @@ class Play {
     /// Continues as a changed scene; can be undone.
     void change(const std::function<void(Scene&)>& change, const std::string& name);
     /// Any other edit of the running session; can be undone.
-    void edit(Action deed, std::string name);
+    void edit(Action action, std::string name);
     /// Adds a figure, given as in a file, to the scene.
     bool add_figure(json::Object figure, const std::string& name);
     /// Sets one value of the scene by its path, as on the command line; false after reporting an invalid value.
@@ -225,7 +225,7 @@ class Play {
     void take_pictures(const Picture& picture);
     Tool& current_tool();
 
-    SceneLibrary shelf_;
+    SceneLibrary library_;
     std::string name_, problem_;
     std::vector<Override> overrides_;
     std::filesystem::path path_;   ///< the scene's own file; empty if none
@@ -248,8 +248,8 @@ class Play {
     std::optional<Button> held_;
     std::vector<std::unique_ptr<Tool>> tools_;
     Tool* busy_ = nullptr;                          ///< tool between press and release
-    static constexpr std::int64_t never_saved = -1; ///< a count of edits that no tape has
-    std::int64_t saved_edits_ = 0;                  ///< the tape's edits at the last save
+    static constexpr std::int64_t never_saved = -1; ///< a count of edits that no timeline has
+    std::int64_t saved_edits_ = 0;                  ///< the timeline's edits at the last save
     std::string saved_as_;                          ///< the scene's text at the last save
     Draft draft_;
     double hint_age_ = 0; ///< seconds since the hint appeared

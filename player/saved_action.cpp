@@ -10,23 +10,23 @@ using Saved = decltype(SavedAction::action);
 
 /// Return and Restart are branches of the log, never actions of a recipe; their cases only complete the visitor.
 struct Save {
-    Saved operator()(const PointAt& deed) const { return SavedPointer{deed.place.value_or(Point{})}; }
-    Saved operator()(const Grab& deed) const {
-        SavedGrab grab{.members = {}, .place = deed.place};
-        for (const Row row : deed.members) grab.members.push_back(std::int64_t(row));
+    Saved operator()(const PointAt& action) const { return SavedPointer{action.place.value_or(Point{})}; }
+    Saved operator()(const Grab& action) const {
+        SavedGrab grab{.members = {}, .place = action.place};
+        for (const Row row : action.members) grab.members.push_back(std::int64_t(row));
         return grab;
     }
-    Saved operator()(const Drag& deed) const { return SavedDrag{deed.place}; }
+    Saved operator()(const Drag& action) const { return SavedDrag{action.place}; }
     Saved operator()(const LetGo&) const { return SavedRelease{}; }
-    Saved operator()(const Slash& deed) const {
-        return SavedCut{deed.line, deed.look.section, deed.look.focus, {deed.look.width, deed.look.height}};
+    Saved operator()(const Slash& action) const {
+        return SavedCut{action.line, action.look.section, action.look.focus, {action.look.width, action.look.height}};
     }
-    Saved operator()(const Become& deed) const { return SavedEdit{to_json(*deed.scene)}; }
+    Saved operator()(const Become& action) const { return SavedEdit{to_json(*action.scene)}; }
     Saved operator()(const Return&) const { return SavedRelease{}; }
     Saved operator()(const Restart&) const { return SavedRelease{}; }
-    Saved operator()(const Quicken& deed) const { return SavedQuicken{deed.by}; }
-    Saved operator()(const Tweak& deed) const {
-        return SavedTweak{std::int64_t(deed.particle), deed.position, deed.velocity, deed.mass};
+    Saved operator()(const Quicken& action) const { return SavedQuicken{action.by}; }
+    Saved operator()(const Tweak& action) const {
+        return SavedTweak{std::int64_t(action.particle), action.position, action.velocity, action.mass};
     }
 };
 
@@ -57,12 +57,12 @@ struct Load {
 
 } // namespace
 
-SavedAction saved(const LoggedAction& action) {
-    return {std::int64_t(action.step), std::visit(Save{}, action.deed)};
+SavedAction saved(const LoggedAction& logged) {
+    return {std::int64_t(logged.step), std::visit(Save{}, logged.action)};
 }
 
-std::optional<Action> deed_of(const SavedAction& action,
-                              const std::function<std::optional<Opened>(const json::Value& scene)>& open) {
+std::optional<Action> action_of(const SavedAction& action,
+                                const std::function<std::optional<Opened>(const json::Value& scene)>& open) {
     return std::visit(Load{open}, action.action);
 }
 

@@ -121,7 +121,7 @@ struct SavedAction {
 SavedAction saved(const LoggedAction& action);
 
 /// The action of a record; nothing if a scene cannot be opened; `open` reports the failure.
-std::optional<Action> deed_of(const SavedAction& action,
-                              const std::function<std::optional<Opened>(const json::Value& scene)>& open);
+std::optional<Action> action_of(const SavedAction& action,
+                                const std::function<std::optional<Opened>(const json::Value& scene)>& open);
 
 } // namespace sinew::play

@@ -39,7 +39,7 @@ void Play::switch_pane(std::size_t number) {
 }
 
 void Play::resize_eyes() {
-    for (std::size_t i = 0; i < panes_.size(); ++i) panes_[i].eye.resize(pane_width(i), height_);
+    for (std::size_t i = 0; i < panes_.size(); ++i) panes_[i].camera.resize(pane_width(i), height_);
 }
 
 /// An unedited file is opened once per mode, because the file may contain settings for each; an edited scene is used
@@ -57,19 +57,19 @@ void Play::toggle_split() {
     for (const char* mode : sides) {
         Fetched fetched;
         if (would_lose() || path_.empty()) {
-            fetched = shelf_.read(saved_text(), name_, beside_);
+            fetched = library_.read(saved_text(), name_, beside_);
             if (fetched.opened) fetched.opened->scene.solver.mode = mode;
             if (fetched.opened) fetched.opened->world = instantiate(fetched.opened->scene);
         } else {
             auto overrides = overrides_;
             std::erase_if(overrides, [](const Override& one) { return one.pair.starts_with("mode="); });
             overrides.push_back({std::string("mode=") + mode, "the split view"});
-            fetched = shelf_.fetch(name_, overrides);
+            fetched = library_.fetch(name_, overrides);
         }
         if (!fetched.opened) return report_problem(std::move(fetched.problem));
         panes.push_back({Timeline(Session(std::move(*fetched.opened))), {}});
     }
-    if (panes[0].tape.session().scene().solver.rate != panes[1].tape.session().scene().solver.rate)
+    if (panes[0].timeline.session().scene().solver.rate != panes[1].timeline.session().scene().solver.rate)
         return report_problem("classic and physical mode of this scene take steps of other lengths");
     const bool is_lost = would_lose();
     const bool was_classic = session().scene().solver.mode == sides[0];
@@ -84,7 +84,7 @@ void Play::toggle_split() {
 void Play::paint_scene(std::size_t number, Picture& picture) {
     const auto under_pointer = std::exchange(active_, number);
     picture.width = pane_width(number), picture.height = height_;
-    tape().draw(picture, overlay, view(), clock_->paused() ? 1 : clock_->share(), theme);
+    timeline().draw(picture, overlay, view(), clock_->paused() ? 1 : clock_->share(), theme);
     active_ = under_pointer;
 }
 
@@ -110,7 +110,7 @@ void Play::lay_side_by_side(Picture& picture) {
     std::vector<canvas::Labelled> labelled;
     for (std::size_t i = 0; i < panes_.size(); ++i) {
         paint_scene(i, parts[i]);
-        labelled.push_back({&parts[i], panes_[i].tape.session().scene().solver.mode});
+        labelled.push_back({&parts[i], panes_[i].timeline.session().scene().solver.mode});
     }
     canvas::put_beside(labelled, picture);
 }

@@ -69,7 +69,7 @@ bool is_state(const std::string& text) {
     return text.substr(0, head).find("\"sinew_state\"") != std::string::npos;
 }
 
-Restoration::Restoration(const std::string& text, const std::string& name, const SceneLibrary& shelf) : name_(name) {
+Restoration::Restoration(const std::string& text, const std::string& name, const SceneLibrary& library) : name_(name) {
     auto document = load(text, name);
     StateFile file;
     Reading reading{.diagnostics = document.diagnostics, .dimension = dimension_of(document.root)};
@@ -81,7 +81,7 @@ Restoration::Restoration(const std::string& text, const std::string& name, const
     from_ = file.from, hash_ = file.hash;
     steps_ = std::uint64_t(file.steps);
     const auto opened_of = [&](const json::Value& scene) {
-        auto fetched = shelf.read(json::to_text(scene), name + ": scene", from_);
+        auto fetched = library.read(json::to_text(scene), name + ": scene", from_);
         if (!fetched.opened) problem_ = std::move(fetched.problem);
         return std::move(fetched.opened);
     };
@@ -91,8 +91,8 @@ Restoration::Restoration(const std::string& text, const std::string& name, const
         if (is_late || (i > 0 && action.step < file.actions[i - 1].step))
             problem_ = concat(name, ": actions/", i, ": step ", action.step,
                               is_late ? " is after the last" : " is before that of the action above it");
-        else if (auto deed = deed_of(action, opened_of))
-            actions_.push_back({std::uint64_t(action.step), std::move(*deed)});
+        else if (auto loaded = action_of(action, opened_of))
+            actions_.push_back({std::uint64_t(action.step), std::move(*loaded)});
     }
     if (!problem_.empty()) return;
     if (auto opened = opened_of(file.scene)) {
@@ -104,8 +104,8 @@ Restoration::Restoration(const std::string& text, const std::string& name, const
 
 void Restoration::act_now() {
     for (; next_ < actions_.size() && actions_[next_].step == taken_; ++next_) {
-        carry_out(actions_[next_].deed, *session_);
-        log_->note(actions_[next_].deed, *session_);
+        carry_out(actions_[next_].action, *session_);
+        log_->note(actions_[next_].action, *session_);
     }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "player/action_log.h"
-#include "player/shelf.h"
-#include "player/tape.h"
+#include "player/scene_library.h"
+#include "player/timeline.h"
 
 #include <functional>
 #include <optional>
@@ -23,7 +23,7 @@ bool is_state(const std::string& text);
 class Restoration {
   public:
     /// Parses a file's text; on failure problem() gives the reason.
-    Restoration(const std::string& text, const std::string& name, const SceneLibrary& shelf);
+    Restoration(const std::string& text, const std::string& name, const SceneLibrary& library);
 
     const std::string& problem() const { return problem_; }
     bool done() const { return !problem_.empty() || (session_ && taken_ >= steps_ && next_ == actions_.size()); }

@@ -13,12 +13,13 @@ namespace {
 class BenchCommand final : public Command {
     Manual manual() const override {
         static const std::string details = case_details() + "\n" + quality_details() + "\n" + weights_details() + "\n" +
-                                           rope_details() + "\n" + contact_details();
+                                           budget_details() + "\n" + rope_details() + "\n" + contact_details();
         return {
             .name = "bench",
             .usage = "[CASE...] [--threads N] [--precision P] [--steps N] [--json | --markdown]\n"
                      "sinew bench quality [CASE] [--plot FILE] [--json]\n"
                      "sinew bench weights [--plot FILE] [--json]\n"
+                     "sinew bench budget [--threads N] [--precision P] [--json]\n"
                      "sinew bench rope [CASE] [--links N] [--weight W] [--start hang|level] [--threads N] [--json]\n"
                      "sinew bench contact [CASE...] [--threads N] [--substeps N] [--seconds S] [--json]",
             .about = "measures how well and how fast the engine is",
@@ -33,8 +34,9 @@ class BenchCommand final : public Command {
     void declare(CLI::App& parser) override {
         declare_words(parser, words);
         declare_number(parser, "--threads", options.threads, {1, 1024}, "N",
-                       "how many work on a step; else 1, 2 and 4, of rope 1");
-        declare_text(parser, "--precision", options.precision, "P", "float or double; else both, of rope double");
+                       "how many work on a step; else 1, 2 and 4, of rope and budget 1");
+        declare_text(parser, "--precision", options.precision, "P",
+                     "float or double; else both, of rope double, of budget float");
         declare_number(parser, "--steps", options.steps, {2, 1e6}, "N",
                        "how many steps a case; else a few seconds' worth");
         declare_text(parser, "--case", options.only, "C", "of rope: the case, said in another way");
@@ -64,6 +66,8 @@ class BenchCommand final : public Command {
             bench_contacts(options, contact_cases(plain));
         else if (first == "weights" && plain.size() == 1)
             bench_weights(options);
+        else if (first == "budget" && plain.size() == 1)
+            bench_budget(options);
         else if (first == "quality" && plain.size() <= 2)
             bench_quality(options, plain.size() == 2 ? cases({plain[1]}).front() : *bench::find_case("swing-64"));
         else

@@ -28,6 +28,7 @@ void bench_cases(const BenchOptions& options, const std::vector<bench::Case>& ca
 void bench_quality(const BenchOptions& options, const bench::Case& chosen);
 void bench_weights(const BenchOptions& options);
 void bench_contacts(const BenchOptions& options, const std::vector<bench::ContactCase>& cases);
+void bench_budget(const BenchOptions& options);
 
 /// Help texts of the measurements.
 std::string rope_details();
@@ -35,5 +36,6 @@ std::string case_details();
 std::string quality_details();
 std::string weights_details();
 std::string contact_details();
+std::string budget_details();
 
 } // namespace sinew::cli

@@ -54,13 +54,13 @@ play::Fetched read(const std::string& text, const std::string& name, const std::
     }
 }
 
-play::SceneLibrary shelf() {
-    play::SceneLibrary shelf{{}, {}, fetch, read};
+play::SceneLibrary library() {
+    play::SceneLibrary library{{}, {}, fetch, read};
     for (auto& entry : catalogue_index()) {
-        shelf.names.push_back(std::move(entry.name));
-        shelf.categories.push_back(std::move(entry.category));
+        library.names.push_back(std::move(entry.name));
+        library.categories.push_back(std::move(entry.category));
     }
-    return shelf;
+    return library;
 }
 
 std::string keys_text() {
@@ -100,7 +100,7 @@ class PlayCommand final : public Command {
         if (!script) refuse_without_window();
         const auto scene = words.plain.empty() ? std::string("ragdoll") : words.plain[0];
         canvas::catch_interrupts();
-        Play game(shelf(), scene, words.overrides);
+        Play game(library(), scene, words.overrides);
         if (!game.ready()) throw CommandError{bad_input, game.problem()};
         if (as_json) game.listener = [&](const play::Told& told) { print_told(game, told); };
         return script ? play_script(*script, game) : play_window(game);

@@ -17,17 +17,17 @@ std::string clock_text(double seconds) {
 
 /// The last minute as a line; a press or drag goes to the step at the pointer.
 void timeline(play::Play& play, const Look& look, float width, float scale) {
-    auto& tape = play.tape();
+    auto& timeline = play.timeline();
     const auto at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight(), middle = at.y + height / 2;
     ImGui::InvisibleButton("timeline", {std::max(width, 1.0F), height});
-    const auto first = double(tape.first()), length = std::max(double(tape.end()) - first, 1.0);
+    const auto first = double(timeline.first()), length = std::max(double(timeline.end()) - first, 1.0);
     if (ImGui::IsItemActive()) {
         const float share = std::clamp((ImGui::GetIO().MousePos.x - at.x) / std::max(width, 1.0F), 0.0F, 1.0F);
         const auto step = std::uint64_t(first + double(share) * length + 0.5);
-        if (step != tape.now()) play.go_to(step);
+        if (step != timeline.now()) play.go_to(step);
     }
-    const float here = at.x + width * float((double(tape.now()) - first) / length);
+    const float here = at.x + width * float((double(timeline.now()) - first) / length);
     const float thick = 4 * scale;
     auto& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({at.x, middle - thick / 2}, {at.x + width, middle + thick / 2}, packed(look.raised), thick);
@@ -56,8 +56,8 @@ void tool_bar(play::Play& play, const Arrangement& layout, const Look& look, flo
     const auto with_key = [&](const char* word, const std::string& what, const char* action) {
         return std::string(word) + (what.empty() ? "" : " " + what) + "  (" + play.keys.of(action) + ")";
     };
-    if (button("undo", false, with_key("undo", play.tape().undo_name(), "undo"))) play.undo();
-    if (button("redo", false, with_key("do again", play.tape().redo_name(), "redo"))) play.redo();
+    if (button("undo", false, with_key("undo", play.timeline().undo_name(), "undo"))) play.undo();
+    if (button("redo", false, with_key("do again", play.timeline().redo_name(), "redo"))) play.redo();
 }
 
 namespace {

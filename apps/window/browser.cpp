@@ -21,13 +21,13 @@ void Browser::show(const Look& look, const Fonts& fonts, float scale) {
     const float height = width * 0.75F + ImGui::GetTextLineHeight() + 10 * scale;
     ImGui::BeginChild("scenes", {0, height * 2 + gap * 2 + ImGui::GetTextLineHeight()}, false);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
-    const auto& shelf = play_.shelf();
+    const auto& library = play_.library();
     int number = 0;
     std::string_view category;
     bool any = false;
-    for (std::size_t i = 0; i < shelf.names.size(); ++i) {
-        const auto& name = shelf.names[i];
-        const std::string_view of = i < shelf.categories.size() ? std::string_view(shelf.categories[i]) : "";
+    for (std::size_t i = 0; i < library.names.size(); ++i) {
+        const auto& name = library.names[i];
+        const std::string_view of = i < library.categories.size() ? std::string_view(library.categories[i]) : "";
         const auto found = [&](const std::string& text) { return text.find(search_.data()) != std::string::npos; };
         if (!found(words_of(name)) && !found(name) && !found(std::string(of))) continue;
         any = true;

@@ -11,7 +11,7 @@ namespace sinew::window {
 /// The catalogue: a search field, and a thumbnail of every scene.
 class Browser {
   public:
-    explicit Browser(play::Play& play) : play_(play), thumbnails_(play.shelf()) {}
+    explicit Browser(play::Play& play) : play_(play), thumbnails_(play.library()) {}
     void show(const Look& look, const Fonts& fonts, float scale);
 
     void forget_textures() { thumbnails_.forget(); }

@@ -68,16 +68,7 @@ ImVec4 blend(const ImVec4& a, const ImVec4& b, float share) {
     return {a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share, a.z + (b.z - a.z) * share, 1};
 }
 
-} // namespace
-
-const Look& look_called(const std::string& theme) {
-    return theme == "dark" ? dark : light;
-}
-
-void dress(const Look& look, double density, double& dressed_density, Fonts& fonts) {
-    if (density != dressed_density) make_fonts(float(density), fonts);
-    dressed_density = density;
-    ImGuiStyle style;
+void set_sizes(ImGuiStyle& style, float density) {
     style.WindowPadding = {16, 14};
     style.FramePadding = {9, 5};
     style.ItemSpacing = {8, 7};
@@ -94,8 +85,10 @@ void dress(const Look& look, double density, double& dressed_density, Fonts& fon
     style.FrameBorderSize = 0;
     style.PopupBorderSize = 1;
     style.IndentSpacing = 12;
-    style.ScaleAllSizes(float(density));
-    auto* colors = style.Colors;
+    style.ScaleAllSizes(density);
+}
+
+void set_colors(ImVec4* colors, const Look& look) {
     for (int i = 0; i < ImGuiCol_COUNT; ++i) colors[i] = look.raised;
     const auto hovered = blend(look.raised, look.text, 0.08F), pressed = blend(look.raised, look.accent, 0.35F);
     colors[ImGuiCol_Text] = look.text;
@@ -113,6 +106,20 @@ void dress(const Look& look, double density, double& dressed_density, Fonts& fon
     colors[ImGuiCol_TextSelectedBg] = blend(look.surface, look.accent, 0.4F);
     colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = look.surface;
     colors[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.45F};
+}
+
+} // namespace
+
+const Look& look_called(const std::string& theme) {
+    return theme == "dark" ? dark : light;
+}
+
+void dress(const Look& look, double density, double& dressed_density, Fonts& fonts) {
+    if (density != dressed_density) make_fonts(float(density), fonts);
+    dressed_density = density;
+    ImGuiStyle style;
+    set_sizes(style, float(density));
+    set_colors(style.Colors, look);
     ImGui::GetStyle() = style;
 }
 

@@ -42,7 +42,7 @@ void file_menu(Play& play) {
 }
 
 void edit_menu(Play& play) {
-    const auto undo = play.tape().undo_name(), redo = play.tape().redo_name();
+    const auto undo = play.timeline().undo_name(), redo = play.timeline().redo_name();
     if (entry(play, ("Undo " + undo).c_str(), "undo", !undo.empty())) play.undo();
     if (entry(play, ("Redo " + redo).c_str(), "redo", !redo.empty())) play.redo();
     ImGui::Separator();
@@ -63,7 +63,7 @@ void view_menu(Play& play) {
         tooltip(std::string(overlays[i].about));
     }
     ImGui::Separator();
-    if (entry(play, "See everything", "see_all")) play.each_pane([&] { play.eye().home(play.session()); });
+    if (entry(play, "See everything", "see_all")) play.each_pane([&] { play.camera().home(play.session()); });
     if (entry(play, "Light or dark", "theme")) play.switch_theme();
     if (entry(play, "Panel and bars", "panel")) play.panel = false;
 }

@@ -112,9 +112,9 @@ void Statistics::sample(play::Play& play) {
     constexpr double every = 0.1; // seconds of real time
     if (play.scene_name() != scene_) energies_.clear(), step_times_.clear(), sampled_ = ~0ULL;
     scene_ = play.scene_name();
-    if (ImGui::GetTime() - since_ < every || play.tape().now() == sampled_) return;
+    if (ImGui::GetTime() - since_ < every || play.timeline().now() == sampled_) return;
     since_ = ImGui::GetTime();
-    sampled_ = play.tape().now();
+    sampled_ = play.timeline().now();
     report_ = play.session().report();
     largest_tension_ = largest_tension(play.session().world());
     const auto units = play.session().scene().measures();

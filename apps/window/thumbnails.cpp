@@ -14,9 +14,9 @@ namespace sinew::window {
 namespace {
 
 /// Draws the scene after a fifth of its time, at most 4 s, or as far as 0.3 s of work lead.
-std::vector<std::byte> draw(const play::SceneLibrary& shelf, const std::string& name, const std::string& theme) {
+std::vector<std::byte> draw(const play::SceneLibrary& library, const std::string& name, const std::string& theme) {
     const std::vector<Override> overrides = {{"view.theme=" + theme, "the panel"}};
-    auto fetched = shelf.fetch(name, overrides);
+    auto fetched = library.fetch(name, overrides);
     if (!fetched.opened) return {};
     Session session(std::move(*fetched.opened));
     constexpr double part = 0.2, longest = 4; // simulated seconds
@@ -52,7 +52,7 @@ void Thumbnails::work(const std::stop_token& stop) {
             next = wanted_.front();
             wanted_.erase(wanted_.begin());
         }
-        auto pixels = draw(shelf_, next.first, next.second);
+        auto pixels = draw(library_, next.first, next.second);
         const std::lock_guard lock(mutex_);
         drawn_.push_back({next.first + '\n' + next.second, std::move(pixels)});
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/shelf.h"
+#include "player/scene_library.h"
 
 #include <condition_variable>
 #include <cstdint>
@@ -17,7 +17,7 @@ class Thumbnails {
   public:
     static constexpr int width = 192, height = 144; ///< pixels
 
-    explicit Thumbnails(const play::SceneLibrary& shelf) : shelf_(shelf) {}
+    explicit Thumbnails(const play::SceneLibrary& library) : library_(library) {}
     ~Thumbnails();
 
     /// OpenGL texture of a scene in a theme, requested at the first call; 0 until drawn.
@@ -33,7 +33,7 @@ class Thumbnails {
 
     void work(const std::stop_token& stop);
 
-    const play::SceneLibrary& shelf_;
+    const play::SceneLibrary& library_;
     std::map<std::string, std::uint32_t> textures_; ///< by name and theme; 0: not drawn yet
     std::mutex mutex_;
     std::condition_variable_any wanted_changed_;

@@ -210,11 +210,11 @@ class Window {
     void step(double passed) {
         constexpr double longest = 0.025; // seconds
         const auto begin = Clock::now();
-        const auto before = play_.tape().now();
+        const auto before = play_.timeline().now();
         const auto phases = std::make_shared<PhaseTimes>();
         play_.report({.times = phases, .preparing = {}});
         play_.advance(passed, [&] { return seconds_between(begin, Clock::now()) > longest; });
-        panel_.measure_steps(seconds_between(begin, Clock::now()), play_.tape().now() - before, *phases);
+        panel_.measure_steps(seconds_between(begin, Clock::now()), play_.timeline().now() - before, *phases);
     }
 
     void name_window() {

@@ -20,22 +20,22 @@ constexpr std::array of_host = {
     std::string_view("settings"),     std::string_view("help"),           std::string_view("close"),
     std::string_view("free_running"), std::string_view("previous_scene"), std::string_view("next_scene")};
 
-/// A shelf with one scene. A split view and a change of mode open it again in the other mode.
+/// A library with one scene. A split view and a change of mode open it again in the other mode.
 play::SceneLibrary shelf_of(const std::shared_ptr<const SceneFile>& file) {
     const auto fetched = [](const SceneFile& from, std::span<const Override> overrides, const std::string& path) {
         auto opened = from.open(overrides);
         return play::Fetched{std::move(opened), sinew_message(), path};
     };
-    play::SceneLibrary shelf;
-    shelf.fetch = [=](const std::string&, std::span<const Override> overrides) {
+    play::SceneLibrary library;
+    library.fetch = [=](const std::string&, std::span<const Override> overrides) {
         return fetched(*file, overrides, file->name);
     };
-    shelf.read = [=](const std::string& text, const std::string& name, const std::filesystem::path&) {
+    library.read = [=](const std::string& text, const std::string& name, const std::filesystem::path&) {
         auto other = *file;
         other.text = text, other.name = name;
         return fetched(other, {}, "");
     };
-    return shelf;
+    return library;
 }
 
 std::unique_ptr<play::Play> play_of(const std::shared_ptr<const SceneFile>& file) {
@@ -134,18 +134,18 @@ std::string name_of_picked(const play::Play& play, const std::optional<Picked>& 
 
 void fill(Player& player, sinew_player_state& state) {
     auto& play = *player.play;
-    const auto& tape = play.tape();
+    const auto& timeline = play.timeline();
     player.texts = {play.tool,
                     play.shown_theme(),
                     name_of_picked(play, play.hovered),
                     name_of_picked(play, play.selected),
                     play.message,
-                    tape.undo_name(),
-                    tape.redo_name()};
+                    timeline.undo_name(),
+                    timeline.redo_name()};
     const auto text = [&](std::size_t i) { return player.texts[i].c_str(); };
-    state = {double(tape.now()),
-             double(tape.first()),
-             double(tape.end()),
+    state = {double(timeline.now()),
+             double(timeline.first()),
+             double(timeline.end()),
              play.clock().scale(),
              play.clock().paused() ? 1 : play.clock().share(),
              play.clock().paused(),
@@ -309,7 +309,7 @@ sinew_status sinew_player_orbit(sinew_player player, double dx, double dy) {
     if (!std::isfinite(dx) || !std::isfinite(dy)) return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
     return with(player, [&](Player& known) {
         auto& play = *known.play;
-        play.each_pane([&] { play.eye().orbit(play.session(), {{dx, dy}}); });
+        play.each_pane([&] { play.camera().orbit(play.session(), {{dx, dy}}); });
     });
 }
 

@@ -30,7 +30,7 @@ class CutTool final : public Tool {
         if (to == from_) return;
         std::size_t gone = 0;
         play.each_pane([&] { gone += slash(play, to); });
-        if (cut_ == 0 && gone == 0) play.each_pane([&] { play.tape().forget_edit(); });
+        if (cut_ == 0 && gone == 0) play.each_pane([&] { play.timeline().forget_edit(); });
         cut_ += gone;
         from_ = to;
         trail_.push_back(cast<float>(to));
@@ -39,22 +39,22 @@ class CutTool final : public Tool {
 
     /// Cuts in the active pane; returns the number of constraints removed.
     std::size_t slash(Play& play, Vec2<double> to) const {
-        const auto look = play.eye().look(play.session());
+        const auto look = play.camera().look(play.session());
         const auto view = play.view();
         constexpr double depth = 1; // any depth: only the direction counts
         const Slash slash{{view.place_of(from_, depth), view.place_of(to, depth)}, look};
         const auto before = count_constraints(play.session().world());
         if (cut_ == 0)
-            play.tape().edit(slash, "cut");
+            play.timeline().edit(slash, "cut");
         else
-            play.tape().act(slash);
+            play.timeline().act(slash);
         return before - count_constraints(play.session().world());
     }
 
     void release(Play& play) override {
         trail_.clear();
         if (cut_ == 0) return;
-        play.each_pane([&] { play.tape().finish_edit(); });
+        play.each_pane([&] { play.timeline().finish_edit(); });
         play.tell("cut", {{"constraints", cut_}});
     }
 

@@ -37,7 +37,7 @@ class GrabTool final : public Tool {
 
     void hold(Play& play, const Picked& picked, bool other) {
         auto& hold = holds_[play.active_pane()];
-        play.tape().act(Grab{rows_of(play.session().world(), picked.members), picked.place});
+        play.timeline().act(Grab{rows_of(play.session().world(), picked.members), picked.place});
         hold.held = play.session().holds();
         hold.depth = picked.depth;
         if (other && play.session().hand()) hold.offset = cast<double>(picked.pixel) - play.pointer();
@@ -47,14 +47,14 @@ class GrabTool final : public Tool {
         play.each_pane([&] {
             if (!is_held(play)) return;
             const auto& hold = holds_[play.active_pane()];
-            play.tape().act(Drag{play.view().place_of(play.pointer() + hold.offset, hold.depth)});
+            play.timeline().act(Drag{play.view().place_of(play.pointer() + hold.offset, hold.depth)});
         });
     }
 
     void release(Play& play) override {
         const bool held = is_held(play);
         play.each_pane([&] {
-            if (is_held(play)) play.tape().act(LetGo{});
+            if (is_held(play)) play.timeline().act(LetGo{});
         });
         holds_.clear();
         if (!held) return;

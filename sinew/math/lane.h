@@ -249,10 +249,10 @@ template <class V, class Real> [[gnu::always_inline]] inline void store_first(Re
 
 /// Strided store of all lanes, or of the first `count`: lane i goes to to[i * apart]. Memory in between is not touched.
 template <bool all, class V, class Real>
-[[gnu::always_inline]] inline void put_apart(Real* to, const V& pack, int count, std::size_t apart) {
+[[gnu::always_inline]] inline void store_strided(Real* to, const V& pack, int count, std::size_t stride) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(V) == 64 && sizeof(Real) == 4)
-        if (apart == 2) {
+        if (stride == 2) {
             const auto low = _mm512_set_epi32(7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0, 0);
             const auto high = _mm512_set_epi32(15, 15, 14, 14, 13, 13, 12, 12, 11, 11, 10, 10, 9, 9, 8, 8);
             const auto wanted = unsigned(((1ULL << 2 * count) - 1) & 0x55555555ULL);
@@ -263,9 +263,9 @@ template <bool all, class V, class Real>
 #endif
     if constexpr (all)
 #pragma GCC unroll 16
-        for (int i = 0; i < int(sizeof(V) / sizeof(Real)); ++i, to += apart) *to = lane_of(pack, i);
+        for (int i = 0; i < int(sizeof(V) / sizeof(Real)); ++i, to += stride) *to = lane_of(pack, i);
     else
-        for (int i = 0; i < count; ++i) to[std::size_t(i) * apart] = lane_of(pack, i);
+        for (int i = 0; i < count; ++i) to[std::size_t(i) * stride] = lane_of(pack, i);
 }
 
 /// The first `count` lanes of the pack, and the number `behind` in all lanes after.

@@ -63,12 +63,13 @@ inline double tears_beyond(double strain) {
 }
 
 /// Field shared by every prefab with a breaking strain.
-inline constexpr Field toughness_field{.name = "damage_limit",
-                                       .help = "Time integral of the strain above breaking_strain needed to tear: 0.1 "
-                                               "is an excess of 10 % for one second; 0 tears at once",
-                                       .unit = unit::time,
-                                       .low = 0,
-                                       .high = 1e6};
+inline constexpr Field damage_limit_field{.name = "damage_limit",
+                                          .help =
+                                              "Time integral of the strain above breaking_strain needed to tear: 0.1 "
+                                              "is an excess of 10 % for one second; 0 tears at once",
+                                          .unit = unit::time,
+                                          .low = 0,
+                                          .high = 1e6};
 
 /// True if mirroring flips the sign of a measure: signed angles, areas in 2D, volumes in 3D, and kinds that declare
 /// `sided`.

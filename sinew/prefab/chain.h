@@ -70,7 +70,7 @@ struct Chain {
                                           .help = "Strain at which a link tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
-        visit(self.damage_limit, toughness_field);
+        visit(self.damage_limit, damage_limit_field);
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Width of a link seen from its broad side; collision radius is half",
                                     .unit = unit::length,

@@ -48,7 +48,7 @@ struct Curtain {
                                           .help = "Strain at which a thread tears; 0 for never",
                                           .low = 0,
                                           .high = most});
-        visit(self.damage_limit, toughness_field);
+        visit(self.damage_limit, damage_limit_field);
         visit(
             self.uneven,
             Field{.name = "uneven",

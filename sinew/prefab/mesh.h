@@ -74,7 +74,7 @@ struct Mesh {
                                           .help = "Strain at which an edge tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
-        visit(self.damage_limit, toughness_field);
+        visit(self.damage_limit, damage_limit_field);
         visit(self.drawn, Field{.name = "drawn", .help = "Drawn as filled faces or as edges", .choices = drawings});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of a drawn edge; collision radius is half",

@@ -73,7 +73,7 @@ struct Rope {
                                           .help = "Strain at which a piece tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
-        visit(self.damage_limit, toughness_field);
+        visit(self.damage_limit, damage_limit_field);
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness as drawn; collision radius is half",
                                     .unit = unit::length,

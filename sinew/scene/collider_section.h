@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/scene/driver_section.h"
+#include "sinew/scene/world_section.h"
 
 #include <optional>
 #include <string>
@@ -151,12 +152,7 @@ struct ColliderSection {
                                 .help = "Orientation, counter-clockwise on screen; in 3D about \"axis\"",
                                 .unit = unit::angle});
         visit(self.axis, Field{.name = "axis", .help = "Axis of the angle and of the spin (3D)"});
-        visit(self.bounce, Field{.name = "bounce",
-                                 .help = "Coefficient of restitution: share of the approach speed given back",
-                                 .low = 0,
-                                 .high = 1});
-        visit(self.friction,
-              Field{.name = "friction", .help = "Coefficient of Coulomb friction", .low = 0, .high = 100});
+        surface_fields(self, visit);
         visit(self.layers, Field{.name = "layers", .help = "Layers it belongs to", .low = 0, .high = 31});
         visit(self.touches,
               Field{.name = "touches", .help = "Layers it touches; all if left out", .low = 0, .high = 31});

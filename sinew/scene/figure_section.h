@@ -97,7 +97,7 @@ struct ConstraintSection {
                                           .help = "Strain at which the constraint tears; 0 for never",
                                           .low = 0,
                                           .high = 1e6});
-        visit(self.damage_limit, toughness_field);
+        visit(self.damage_limit, damage_limit_field);
         visit(self.hidden, Field{.name = "hidden", .help = "Hidden support, not drawn"});
     }
 };

@@ -15,6 +15,15 @@
 /// Forces, bounds and solver settings: the sections "world" and "solver" of a scene file.
 namespace sinew {
 
+/// Fields of a surface that particles strike.
+template <class Self, class Visit> void surface_fields(Self& self, Visit& visit) {
+    visit(self.bounce, Field{.name = "bounce",
+                             .help = "Coefficient of restitution: share of the approach speed given back",
+                             .low = 0,
+                             .high = 1});
+    visit(self.friction, Field{.name = "friction", .help = "Coefficient of Coulomb friction", .low = 0, .high = 100});
+}
+
 struct PlaneSection {
     Point normal{{0, 1, 0}};
     Point through{};
@@ -24,12 +33,7 @@ struct PlaneSection {
         visit(self.normal,
               Field{.name = "normal", .help = "Normal of the plane, towards the free side", .required = true});
         visit(self.through, Field{.name = "through", .help = "Point on the plane", .unit = unit::length});
-        visit(self.bounce, Field{.name = "bounce",
-                                 .help = "Coefficient of restitution: share of the approach speed given back",
-                                 .low = 0,
-                                 .high = 1});
-        visit(self.friction,
-              Field{.name = "friction", .help = "Coefficient of Coulomb friction", .low = 0, .high = 100});
+        surface_fields(self, visit);
     }
 };
 

@@ -1,5 +1,5 @@
+#include "sinew/session/migrate_state.h"
 #include "sinew/session/session.h"
-#include "sinew/session/transplant.h"
 #include "sinew/world/edit.h"
 
 #include <algorithm>

@@ -52,6 +52,13 @@ struct BlockLimit {
     bool slackened = false; ///< released in a solve of this substep; only in a block with ports
 
     bool one_sided() const { return low < high; }
+    bool is_compliant() const { return compliance > 0; }
+    /// Distance of a measure from the limits, signed.
+    double error_of(double measure) const { return measure - clamp(measure, low, high); }
+    /// Stiffness of a compliant limit, at most `hardest`.
+    double spring_stiffness(double hardest = 1e300) const { return minimum(1 / compliance, hardest); }
+    /// Energy of a compliant limit, J.
+    double spring_energy(double measure) const { return 0.5 * square(error_of(measure)) / compliance; }
     void activate(double above, double below, double margin) {
         if (!(above > margin || below < -margin)) return;
         side = above > margin ? 1 : -1;
@@ -223,7 +230,7 @@ struct BlockRoom {
     UnionFind pieces;
     std::vector<Row> adjacency, parent, peeled, tree;
     std::vector<std::pair<Row, Row>> trees; ///< particles of pieces, each after the first of the piece
-    std::vector<Row> hung;                  ///< direct particles of pieces that became blocks
+    std::vector<Row> attached;              ///< direct particles of pieces that became blocks
     std::vector<char> direct;               ///< per particle: in a tree, or in a figure that alone would be a block
     std::vector<std::pair<FigureIndex, Row>> figures; ///< pairs (figure, particle) of a part
     std::vector<SquareSide> sides;                    ///< by entry of a block
@@ -234,7 +241,7 @@ struct BlockRoom {
         trees.reserve(particles);
         figures.reserve(particles);
         direct.reserve(particles);
-        hung.reserve(particles);
+        attached.reserve(particles);
     }
 };
 

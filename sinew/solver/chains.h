@@ -15,13 +15,13 @@ struct ChainLink {
     Row particle = 0, constraint = 0;
     std::uint32_t node = 0, link = 0; ///< in `Blocks`
     double length = 0;                ///< m
+    bool pulls_only = false;          ///< can go slack
 };
 
 struct BlockChain {
     std::uint32_t first = 0, links = 0; ///< range in Chains::links, from the held end on
     std::uint32_t held_node = 0;        ///< the immovable node, in `Blocks`
     Row held = 0;
-    bool pulls_only = false; ///< some link can go slack
 };
 
 /// A block that is a chain, in the order in which chains are solved.

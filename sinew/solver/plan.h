@@ -19,7 +19,7 @@ namespace sinew {
 struct Tile {
     std::uint32_t first = 0, last = 0;
     std::uint32_t first_pin = 0, last_pin = 0; ///< range of Plan::pins
-    std::uint32_t tightened = 0;               ///< sweeps along the tile after each tether pass, from pin to pin; or 0
+    std::uint32_t span_repairs = 0;            ///< sweeps along the tile after each tether pass, from pin to pin; or 0
     bool overstretched = false;                ///< links starting here were found overstretched
     std::uint32_t again = 0;                   ///< most tiles repaired from here in this step
 };
@@ -106,7 +106,7 @@ struct PlanRoom {
     std::vector<Piece> order;
     std::vector<char> kept; ///< flag by component
     struct Link {
-        std::uint32_t apart = 0, lower = 0; ///< difference and minimum of the slots of the ends
+        std::uint32_t offset = 0, lower = 0; ///< difference and minimum of the slots of the ends
         Row row = 0;
         auto operator<=>(const Link&) const = default;
     };

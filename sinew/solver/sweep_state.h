@@ -56,7 +56,7 @@ template <int D, class Real> struct SweepState {
     void make_room() {
         if (has_room()) return;
         constexpr std::size_t columns = 3 * D + 1, line = 64;
-        stride_ = stride();
+        stride_ = padded_stride();
         used_ = row_of.size();
         columns_.assign(stride_ * columns + line / sizeof(Real), Real(0));
         Real* next =
@@ -67,7 +67,7 @@ template <int D, class Real> struct SweepState {
     }
 
     /// Stride between the components of a column.
-    std::size_t apart() const {
+    std::size_t stride() const {
         SINEW_ASSERT(std::size_t(place[1] - place[0]) >= row_of.size(), "a column has room for every slot");
         return std::size_t(place[1] - place[0]);
     }
@@ -87,7 +87,7 @@ template <int D, class Real> struct SweepState {
 
     DistanceColumns<D, Real> link_columns(Real* multiplier) const {
         DistanceColumns<D, Real> columns{};
-        columns.place = place[0], columns.move = move[0], columns.apart = apart();
+        columns.place = place[0], columns.move = move[0], columns.stride = stride();
         columns.mobility = mobility;
         columns.low = plan.parameters.low();
         columns.high = plan.parameters.high();
@@ -106,12 +106,12 @@ template <int D, class Real> struct SweepState {
 
     /// Stride of the columns. Columns a multiple of the page size apart would compete for the same cache lines; each
     /// starts on a cache line.
-    std::size_t stride() const {
-        constexpr std::size_t page = 4096 / sizeof(Real), apart = 576 / sizeof(Real);
-        return (row_of.size() + page - 1) / page * page + apart;
+    std::size_t padded_stride() const {
+        constexpr std::size_t page = 4096 / sizeof(Real), padding = 576 / sizeof(Real);
+        return (row_of.size() + page - 1) / page * page + padding;
     }
     bool has_room() {
-        if (columns_.empty() || stride() != stride_) return false;
+        if (columns_.empty() || padded_stride() != stride_) return false;
         const auto clear = [&](Real* column) {
             std::fill(column + std::min(row_of.size(), used_), column + used_, Real(0));
         };

@@ -76,7 +76,7 @@ Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids, const Slicer<D
     std::sort(done.figures.begin(), done.figures.end());
     done.figures.erase(std::unique(done.figures.begin(), done.figures.end()), done.figures.end());
     remove_constraints(world, std::span<const ConstraintId>(all));
-    done.doubled = come_apart(world, std::span<const Ends>(gone), slicer);
+    done.new_particles = come_apart(world, std::span<const Ends>(gone), slicer);
     return done;
 }
 
@@ -94,7 +94,7 @@ template <int D, class Real> Cut cut(World<D, Real>& world, std::span<const Cons
 template <int D, class Real>
 std::size_t come_apart(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer) {
     if (slicer) detail::list_constraints(world);
-    sever(world, gone, slicer);
+    split_pieces(world, gone, slicer);
     const auto added = split(world, gone);
     bind(world);
     return added;

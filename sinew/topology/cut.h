@@ -11,7 +11,7 @@ namespace sinew {
 
 struct Cut {
     std::size_t links = 0;            ///< distances removed
-    std::size_t doubled = 0;          ///< particles added where flaps come apart (topology/vertex_split.h)
+    std::size_t new_particles = 0;    ///< particles added where flaps come apart (topology/vertex_split.h)
     std::vector<FigureIndex> figures; ///< figures of the distances removed, sorted and unique; no_figure last
 };
 

@@ -63,12 +63,12 @@ void shorten(const Piece& piece, std::span<const std::size_t> gaps, std::vector<
     }
 }
 
-template <int D, class Real> class Severer {
+template <int D, class Real> class PieceSplitter {
   public:
-    Severer(const World<D, Real>& world, const Gaps& gaps, const Slicer<D, Real>* slicer)
+    PieceSplitter(const World<D, Real>& world, const Gaps& gaps, const Slicer<D, Real>* slicer)
         : world_(world), gaps_(gaps), slicer_(slicer) {}
 
-    void sever(Figure& figure) const {
+    void split_pieces(Figure& figure) const {
         PiecesLeft left;
         left.pieces.reserve(figure.pieces.size());
         for (auto& piece : figure.pieces) {
@@ -119,7 +119,7 @@ template <int D, class Real> class Severer {
 } // namespace
 
 template <int D, class Real>
-void sever(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer) {
+void split_pieces(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer) {
     if (gone.empty()) return;
     std::vector<char> touched(world.figures.size(), 0);
     for (const auto& ends : gone)
@@ -127,12 +127,13 @@ void sever(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Re
             if (const auto row = world.particles.slots.find(id))
                 if (const auto figure = world.particles.figure[*row]; figure < touched.size()) touched[figure] = 1;
     const Gaps gaps(gone);
-    const Severer<D, Real> severer(world, gaps, slicer);
+    const PieceSplitter<D, Real> splitter(world, gaps, slicer);
     for (std::size_t i = 0; i < touched.size(); ++i)
-        if (touched[i]) severer.sever(world.figures[i]);
+        if (touched[i]) splitter.split_pieces(world.figures[i]);
 }
 
-#define SINEW_SEVER(D, Real) template void sever(World<D, Real>&, std::span<const Ends>, const Slicer<D, Real>*);
-SINEW_INSTANTIATE(SINEW_SEVER)
+#define SINEW_SPLIT_PIECES(D, Real)                                                                                    \
+    template void split_pieces(World<D, Real>&, std::span<const Ends>, const Slicer<D, Real>*);
+SINEW_INSTANTIATE(SINEW_SPLIT_PIECES)
 
 } // namespace sinew

@@ -37,6 +37,6 @@ template <int D, class Real> class Slicer;
 /// Separates drawn pieces between particles whose link was removed: lines are divided, closed lines opened, filled
 /// polygons divided at their gaps. Patches of cloth are sliced, or removed without a slicer.
 template <int D, class Real>
-void sever(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer = nullptr);
+void split_pieces(World<D, Real>& world, std::span<const Ends> gone, const Slicer<D, Real>* slicer = nullptr);
 
 } // namespace sinew

@@ -34,8 +34,8 @@ template <int D, class Real> class Splitter {
         const auto whole = neighbours_of(particles_, all), left = neighbours_of(particles_, links_);
         Fans before(whole, particles_), after(left, particles_);
         for (const Row row : around_the_gaps(whole)) {
-            const auto fans = fans_of(row, whole[row], before.around(row), left[row], after);
-            if (fans.size() > 1) part(row, left[row], after.around(row), fans);
+            const auto cell_fans = cell_fans_of(row, whole[row], before.around(row), left[row], after);
+            if (cell_fans.size() > 1) part(row, left[row], after.around(row), cell_fans);
         }
         if (partings_.empty()) return 0;
         SplitFollower<D, Real>(world_, partings_).follow();
@@ -48,7 +48,7 @@ template <int D, class Real> class Splitter {
     VertexSplits partings_;
     std::vector<std::array<Row, 2>> links_, gone_;
 
-    /// Collects the links around the gaps, as far as needed for the fans of neighbours. False if the links form no
+    /// Collects the links around the gaps, as far as needed for the cell_fans of neighbours. False if the links form no
     /// loop.
     bool find_cells() {
         const auto& distances = std::get<kind_number<Distance, D>>(world_.constraints);
@@ -95,31 +95,31 @@ template <int D, class Real> class Splitter {
         return rows;
     }
 
-    /// Remaining fans of a particle; single links do not count.
-    static std::vector<Fan> fans_of(Row row, std::span<const Row> once, const std::vector<Row>& was,
-                                    std::span<const Row> near, Fans& after) {
-        std::vector<Fan> fans;
+    /// Remaining cell_fans of a particle; single links do not count.
+    static std::vector<Fan> cell_fans_of(Row row, std::span<const Row> once, const std::vector<Row>& was,
+                                         std::span<const Row> near, Fans& after) {
+        std::vector<Fan> cell_fans;
         const auto now = after.around(row);
         for (std::size_t i = 0; i < near.size(); ++i) {
             const auto known =
-                std::find_if(fans.begin(), fans.end(), [&](const Fan& fan) { return fan.first == now[i]; });
-            if (known != fans.end()) {
+                std::find_if(cell_fans.begin(), cell_fans.end(), [&](const Fan& fan) { return fan.first == now[i]; });
+            if (known != cell_fans.end()) {
                 ++known->size;
                 continue;
             }
             const auto place = std::lower_bound(once.begin(), once.end(), near[i]) - once.begin();
-            fans.push_back({now[i], was[std::size_t(place)], 1});
+            cell_fans.push_back({now[i], was[std::size_t(place)], 1});
         }
-        std::erase_if(fans, [](const Fan& fan) { return fan.size == 1; });
-        return fans;
+        std::erase_if(cell_fans, [](const Fan& fan) { return fan.size == 1; });
+        return cell_fans;
     }
 
     /// Gives each fan a new particle, except the largest of each former fan.
-    void part(Row row, std::span<const Row> near, const std::vector<Row>& now, const std::vector<Fan>& fans) {
+    void part(Row row, std::span<const Row> near, const std::vector<Row>& now, const std::vector<Fan>& cell_fans) {
         VertexSplit parting{row, {near.begin(), near.end()}, std::vector<Row>(near.size(), row)};
         std::size_t leaving = 0;
-        for (const auto& fan : fans) {
-            const bool stays = std::none_of(fans.begin(), fans.end(), [&](const Fan& other) {
+        for (const auto& fan : cell_fans) {
+            const bool stays = std::none_of(cell_fans.begin(), cell_fans.end(), [&](const Fan& other) {
                 return other.was == fan.was &&
                        (other.size > fan.size || (other.size == fan.size && other.first < fan.first));
             });

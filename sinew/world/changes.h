@@ -46,35 +46,32 @@ template <int D, class Real> void note_weight(World<D, Real>& world, Row particl
     world.journal.touch(world.particles.slots.slot_of(particle), Touch::weight);
 }
 
-/// Slot of a particle whose constraints change; nothing while no list has to follow.
-template <int D, class Real> std::optional<std::uint32_t> begin_member_change(World<D, Real>& world, Row member) {
+/// Records a change of a particle's constraints; calls update(adjacency, particle) where the list has to follow.
+template <int D, class Real, class Update> void note_member_change(World<D, Real>& world, Row member, Update&& update) {
     auto& journal = world.journal;
     journal.changed = true;
-    if (journal.stale && !journal.adjacency.listed()) return std::nullopt;
-    return world.particles.slots.slot_of(member);
+    if (journal.stale && !journal.adjacency.listed()) return;
+    const auto particle = world.particles.slots.slot_of(member);
+    if (journal.adjacency.listed()) update(journal.adjacency, particle);
+    journal.touch(particle, Touch::joined);
 }
 
 /// Records a particle as a new member of a constraint.
 template <int D, class Real, class Table>
 void note_member(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
-    const auto particle = begin_member_change(world, member);
-    if (!particle) return;
-    auto& adjacency = world.journal.adjacency;
-    if (adjacency.listed()) adjacency.add(*particle, kind, table.slots.slot_of(row));
-    world.journal.touch(*particle, Touch::joined);
+    note_member_change(world, member, [&](auto& adjacency, std::uint32_t particle) {
+        adjacency.add(particle, kind, table.slots.slot_of(row));
+    });
 }
 
 /// Records a particle as a member no longer.
 template <int D, class Real, class Table>
 void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
-    const auto particle = begin_member_change(world, member);
-    if (!particle) return;
-    auto& adjacency = world.journal.adjacency;
-    if (adjacency.listed() && !adjacency.remove(*particle, kind, table.slots.slot_of(row))) {
+    note_member_change(world, member, [&](auto& adjacency, std::uint32_t particle) {
+        if (adjacency.remove(particle, kind, table.slots.slot_of(row))) return;
         adjacency.forget();
         world.journal.stale = true;
-    }
-    world.journal.touch(*particle, Touch::joined);
+    });
 }
 
 /// Records a constraint with a new method of solution.

@@ -152,7 +152,7 @@ template <int D, class Real, class Counts> Energy energy_where(const World<D, Re
             if (table.is_rigid(row) || !counts(table.figure[row])) continue;
             const auto middle = [&](Row particle) { return place_of_velocity(world, particle); };
             const auto state = state_of(table, row, measure_row(table, row, middle), world.last_substep);
-            double stored = 0.5 * square(state.error) / double(table.compliance[row]);
+            double stored = table.spring_energy(row, state.error);
             if constexpr (std::is_same_v<Kind, Angle<D>>)
                 if (stored > 0 && is_at_end(p, table.members[row]) && world.settings.mode == Mode::physical) {
                     if (!slack) slack.emplace(std::get<kind_number<Distance, D>>(world.constraints));

@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 /// State of the simulation, as plain columns. Data only: edit.h changes a world, step.h advances it, measure.h measures
@@ -152,6 +153,8 @@ template <class KindT, class Real> struct Constraints {
     Real low(Row row) const { return limits.low(row); }
     Real high(Row row) const { return limits.high(row); }
     bool is_rigid(Row row) const { return compliance[row] == Real(0); }
+    /// Energy of a compliant constraint whose measure is so far from the limits, J.
+    double spring_energy(Row row, double error) const { return 0.5 * square(error) / double(compliance[row]); }
     /// True if the force of the constraint is limited.
     bool gives(Row row) const { return max_force[row] < limit::measure<Real>; }
     bool any_gives() const {
@@ -230,7 +233,10 @@ template <int D, class Real> struct Pin {
     bool steers() const { return steer != Vec<D, Real>{} || steer_damping != Real(0); }
     bool hard() const { return compliance == Real(0) && max_force == Real(0) && !steers(); }
     /// Target at a share of the step.
-    Vec<D, Real> target_at(Real share) const { return from + (target - from) * share; }
+    template <class T = Real> Vec<D, T> target_at(std::type_identity_t<T> share) const {
+        const auto begun = cast<T>(from);
+        return begun + (cast<T>(target) - begun) * share;
+    }
 };
 
 /// Plane with the particles on one side: dot(normal, x) >= offset + radius.
@@ -239,6 +245,10 @@ template <int D, class Real> struct HalfSpace {
     Real offset = 0;
     Real restitution = 0; ///< share of the approach speed given back, [0, 1]
     Real friction = 0;    ///< Coulomb's coefficient
+
+    /// Depth of a sphere behind the plane, negative in front.
+    Real depth_of(const Vec<D, Real>& center, Real radius) const { return offset + radius - dot(normal, center); }
+    template <class T> HalfSpace<D, T> as() const { return {cast<T>(normal), T(offset), T(restitution), T(friction)}; }
 };
 
 enum class Mode : std::uint8_t { physical, classic };

@@ -16,9 +16,9 @@ namespace sinew::play::SINEW_TEST_FILE {
 namespace {
 
 namespace fs = std::filesystem;
+using games::library;
 using games::Listening;
 using games::run;
-using games::shelf;
 
 class Documents : public testing::Test {
   protected:
@@ -31,7 +31,7 @@ void advance(Play& play, int frames) {
 }
 
 TEST_F(Documents, EscapeAsksWhereAnEditWouldBeLost) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     play.handle(Key{"g"});
     ASSERT_TRUE(play.would_lose());
     play.handle(Key{"escape"});
@@ -46,7 +46,7 @@ TEST_F(Documents, EscapeAsksWhereAnEditWouldBeLost) {
 }
 
 TEST_F(Documents, EnterTakesTheFirstAnswer) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     play.handle(Key{"g"});
     play.handle(Key{"escape"});
     ASSERT_TRUE(play.question);
@@ -67,7 +67,7 @@ TEST_F(Documents, AFileThatWasChangedElsewhereReplacesAnEditOnlyOnRequest) {
         fs::last_write_time(path, fs::file_time_type::clock::now() + std::chrono::seconds(later));
     };
     write("2", 0);
-    Play play(shelf, path);
+    Play play(library, path);
     Listening listening(play);
     play.handle(Key{"g"});
     for (const char* answer : {"keep", "read"}) {
@@ -83,7 +83,7 @@ TEST_F(Documents, AFileThatWasChangedElsewhereReplacesAnEditOnlyOnRequest) {
 }
 
 TEST_F(Documents, EscapeQuitsAtOnceWhereNothingWouldBeLost) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     play.handle(Key{"g"});
     play.handle(Key{"g"}); // the scene is as it was
     EXPECT_TRUE(play.is_edited());
@@ -93,7 +93,7 @@ TEST_F(Documents, EscapeQuitsAtOnceWhereNothingWouldBeLost) {
 }
 
 TEST_F(Documents, AnotherSceneIsOpenedOnlyOnceTheEditIsSavedOrDropped) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     play.handle(Key{"g"});
     play.open("rope");
     EXPECT_EQ(play.scene_name(), "ragdoll");
@@ -105,7 +105,7 @@ TEST_F(Documents, AnotherSceneIsOpenedOnlyOnceTheEditIsSavedOrDropped) {
 }
 
 TEST_F(Documents, SavingAsksWhereTheFirstTimeAndSaysWhereItWent) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     Listening heard(play);
     play.handle(Key{"ctrl+s"});
     EXPECT_EQ(heard.count("saved"), 0U);
@@ -125,13 +125,13 @@ TEST_F(Documents, SavingAsksWhereTheFirstTimeAndSaysWhereItWent) {
 TEST_F(Documents, WhatWasNotSavedIsOfferedAtTheNextStart) {
     const auto draft = folder / "autosave.json";
     {
-        Play play(shelf, "ragdoll");
+        Play play(library, "ragdoll");
         play.keep_draft_in(draft);
         play.set("figures.bob.height", "150");
         advance(play, 60 * 6);
         EXPECT_TRUE(std::filesystem::exists(draft));
     } // a crash
-    Play play(shelf, "rope");
+    Play play(library, "rope");
     play.keep_draft_in(draft);
     play.offer_draft();
     ASSERT_TRUE(play.question);
@@ -141,14 +141,14 @@ TEST_F(Documents, WhatWasNotSavedIsOfferedAtTheNextStart) {
     EXPECT_TRUE(play.would_lose()) << "it is not saved yet";
     play.save(in("mine.json"));
     EXPECT_FALSE(std::filesystem::exists(draft));
-    Play later(shelf, "rope");
+    Play later(library, "rope");
     later.keep_draft_in(draft);
     later.offer_draft();
     EXPECT_FALSE(later.question);
 }
 
 TEST_F(Documents, ASceneRunsFromTheClipboard) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     play.clipboard = [] { return std::string(R"({"sinew": 1, "figures": [{"prefab": "rope", "name": "line"}]})"); };
     play.handle(Key{"ctrl+v"});
     EXPECT_EQ(play.session().scene().figures.at(0).name, "line");
@@ -170,7 +170,7 @@ TEST_F(Documents, AFilmEndsWhereThePictureTakesAnotherSizeAndWithTheGame) {
     if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
     Picture picture;
     {
-        Play play(shelf, "ragdoll");
+        Play play(library, "ragdoll");
         Listening listening(play);
         const auto film = [&](const char* name, int width) {
             play.resize(width, 80);
@@ -190,7 +190,7 @@ TEST_F(Documents, AFilmEndsWhereThePictureTakesAnotherSizeAndWithTheGame) {
 }
 
 TEST_F(Documents, ANewSceneIsAFloorToPutThingsOn) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     play.handle(Key{"ctrl+n"});
     EXPECT_EQ(play.problem(), "");
     EXPECT_TRUE(play.session().scene().figures.empty());
@@ -224,7 +224,7 @@ constexpr const char* busy = "size 800x600\n"
 
 TEST_F(Documents, ARestoredStateContinuesWithTheSameBits) {
     for (const char* scene : {"ragdoll", "cloth3d"}) {
-        Play play(shelf, scene);
+        Play play(library, scene);
         const bool is_cloth = scene != std::string("ragdoll");
         run(is_cloth ? "size 800x600\n0.1 move 300 100 over 0\n0.2 press right\n0.2 move 500 500 over 0.2\n"
                        "0.5 release right\n0.6 key w\n0.8 end"
@@ -233,7 +233,7 @@ TEST_F(Documents, ARestoredStateContinuesWithTheSameBits) {
         ASSERT_EQ(play.problem(), "");
         const auto saved = play.hash();
         ASSERT_TRUE(play.save_state(in("run.state.json"))) << play.problem();
-        Play again(shelf, in("run.state.json"));
+        Play again(library, in("run.state.json"));
         ASSERT_TRUE(again.ready()) << again.problem();
         EXPECT_EQ(again.hash(), saved) << scene;
         for (auto* one : {&play, &again}) one->pause(false), one->step();
@@ -248,7 +248,7 @@ TEST_F(Documents, ARestoredStateContinuesWithTheSameBits) {
 }
 
 TEST_F(Documents, ABadStateIsRefusedWithItsPlaceAndWhatRunsGoesOn) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     run("0.5 end", play);
     ASSERT_TRUE(play.save_state(in("good.json")));
     const auto good = *read_file(in("good.json"), 1 << 20);
@@ -281,7 +281,7 @@ TEST_F(Documents, StrangeActionsDoNoHarm) {
     const auto play_with = [&](const std::string& actions) {
         std::ofstream(in("odd.json")) << R"({"sinew_state": 1, "steps": 5, "hash": "x", "actions": [)" << actions
                                       << R"(], "scene": {"sinew": 1, "figures": [{"prefab": "rope"}]}})";
-        return Play(shelf, in("odd.json")).problem();
+        return Play(library, in("odd.json")).problem();
     };
     for (const char* action :
          {R"({"step": 1, "grab": [], "place": [0, 0]})", R"({"step": 1, "grab": [77], "place": [0, 0]})",
@@ -299,7 +299,7 @@ TEST_F(Documents, StrangeActionsDoNoHarm) {
 // --- keys ------------------------------------------------------------------------------------------------------------
 
 TEST(PlayKeys, CanBeChosenAndNoneStandsForTwoThings) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     EXPECT_EQ(play.keys.choose("pause", "o"), "step") << "taken";
     EXPECT_EQ(play.keys.choose("pause", "k"), "");
     play.handle(Key{"p"});
@@ -320,7 +320,7 @@ TEST(PlayKeys, NoTwoActionsBeginWithOneKey) {
 }
 
 TEST(PlayHint, FadesAfterTheFirstDrag) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     EXPECT_EQ(play.hint_strength(), 0) << "only for who has never dragged";
     play.hint = true;
     EXPECT_EQ(play.hint_strength(), 1);

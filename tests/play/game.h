@@ -26,7 +26,7 @@ inline Fetched fetch(const std::string& word, std::span<const Override> override
     return fetched;
 }
 
-inline const SceneLibrary shelf{{"chains", "ragdoll", "rope"}, {}, fetch, read};
+inline const SceneLibrary library{{"chains", "ragdoll", "rope"}, {}, fetch, read};
 
 struct Listening {
     explicit Listening(Play& play) {

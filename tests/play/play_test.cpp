@@ -18,10 +18,10 @@ namespace sinew::play::SINEW_TEST_FILE {
 namespace {
 
 using games::fetch;
+using games::library;
 using games::Listening;
 using games::pixel_of;
 using games::run;
-using games::shelf;
 
 Session session_of(const std::string& name) {
     return Session(std::move(*fetch(name, {}).opened));
@@ -65,33 +65,34 @@ TEST(PlayClock, SlowMotionAndPause) {
     EXPECT_EQ(clock.scale(), Clock::fastest);
 }
 
-// --- the tape --------------------------------------------------------------------------------------------------------
+// --- the timeline
+// --------------------------------------------------------------------------------------------------------
 
 /// Any step of the past, gone to in any order, is the one that was.
 TEST(PlayTape, GoesBackToTheSameBits) {
-    Timeline tape(session_of("ragdoll"));
-    std::vector<std::uint64_t> hashes = {hash_of(tape.session())};
-    const auto hand =
-        std::visit([](const auto& world) { return *find_particle(world, "bob/right_hand"); }, tape.session().world());
+    Timeline timeline(session_of("ragdoll"));
+    std::vector<std::uint64_t> hashes = {hash_of(timeline.session())};
+    const auto hand = std::visit([](const auto& world) { return *find_particle(world, "bob/right_hand"); },
+                                 timeline.session().world());
     for (int i = 1; i <= 200; ++i) {
-        tape.step();
-        if (i == 50) tape.act(Grab{rows_of(tape.session().world(), {&hand, 1}), {{240, 100, 0}}});
-        if (i > 50 && i < 90) tape.act(Drag{{{240.0 + i, 100, 0}}});
-        if (i == 90) tape.act(LetGo{});
-        hashes.push_back(hash_of(tape.session()));
+        timeline.step();
+        if (i == 50) timeline.act(Grab{rows_of(timeline.session().world(), {&hand, 1}), {{240, 100, 0}}});
+        if (i > 50 && i < 90) timeline.act(Drag{{{240.0 + i, 100, 0}}});
+        if (i == 90) timeline.act(LetGo{});
+        hashes.push_back(hash_of(timeline.session()));
     }
     for (const std::uint64_t step : {199, 50, 51, 0, 90, 89, 200, 137, 15, 14}) {
-        tape.go_to(step);
-        EXPECT_EQ(tape.now(), step);
-        EXPECT_EQ(hash_of(tape.session()), hashes[step]) << step;
+        timeline.go_to(step);
+        EXPECT_EQ(timeline.now(), step);
+        EXPECT_EQ(hash_of(timeline.session()), hashes[step]) << step;
     }
-    tape.go_to(60);
-    for (int i = 0; i < 140; ++i) tape.step();
-    EXPECT_EQ(hash_of(tape.session()), hashes[200]);
+    timeline.go_to(60);
+    for (int i = 0; i < 140; ++i) timeline.step();
+    EXPECT_EQ(hash_of(timeline.session()), hashes[200]);
 }
 
 TEST(PlayWheel, ChangesHowFastTimePassesWhereTheSceneSaysSo) {
-    Play play(shelf, "bezier_humanoid", {Override{"mode=classic"}});
+    Play play(library, "bezier_humanoid", {Override{"mode=classic"}});
     ASSERT_TRUE(play.ready()) << play.problem();
     const auto scale = [&] {
         return std::visit([](const auto& world) { return double(world.settings.classic.time_scale); },
@@ -103,8 +104,8 @@ TEST(PlayWheel, ChangesHowFastTimePassesWhereTheSceneSaysSo) {
     EXPECT_EQ(play.view().see({{0, 0, 0}})->scale, height) << "it does not zoom as well";
     for (int i = 0; i < 20; ++i) play.handle(Scrolled{-1});
     EXPECT_EQ(scale(), 0);
-    for (int i = 0; i < 30; ++i) play.tape().step();
-    for (int i = 0; i < 100; ++i) play.handle(Scrolled{1}), play.tape().step();
+    for (int i = 0; i < 30; ++i) play.timeline().step();
+    for (int i = 0; i < 100; ++i) play.handle(Scrolled{1}), play.timeline().step();
     EXPECT_EQ(scale(), 5);
     std::visit(
         [](const auto& world) {
@@ -114,28 +115,28 @@ TEST(PlayWheel, ChangesHowFastTimePassesWhereTheSceneSaysSo) {
 }
 
 TEST(PlayTape, WhatIsDoneInThePastChangesTheFuture) {
-    Timeline tape(session_of("ragdoll"));
-    for (int i = 0; i < 60; ++i) tape.step();
-    tape.go_to(30);
-    EXPECT_EQ(tape.end(), 60u);
-    tape.act(Restart{});
-    EXPECT_EQ(tape.end(), 30u);
-    EXPECT_EQ(tape.session().seconds(), 0);
+    Timeline timeline(session_of("ragdoll"));
+    for (int i = 0; i < 60; ++i) timeline.step();
+    timeline.go_to(30);
+    EXPECT_EQ(timeline.end(), 60u);
+    timeline.act(Restart{});
+    EXPECT_EQ(timeline.end(), 30u);
+    EXPECT_EQ(timeline.session().seconds(), 0);
 }
 
 TEST(PlayTape, RemembersAMinuteAndNoMore) {
-    Timeline tape(session_of("stick"));
-    for (int i = 0; i < 90 * 60; ++i) tape.step();
-    EXPECT_LE(tape.first(), tape.end() - 60 * 60);
-    EXPECT_GT(tape.first(), tape.end() - 62 * 60);
-    tape.go_to(0);
-    EXPECT_EQ(tape.now(), tape.first());
+    Timeline timeline(session_of("stick"));
+    for (int i = 0; i < 90 * 60; ++i) timeline.step();
+    EXPECT_LE(timeline.first(), timeline.end() - 60 * 60);
+    EXPECT_GT(timeline.first(), timeline.end() - 62 * 60);
+    timeline.go_to(0);
+    EXPECT_EQ(timeline.now(), timeline.first());
 }
 
 // --- the game --------------------------------------------------------------------------------------------------------
 
 TEST(Play, AHandThatIsDraggedFollowsAndIsThrown) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     run("size 960x720\n0 key p\n0 move bob/right_hand over 0\n0.1 press\n0.1 key p\n0.2 move 700 200 over 0.5\n"
         "1.2 end",
         play);
@@ -150,7 +151,7 @@ TEST(Play, AHandThatIsDraggedFollowsAndIsThrown) {
 }
 
 TEST(Play, NothingIsDraggedThroughAWall) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     run("size 960x720\n0 key p\n0 move bob/right_hand over 0\n0.1 press\n0.1 key p\n0.2 move 480 5000 over 0.1\n"
         "1 end",
         play);
@@ -163,7 +164,7 @@ TEST(Play, NothingIsDraggedThroughAWall) {
 }
 
 TEST(Play, PauseStepAndStepBackReturnTheSameHash) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     Listening listening(play);
     run("1 key p\n1.1 key o\n1.2 key b\n1.3 key o\n1.4 key b\n1.5 end", play);
     const auto paused = listening.value("pause", "hash");
@@ -175,7 +176,7 @@ TEST(Play, PauseStepAndStepBackReturnTheSameHash) {
 }
 
 TEST(Play, ACutRopeFallsAndIsWholeAgainOnceUndone) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     Listening listening(play);
     {
         std::ofstream file(::testing::TempDir() + "/hanging.json");
@@ -207,7 +208,7 @@ TEST(Play, ACutRopeFallsAndIsWholeAgainOnceUndone) {
 
 /// An edit of one figure leaves the others as they move.
 TEST(Play, AnEditGoesOnWhereTheWorldIs) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     for (int i = 0; i < 60; ++i) play.advance(1.0 / 60);
     const auto hand = pixel_of(play, "bob/right_hand");
     play.tool = "spawn";
@@ -232,7 +233,7 @@ TEST(Play, AnEditGoesOnWhereTheWorldIs) {
 TEST(Play, EveryToolLeavesASceneThatCanBeSavedAndOpened) {
     const auto path = ::testing::TempDir() + "/saved.json";
     for (const auto* tool : {"rope", "polygon", "cloth", "spawn", "pin", "remove", "measure"}) {
-        Play play(shelf, "ragdoll");
+        Play play(library, "ragdoll");
         play.resize(1280, 720);
         play.tool = tool;
         play.handle(Moved{pixel_of(play, "bob/right_hand")});
@@ -251,7 +252,7 @@ TEST(Play, EveryToolLeavesASceneThatCanBeSavedAndOpened) {
 }
 
 TEST(Play, ABrokenFileLeavesTheSceneThatRuns) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     const auto path = ::testing::TempDir() + "/broken.json";
     std::ofstream(path) << R"({"sinew": 1, "figures": [{"prefab": "roope"}]})";
     for (int i = 0; i < 10; ++i) play.advance(1.0 / 60);
@@ -269,7 +270,7 @@ TEST(Play, AFileThatIsWrittenAgainIsReadAgain) {
                                          std::filesystem::file_time_type::clock::now() + std::chrono::seconds(later));
     };
     write("2", 0);
-    Play play(shelf, path);
+    Play play(library, path);
     Listening listening(play);
     write("3", 10);
     for (int i = 0; i < 60; ++i) play.advance(1.0 / 60);
@@ -281,7 +282,7 @@ TEST(Play, AFileThatIsWrittenAgainIsReadAgain) {
 }
 
 TEST(Play, ZoomKeepsWhatIsUnderThePointer) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     play.resize(1000, 700);
     const Vec2<double> pointer{{300, 200}};
     play.handle(Moved{pointer});
@@ -297,7 +298,7 @@ TEST(Play, ZoomKeepsWhatIsUnderThePointer) {
 }
 
 TEST(Play, SmallestAndStrangestPicturesDoNoHarm) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     Picture picture;
     for (const auto& [width, height] : {std::pair{0, 0}, {1, 1}, {3, 2000}, {-5, 7}}) {
         play.resize(width, height, 0);
@@ -314,7 +315,7 @@ TEST(Play, SmallestAndStrangestPicturesDoNoHarm) {
 TEST(Play, TheDisplaysRateChangesNothingButThePictures) {
     std::vector<std::string> hashes;
     for (const char* fps : {"30", "60", "200"}) {
-        Play play(shelf, "ragdoll");
+        Play play(library, "ragdoll");
         run(std::string("fps ") + fps + "\n2 end", play);
         play.go_to(110);
         hashes.push_back(play.hash());
@@ -324,7 +325,7 @@ TEST(Play, TheDisplaysRateChangesNothingButThePictures) {
 }
 
 TEST(Play, ASceneInSpaceIsTurnedAndItsClothIsTaken) {
-    Play play(shelf, "cloth3d");
+    Play play(library, "cloth3d");
     play.resize(1000, 700);
     for (int i = 0; i < (test::sanitized ? 5 : 30); ++i) play.advance(1.0 / 60);
     const auto eye = play.view().towards_eye();
@@ -354,13 +355,13 @@ TEST(PlayScript, SaysWhatIsWrongAndWhere) {
     EXPECT_NE(read_script("1 press\n0.5 release").problem.find("earlier"), std::string::npos);
     EXPECT_NE(read_script("size 0x4").problem, "");
     EXPECT_NE(read_script("size").problem, "");
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     EXPECT_NE(run_script(read_script("0 move bob/nose").script, play).find("bob/nose"), std::string::npos);
 }
 
 // Two fingers 200 pixels apart, one of which goes 200 further: twice as large, about the middle, which moves by 100.
 TEST(Touch, OneFingerIsThePointerAndTwoMoveAndScale) {
-    Play play(shelf, "ragdoll");
+    Play play(library, "ragdoll");
     Listening heard(play);
     const auto pixel = [&](std::size_t number) {
         const auto& told = heard.told;

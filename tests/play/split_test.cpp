@@ -8,9 +8,9 @@
 namespace sinew::play::SINEW_TEST_FILE {
 namespace {
 
+using games::library;
 using games::pixel_of;
 using games::run;
-using games::shelf;
 
 struct SplitView : testing::Test {
     SplitView() {
@@ -23,7 +23,7 @@ struct SplitView : testing::Test {
         play.each_pane([&] { all.push_back(tell()); });
         return all;
     }
-    Play play{shelf, "ragdoll"};
+    Play play{library, "ragdoll"};
 };
 
 TEST_F(SplitView, ShowsBothModesFromTheStartInLockstep) {
@@ -31,12 +31,12 @@ TEST_F(SplitView, ShowsBothModesFromTheStartInLockstep) {
     const auto modes = each([&] { return play.session().scene().solver.mode; });
     EXPECT_EQ(modes, (std::vector<std::string>{"classic", "physical"}));
     for (int i = 0; i < 90; ++i) play.advance(1.0 / 60);
-    const auto steps = each([&] { return play.tape().now(); });
+    const auto steps = each([&] { return play.timeline().now(); });
     EXPECT_EQ(steps[0], 90U);
     EXPECT_EQ(steps[1], 90U);
     // Each is what it would be alone.
     for (const char* mode : {"classic", "physical"}) {
-        Play alone(shelf, "ragdoll", {Override{std::string("mode=") + mode, "test"}});
+        Play alone(library, "ragdoll", {Override{std::string("mode=") + mode, "test"}});
         for (int i = 0; i < 90; ++i) alone.advance(1.0 / 60);
         EXPECT_EQ(each([&] { return play.hash(); })[mode == std::string("physical")], alone.hash()) << mode;
     }
@@ -58,9 +58,10 @@ TEST_F(SplitView, ThePointerTakesTheSameParticleInBoth) {
 
 TEST_F(SplitView, EditsCutsAndUndosHappenInBoth) {
     EXPECT_TRUE(play.set("figures.bob.height", "150")) << play.problem();
-    for (const auto& height : each([&] { return play.tape().undo_name(); })) EXPECT_EQ(height, "figures.bob.height");
+    for (const auto& height : each([&] { return play.timeline().undo_name(); }))
+        EXPECT_EQ(height, "figures.bob.height");
     play.undo();
-    for (const auto edits : each([&] { return play.tape().edits(); })) EXPECT_EQ(edits, 0);
+    for (const auto edits : each([&] { return play.timeline().edits(); })) EXPECT_EQ(edits, 0);
     const auto before = each([&] { return play.session().report().constraints; });
     const auto hand = pixel_of(play, "bob/right_hand");
     play.handle(Moved{{0, hand[1] - 100}});
@@ -87,7 +88,7 @@ TEST_F(SplitView, TheHalfUnderThePointerStaysWhenTheOtherIsClosed) {
 
 // Edits from before the split are still to be saved, in the mode that the scene had.
 TEST_F(SplitView, AnEditBeforeItIsNotLost) {
-    Play edited(games::shelf, "rope");
+    Play edited(games::library, "rope");
     edited.handle(Key{"g"});
     edited.toggle_split();
     ASSERT_TRUE(edited.is_split());

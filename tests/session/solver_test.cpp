@@ -7,6 +7,10 @@
 #include "tests/scene/scene_runs.h"
 #include "tests/thorough.h"
 
+#include <array>
+#include <thread>
+#include <vector>
+
 /// A solver follows from its world: one thrown away at any time, or another beside it, changes no bit.
 namespace sinew::SINEW_TEST_FILE {
 namespace {
@@ -17,16 +21,17 @@ std::uint64_t hash_of(const Session& session) {
 
 TEST(Solvers, CanBeThrownAwayAtAnyStepOfEveryScene) {
     const int steps = few_or_many(40, 400);
-    for (const auto& name : scene_names()) {
-        auto kept = open(name, "physical"), renewed = open(name, "physical");
-        ASSERT_TRUE(kept && renewed) << name;
-        for (int i = 0; i < steps; ++i) {
-            if (random::whole(0, 7, 3, 0, std::uint64_t(i)) == 0) renewed->set_options({.threads = 1 + i % 3});
-            kept->step();
-            renewed->step();
-            ASSERT_EQ(hash_of(*kept), hash_of(*renewed)) << name << ", step " << i;
+    for (const auto& name : scene_names())
+        for (const auto* mode : {"physical", "classic"}) {
+            auto kept = open(name, mode), renewed = open(name, mode);
+            ASSERT_TRUE(kept && renewed) << name;
+            for (int i = 0; i < steps; ++i) {
+                if (random::whole(0, 7, 3, 0, std::uint64_t(i)) == 0) renewed->set_options({.threads = 1 + i % 3});
+                kept->step();
+                renewed->step();
+                ASSERT_EQ(hash_of(*kept), hash_of(*renewed)) << name << ", " << mode << ", step " << i;
+            }
         }
-    }
 }
 
 Simulation<2> rope_in_wind(int threads) {
@@ -51,6 +56,25 @@ TEST(Solvers, OfOneWorldTakeTurns) {
     EXPECT_NE(state_hash(together.world), state_hash(other.world));
     for (int i = 0; i < 9; ++i) second.step(together.world, 1.0 / 60);
     EXPECT_EQ(state_hash(together.world), state_hash(other.world)) << "69 steps each";
+}
+
+// Threads and instruction sets are options of each solver: two at the same time do not disturb each other.
+TEST(Solvers, OfDifferentOptionsRunSideBySide) {
+    const auto cloth = [](const SolverOptions& options) {
+        Simulation<3, float> simulation{{}, Solver<3, float>(options)};
+        set_gravity(simulation.world, {0, -9.81F, 0});
+        build(simulation.world, Cloth{.columns = 64, .rows = 64}, "cloth");
+        for (int i = 0; i < few_or_many(10, 60); ++i) simulation.step(1.0F / 60);
+        return state_hash(simulation.world);
+    };
+    const auto alone = cloth({.threads = 1});
+    std::array<std::uint64_t, 3> found{};
+    const std::array<SolverOptions, 3> options{
+        {{.threads = 1, .simd = Simd::one}, {.threads = 3, .simd = best_simd()}, {.threads = 2, .simd = best_simd()}}};
+    std::vector<std::thread> beside;
+    for (std::size_t i = 0; i < found.size(); ++i) beside.emplace_back([&, i] { found[i] = cloth(options[i]); });
+    for (auto& thread : beside) thread.join();
+    for (const auto hash : found) EXPECT_EQ(hash, alone);
 }
 
 TEST(Solvers, FollowAWorldThatIsReplaced) {

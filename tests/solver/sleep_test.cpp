@@ -9,8 +9,7 @@ namespace {
 
 using namespace test;
 
-template <class RealT> struct Sleepers : ::testing::Test {
-    using Real = RealT;
+template <class Real> struct Sleepers : ::testing::Test {
     FlatWorld<Real> world;
     std::vector<std::vector<ParticleId>> crates;
 

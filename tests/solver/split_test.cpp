@@ -49,7 +49,7 @@ TEST(Split, TwoFlapsThatMeetAtAPointComeApart) {
     set_velocity(world, middle, Vec2<double>{{3, 4}});
     const auto done = snip(made, {"across_0_0", "across_1_2"});
     EXPECT_EQ(done.links, 2U);
-    ASSERT_EQ(done.doubled, 1U);
+    ASSERT_EQ(done.new_particles, 1U);
     ASSERT_EQ(world.particles.size(), 10U);
     EXPECT_EQ(find_particle(world, "it/particle_1_1"), middle);
     EXPECT_EQ(made.mass("particle_1_1"), own / 2);
@@ -77,13 +77,13 @@ TEST(Split, WhatIsDrawnGoesWithItsFlap) {
 TEST(Split, NothingComesApartThatIsPinnedOrStillHeldRound) {
     auto pinned = cloth(3);
     pin(pinned.world, find_particle(pinned.world, "it/particle_1_1").value());
-    EXPECT_EQ(snip(pinned, {"across_0_0", "across_1_2"}).doubled, 0U);
+    EXPECT_EQ(snip(pinned, {"across_0_0", "across_1_2"}).new_particles, 0U);
     auto whole = cloth(3);
-    EXPECT_EQ(snip(whole, {"across_0_0"}).doubled, 0U); // three cells are one fan
+    EXPECT_EQ(snip(whole, {"across_0_0"}).new_particles, 0U); // three cells are one fan
     auto thread = cloth(3);
-    EXPECT_EQ(snip(thread, {"across_0_1", "across_1_1"}).doubled, 0U); // no cells: a thread holds
+    EXPECT_EQ(snip(thread, {"across_0_1", "across_1_1"}).new_particles, 0U); // no cells: a thread holds
     auto rope = make(Rope{});
-    EXPECT_EQ(cut(rope.world, Blade{{{-1, -0.51}}, {{1, -0.51}}}).doubled, 0U);
+    EXPECT_EQ(cut(rope.world, Blade{{{-1, -0.51}}, {{1, -0.51}}}).new_particles, 0U);
 }
 
 // Two triangles that share a corner are a hinge, also when one of them is cut.
@@ -97,7 +97,7 @@ TEST(Split, AHingeThatWasBuiltStaysOne) {
         add<Distance>(world, {p[std::size_t(a)], p[std::size_t(b)]});
     const auto done = cut(world, Blade{{{1.5, 2}}, {{1.5, 0.2}}}); // from 3 to 5
     EXPECT_EQ(done.links, 1U);
-    EXPECT_EQ(done.doubled, 0U);
+    EXPECT_EQ(done.new_particles, 0U);
 }
 
 TEST(Split, AnAngleAcrossTheFlapsGoesAndOneInsideStays) {
@@ -107,7 +107,7 @@ TEST(Split, AnAngleAcrossTheFlapsGoesAndOneInsideStays) {
     const auto middle = id("particle_1_1"), right = id("particle_2_1"), above = id("particle_1_0"),
                below = id("particle_1_2");
     const auto inside = add<Angle>(world, {right, middle, above}), across = add<Angle>(world, {above, middle, below});
-    ASSERT_EQ(snip(made, {"across_0_0", "across_1_2"}).doubled, 1U);
+    ASSERT_EQ(snip(made, {"across_0_0", "across_1_2"}).new_particles, 1U);
     EXPECT_FALSE(constraint_state(world, *across));
     ASSERT_TRUE(constraint_state(world, *inside));
     EXPECT_NEAR(std::abs(constraint_state(world, *inside)->measure), pi<double> / 2, 1e-12);
@@ -116,7 +116,7 @@ TEST(Split, AnAngleAcrossTheFlapsGoesAndOneInsideStays) {
 // Snippet after snippet, in cloth with and without diagonals: mass and links are neither made nor lost, names keep
 // their particles, and what is left moves on.
 TEST(Split, RandomSnippetsLoseNothingElse) {
-    std::size_t doubled = 0;
+    std::size_t new_particles = 0;
     for (std::uint64_t seed = 0; seed < (test::sanitized ? 2 : 6); ++seed) {
         auto made = cloth(9, std::array{"none", "one", "both"}[seed % 3], "corners");
         auto& world = made.world;
@@ -130,7 +130,7 @@ TEST(Split, RandomSnippetsLoseNothingElse) {
             const auto before = std::get<0>(world.constraints).size();
             const auto done = cut(world, Blade{from, from + way});
             EXPECT_EQ(std::get<0>(world.constraints).size() + done.links, before);
-            doubled += done.doubled;
+            new_particles += done.new_particles;
             EXPECT_NEAR(mass_of(world), mass, 1e-12);
             for (const auto& [a, b] : std::get<0>(world.constraints).members.rows) {
                 ASSERT_LT(std::max(a, b), world.particles.size());
@@ -143,7 +143,7 @@ TEST(Split, RandomSnippetsLoseNothingElse) {
         for (const auto& place : world.particles.position) ASSERT_TRUE(is_finite(place));
         EXPECT_LT(stretch(world).max, 0.05) << seed;
     }
-    EXPECT_TRUE(test::sanitized || doubled > 5) << doubled;
+    EXPECT_TRUE(test::sanitized || new_particles > 5) << new_particles;
 }
 
 } // namespace

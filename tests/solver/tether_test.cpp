@@ -25,7 +25,7 @@ TEST(Tethers, KnowTheRowsThatSpanFromPinToPin) {
         std::vector<std::size_t> rows;
         const auto& tiles = world.solver.sweep_state.plan.tiles;
         for (std::size_t i = 0; i < tiles.size(); ++i)
-            if (tiles[i].tightened > 0) rows.push_back(i);
+            if (tiles[i].span_repairs > 0) rows.push_back(i);
         return rows;
     };
     const std::vector<std::size_t> top{0, 1, 2, 3, 4}, both{0, 1, 2, 3, 4, 123, 124, 125, 126, 127};
@@ -41,8 +41,8 @@ TEST(Tethers, TightenLongRowsTwice) {
         test::Stepped<3, float> world;
         build(world, Cloth{.columns = columns, .rows = 16, .plane = "vertical", .pins = "corners"}, "cloth");
         prepare(world);
-        EXPECT_EQ(world.solver.sweep_state.plan.tiles.front().tightened, times) << columns;
-        EXPECT_EQ(world.solver.sweep_state.plan.tiles.back().tightened, 0U) << columns;
+        EXPECT_EQ(world.solver.sweep_state.plan.tiles.front().span_repairs, times) << columns;
+        EXPECT_EQ(world.solver.sweep_state.plan.tiles.back().span_repairs, 0U) << columns;
     }
 }
 

@@ -145,8 +145,8 @@ class WindowTest : public testing::Test {
     Image shot;
     bool panel = true, looking = false;
     int restarts = 0;
-    play::SceneLibrary shelf{{}, {}, fetch, play::games::read}; // no scenes, no thumbnails, which come when they come
-    play::Play game{shelf, "ragdoll"};
+    play::SceneLibrary library{{}, {}, fetch, play::games::read}; // no scenes, no thumbnails, which come when they come
+    play::Play game{library, "ragdoll"};
     std::string told;
 };
 
@@ -324,7 +324,7 @@ TEST_F(WindowTest, OneFingerIsThePointerAndTwoMoveTheView) {
     EXPECT_NEAR(after[0], head[0], 0.1) << "it was under the finger that stayed";
     const auto hand = pixel_of("bob/right_hand");
     EXPECT_GT(norm(hand - after), 0);
-    game.eye() = {};
+    game.camera() = {};
     game.resize(884, 628);
     EXPECT_NEAR(norm(hand - after), 2 * norm(pixel_of("bob/right_hand") - pixel_of("bob/head")), 0.1);
 }

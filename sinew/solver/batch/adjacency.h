@@ -15,7 +15,7 @@ namespace sinew::detail {
 template <int D, class Real> class Adjacency {
   public:
     struct Spoke {
-        std::uint32_t apart; ///< slot of the other end minus the particle's slot, modulo 2^32
+        std::uint32_t offset; ///< slot of the other end minus the particle's slot, modulo 2^32
         Real length;
         friend bool operator==(const Spoke&, const Spoke&) = default;
     };
@@ -44,9 +44,9 @@ template <int D, class Real> class Adjacency {
     }
 
     /// Last spoke with a slot offset, or null.
-    static const Spoke* find(std::span<const Spoke> spokes, std::uint32_t apart) {
+    static const Spoke* find(std::span<const Spoke> spokes, std::uint32_t offset) {
         for (auto i = spokes.size(); i-- > 0;)
-            if (spokes[i].apart == apart) return &spokes[i];
+            if (spokes[i].offset == offset) return &spokes[i];
         return nullptr;
     }
     std::span<const Spoke> of(std::uint32_t s) const { return spokes(list_of(s)); }

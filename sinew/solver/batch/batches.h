@@ -38,10 +38,10 @@ template <int D, class Real> class RunWriter {
         constexpr std::uint32_t most_lanes = 32; // in two packs
         if (!fresh_) {
             auto& run = plan_.runs.back();
-            const auto apart = run.a < run.b ? run.b - run.a : run.a - run.b;
+            const auto offset = run.a < run.b ? run.b - run.a : run.a - run.b;
             const bool follows = a == run.a + run.count && b == run.b + run.count && !run.scattered &&
                                  is_at_port(link) == is_at_port(plan_.row_of(run, 0)) &&
-                                 (apart >= most_lanes || run.count < apart) &&
+                                 (offset >= most_lanes || run.count < offset) &&
                                  (run.count == 1 ? link > run.row : link == run.row + run.count * run.row_step);
             if (follows) {
                 if (run.count == 1) run.row_step = link - run.row;

@@ -104,7 +104,7 @@ template <int D, class Real> class ComponentFinder {
     }
 
     template <class Meet> bool take_plain(Meet&& meet) {
-        bool apart = true;
+        bool is_separate = true;
         room_.links.clear();
         plan_.others.clear();
         for (const auto& run : solver_.blocks.runs) {
@@ -116,7 +116,7 @@ template <int D, class Real> class ComponentFinder {
                     room_.links.push_back(row);
                     if (a == none && b == none) continue;
                     meet(std::min(a, b));
-                    apart = false;
+                    is_separate = false;
                     continue;
                 }
                 if (is_at_port(run.kind, row)) continue;
@@ -126,7 +126,7 @@ template <int D, class Real> class ComponentFinder {
                 plan_.others.back().rows.last = row + 1;
             }
         }
-        return apart;
+        return is_separate;
     }
 
     void join() {

@@ -9,9 +9,9 @@
 /// order of its links.
 namespace sinew::detail {
 
-template <int D, class Real> class SheetMaker {
+template <int D, class Real> class ComponentBuilder {
   public:
-    SheetMaker(World<D, Real>& world, Solver<D, Real>& solver, ComponentFinder<D, Real>& parts)
+    ComponentBuilder(World<D, Real>& world, Solver<D, Real>& solver, ComponentFinder<D, Real>& parts)
         : world_(world), solver_(solver), swept_(solver.sweep_state), plan_(solver.sweep_state.plan),
           room_(solver.sweep_state.room), parts_(parts), runs_(world, solver), grid_(solver, parts, runs_),
           mesh_(solver, parts, runs_), particle_ids_(world.particles.slots),
@@ -33,8 +33,8 @@ template <int D, class Real> class SheetMaker {
     PlanRoom& room_;
     ComponentFinder<D, Real>& parts_;
     RunWriter<D, Real> runs_;
-    GridMaker<D, Real> grid_;
-    MeshMaker<D, Real> mesh_;
+    GridBuilder<D, Real> grid_;
+    MeshBuilder<D, Real> mesh_;
     const Slots<ParticleTag>& particle_ids_;
     const Slots<ConstraintTag>& link_ids_;
 

@@ -8,9 +8,9 @@ namespace sinew::detail {
 
 /// Each direction is a color: all of one direction and then all of the next leaves a quarter of the stretch of a random
 /// order, and cell by cell can grow without bound.
-template <int D, class Real> class GridMaker {
+template <int D, class Real> class GridBuilder {
   public:
-    GridMaker(Solver<D, Real>& solver, ComponentFinder<D, Real>& parts, RunWriter<D, Real>& runs)
+    GridBuilder(Solver<D, Real>& solver, ComponentFinder<D, Real>& parts, RunWriter<D, Real>& runs)
         : swept_(solver.sweep_state), plan_(solver.sweep_state.plan), room_(solver.sweep_state.room), parts_(parts),
           runs_(runs) {}
 

@@ -90,7 +90,7 @@ template <int D, class Real> class SequenceFinder {
         }
         links_.clear(links);
         std::sort(left.begin(), left.end(), [](const Link& a, const Link& b) {
-            return std::tuple(a.lower, a.apart, a.row) < std::tuple(b.lower, b.apart, b.row);
+            return std::tuple(a.lower, a.offset, a.row) < std::tuple(b.lower, b.offset, b.row);
         });
         for (const auto& link : left) room_.left_over.push_back(link.row);
     }
@@ -99,10 +99,10 @@ template <int D, class Real> class SequenceFinder {
         constexpr std::uint32_t most_lanes = 32; // in two packs
         const auto& links = room_.of_tile;
         const auto& begun = links[first];
-        const auto most = begun.apart < most_lanes ? begun.apart : std::uint32_t(links.size());
+        const auto most = begun.offset < most_lanes ? begun.offset : std::uint32_t(links.size());
         const auto into = plan_.tiles[plan_.tile_of(tile, Links::upper(begun))].last;
         auto end = first + 1;
-        while (end < links.size() && end - first < most && links[end].apart == begun.apart &&
+        while (end < links.size() && end - first < most && links[end].offset == begun.offset &&
                links[end].lower == links[end - 1].lower + 1 && Links::upper(links[end]) < into)
             ++end;
         return end;

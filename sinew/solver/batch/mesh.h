@@ -12,9 +12,9 @@
 /// links are coloured greedily: each gets the first colour unused at both ends.
 namespace sinew::detail {
 
-template <int D, class Real> class MeshMaker {
+template <int D, class Real> class MeshBuilder {
   public:
-    MeshMaker(Solver<D, Real>& solver, ComponentFinder<D, Real>& parts, RunWriter<D, Real>& runs)
+    MeshBuilder(Solver<D, Real>& solver, ComponentFinder<D, Real>& parts, RunWriter<D, Real>& runs)
         : swept_(solver.sweep_state), plan_(solver.sweep_state.plan), room_(solver.sweep_state.room), parts_(parts),
           runs_(runs), links_(solver, parts), sequences_(solver, links_, parts) {}
 

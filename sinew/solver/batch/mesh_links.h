@@ -23,9 +23,9 @@ template <int D, class Real> class MeshLinks {
 
     Link at(Row row) const {
         const auto [a, b] = std::minmax({swept_.slot_of[parts_.end(row, 0)], swept_.slot_of[parts_.end(row, 1)]});
-        return {.apart = b - a, .lower = a, .row = row};
+        return {.offset = b - a, .lower = a, .row = row};
     }
-    static std::uint32_t upper(const Link& link) { return link.lower + link.apart; }
+    static std::uint32_t upper(const Link& link) { return link.lower + link.offset; }
 
     /// Colours in use at either end, as bits.
     std::uint64_t used(const Link& link) const { return used_[link.lower - begin_] | used_[upper(link) - begin_]; }

@@ -47,8 +47,8 @@ template <int D, class Real> class PlanBuilder {
     Plan<Real>& plan_;
     PlanRoom& room_;
     detail::ComponentFinder<D, Real> parts_;
-    detail::SheetMaker<D, Real> sheets_;
-    detail::TetherMaker<D, Real> tethers_;
+    detail::ComponentBuilder<D, Real> sheets_;
+    detail::TetherBuilder<D, Real> tethers_;
     detail::PlanReuse<D, Real> keeper_;
 
     /// Finds the connected components of all particles without a kept one, until no kept one is affected.

@@ -45,7 +45,7 @@ template <int D, class Real> class PlanReuse {
                 kept_[component] = heavier;
         }
         for (const Row row : solver_.blocks.room.members) drop_if_left(row);
-        for (const Row row : solver_.blocks.room.hung)
+        for (const Row row : solver_.blocks.room.attached)
             if (swept_.slot_of[row] != none) drop(sheet_at(swept_.slot_of[row]));
         for (std::size_t i = 0; i < kept_.size(); ++i)
             if (kept_[i] == heavier) weigh(i);

@@ -13,9 +13,9 @@
 /// layout and anchors as before keep theirs.
 namespace sinew::detail {
 
-template <int D, class Real> class TetherMaker {
+template <int D, class Real> class TetherBuilder {
   public:
-    TetherMaker(World<D, Real>& world, Solver<D, Real>& solver)
+    TetherBuilder(World<D, Real>& world, Solver<D, Real>& solver)
         : world_(world), solver_(solver), swept_(solver.sweep_state), plan_(solver.sweep_state.plan),
           room_(solver.sweep_state.room), spokes_(world, solver.sweep_state.plan), corners_(spokes_) {}
 
@@ -48,7 +48,7 @@ template <int D, class Real> class TetherMaker {
         plan_.tethers.clear();
         plan_.half_per_reach_square.clear();
         for (auto& component : plan_.components) component.first_tether = component.tethers = 0;
-        for (auto& tile : plan_.tiles) tile.tightened = 0;
+        for (auto& tile : plan_.tiles) tile.span_repairs = 0;
     }
 
     bool is_anchor(const Pin<D, Real>& pin, Row particle) const {
@@ -146,7 +146,7 @@ template <int D, class Real> class TetherMaker {
     void find_spans(const Component& component) {
         const auto tiles = std::span(plan_.tiles).subspan(component.first_tile, component.tiles);
         const auto tethers = std::span(plan_.tethers).subspan(component.first_tether, component.tethers);
-        for (auto& tile : tiles) tile.tightened = 0;
+        for (auto& tile : tiles) tile.span_repairs = 0;
         constexpr Real many = 128; // links from pin to pin: one sweep leaves much of the error of a longer row
         for (const auto& from : tethers) {
             const Real half_a_link = Real(0.5) * shortest_reach(component, from);
@@ -157,7 +157,7 @@ template <int D, class Real> class TetherMaker {
                     std::uint32_t between = 0;
                     for (auto s = tile.first - component.begin.slot; s < tile.last - component.begin.slot; ++s)
                         between += reach(from, s) + reach(to, s) <= furthest;
-                    if (2 * between >= tile.last - tile.first) tile.tightened = std::max(tile.tightened, times);
+                    if (2 * between >= tile.last - tile.first) tile.span_repairs = std::max(tile.span_repairs, times);
                 }
             }
         }
@@ -199,24 +199,22 @@ template <int D, class Real> class TetherMaker {
             lengths.resize(near.size());
             for (std::size_t i = 0; i < near.size(); ++i) lengths[i] = here + double(near[i].length);
             for (std::size_t i = 0; i < near.size(); ++i) {
-                const auto edge = s + near[i].apart;
+                const auto edge = s + near[i].offset;
                 const double between = double(near[i].length);
                 if (!done(edge) || !(between > 0)) continue;
                 std::optional<Beside> begun; // most edges have nothing left to reach
                 for (const auto& [third, to] : corners_.beyond(s, i)) {
-                    if (done(s + near[third].apart)) continue;
+                    if (done(s + near[third].offset)) continue;
                     if (!begun) begun = Beside::of(here, way_to(edge), between);
                     const double across = begun->across(to, between);
                     if (Real(across) < Real(lengths[third])) lengths[third] = across;
                 }
             }
-            for (std::size_t i = 0; i < near.size(); ++i) shorten(s + near[i].apart, lengths[i]);
+            for (std::size_t i = 0; i < near.size(); ++i) shorten(s + near[i].offset, lengths[i]);
         }
-        for (auto& number : half_per_square) {
-            const double reach = minimum(double(absolute(number)) * slack, far);
-            number = reach > 0 ? Real(0.5 / square(reach)) : Real(0);
-        }
+        for (auto& length : way) length = half_per_square_of(minimum(double(absolute(length)) * slack, far));
     }
+    static Real half_per_square_of(double reach) { return reach > 0 ? Real(0.5 / square(reach)) : Real(0); }
 };
 
 } // namespace sinew::detail

@@ -42,7 +42,7 @@ template <int D, class Real> class UnfoldedTriangles {
     /// UnfoldedTriangles beyond the edge from particle s along spoke number `spoke`. Valid until the next call.
     std::span<const Corner> beyond(std::uint32_t s, std::size_t spoke) {
         const auto near = spokes_.of(s);
-        const auto edge = s + near[spoke].apart;
+        const auto edge = s + near[spoke].offset;
         const auto at = spokes_.number_of(near[spoke]);
         const auto other = spokes_.list_of(edge);
         if (at < first_.size())
@@ -50,7 +50,7 @@ template <int D, class Real> class UnfoldedTriangles {
                 if (known_[i].other == other) return std::span(shared_).subspan(known_[i].first, known_[i].count);
         found_.clear();
         for (const auto& [further, side] : spokes_.of(edge))
-            if (const auto* third = Adjacency<D, Real>::find(near, near[spoke].apart + further))
+            if (const auto* third = Adjacency<D, Real>::find(near, near[spoke].offset + further))
                 found_.push_back({std::uint32_t(third - near.data()),
                                   Beside::of(double(third->length), double(side), double(near[spoke].length))});
         if (at >= first_.size() || shared_.size() + found_.size() > most) return found_;

@@ -53,11 +53,11 @@ template <int D, class Real> class ColliderSweep {
                 !touch(collider.filter, filter_of(world_, row)))
                 continue;
             moving.contacts(sweep_state_.place_at(slot), mover_.point_at(slot), radius,
-                            [&](const auto& contact) { press(index, slot, contact); });
+                            [&](const auto& contact) { resolve(index, slot, contact); });
         }
     }
 
-    void press(std::uint32_t index, Row slot, const collide::ColliderContact<D, Real>& contact) const {
+    void resolve(std::uint32_t index, Row slot, const collide::ColliderContact<D, Real>& contact) const {
         const auto& collider = world_.colliders[index];
         const auto& surface = contact.surface;
         Real stopped = 0;

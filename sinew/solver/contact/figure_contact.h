@@ -55,7 +55,7 @@ template <int D, class Real> class FigureContact {
     /// After the particles have moved: velocities without the push out of overlaps, then rebounds.
     void relax() {
         if (!is_active_) return;
-        room().projector.settle(state_, threads_);
+        room().projector.restore_energy(state_, threads_);
         room().joints.solve(state_, Soft::none());
         each_row([&](RowT& row) { solve(row, Soft::none()); });
         room().projector.project_velocities(state_, threads_);
@@ -196,7 +196,7 @@ template <int D, class Real> class FigureContact {
         kept.keep();
         if (is_last_) kept.give_to_world();
         room().joints.store(world_);
-        room().projector.store(world_);
+        room().projector.links().store(world_);
     }
     void note(const RowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.most / h_); }
 };

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "sinew/math/matrix.h"
-#include "sinew/solver/contact/rigid_links.h"
+#include "sinew/solver/contact/link_factor.h"
+#include "sinew/solver/contact/link_motion.h"
 #include "sinew/solver/workers.h"
 
 namespace sinew::detail {
@@ -25,8 +26,7 @@ template <int D, class Real> class LinkProjector {
               std::vector<char>& is_exact) {
         const auto& state = solver.sweep_state;
         links_.find(world, solver, takes_part, is_exact);
-        entries_.resize(links_.entries);
-        pivots_.resize(links_.list.size());
+        factor_.resize(links_);
         right_.resize(links_.list.size());
         before_.resize(links_.slots.size());
         change_.resize(state.size());
@@ -54,11 +54,11 @@ template <int D, class Real> class LinkProjector {
 
     /// After the particles have moved: velocities that keep the lengths there, with no more energy than before the
     /// lengths were projected.
-    void settle(SweepState<D, Real>& state, int threads) {
+    void restore_energy(SweepState<D, Real>& state, int threads) {
         is_current_ = true;
         each_component(threads, [&](Component& component) {
             factorise(state, component);
-            settle(state, component);
+            restore_energy(state, component);
         });
     }
 
@@ -71,7 +71,7 @@ template <int D, class Real> class LinkProjector {
             each(component, [&](auto& link, double& right) {
                 right = ((link.b == slot ? link.weight_b : 0) - (link.a == slot ? link.weight_a : 0)) * link.along[i];
             });
-            solve(component);
+            factor_.solve(links_.list, component, right_);
             each(component, [&](auto& link, double& right) {
                 const double pull = (link.a == slot ? link.weight_a : 0) - (link.b == slot ? link.weight_b : 0);
                 matrix.column[std::size_t(i)] += link.along * (pull * right);
@@ -84,22 +84,16 @@ template <int D, class Real> class LinkProjector {
         if (links_.component_of[slot] != none) project_velocities(state, links_.components[links_.component_of[slot]]);
     }
 
-    /// Multipliers of the links, as of constraints of the sweep.
-    void store(World<D, Real>& world) const {
-        auto& table = std::get<kind_number<Distance, D>>(world.constraints);
-        for (const auto& link : links_.list)
-            table.multiplier[link.row] = clamp(Real(-link.tension), -limit::multiplier<Real>, limit::multiplier<Real>);
-    }
-
   private:
     using Link = RigidLink<D>;
     static constexpr auto none = RigidLinks<D, Real>::none;
 
     RigidLinks<D, Real> links_;
-    std::vector<double> entries_, pivots_, right_; ///< strict lower triangle by rows; 1 / pivot
-    std::vector<Vector> before_;                   ///< per RigidLinks::slots: displacement before the lengths
-    std::vector<Vector> change_;                   ///< per slot: room
-    bool is_current_ = false;                      ///< factorised at the present places
+    LinkFactor<D> factor_;
+    std::vector<double> right_;  ///< per link: right side, then solution
+    std::vector<Vector> before_; ///< per RigidLinks::slots: displacement before the lengths
+    std::vector<Vector> change_; ///< per slot: room
+    bool is_current_ = false;    ///< factorised at the present places
 
     static Vector move(const SweepState<D, Real>& state, Row slot) { return cast<double>(state.move_at(slot)); }
     std::span<const Row> slots_of(const Component& component) const {
@@ -116,11 +110,11 @@ template <int D, class Real> class LinkProjector {
             each(component, [&](auto& link, double& right) {
                 right = link.is_active ? dot(link.along, move(state, link.b) - move(state, link.a)) : 0;
             });
-            solve(component);
+            factor_.solve(links_.list, component, right_);
             if (!component.has_ropes) return apply(state, component, 1);
             if (i + 1 < most_rounds && release(component)) continue;
             apply(state, component, 1);
-            if (!tighten(component, [&](const Link& link) {
+            if (!activate_taut(component, [&](const Link& link) {
                     return norm(link.edge) >= taut * link.length &&
                            dot(link.along, move(state, link.b) - move(state, link.a)) > slight * link.length;
                 }))
@@ -139,14 +133,14 @@ template <int D, class Real> class LinkProjector {
             const auto excess = [&](const Link& link) {
                 return norm(link.edge + move(state, link.b) - move(state, link.a)) - link.length;
             };
-            tighten(component, [&](const Link& link) { return excess(link) > exact * link.length; });
+            activate_taut(component, [&](const Link& link) { return excess(link) > exact * link.length; });
             double worst = 0;
             each(component, [&](auto& link, double& right) {
                 right = link.is_active ? excess(link) : 0;
                 worst = maximum(worst, absolute(right) * inverse_or_zero(link.length));
             });
             if (!(worst > exact)) return;
-            solve(component);
+            factor_.solve(links_.list, component, right_);
             if (i + 1 < all_rounds && release(component)) continue;
             const double change = largest_change(component);
             apply(state, component, change > most_change ? most_change / change : 1);
@@ -167,17 +161,17 @@ template <int D, class Real> class LinkProjector {
             link.is_active = false;
             any = true;
         });
-        if (any) factorise(component);
+        if (any) factor_.factorise(links_.list, component);
         return any;
     }
     /// Takes hold of the ropes that `pulls` says are taut. True if there are any.
-    template <class Pulls> bool tighten(const Component& component, Pulls&& pulls) {
+    template <class Pulls> bool activate_taut(const Component& component, Pulls&& pulls) {
         if (!component.has_ropes) return false;
         bool any = false;
         each(component, [&](auto& link, double&) {
             if (!link.is_active && pulls(link)) link.is_active = any = true;
         });
-        if (any) factorise(component);
+        if (any) factor_.factorise(links_.list, component);
         return any;
     }
 
@@ -185,7 +179,7 @@ template <int D, class Real> class LinkProjector {
         each(component, [&](auto& link, double&) {
             link.along = direction(link.edge + move(state, link.b) - move(state, link.a));
         });
-        factorise(component);
+        factor_.factorise(links_.list, component);
     }
 
     /// Largest change of a link by the solution, relative to its length.
@@ -213,46 +207,27 @@ template <int D, class Real> class LinkProjector {
 
     // --- energy ------------------------------------------------------------------------------------------------------
 
-    /// Displacement in which the energy of a component is measured: of the first particle that cannot move, or the
-    /// mean.
-    Vector frame_of(const SweepState<D, Real>& state, const Component& component) const {
-        Vector momentum{};
-        double mass = 0;
-        for (const Row slot : slots_of(component)) {
-            if (state.mobility[slot] == Real(0)) return move(state, slot);
-            const double m = 1 / double(state.mobility[slot]);
-            mass += m, momentum += move(state, slot) * m;
-        }
-        return momentum * inverse_or_zero(mass);
+    LinkMotion<D, Real> motion_of(SweepState<D, Real>& state, const Component& component) const {
+        return {state, slots_of(component)};
     }
-    double energy_of(const SweepState<D, Real>& state, const Component& component, const Vector& frame) const {
-        double sum = 0;
-        for (const Row slot : slots_of(component)) {
-            const auto own = move(state, slot) - frame;
-            sum += inverse_or_zero(double(state.mobility[slot])) * dot(own, own);
-        }
-        return sum;
+    std::span<Vector> before(const Component& component) {
+        return std::span(before_).subspan(component.first_slot, component.last_slot - component.first_slot);
     }
-
-    void note(const SweepState<D, Real>& state, Component& component) {
-        component.energy = energy_of(state, component, frame_of(state, component));
-        for (auto i = component.first_slot; i < component.last_slot; ++i) before_[i] = move(state, links_.slots[i]);
+    void note(SweepState<D, Real>& state, Component& component) {
+        const auto motion = motion_of(state, component);
+        component.energy = motion.energy(motion.frame());
+        motion.save(before(component));
     }
-    void settle(SweepState<D, Real>& state, const Component& component) {
+    void restore_energy(SweepState<D, Real>& state, const Component& component) {
         constexpr double much = 1.001;
         project_velocities(state, component);
-        const auto frame = frame_of(state, component);
-        const double energy = energy_of(state, component, frame);
+        const auto motion = motion_of(state, component);
+        const auto frame = motion.frame();
+        const double energy = motion.energy(frame);
         if (!(energy > component.energy)) return;
-        if (energy <= much * component.energy)
-            return slow_down(state, component, frame, square_root(component.energy / energy));
-        for (auto i = component.first_slot; i < component.last_slot; ++i)
-            state.set_move(links_.slots[i], cast<Real>(before_[i]));
+        if (energy <= much * component.energy) return motion.slow_down(frame, square_root(component.energy / energy));
+        motion.restore(before(component));
         project_velocities(state, component);
-    }
-    void slow_down(SweepState<D, Real>& state, const Component& component, const Vector& frame, double share) {
-        for (const Row slot : slots_of(component))
-            state.set_move(slot, cast<Real>(frame + (move(state, slot) - frame) * share));
     }
 
     // --- factorisation -----------------------------------------------------------------------------------------------
@@ -271,60 +246,8 @@ template <int D, class Real> class LinkProjector {
         for (const auto& component : links_.components) factorise(state, component);
     }
     void factorise(const SweepState<D, Real>& state, const Component& component) {
-        each(component, [&](auto& link, double&) {
-            link.edge = cast<double>(state.place_at(link.b)) - cast<double>(state.place_at(link.a));
-            link.along = direction(link.edge);
-            if (link.is_rope && norm(link.edge) < taut * link.length) link.is_active = false;
-            link.weight_a = double(state.mobility[link.a]), link.weight_b = double(state.mobility[link.b]);
-        });
-        factorise(component);
-    }
-    void factorise(const Component& component) {
-        for (auto k = component.first_link; k < component.last_link; ++k) factorise_row(k);
-    }
-
-    static double coupling(const Link& k, const Link& m) {
-        if (!k.is_active || !m.is_active) return 0;
-        double sum = 0;
-        if (k.a == m.a) sum += k.weight_a;
-        if (k.b == m.b) sum += k.weight_b;
-        if (k.a == m.b) sum -= k.weight_a;
-        if (k.b == m.a) sum -= k.weight_b;
-        return sum == 0 ? 0 : sum * dot(k.along, m.along);
-    }
-
-    /// The diagonal is raised by a little: redundant links share their load.
-    void factorise_row(std::uint32_t k) {
-        constexpr double softness = 1e-7;
-        const auto& link = links_.list[k];
-        double* const row = entries_.data() + link.start;
-        double pivot = (link.weight_a + link.weight_b) * (1 + softness);
-        for (auto m = link.first; m < k; ++m) {
-            const auto& other = links_.list[m];
-            const double* const above = entries_.data() + other.start;
-            double sum = coupling(link, other);
-            for (auto j = std::max(link.first, other.first); j < m; ++j)
-                sum -= row[j - link.first] * above[j - other.first];
-            row[m - link.first] = sum; // times the pivot, for now
-        }
-        for (auto m = link.first; m < k; ++m) {
-            const double scaled = row[m - link.first] * pivots_[m];
-            pivot -= row[m - link.first] * scaled;
-            row[m - link.first] = scaled;
-        }
-        pivots_[k] = link.is_active ? inverse_or_zero(maximum(pivot, 0.0)) : 0;
-    }
-
-    void solve(const Component& component) {
-        const auto begin = component.first_link, end = component.last_link;
-        for (auto k = begin; k < end; ++k)
-            for (auto m = links_.list[k].first; m < k; ++m) right_[k] -= entry(k, m) * right_[m];
-        for (auto k = begin; k < end; ++k) right_[k] *= pivots_[k];
-        for (auto k = end; k-- > begin;)
-            for (auto m = links_.list[k].first; m < k; ++m) right_[m] -= entry(k, m) * right_[k];
-    }
-    double entry(std::uint32_t k, std::uint32_t m) const {
-        return entries_[links_.list[k].start + m - links_.list[k].first];
+        links_.measure(state, component, taut);
+        factor_.factorise(links_.list, component);
     }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/pin_spring.h"
 
 /// Soft pins on figures whose links are exact. A pin acts on the particle as the whole figure answers: its links are
 /// held, whatever the pin's force.
@@ -39,9 +40,7 @@ template <int D, class Real> class PinRows {
         double mean = 0;
         for (int i = 0; i < D; ++i) mean += response.column[std::size_t(i)][i] / D;
         const double alpha = double(pin.compliance) / square(h_);
-        const double gamma = minimum(2 * double(pin.damping) * square_root(double(pin.compliance)) *
-                                         square_root(inverse_or_zero(mean)) / h_,
-                                     double(limit::measure<Real>));
+        const double gamma = pin_gamma(pin, mean, 1.0) / h_;
         const auto goal = cast<double>(pin.target_at(to_)), last_goal = cast<double>(pin.target_at(from_));
         const auto place = cast<double>(state_.place_at(slot)), move = cast<double>(state_.move_at(slot));
         const auto error = place + move - goal, drift = error - (place - last_goal);

@@ -19,7 +19,7 @@ template <int D, class Real> class PlaneContact {
     Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_move = {}) const {
         if (swept_.mobility[slot] == Real(0) || (by_rows_ && by_rows_[slot])) return 0;
         const Row row = swept_.row_of[slot];
-        const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, mover_.point_at(slot));
+        const Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[row]);
         if (!(depth > Real(0))) return 0;
         if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
         const auto move = swept_.move_at(slot) - surface_move;

@@ -57,6 +57,25 @@ template <int D, class Real> struct RigidLinks {
 
     static constexpr std::uint32_t none = ~std::uint32_t(0);
 
+    /// Edges, directions and inverse masses at the present places. A rope shorter than the share `taut` of its length
+    /// lets go.
+    void measure(const SweepState<D, Real>& state, const LinkComponent& component, double taut) {
+        for (auto k = component.first_link; k < component.last_link; ++k) {
+            auto& link = list[k];
+            link.edge = cast<double>(state.place_at(link.b)) - cast<double>(state.place_at(link.a));
+            link.along = direction(link.edge);
+            if (link.is_rope && norm(link.edge) < taut * link.length) link.is_active = false;
+            link.weight_a = double(state.mobility[link.a]), link.weight_b = double(state.mobility[link.b]);
+        }
+    }
+
+    /// Stores the multipliers, as of constraints of the sweep.
+    void store(World<D, Real>& world) const {
+        auto& table = std::get<kind_number<Distance, D>>(world.constraints);
+        for (const auto& link : list)
+            table.multiplier[link.row] = clamp(Real(-link.tension), -limit::multiplier<Real>, limit::multiplier<Real>);
+    }
+
     /// `is_exact` receives 1 per slot of the sweep held exactly, or by no distance at all.
     void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
               std::vector<char>& is_exact) {

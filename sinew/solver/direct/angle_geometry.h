@@ -46,7 +46,7 @@ template <int D> class AngleGeometry {
     /// In space u x v has no sign, and u . v alone will do.
     void point(AngleRow<D>& bend, Rule rule, double angle) const {
         bend.along = bend.gradient;
-        if (rule != Rule::swing || bend.compliance > 0) return;
+        if (rule != Rule::midpoint || bend.is_compliant()) return;
         if constexpr (D == 3)
             if (bend.is_fold()) return point_fold(bend);
         const auto &a = node(bend.nodes[0]), &b = node(bend.nodes[1]), &c = node(bend.nodes[2]);

@@ -6,9 +6,9 @@
 /// Angles of a block: rigid between their limits, springs and motors; the folds of 3D joints alike.
 namespace sinew::detail {
 
-template <int D> class BlockBends {
+template <int D> class AngleRows {
   public:
-    BlockBends(Blocks<D>& blocks, const Block& block, double substep)
+    AngleRows(Blocks<D>& blocks, const Block& block, double substep)
         : blocks_(blocks), block_(block), geometry_(blocks), h_(substep) {}
 
     std::span<AngleRow<D>> all() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
@@ -48,7 +48,8 @@ template <int D> class BlockBends {
     /// Adds held angles to equations of the response to impulses: equalities and, if `limits`, loaded limits.
     void stiffen(bool limits, double hardest) {
         for (auto& bend : all()) {
-            if (soft(bend) || bend.slips || (bend.one_sided() && !(limits && bend.tension * bend.side > 0))) continue;
+            if (bend.is_compliant() || bend.slips || (bend.one_sided() && !(limits && bend.tension * bend.side > 0)))
+                continue;
             geometry_.measure(bend);
             bend.along = bend.gradient;
             bend.stiffness = hardest * geometry_.arm2(bend);
@@ -59,7 +60,7 @@ template <int D> class BlockBends {
     double worst_error() const {
         double worst = 0;
         for (const auto& bend : all()) {
-            if (soft(bend)) continue;
+            if (bend.is_compliant()) continue;
             const double angle = geometry_.angle_of(bend, false);
             if (bend.side != 0)
                 worst = maximum(worst, absolute(beyond(bend, angle) - bend.give));
@@ -76,14 +77,13 @@ template <int D> class BlockBends {
 
     /// True for a limit that a joint can reach, and leaves at the speed of arrival.
     bool bounces(const AngleRow<D>& bend) const {
-        return bounce_ && bend.one_sided() && !soft(bend) && !bend.motorized;
+        return bounce_ && bend.one_sided() && !bend.is_compliant() && !bend.motorized;
     }
 
     double stored(const AngleRow<D>& bend, bool at_start) const {
-        if (!soft(bend)) return 0;
+        if (!bend.is_compliant()) return 0;
         const double angle = geometry_.angle_of(bend, at_start);
-        return 0.5 * geometry_.tautness(bend, at_start) * square(angle - clamp(angle, bend.low, bend.high)) /
-               bend.compliance;
+        return 0.5 * geometry_.tautness(bend, at_start) * square(bend.error_of(angle)) / bend.compliance;
     }
 
     /// Disables springs from now on, or enables them.
@@ -93,7 +93,7 @@ template <int D> class BlockBends {
     double worst_outside() const {
         double worst = 0;
         for (const auto& bend : all()) {
-            if (soft(bend) || !bend.one_sided()) continue;
+            if (bend.is_compliant() || !bend.one_sided()) continue;
             const double angle = geometry_.angle_of(bend, true);
             worst = maximum(worst, maximum(angle - bend.high, bend.low - angle));
         }
@@ -110,7 +110,7 @@ template <int D> class BlockBends {
 
     bool any_struck() const {
         for (const auto& bend : all())
-            if (bend.side != 0 && bend.one_sided() && !soft(bend) && !bounces(bend)) return true;
+            if (bend.side != 0 && bend.one_sided() && !bend.is_compliant() && !bounces(bend)) return true;
         return false;
     }
 
@@ -126,8 +126,6 @@ template <int D> class BlockBends {
         return worst;
     }
 
-    static bool soft(const AngleRow<D>& bend) { return bend.compliance > 0; }
-
     // --- velocities
 
     void begin_settling() {
@@ -139,7 +137,7 @@ template <int D> class BlockBends {
             const double k = stiffness * geometry_.arm2(bend);
             const double pull = bend.pull + k * rate;
             const bool resists =
-                bend.side != 0 && !soft(bend) && !bend.slips && (!bend.one_sided() || pull * bend.side > 0);
+                bend.side != 0 && !bend.is_compliant() && !bend.slips && (!bend.one_sided() || pull * bend.side > 0);
             bend.stiffness = resists ? k : 0;
             if (resists) add(bend, bend.pull = pull);
         }
@@ -161,14 +159,14 @@ template <int D> class BlockBends {
     /// Adds one angle to the equations; returns the violation of a limit.
     double assemble(AngleRow<D>& bend, Rule rule, double hardest, double margin) {
         double angle = geometry_.measure(bend);
-        if (soft(bend)) angle = geometry_.turned_on(bend, angle);
+        if (bend.is_compliant()) angle = geometry_.turned_on(bend, angle);
         geometry_.point(bend, rule, angle);
         bend.stiffness = 0;
-        if (rule == Rule::place && bend.motorized) return 0; // no time passes: a motor yields
-        if (soft(bend)) {
-            const double error = angle - clamp(angle, bend.low, bend.high);
+        if (rule == Rule::static_projection && bend.motorized) return 0; // no time passes: a motor yields
+        if (bend.is_compliant()) {
+            const double error = bend.error_of(angle);
             if (limp_) bend.tension = 0;
-            if (error == 0 || rule == Rule::place || limp_) return 0;
+            if (error == 0 || rule == Rule::static_projection || limp_) return 0;
             const double k = minimum(bend.taut / bend.compliance, hardest * geometry_.arm2(bend));
             bend.tension = bend.held(k * (error + bend.damping_time * ((angle - bend.begun) / h_ - bend.motor_speed)),
                                      bend.tension, false);

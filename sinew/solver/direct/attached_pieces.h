@@ -58,7 +58,7 @@ template <int D, class Real> class AttachedPieces {
             std::size_t(std::count_if(all.begin(), all.end(), [&](Row row) { return !room_.direct[row]; }));
         if (all.size() < 2 || joints > most_joints || !build(all, root)) return;
         for (const Row row : all)
-            if (room_.direct[row]) room_.hung.push_back(row);
+            if (room_.direct[row]) room_.attached.push_back(row);
     }
 
     /// Unites a particle with neighbours over links with a direct end, and over links between different figures.

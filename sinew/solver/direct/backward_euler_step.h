@@ -14,12 +14,12 @@ template <int D, class Real> class BackwardEulerStep {
     bool run(bool forced) {
         substep_.project_positions();
         kinetic_ = solve_.kinetic();
-        bool found = substep_.run(Rule::implicit, substep_.many);
+        bool found = substep_.run(Rule::backward_euler, substep_.many);
         if (!found && !forced) return false;
         if (!found && state_.block.springy) {
             state_.start_tensions();
             solve_.bends().disable_springs(true);
-            found = substep_.run(Rule::implicit, substep_.many) && due() >= 0;
+            found = substep_.run(Rule::backward_euler, substep_.many) && due() >= 0;
         }
         if (!found) creep();
         if (substep_.contact().near() || !state_.works_alone() || state_.block.springy)
@@ -50,7 +50,7 @@ template <int D, class Real> class BackwardEulerStep {
         state_.forget_tensions();
         solve_.bends().disable_springs(false);
         solve_.use_penalty();
-        substep_.run(Rule::implicit, 1);
+        substep_.run(Rule::backward_euler, 1);
         const double most = maximum(bearable, solve_.worst_start_strain());
         substep_.retreat([&] { return solve_.worst_place_strain() <= most && due() >= 0; });
         state_.start_tensions();

@@ -29,7 +29,7 @@ template <int D> std::uint32_t ranges_of(const Blocks<D>& blocks, const Block& b
 
 /// True if some constraints are compliant.
 template <int D> bool is_springy(const Blocks<D>& blocks, const Block& block) {
-    constexpr auto is_compliant = [](const BlockLimit& limit) { return limit.compliance > 0; };
+    constexpr auto is_compliant = [](const BlockLimit& limit) { return limit.is_compliant(); };
     return any_row(blocks.links, block.first_link, block.links, is_compliant) ||
            any_row(blocks.bends, block.first_bend, block.bends, is_compliant) ||
            any_row(blocks.ways, block.first_way, block.ways, is_compliant);

@@ -46,7 +46,7 @@ template <int D> class CableGeometry {
             way.length += length;
             const auto n = leg * inverse_or_zero(length);
             const auto mean =
-                rule == Rule::swing ? (leg + on[i].start) * inverse_or_zero(length + norm(on[i].start)) : n;
+                rule == Rule::midpoint ? (leg + on[i].start) * inverse_or_zero(length + norm(on[i].start)) : n;
             on[i].gradient -= n;
             on[i + 1].gradient += n;
             on[i].along -= mean;

@@ -8,12 +8,12 @@
 /// work is tension times the change of length.
 namespace sinew::detail {
 
-template <int D> class BlockWays {
+template <int D> class CableRows {
   public:
     using Vector = Vec<D, double>;
     using Entry = Matrix<D, double>;
 
-    BlockWays(Blocks<D>& blocks, const Block& block, double substep)
+    CableRows(Blocks<D>& blocks, const Block& block, double substep)
         : blocks_(blocks), block_(block), geometry_(blocks), h_(substep) {}
 
     std::span<CableRow> all() const { return std::span(blocks_.ways).subspan(block_.first_way, block_.ways); }
@@ -50,9 +50,8 @@ template <int D> class BlockWays {
     }
 
     double stored(const CableRow& way, bool at_start) const {
-        if (!soft(way)) return 0;
-        const double length = geometry_.length_of(way, at_start);
-        return 0.5 * square(length - clamp(length, way.low, way.high)) / way.compliance;
+        if (!way.is_compliant()) return 0;
+        return way.spring_energy(geometry_.length_of(way, at_start));
     }
 
     /// Largest change of a leg by the last move, squared, relative to the leg or to a tenth of the cable if longer.
@@ -74,9 +73,9 @@ template <int D> class BlockWays {
     double worst_strain(bool at_start) const {
         double worst = 0;
         for (const auto& way : all()) {
-            if (soft(way) || way.motorized) continue;
+            if (way.is_compliant() || way.motorized) continue;
             const double length = geometry_.length_of(way, at_start);
-            worst = maximum(worst, absolute(length - clamp(length, way.low, way.high)) / maximum(length, 1e-6));
+            worst = maximum(worst, absolute(way.error_of(length)) / maximum(length, 1e-6));
         }
         return worst;
     }
@@ -86,7 +85,7 @@ template <int D> class BlockWays {
     /// True if the velocities would change lengths otherwise than the limits, in a time h.
     bool has_velocity_error(double usual, double h) const {
         for (const auto& way : all()) {
-            if (soft(way) || way.slips || (way.one_sided() && way.tension == 0)) continue;
+            if (way.is_compliant() || way.slips || (way.one_sided() && way.tension == 0)) continue;
             geometry_.point(way);
             constexpr double driven = 1e-5;
             if (absolute(geometry_.lengthening(way)) * h > (way.motorized ? driven : usual) * way.high) return true;
@@ -101,7 +100,7 @@ template <int D> class BlockWays {
             const double pull = way.pull + k * geometry_.lengthening(way);
             const bool tightened = way.before == 0 && way.tension != 0; // no bounce
             const bool resists = !way.one_sided() || tightened || pull * way.tension > 0;
-            way.stiffness = resists && !soft(way) && !way.slips ? k : 0;
+            way.stiffness = resists && !way.is_compliant() && !way.slips ? k : 0;
             if (way.stiffness > 0) add(way, way.stiffness, way.pull = pull);
         }
     }
@@ -109,8 +108,6 @@ template <int D> class BlockWays {
         for (auto& way : all())
             if (way.stiffness > 0) way.pull += way.stiffness * geometry_.change(way);
     }
-
-    static bool soft(const CableRow& way) { return way.compliance > 0; }
 
   private:
     Blocks<D>& blocks_;
@@ -121,8 +118,9 @@ template <int D> class BlockWays {
     double assemble(CableRow& way, Rule rule, double hardest, bool elastic, double margin) {
         geometry_.measure(way, rule);
         way.stiffness = 0;
-        const bool stiff = !soft(way);
-        if (rule == Rule::place && (!stiff || way.motorized)) return 0; // no time passes: springs and motors yield
+        const bool stiff = !way.is_compliant();
+        if (rule == Rule::static_projection && (!stiff || way.motorized))
+            return 0; // no time passes: springs and motors yield
         if (!stiff) {
             spring(way, rule, hardest);
             return 0;
@@ -138,16 +136,16 @@ template <int D> class BlockWays {
         way.pull = way.held(way.tension + hardest * error, way.tension, way.one_sided() && way.side > 0);
         way.stiffness = way.slips ? 0 : hardest;
         add(way, way.stiffness, way.pull);
-        if (rule != Rule::place) add_geometric(way, rule, maximum(elastic ? way.pull : way.tension, 0.0));
+        if (rule != Rule::static_projection) add_geometric(way, rule, maximum(elastic ? way.pull : way.tension, 0.0));
         return way.slips ? 0 : absolute(error) / maximum(way.length, 1e-6);
     }
 
     void spring(CableRow& way, Rule rule, double hardest) {
-        const double error = way.length - clamp(way.length, way.low, way.high);
+        const double error = way.error_of(way.length);
         const double last = way.tension;
         way.tension = 0;
         if (error == 0) return;
-        const double k = minimum(1 / way.compliance, hardest);
+        const double k = way.spring_stiffness(hardest);
         const double moved = (way.length - geometry_.length_of(way, true)) / h_ - way.motor_speed;
         way.tension = way.held(k * (error + way.damping_time * moved), last, way.one_sided() && error > 0);
         way.stiffness = way.slips ? 0 : k * (1 + way.damping_time / h_);
@@ -180,7 +178,7 @@ template <int D> class BlockWays {
         for (std::size_t i = 0; i + 1 < on.size(); entry += std::uint32_t(on.size() - 1 - i), ++i) {
             const auto leg = geometry_.node(on[i + 1]).place - geometry_.node(on[i]).place;
             const double length = norm(leg);
-            const double span = rule == Rule::swing ? length + norm(on[i].start) : length;
+            const double span = rule == Rule::midpoint ? length + norm(on[i].start) : length;
             if (!(length > 1e-9 * way.length)) continue;
             const auto n = leg * (1 / length);
             auto turn = Entry::diagonal(tension / span);

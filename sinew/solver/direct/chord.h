@@ -26,13 +26,13 @@ template <int D> class ChordSolve : public BlockSolve<D> {
     }
     /// Same as `run`, from the present positions.
     bool run_again() {
-        Base::set_out(Rule::implicit);
+        Base::set_out(Rule::backward_euler);
         return iterate();
     }
     /// Same as `run`, with new factors.
     template <class Guess> bool run_anew(Guess&& guess) {
         begin(guess);
-        Base::assemble(Rule::implicit);
+        Base::assemble(Rule::backward_euler);
         Base::solve();
         Base::take_step(1);
         return goes_well(0) || (Base::progress().share == 1 && iterate(1));
@@ -47,7 +47,7 @@ template <int D> class ChordSolve : public BlockSolve<D> {
     using Base::good_enough, Base::links_, Base::sizes_;
 
     template <class Guess> void begin(Guess&& guess) {
-        Base::set_out(Rule::implicit);
+        Base::set_out(Rule::backward_euler);
         for (auto& moved : unknowns()) moved.place = moved.start + guess(moved);
     }
     bool iterate(int first = 0) {

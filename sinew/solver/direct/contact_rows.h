@@ -4,6 +4,7 @@
 #include "sinew/solver/direct/newton.h"
 #include "sinew/solver/direct/plane_rows.h"
 #include "sinew/solver/direct/state.h"
+#include "sinew/solver/pin_spring.h"
 
 #include <utility>
 
@@ -25,7 +26,7 @@ template <int D, class Real> class BlockContact {
         const double h = state_.substep();
         for (const auto& node : state_.unknowns()) {
             const double reach = h * (norm(node.velocity) + h * norm(node.push)) * 2;
-            for (const auto& plane : world_.bounds) near_ = near_ || depth(node, plane) > -reach;
+            for (const auto& plane : world_.bounds) near_ = near_ || depth(node, plane.template as<double>()) > -reach;
             if (planes_.is_any_collider_near(node, reach)) near_ = true;
         }
     }
@@ -43,7 +44,7 @@ template <int D, class Real> class BlockContact {
 
     /// Adds all terms to the equations. `hardest` is the penalty stiffness of a link. True if all terms able to release
     /// or saturate do as in the equations before.
-    bool hold(double hardest, const SolveProgress& progress) {
+    bool add_external_terms(double hardest, const SolveProgress& progress) {
         progress_ = progress;
         const auto before = std::exchange(decisions_, 0);
         if (state_.motorized())
@@ -52,12 +53,12 @@ template <int D, class Real> class BlockContact {
                     pull(node, world_.pins[i], hardest);
         if (near_)
             for (auto& node : state_.unknowns())
-                planes_.each(node, [&](const Plane& plane) { press(node, plane, hardest); });
+                planes_.each(node, [&](const Plane& plane) { add_contact(node, plane, hardest); });
         return decisions_ == before;
     }
 
     /// Moves nodes beyond a plane onto the plane.
-    void lift() {
+    void push_out() {
         for (auto& node : state_.unknowns())
             planes_.each(node, [&](const Plane& plane) {
                 node.place += plane.normal * maximum(planes_.depth(node, plane), 0.0);
@@ -74,7 +75,8 @@ template <int D, class Real> class BlockContact {
                     clamp_components(world_.pins[i].multiplier * longer, limit::multiplier<Real>);
     }
 
-    /// Same as `hold`, for velocities: a node leaves a plane with the restitution after a blow; a resting node stays.
+    /// Same as `add_external_terms`, for velocities: a node leaves a plane with the restitution after a blow; a resting
+    /// node stays.
     void rebound(double k) {
         if (!near_) return;
         for (auto& node : state_.unknowns()) planes_.each(node, [&](const Plane& plane) { rebound(node, plane, k); });
@@ -89,21 +91,18 @@ template <int D, class Real> class BlockContact {
     SolveProgress progress_{};
     std::uint64_t decisions_ = 0; ///< hash of all decisions: contact, sliding, saturation
 
-    double depth(const BlockNode<D>& node, const HalfSpace<D, Real>& plane) const {
-        return double(plane.offset) + double(world_.particles.radius[node.row]) -
-               dot(cast<double>(plane.normal), node.place);
+    double depth(const BlockNode<D>& node, const HalfSpace<D, double>& plane) const {
+        return planes_.depth(node, plane);
     }
-    double depth(const BlockNode<D>& node, const Plane& plane) const { return planes_.depth(node, plane); }
 
     void decide(int choice) { decisions_ = random::mix(decisions_ + std::uint64_t(choice)); }
 
     /// A damped spring to the goal, with a maximum force.
     void pull(BlockNode<D>& node, Pin<D, Real>& pin, double hardest) {
         const double h = state_.substep();
-        const double per_compliance = inverse_or_zero(double(pin.compliance));
-        const double k = per_compliance > 0 ? minimum(per_compliance, hardest) : hardest;
-        const double damper = double(pin.damping) * 2 * square_root(k * node.mass) / h;
-        const auto error = node.place - state_.goal(pin, true), before = node.start - state_.goal(pin, false);
+        const double k = pin_stiffness(pin, hardest), damper = pin_damper(pin, k, node.mass) / h;
+        const auto error = node.place - pin.template target_at<double>(state_.to());
+        const auto before = node.start - pin.template target_at<double>(state_.from());
         auto force = error * k + (error - before) * damper;
         auto growth = Matrix::diagonal(k + damper);
         if (const double most = double(pin.max_force); most > 0)
@@ -114,7 +113,7 @@ template <int D, class Real> class BlockContact {
     }
 
     /// Contact with Coulomb friction, both so stiff that nothing sinks or creeps visibly.
-    void press(BlockNode<D>& node, const Plane& plane, double k) {
+    void add_contact(BlockNode<D>& node, const Plane& plane, double k) {
         const auto& normal = plane.normal;
         const double pressure = k * depth(node, plane);
         decide(pressure > 0);

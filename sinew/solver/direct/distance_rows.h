@@ -7,12 +7,12 @@
 namespace sinew::detail {
 
 /// Distances of a block: rigid links between their limits, and springs.
-template <int D> class BlockLinks {
+template <int D> class DistanceRows {
   public:
     using Vector = Vec<D, double>;
 
     /// `stiffness`: penalty stiffness of a rigid link of length 1.
-    BlockLinks(Blocks<D>& blocks, const Block& block, double stiffness)
+    DistanceRows(Blocks<D>& blocks, const Block& block, double stiffness)
         : blocks_(blocks), block_(block), stiffness_(stiffness) {}
 
     std::span<DistanceRow<D>> all() const { return std::span(blocks_.links).subspan(block_.first_link, block_.links); }
@@ -106,8 +106,7 @@ template <int D> class BlockLinks {
 
     double stored(const DistanceRow<D>& link, const Vector& span) const {
         if (!soft(link)) return 0;
-        const double length = norm(span);
-        return 0.5 * square(length - clamp(length, link.low, link.high)) / link.compliance;
+        return link.spring_energy(norm(span));
     }
 
     // --- velocities
@@ -192,23 +191,23 @@ template <int D> class BlockLinks {
 
     /// Row of a rigid link, with the geometric stiffness of a tension.
     void add_rigid(DistanceRow<D>& link, Rule rule, const Vector& now, double tension) {
-        const bool swings = rule == Rule::swing;
-        const auto along = swings ? (link.start + now) * 0.5 : rule == Rule::shake ? link.start : now;
+        const bool is_midpoint = rule == Rule::midpoint;
+        const auto along = is_midpoint ? (link.start + now) * 0.5 : rule == Rule::shake ? link.start : now;
         link.along = now;
         auto matrix = outer(along * link.stiffness, now);
-        if (rule != Rule::place && rule != Rule::shake)
-            matrix += Matrix<D, double>::diagonal(maximum(tension, 0.0) * (swings ? 0.5 : 1));
+        if (rule != Rule::static_projection && rule != Rule::shake)
+            matrix += Matrix<D, double>::diagonal(maximum(tension, 0.0) * (is_midpoint ? 0.5 : 1));
         add(link, matrix, along * link.pull);
     }
 
     /// A compliant link: the force follows from the length, without a multiplier.
     void spring(Rule rule, DistanceRow<D>& link, const Vector& now) {
         const double length = norm(now), per_length = inverse_or_zero(length);
-        const double error = length - clamp(length, link.low, link.high);
+        const double error = link.error_of(length);
         link.stiffness = 0;
         link.pull = link.tension = 0;
-        if (error == 0 || rule == Rule::place) return;
-        const double k = 1 / link.compliance;
+        if (error == 0 || rule == Rule::static_projection) return;
+        const double k = link.spring_stiffness();
         double force = k * error;
         auto along = now * per_length;
         auto matrix = outer(along * k, along);

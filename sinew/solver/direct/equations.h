@@ -36,12 +36,12 @@ template <int D> class BlockEquations {
     std::span<BlockNode<D>> unknowns() const {
         return std::span(blocks_.nodes).subspan(block_.first_node, block_.unknowns);
     }
-    BlockLinks<D>& links() { return links_; }
-    const BlockLinks<D>& links() const { return links_; }
-    BlockBends<D>& bends() { return bends_; }
-    const BlockBends<D>& bends() const { return bends_; }
-    BlockWays<D>& ways() { return ways_; }
-    const BlockWays<D>& ways() const { return ways_; }
+    DistanceRows<D>& links() { return links_; }
+    const DistanceRows<D>& links() const { return links_; }
+    AngleRows<D>& bends() { return bends_; }
+    const AngleRows<D>& bends() const { return bends_; }
+    CableRows<D>& ways() { return ways_; }
+    const CableRows<D>& ways() const { return ways_; }
     BlockNode<D>& node(std::uint32_t i) const { return blocks_.nodes[i]; }
     const Block& block() const { return block_; }
     double substep() const { return h_; }
@@ -89,9 +89,9 @@ template <int D> class BlockEquations {
     const Block& block_;
     double h_, per_h_;
     NodeSums<D> sums_;
-    BlockLinks<D> links_;
-    BlockBends<D> bends_;
-    BlockWays<D> ways_;
+    DistanceRows<D> links_;
+    AngleRows<D> bends_;
+    CableRows<D> ways_;
 
   private:
     static constexpr double relative_stiffness = 1e4; ///< stiffness of a rigid link, over total mass / h^2

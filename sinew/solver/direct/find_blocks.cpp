@@ -61,7 +61,7 @@ template <int D, class Real> class BlockFinder {
         ++blocks_.looks;
         room_.parts.clear();
         room_.members.clear();
-        room_.hung.clear();
+        room_.attached.clear();
     }
 
     void find_all() {

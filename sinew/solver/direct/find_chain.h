@@ -21,18 +21,14 @@ template <int D> class ChainFinder {
         if (!walk()) return chains_.links.resize(first);
         const auto held = block_.first_node + block_.unknowns;
         block_.chain = std::uint32_t(chains_.list.size());
-        chains_.list.push_back({.first = first,
-                                .links = block_.links,
-                                .held_node = held,
-                                .held = blocks_.nodes[held].row,
-                                .pulls_only = pulls_only_});
+        chains_.list.push_back(
+            {.first = first, .links = block_.links, .held_node = held, .held = blocks_.nodes[held].row});
     }
 
   private:
     Blocks<D>& blocks_;
     Chains<D>& chains_;
     Block& block_;
-    bool pulls_only_ = false;
 
     bool is_plain() {
         if (block_.bends > 0 || block_.ways > 0 || block_.springy || block_.is_motorized || block_.load_tethers > 0)
@@ -40,7 +36,6 @@ template <int D> class ChainFinder {
         if (block_.nodes != block_.unknowns + 1 || block_.links != block_.unknowns) return false;
         for (auto i = block_.first_link; i < block_.first_link + block_.links; ++i) {
             const auto& link = blocks_.links[i];
-            pulls_only_ = pulls_only_ || link.low < link.high;
             if ((link.low < link.high && link.low > 0) || link.length != link.high) return false;
         }
         return true;
@@ -70,7 +65,8 @@ template <int D> class ChainFinder {
                                      .constraint = link.constraint,
                                      .node = node,
                                      .link = next,
-                                     .length = link.length});
+                                     .length = link.length,
+                                     .pulls_only = link.low < link.high});
         }
         return true;
     }

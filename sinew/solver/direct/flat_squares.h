@@ -56,7 +56,7 @@ template <int D> class FlatSquares {
         sides_.assign(blocks_.entries.size() - first_entry_, {Blocks<D>::none, false, false});
         for (auto i = block_.first_link; i < blocks_.links.size(); ++i) {
             const auto& link = blocks_.links[i];
-            if (link.entry != Blocks<D>::none && link.low == link.high && link.compliance == 0)
+            if (link.entry != Blocks<D>::none && link.low == link.high && !link.is_compliant())
                 side(link.entry).link = i;
         }
     }

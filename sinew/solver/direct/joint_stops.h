@@ -26,7 +26,7 @@ template <int D> class BlockBounce {
 
   private:
     BlockEquations<D>& block_;
-    BlockBends<D>& bends_;
+    AngleRows<D>& bends_;
     double little_;
 
     /// Stops the joints back within the substep if `landing`, otherwise reflects velocities at the others.

@@ -51,7 +51,7 @@ template <int D, class Real> class MidpointStep {
     Went find_positions(double& gain) {
         constexpr int few = 8;             // iterations: where more are needed, shorter substeps are cheaper
         constexpr double overshoot = 2e-3; // radians beyond a joint's limit, or a fraction of half a range's length
-        const bool found = substep_.run(Rule::swing, few);
+        const bool found = substep_.run(Rule::midpoint, few);
         if (has_struck()) return Went::against_something;
         if (!found) return Went::too_far;
         constexpr double exact = 0.02, slight = 1e3; // in units of the rounding tolerance

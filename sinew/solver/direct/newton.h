@@ -43,7 +43,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
     /// Chooses the active limits at the start of the substep.
     void choose_active_limits(Rule rule) {
-        const bool bounce = bounce_ && rule == Rule::swing;
+        const bool bounce = bounce_ && rule == Rule::midpoint;
         reach_ = links_.set_out(bounce, as_good_as_taut);
         bends_.set_out(bounce);
         reach_ += ways_.set_out(as_good_as_taut);
@@ -62,7 +62,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         return iterate(rule, most_iterations, hold);
     }
 
-    /// True if the external terms decided as in the equations before; a `hold` without a result always agrees.
+    /// True if the external terms decided as in the equations before; a `add_external_terms` without a result always
+    /// agrees.
     template <class Hold> static bool agrees(Hold& hold) {
         if constexpr (std::is_void_v<decltype(hold())>)
             return true;
@@ -126,7 +127,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             }
             // contacts that alternate: lengths are right, and nodes hardly move
             const double slight_move = slight * reach_ / double(block_.links + block_.ways);
-            if (rule == Rule::implicit && i >= undecided_after && worst <= acceptable && sizes_.moved <= slight_move)
+            if (rule == Rule::backward_euler && i >= undecided_after && worst <= acceptable &&
+                sizes_.moved <= slight_move)
                 return true;
             if (i == most_iterations)
                 return worst <= acceptable &&
@@ -137,7 +139,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     }
 
     Vector flight(Rule rule, const BlockNode<D>& node) const {
-        return rule == Rule::place ? Vector{} : node.velocity * h_;
+        return rule == Rule::static_projection ? Vector{} : node.velocity * h_;
     }
 
     /// Displacement from which the iteration starts: the free flight. Light parts whirl too fast for that, and heavy
@@ -149,9 +151,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// Sets inertia and the positions without constraints, and chooses the active limits.
     void set_out(Rule rule) {
         progress_ = {};
-        const double share = rule == Rule::swing ? 0.5 : rule == Rule::implicit ? 1 : 0;
+        const double share = rule == Rule::midpoint ? 0.5 : rule == Rule::backward_euler ? 1 : 0;
         for (auto& node : unknowns()) {
-            node.inertia = node.mass * per_h_ * per_h_ * (rule == Rule::swing ? 2 : 1);
+            node.inertia = node.mass * per_h_ * per_h_ * (rule == Rule::midpoint ? 2 : 1);
             node.aim = node.start + flight(rule, node) + node.push * (share * h_ * h_);
         }
         choose_active_limits(rule);
@@ -210,7 +212,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             if (!links_.soft(link)) update.renew(link, link.pull, slight_ * links_.share(link));
         const auto renew_driven = [&](auto& rows) {
             for (auto& row : rows.all()) {
-                if (rows.soft(row)) continue;
+                if (row.is_compliant()) continue;
                 update.renew(row, row.pull + row.stiffness * rows.geometry().change(row), slight_);
                 row.tension = clamp(row.tension, -row.most, row.most);
             }

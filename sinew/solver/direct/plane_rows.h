@@ -6,9 +6,7 @@
 /// Planes that hold the nodes of a block: those of the world, and one at each contact with a collider.
 namespace sinew::detail {
 
-template <int D> struct BlockPlane {
-    Vec<D, double> normal{};
-    double offset = 0, restitution = 0, friction = 0;
+template <int D> struct BlockPlane : HalfSpace<D, double> {
     Vec<D, double> surface_move{}; ///< displacement of the surface in the substep
     std::uint32_t collider = ~std::uint32_t(0);
 };
@@ -23,15 +21,13 @@ template <int D, class Real> class BlockPlanes {
 
     bool any() const { return has_walls(world_); }
 
-    double depth(const BlockNode<D>& node, const Plane& plane) const {
-        return plane.offset + double(world_.particles.radius[node.row]) - dot(plane.normal, node.place);
+    double depth(const BlockNode<D>& node, const HalfSpace<D, double>& plane) const {
+        return plane.depth_of(node.place, double(world_.particles.radius[node.row]));
     }
 
     /// Calls visit(plane) for the planes of the world, and the contacts of a node with colliders at its present place.
     template <class Visit> void each(const BlockNode<D>& node, Visit&& visit) const {
-        for (const auto& plane : world_.bounds)
-            visit(Plane{cast<double>(plane.normal), double(plane.offset), double(plane.restitution),
-                        double(plane.friction)});
+        for (const auto& plane : world_.bounds) visit(Plane{plane.template as<double>()});
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
             if (!is_near(i, node, 0)) continue;
             const auto& collider = world_.colliders[i];
@@ -80,10 +76,8 @@ template <int D, class Real> class BlockPlanes {
     static Plane plane_of(const collide::Collider<D, Real>& collider, const collide::ColliderContact<D, Real>& contact,
                           std::uint32_t index) {
         const auto normal = cast<double>(contact.surface.normal);
-        return {normal,
-                dot(normal, cast<double>(contact.surface.point)),
-                double(collider.restitution),
-                double(collider.friction),
+        return {{normal, dot(normal, cast<double>(contact.surface.point)), double(collider.restitution),
+                 double(collider.friction)},
                 cast<double>(contact.surface_move),
                 index};
     }

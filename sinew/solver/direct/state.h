@@ -89,7 +89,7 @@ template <int D, class Real> class BlockState {
             for (auto i = blocks.pin_of[node.row]; i != Blocks<D>::none; i = blocks.next_pin[i]) {
                 const auto& pin = world.pins[i];
                 if (!pin.hard() || particles.quarantined[node.row]) continue;
-                node.start = goal(pin, false), node.place = goal(pin, true);
+                node.start = pin.template target_at<double>(from_), node.place = pin.template target_at<double>(to_);
                 node.velocity = (node.place - node.start) * (1 / h_);
                 motorized_ = motorized_ || !(pin.from == pin.target);
             }
@@ -138,12 +138,6 @@ template <int D, class Real> class BlockState {
             else
                 tell_limits(way, distances_, way.constraint);
         }
-    }
-
-    /// Target of a pin at the start or end of the substep.
-    Vector goal(const Pin<D, Real>& pin, bool at_end) const {
-        const auto from = cast<double>(pin.from);
-        return from + (cast<double>(pin.target) - from) * (at_end ? to_ : from_);
     }
 
   private:
@@ -196,7 +190,7 @@ template <int D, class Real> class BlockState {
     /// Moves the limits to the length reached.
     void slip(CableRow& way) {
         const double length = CableGeometry<D>(blocks).length_of(way, false);
-        const double error = length - clamp(length, way.low, way.high), spring = way.most * way.compliance;
+        const double error = way.error_of(length), spring = way.most * way.compliance;
         const double by = error - clamp(error, -spring, spring);
         for (double* end : {&way.low_begun, &way.high_begun})
             if (absolute(*end) < limit::measure<double>) *end += by;

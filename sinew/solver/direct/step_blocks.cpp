@@ -59,14 +59,15 @@ template <int D, class Real> class BlockStep {
         if (!swung_) {
             if (!substep.project_positions()) return solve_infeasible(from, to);
             if (solve.has_velocity_error(longest_)) {
-                solve.choose_active_limits(Rule::implicit);
+                solve.choose_active_limits(Rule::backward_euler);
                 substep.note_lost(substep.project_velocities());
             }
         }
         const auto went = Midpoint(substep, longest_, depth).run();
         swung_ = went == Went::well;
         if (swung_) return state_.store();
-        if (state_.motorized() && !solve.run(Rule::place, substep.many, [] {})) return solve_infeasible(from, to);
+        if (state_.motorized() && !solve.run(Rule::static_projection, substep.many, [] {}))
+            return solve_infeasible(from, to);
         const bool blow = depth > 0 && went == Went::against_something;
         if (blow || (depth >= Midpoint::deepest && went != Went::past_an_end))
             return step_backward_euler(from, to, depth);
@@ -98,10 +99,10 @@ template <int D, class Real> class BlockStep {
         auto& solve = substep.solve();
         const double before = solve.worst_start_strain();
         solve.use_penalty();
-        substep.run(Rule::implicit, stretched_iterations);
+        substep.run(Rule::backward_euler, stretched_iterations);
         constexpr double most = 10;
         substep.retreat([&] { return solve.worst_place_strain() <= maximum(most, before); });
-        contact_.lift(); // the solve has not converged
+        contact_.push_out(); // the solve has not converged
         substep.take_mean_velocities();
         state_.forget_tensions();
         state_.store();

@@ -63,9 +63,9 @@ template <int D, class Real> class ChainStep : LaneStep<ChainStep<D, Real>, D, R
             total += Base::template load_node<Node>(table, i, link.particle);
             table.at(i, offsetof(Node, length2)) = length2;
             table.at(i, offsetof(Node, per_length2)) = 1 / length2;
+            table.at(i, offsetof(Node, pulls_only)) = link.pulls_only;
         }
         Base::start_block(lane, total, length_of(block), links.front().particle);
-        pack_.pulls_only.lane[std::size_t(lane)] = chain_of(block).pulls_only;
     }
     void store(int lane, const Block& block) const {
         const auto links = links_of(block);

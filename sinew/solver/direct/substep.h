@@ -33,10 +33,11 @@ template <int D, class Real> class BlockSubstep {
 
     bool run(Rule rule, int iterations) {
         return solve_.run(rule, iterations,
-                          [&] { return contact_.hold(solve_.links().stiffness(), solve_.progress()); });
+                          [&] { return contact_.add_external_terms(solve_.links().stiffness(), solve_.progress()); });
     }
     bool refine() {
-        return solve_.refine(Rule::swing, [&] { contact_.hold(solve_.links().stiffness(), solve_.progress()); });
+        return solve_.refine(Rule::midpoint,
+                             [&] { contact_.add_external_terms(solve_.links().stiffness(), solve_.progress()); });
     }
 
     /// True if only force fields and immovable nodes act from outside.
@@ -63,7 +64,7 @@ template <int D, class Real> class BlockSubstep {
         if (before <= crude) return true;
         for (auto& node : state_.fixed()) std::swap(node.start, node.place);
         state_.forget_tensions();
-        const bool met = solve_.run(Rule::place, many, [] {});
+        const bool met = solve_.run(Rule::static_projection, many, [] {});
         if (!met) relax_links(state_.blocks, state_.block);
         const double after = solve_.worst_place_strain();
         if (after < before)

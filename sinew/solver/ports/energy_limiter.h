@@ -137,8 +137,7 @@ template <int D, class Real> class EnergyLimiter {
         });
         const Real measure = unwrap<typename Table::Kind>(stencil.evaluate(stencil.points, stencil.gradient),
                                                           table.low(row), table.high(row));
-        const double error = double(measure - clamp(measure, table.low(row), table.high(row)));
-        return 0.5 * square(error) / double(table.compliance[row]);
+        return table.spring_energy(row, double(measure - clamp(measure, table.low(row), table.high(row))));
     }
 };
 

@@ -53,7 +53,7 @@ template <int D, class Real> void mark_ports(World<D, Real>& world, Solver<D, Re
     for (Row row = 0; row < world.particles.size(); ++row) {
         const char is_port = ports.at[row] != ports.none;
         char& was_port = ports.is_port[slots.slot_of(row)];
-        if (is_port != was_port) blocks.room.hung.push_back(row);
+        if (is_port != was_port) blocks.room.attached.push_back(row);
         was_port = is_port;
     }
 }

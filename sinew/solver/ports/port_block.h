@@ -81,7 +81,7 @@ template <int D, class Real> class PortBlock {
     void solve() {
         state_.load();
         BlockSolve<D> solve(blocks_, block_, state_.substep());
-        if (!solve.run(Rule::implicit, enough, [] {})) find_nearest(solve);
+        if (!solve.run(Rule::backward_euler, enough, [] {})) find_nearest(solve);
         note_slack();
     }
     /// Solution with the last one for a guess.
@@ -90,9 +90,9 @@ template <int D, class Real> class PortBlock {
         if (block_.is_factorised && ChordSolve<D>(blocks_, block_, state_.substep()).run_again()) return note_slack();
         block_.is_factorised = false;
         BlockSolve<D> solve(blocks_, block_, state_.substep());
-        if (!solve.run_again(Rule::implicit, enough, [] {})) {
+        if (!solve.run_again(Rule::backward_euler, enough, [] {})) {
             state_.start_tensions();
-            if (!solve.run(Rule::implicit, enough, [] {})) find_nearest(solve);
+            if (!solve.run(Rule::backward_euler, enough, [] {})) find_nearest(solve);
         }
         note_slack();
     }
@@ -111,7 +111,7 @@ template <int D, class Real> class PortBlock {
         }
         state_.forget_tensions();
         for (int i = 0; i < tries; ++i) {
-            if (solve.run(Rule::place, many, [] {})) return;
+            if (solve.run(Rule::static_projection, many, [] {})) return;
             relax_links(blocks_, block_); // comes nearer from anywhere
             for (auto& node : state_.unknowns()) node.start = node.place;
             state_.forget_tensions();

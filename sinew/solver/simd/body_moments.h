@@ -81,7 +81,7 @@ void add_moments(MomentSums<D, V>& sums, const BodyColumns<D, Real>& body, std::
             V place[D], move[D];
 #pragma GCC unroll 3
             for (int k = 0; k < D; ++k) {
-                const auto column = std::size_t(k) * body.apart;
+                const auto column = std::size_t(k) * body.stride;
                 place[k] = reader.get(body.place + column, i, body.origin[k]) - body.origin[k];
                 move[k] = reader.get(body.move + column, i, body.drift[k]) - body.drift[k];
             }
@@ -118,7 +118,7 @@ template <class V, int D, class Real>
     V arm[D], moves[D], turned[D];
 #pragma GCC unroll 3
     for (int k = 0; k < D; ++k) {
-        const auto column = std::size_t(k) * body.apart;
+        const auto column = std::size_t(k) * body.stride;
         arm[k] = doubles_at<V>(body.place + column, at) - by.center[k];
         moves[k] = doubles_at<V>(body.move + column, at);
     }
@@ -131,7 +131,7 @@ template <class V, int D, class Real>
 #pragma GCC unroll 3
     for (int k = 0; k < D; ++k) {
         const V move = moves[k] + turned[k] - (moves[k] - by.drift[k]) * by.loss;
-        Real* const to = body.move + std::size_t(k) * body.apart + at;
+        Real* const to = body.move + std::size_t(k) * body.stride + at;
         if constexpr (width == 1)
             *to = Real(within(move, double(by.most)));
         else

@@ -21,7 +21,7 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
 
     explicit ChainSwing(ChainPack<D>& pack)
         : Base(pack), pack_(pack), nodes_(reinterpret_cast<Node*>(pack.nodes)), links_(pack.links),
-          pulls_only_(of(pack.pulls_only) > V{}) {}
+          slight_(of(pack.weight_reach) * half_h2_ * number(1e-6 * pack.links) / (of(pack.reach) * of(pack.reach))) {}
 
     void run() {
         Mask active = of(pack_.active) > V{};
@@ -32,13 +32,12 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
         Mask good = none;
         iterate(active, good);
         alien = without(chosen, active_at_start_) ? number(1) : alien;
-        const Mask astray = both(good, both(pulls_only_, least_pull_ < V{}) | (beyond_ > V{}));
+        const Mask astray = both(good, (least_pull_ < -slight_) | (beyond_ > V{}));
         good = without(good, astray);
         alien = astray ? number(1) : alien;
-        const Mask tightened = both(pulls_only_, slackest_ <= V{});
-        const Mask struck = both(good, (jolt_ * number(pack_.longest) > number(usual_error)) | tightened);
+        const Mask struck = both(good, (jolt_ * number(pack_.longest) > number(usual_error)) | (tightened_ > V{}));
         V lost = most(due_ - after_, V{});
-        if (any(struck)) straighten(struck, tightened, good, alien, lost);
+        if (any(struck)) straighten(struck, good, alien, lost);
         if (any(good)) store_good(good);
         Base::report(good, alien, lost);
     }
@@ -47,8 +46,11 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
     ChainPack<D>& pack_;
     Node* nodes_;
     int links_;
-    Mask pulls_only_;
-    V slackest_{}; ///< least tension at the start, N/m
+    V slight_;      ///< multiplier that counts as zero, kg
+    V flipped_{};   ///< 1: the active set changed in this iteration
+    V tightened_{}; ///< 1: a link that pulled nothing at the start is active
+
+    static Mask pulls_only(const Node& node) { return node.pulls_only > V{}; }
 
     /// Free flight, and the tensions of the last substep.
     void set_out() {
@@ -63,30 +65,33 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
             (start - at(nodes_[i - 1].start)).to(node.begun);
             (place - at(nodes_[i - 1].place)).to(node.span);
             node.pull = node.tension * unit;
+            const Pair span = at(node.begun);
+            const V length2 = dot(span, span) * node.per_length2;
+            const Mask slack = both(pulls_only(node), both(node.tension <= V{}, length2 < number(as_good_as_taut)));
+            node.holds = slack ? V{} : number(1);
+            node.flips = V{};
             before_ = before_ + dot(velocity, velocity) * node.mass * number(0.5);
         }
     }
 
-    /// Lanes in a state that the midpoint rule does not start from: slack links, or at a fresh start lengths or
-    /// velocities that are wrong.
+    /// Lanes in a state that the midpoint rule does not start from: at a fresh start lengths or velocities of
+    /// links that pull, or cannot go slack, that are wrong.
     Mask unfit() {
-        V slack{}, strain{}, rate{};
-        slackest_ = number(1);
+        V strain{}, rate{};
         Pair before{};
         for (int i = 1; i <= links_; ++i) {
             const auto& node = nodes_[i];
             const Pair velocity = at(node.velocity) * keep_, span = at(node.begun);
-            const V length2 = dot(span, span) * node.per_length2;
-            slackest_ = least(node.tension, slackest_);
-            slack = node.tension > V{} ? slack : most(number(as_good_as_taut) - length2, slack);
-            strain = most(size_of(length2 - number(1)), strain);
-            rate = most(size_of(dot(span, velocity - before)) * node.per_length2, rate);
+            const V error = dot(span, span) * node.per_length2 - number(1);
+            const V growth = dot(span, velocity - before) * node.per_length2;
+            strain = most(node.holds > V{} ? size_of(error) : error, strain);
+            rate = most(pulls_only(node) ? (node.tension > V{} ? growth : V{}) : size_of(growth), rate);
             before = velocity;
         }
         const V longest = number(pack_.longest);
         const V unit =
             (strain > number(2 * crude) ? number(1) : V{}) + (rate * longest > number(usual_error) ? number(1) : V{});
-        return of(pack_.fresh) * unit + (pulls_only_ ? slack : V{}) > V{};
+        return of(pack_.fresh) * unit > V{};
     }
 
     void iterate(Mask& active, Mask& good) {
@@ -96,7 +101,7 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
             eliminate();
             substitute_back();
             const V worst = take_step(active);
-            Mask done = both(active, both(worst <= number(exact), moved2_ <= near2));
+            Mask done = both(active, both(both(worst <= number(exact), moved2_ <= near2), flipped_ <= V{}));
             if (!any(done)) continue;
             done = both(done, keeps_energy());
             good = good | done;
@@ -117,14 +122,15 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
         for (int i = links_; i > 0; --i) {
             auto& node = nodes_[i];
             const Pair e = at(node.span), a = (at(node.begun) + e) * half;
-            const V g = most(node.pull, V{}) * half;
+            const V g = most(node.pull, V{}) * half; // none of a slack link, whose multiplier is zero
             r = r + (at(node.aim) - at(node.place)) * node.mass;
             s.add_to_diagonal(node.mass + g);
             V determinant;
             const auto n = adjugate(s, determinant);
             const Pair u = n * a, w = e * n, y = n * r;
-            const V resistance = dot(e, u), both_inverse = number(1) / (determinant * resistance);
-            const V per = resistance * both_inverse, stiffness = determinant * determinant * both_inverse;
+            const V resistance = node.holds > V{} ? dot(e, u) : number(1),
+                    both_inverse = number(1) / (determinant * resistance);
+            const V per = resistance * both_inverse, stiffness = determinant * determinant * both_inverse * node.holds;
             const V gp = g * per;
             const Pair q = e - w * gp, p = (a - u * gp) * stiffness;
             const V error = (dot(e, e) - node.length2) * half + dot(w, r) * per;
@@ -171,6 +177,7 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
         V worst{};
         Pair before = at(nodes_[0].place);
         least_pull_ = number(1);
+        flipped_ = tightened_ = V{};
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
             Base::move(node.place, at(node.move) * share, active);
@@ -178,10 +185,26 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
             const Pair place = at(node.place), span = place - before;
             span.to(node.span);
             before = place;
-            worst = most(size_of(dot(span, span) - node.length2) * node.per_length2, worst);
-            least_pull_ = least(node.pull, least_pull_);
+            const V error = (dot(span, span) - node.length2) * node.per_length2;
+            choose_side(node, error, active);
+            worst = most(node.holds > V{} ? size_of(error) : error, worst);
+            least_pull_ = pulls_only(node) ? least(node.pull, least_pull_) : least_pull_;
+            tightened_ = both(both(pulls_only(node), node.tension <= V{}), node.pull > V{}) ? number(1) : tightened_;
         }
         return worst * number(0.5);
+    }
+
+    /// Releases a link that would push, unless it has become active too often, and activates a slack one that is too
+    /// long: the active set of direct/multiplier_update.h. `error`: of the squared length, relative.
+    void choose_side(Node& node, const V& error, const Mask& active) {
+        constexpr double most_flips = 2, long_enough = 2e-7;
+        const Mask may = both(active, pulls_only(node)), holds = node.holds > V{};
+        const Mask released = both(both(may, holds), both(node.pull < -slight_, node.flips <= number(most_flips)));
+        const Mask seized = both(without(may, holds), error > number(long_enough));
+        node.holds = released ? V{} : seized ? number(1) : node.holds;
+        node.pull = released ? V{} : node.pull;
+        node.flips = seized ? node.flips + number(1) : node.flips;
+        flipped_ = released | seized ? number(1) : flipped_;
     }
 
     /// Velocities at the end, and the lanes whose energy is right.
@@ -198,11 +221,11 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
             after_ = after_ + dot(velocity, velocity) * node.mass * number(0.5);
             carried = carried + went * node.mass;
             slip = slip + (dot(span, span) - dot(begun, begun)) * node.pull;
-            jolt_ = most(size_of(dot(span, velocity - before)) * node.per_length2, jolt_);
+            jolt_ = most(size_of(dot(span, velocity - before)) * node.per_length2 * node.holds, jolt_);
             before = velocity;
             Base::measure_room(node.place);
         }
-        return Base::conserves(carried, slip, before_ + after_);
+        return Base::conserves(carried, slip, before_ + after_, tightened_ > V{});
     }
 
     /// Removes velocities along the links, an error of the midpoint rule after the crack of a whip, and gives their
@@ -210,9 +233,31 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
     /// tridiagonal system, e_i . (v_i - v_before) = 0:
     ///
     ///     v_i += (f_next e_next - f_i e_i) / m_i
-    void straighten(const Mask& struck, const Mask& tightened, Mask& good, V& alien, V& lost) {
-        solve_tridiagonal();
-        V least_impulse = number(1), kinetic{};
+    void straighten(const Mask& struck, Mask& good, V& alien, V& lost) {
+        const Mask tightened = tightened_ > V{};
+        for (int i = 1; i <= links_; ++i)
+            nodes_[i].holds = both(pulls_only(nodes_[i]), nodes_[i].pull <= V{}) ? V{} : number(1);
+        constexpr int rounds = 8;
+        V kinetic{};
+        Mask undecided = struck;
+        for (int i = 0; i < rounds && any(undecided); ++i) {
+            solve_tridiagonal();
+            kinetic = apply_impulses();
+            undecided = both(struck, change_sides());
+        }
+        constexpr double fastest = 1.1, much = 1.02;
+        const V share = tightened ? number(1) : least(root(after_ / kinetic), number(fastest));
+        for (int i = 1; i <= links_; ++i)
+            for (int k = 0; k < D; ++k) nodes_[i].after[k] = struck ? nodes_[i].move[k] * share : nodes_[i].after[k];
+        const Mask little = (after_ <= kinetic * number(much)) | tightened, shortest = of(pack_.shortest) > V{};
+        good = without(good, without(without(struck, little), shortest));
+        alien = both(good, undecided) ? number(1) : alien;
+        good = without(good, undecided);
+        lost = struck ? lost + (after_ - kinetic * share * share) : lost;
+    }
+    /// Velocities after the impulses, in `move`; returns the kinetic energy, J.
+    V apply_impulses() {
+        V kinetic{};
         Pair before_next{};
         for (int i = links_; i > 0; --i) {
             auto& node = nodes_[i];
@@ -220,32 +265,39 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
             const Pair velocity = at(node.after) + kick;
             velocity.to(node.move);
             kinetic = kinetic + dot(velocity, velocity) * node.mass * number(0.5);
-            least_impulse = least(node.next, least_impulse);
             before_next = impulse;
         }
-        constexpr double fastest = 1.1, much = 1.02;
-        const V share = tightened ? number(1) : least(root(after_ / kinetic), number(fastest));
-        for (int i = 1; i <= links_; ++i)
-            for (int k = 0; k < D; ++k) nodes_[i].after[k] = struck ? nodes_[i].move[k] * share : nodes_[i].after[k];
-        const Mask little = (after_ <= kinetic * number(much)) | tightened, shortest = of(pack_.shortest) > V{};
-        const Mask slack = both(struck, both(pulls_only_, least_impulse < V{}));
-        good = without(good, without(without(struck, little), shortest));
-        alien = both(good, slack) ? number(1) : alien;
-        good = without(good, slack);
-        lost = struck ? lost + (after_ - kinetic * share * share) : lost;
+        return kinetic;
+    }
+    /// Active set of the impulses: a link under tension that would push is released, one that would get longer holds.
+    /// Lanes in which there were any.
+    Mask change_sides() {
+        V changed{};
+        Pair before{};
+        for (int i = 1; i <= links_; ++i) {
+            auto& node = nodes_[i];
+            const V growth = dot(at(node.span), at(node.move) - before) * node.per_length2 * number(pack_.longest);
+            const Mask may = both(pulls_only(node), node.pull > V{}), holds = node.holds > V{};
+            const Mask pushes = both(both(may, holds), node.next < V{});
+            const Mask grows = both(without(may, holds), growth > number(exact));
+            node.holds = pushes ? V{} : grows ? number(1) : node.holds;
+            changed = pushes | grows ? number(1) : changed;
+            before = at(node.move);
+        }
+        return changed > V{};
     }
     void solve_tridiagonal() {
         V lighter{}, side{}, right{}, ratio{}; // of the node before: 1 / mass, and the eliminated row
         Pair velocity_before{}, span_before{};
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
-            const Pair span = at(node.span), velocity = at(node.after);
+            const Pair span = at(node.span) * node.holds, velocity = at(node.after);
             const V mobility = number(1) / node.mass;
             side = -dot(span_before, span) * lighter;
-            const V pivot = dot(span, span) * (lighter + mobility) - side * ratio;
+            const V pivot = node.holds > V{} ? dot(span, span) * (lighter + mobility) - side * ratio : number(1);
             right = (dot(span, velocity - velocity_before) - side * right) / pivot;
             node.error = right;
-            const Pair next = i < links_ ? at(nodes_[i + 1].span) : Pair{};
+            const Pair next = i < links_ ? at(nodes_[i + 1].span) * nodes_[i + 1].holds : Pair{};
             ratio = -dot(span, next) * mobility / pivot;
             node.stiffness = ratio;
             lighter = mobility, velocity_before = velocity, span_before = span;
@@ -262,7 +314,7 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
                 node.start[k] = good ? node.place[k] : node.start[k];
                 node.velocity[k] = good ? node.after[k] : node.velocity[k];
             }
-            node.tension = good ? node.pull * per : node.tension;
+            node.tension = good ? (pulls_only(node) ? most(node.pull, V{}) : node.pull) * per : node.tension;
         }
     }
 };

@@ -12,6 +12,7 @@ template <int D, class V> struct ChainNode {
     V mass;        ///< kg
     V length2;     ///< squared length of the link, m^2
     V per_length2; ///< 1 / length2
+    V pulls_only;  ///< 1: the link can go slack
     V tension;     ///< multiplier of (length^2 - limit^2) / 2 at the start of the substep, N/m
 
     // Work space of a substep.
@@ -19,6 +20,8 @@ template <int D, class V> struct ChainNode {
     V begun[D], span[D]; ///< link at the start of the substep, and in this iteration, m
     V after[D];          ///< velocity at the end of the substep, m/s
     V pull, next;        ///< multiplier in this iteration and the next, kg
+    V holds;             ///< 1: the link is active; 0: slack
+    V flips;             ///< number of times the link has become active in this substep
     V move[D];           ///< Newton step, m
     V carried[D * D];    ///< move of this node per move of the node before
     V lever[D];          ///< move of this node per multiplier of the link, negated
@@ -30,8 +33,6 @@ template <int D, class V> struct ChainNode {
 template <int D> struct ChainPack : LanePack<D> {
     int links = 0;
     double* nodes = nullptr; ///< links + 1 nodes, ChainNode<D, pack of `width`>
-
-    typename LanePack<D>::Numbers pulls_only; ///< 1: the links can go slack
 };
 
 } // namespace sinew

@@ -105,10 +105,10 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         link.a = a, link.b = b;
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
-            link.move_a[k] = a.template get<V>(columns.move + k * columns.apart, count);
-            link.move_b[k] = b.template get<V>(columns.move + k * columns.apart, count);
-            link.d[k] = b.template get<V>(columns.place + k * columns.apart, count) -
-                        a.template get<V>(columns.place + k * columns.apart, count);
+            link.move_a[k] = a.template get<V>(columns.move + k * columns.stride, count);
+            link.move_b[k] = b.template get<V>(columns.move + k * columns.stride, count);
+            link.d[k] = b.template get<V>(columns.place + k * columns.stride, count) -
+                        a.template get<V>(columns.place + k * columns.stride, count);
             link.e[k] = link.d[k] + (link.move_b[k] - link.move_a[k]);
             link.e2 = k ? link.e2 + link.e[k] * link.e[k] : link.e[k] * link.e[k];
         }
@@ -174,8 +174,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     [[gnu::always_inline]] void move(const Link<V>& link, const V& s_a, const V& s_b, int count) const {
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
-            link.a.template put<all>(columns.move + k * columns.apart, link.move_a[k] - link.d[k] * s_a, count);
-            link.b.template put<all>(columns.move + k * columns.apart, link.move_b[k] + link.d[k] * s_b, count);
+            link.a.template put<all>(columns.move + k * columns.stride, link.move_a[k] - link.d[k] * s_a, count);
+            link.b.template put<all>(columns.move + k * columns.stride, link.move_b[k] + link.d[k] * s_b, count);
         }
     }
 

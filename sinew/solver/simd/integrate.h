@@ -21,8 +21,8 @@ template <class Real, class F> [[gnu::always_inline]] inline void over(std::size
 /// Columns of the components.
 template <int D, class Real> struct Components {
     Real* column[D];
-    Components(Real* first, std::size_t apart) {
-        for (unsigned k = 0; k < D; ++k) column[k] = first + k * apart;
+    Components(Real* first, std::size_t stride) {
+        for (unsigned k = 0; k < D; ++k) column[k] = first + k * stride;
     }
     Real* operator[](unsigned k) const { return column[k]; }
 };
@@ -30,7 +30,7 @@ template <int D, class Real> struct Components {
 /// Outer loop over anchors: so no particle waits for the anchor before.
 template <int D, class Real> void tether_all(const Motion<D, Real>& columns, std::uint32_t first, std::uint32_t last) {
     const Motion<D, Real> motion = columns;
-    const Components<D, Real> place(motion.place, motion.apart), moves(motion.move, motion.apart);
+    const Components<D, Real> place(motion.place, motion.stride), moves(motion.move, motion.stride);
     for (std::uint32_t i = 0; i < motion.anchor_count; ++i) {
         const auto anchor = motion.anchors[i];
         over<Real>(
@@ -63,8 +63,8 @@ struct Doing {
 template <int D, class Real, Doing doing>
 void move_all(const Motion<D, Real>& columns, std::uint32_t first, std::uint32_t last) {
     const Motion<D, Real> motion = columns;
-    const Components<D, Real> place(motion.place, motion.apart), moves(motion.move, motion.apart),
-        residual(motion.residual, motion.apart);
+    const Components<D, Real> place(motion.place, motion.stride), moves(motion.move, motion.stride),
+        residual(motion.residual, motion.stride);
     over<Real>(
         first, last, [&]<class V, bool all>(std::size_t at, int count) __attribute__((always_inline)) {
             const V mobility = load<V>(motion.mobility + at);
@@ -93,8 +93,8 @@ Real lowest_of(const Motion<D, Real>& all, const Real* normal, std::uint32_t fir
         first, last, [&]<class V, bool whole>(std::size_t at, int count) __attribute__((always_inline)) {
             V height{};
             for (unsigned k = 0; k < D; ++k)
-                height = height +
-                         (load<V>(all.place + k * all.apart + at) + load<V>(all.move + k * all.apart + at)) * normal[k];
+                height = height + (load<V>(all.place + k * all.stride + at) + load<V>(all.move + k * all.stride + at)) *
+                                      normal[k];
             for (int k = 0; k < count; ++k) found = least(found, lane_of(height, k));
         });
     return found;

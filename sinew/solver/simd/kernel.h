@@ -54,7 +54,7 @@ struct LinkBatch {
 template <int D, class Real> struct DistanceColumns {
     const Real* place;
     Real* move;
-    std::size_t apart; ///< stride between components
+    std::size_t stride; ///< numbers between the columns of two components
     const Real* mobility;
     const Real *low, *high;
     const Real* compliance;               ///< for batches with compliant links
@@ -83,7 +83,7 @@ template <int D, class Real> struct Anchor {
 /// Motion of particles independently of each other, in a substep.
 template <int D, class Real> struct Motion {
     Real *place, *move, *residual;
-    std::size_t apart; ///< stride between components
+    std::size_t stride; ///< numbers between the columns of two components
     const Real* mobility;
     const Anchor<D, Real>* anchors = nullptr;
     std::uint32_t anchor_count = 0;
@@ -97,7 +97,7 @@ template <int D, class Real> struct Motion {
 template <int D, class Real> struct Transposition {
     Real* rows; ///< D numbers each
     Real* columns;
-    std::size_t apart;           ///< stride between components
+    std::size_t stride;          ///< numbers between the columns of two components
     const std::uint32_t* row_of; ///< by slot
     std::uint32_t slot_of_last;  ///< slot of the last row, whose load must not pass the end
     Real by = 1;                 ///< factor applied to every number
@@ -108,7 +108,7 @@ template <int D, class Real> struct Transposition {
 template <int D, class Real> struct BodyColumns {
     const Real* place;
     Real* move;
-    std::size_t apart; ///< stride between components
+    std::size_t stride; ///< numbers between the columns of two components
     const Real* mobility;
     const std::uint32_t* slots; ///< null: `count` slots from `first` on
     std::uint32_t first, count;

@@ -67,12 +67,14 @@ template <int D, class V> class LaneSwing {
 
     /// Lanes whose energy is right, with `after_` and the sum of mass times displacement known. Work that links do
     /// because lengths are not exact, now or at the start, is no error of this iteration: `slip` h^2 J, the sum of
-    /// multipliers times changes of squared lengths. `inner`: energies of which rounding is a part.
-    Mask conserves(const Pair& carried, const V& slip, const V& inner) {
+    /// multipliers times changes of squared lengths. `inner`: energies of which rounding is a part. `may_lose`: lanes
+    /// in which a link has tightened, which takes energy.
+    Mask conserves(const Pair& carried, const V& slip, const V& inner, const Mask& may_lose = Mask{}) {
         due_ = before_ + dot(push(), carried);
         const V most_gain = inner * number(rounding) + of(lanes_.weight_reach) * number(tiny);
         const V gain = after_ - due_, unexplained = gain + slip / (h_ * h_);
-        return both(size_of(gain) <= most_gain, size_of(unexplained) <= most_gain * number(share_of_rounding));
+        return both(both(gain <= most_gain, may_lose | (-gain <= most_gain)),
+                    size_of(unexplained) <= most_gain * number(share_of_rounding));
     }
     void report(const Mask& good, const V& alien, const V& lost) {
         store(lanes_.good.lane, good ? number(1) : V{});

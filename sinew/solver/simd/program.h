@@ -2,32 +2,31 @@
 
 #include "sinew/solver/simd/kernel.h"
 #include "sinew/solver/simd/lane_spin.h"
-#include "sinew/solver/simd/lane_swing.h"
+#include "sinew/solver/simd/program_equations.h"
 
 /// Kernel of small sparse blocks: a substep by the midpoint rule, as direct/newton.h has it, for blocks of one program
 /// side by side in lanes.
 namespace sinew {
 namespace {
 
-template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
+template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
+    using Equations = ProgramEquations<D, V>;
     using Base = LaneSwing<D, V>;
-    using Base::active_at_start_, Base::far2_, Base::moved2_, Base::before_, Base::after_, Base::due_, Base::jolt_;
+    using Base::active_at_start_, Base::moved2_, Base::before_, Base::after_, Base::due_, Base::jolt_;
     using Base::number, Base::of, Base::at, Base::h_, Base::keep_, Base::half_h2_, Base::least_pull_, Base::beyond_;
     using Base::usual_error, Base::exact, Base::hardly, Base::crude, Base::most_iterations;
+    using Equations::assemble, Equations::eliminate, Equations::substitute_back, Equations::take_step;
+    using Equations::pack_, Equations::program_, Equations::nodes_, Equations::links_, Equations::planes_;
+    using Equations::relative;
     using typename Base::Mask;
     using typename Base::Pair;
 
   public:
     using Node = ProgramNode<D, V>;
-    using Link = ProgramLink<D, V>;
-    using Plane = ProgramPlane<D, V>;
     using Limit = ProgramLimit<V>;
-    using Entry = ProgramEntry<D, V>;
 
     explicit ProgramSwing(ProgramPack<D>& pack)
-        : Base(pack), pack_(pack), program_(pack.program), nodes_(reinterpret_cast<Node*>(pack.nodes)),
-          links_(reinterpret_cast<Link*>(pack.links)), planes_(reinterpret_cast<Plane*>(pack.planes)),
-          limits_(reinterpret_cast<const Limit*>(pack.limits)), entries_(reinterpret_cast<Entry*>(pack.entries)) {}
+        : Equations(pack), limits_(reinterpret_cast<const Limit*>(pack.limits)) {}
 
     void run() {
         Mask active = of(pack_.active) > V{};
@@ -49,21 +48,12 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
     }
 
   private:
-    using Matrix = Square<D, V>;
-    static constexpr double relative = 0.5e4;   ///< penalty of a link, over total mass / length^2
-    static constexpr double small_angle = 1e-2; ///< error of a plane that counts as this fraction of a length's
-    static constexpr double overshoot = 2e-3;   ///< beyond a limit, from which a joint bounces at once
+    static constexpr double overshoot = 2e-3; ///< beyond a limit, from which a joint bounces at once
     /// Last move of a node of a free block, relative to the total length. The next would be rounding: no decision may
     /// depend on how fast the whole flies.
     static constexpr double precise = 1e-9;
 
-    ProgramPack<D>& pack_;
-    const BlockProgram& program_;
-    Node* nodes_;
-    Link* links_;
-    Plane* planes_;
     const Limit* limits_;
-    Entry* entries_;
     Pair momentum_{};
 
     // --- a substep's start
@@ -91,27 +81,17 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
         const V unit = half_h2_ * of(pack_.yield), hardest = of(pack_.total) * number(relative);
         for (std::uint32_t j = 0; j < program_.links; ++j) {
             auto& link = links_[j];
-            span_of<&Node::start>(program_.link[j]).to(link.begun);
-            span_of<&Node::place>(program_.link[j]).to(link.span);
+            this->template span_of<&Node::start>(program_.link[j]).to(link.begun);
+            this->template span_of<&Node::place>(program_.link[j]).to(link.span);
             link.pull = link.tension * unit;
             link.stiffness = hardest * link.per_length2;
         }
         if constexpr (D == 3)
             for (std::uint32_t j = 0; j < program_.planes; ++j) {
                 auto& plane = planes_[j];
-                plane.begun = volume_of<&Node::start>(program_.plane[j].nodes) * plane.per_unit;
+                plane.begun = this->template volume_of<&Node::start>(program_.plane[j].nodes) * plane.per_unit;
                 plane.pull = plane.tension * unit;
             }
-    }
-
-    template <auto where, class Row> Pair span_of(const Row& row) const {
-        return at(nodes_[row.b].*where) - at(nodes_[row.a].*where);
-    }
-    /// Volume of a tetrahedron, as constraint/volume.h has it.
-    template <auto where> V volume_of(const std::uint32_t (&corners)[4]) const requires(D == 3) {
-        const Pair a = at(nodes_[corners[0]].*where);
-        const auto edge = [&](int k) { return at(nodes_[corners[k]].*where) - a; };
-        return dot(edge(1), cross(edge(2), edge(3))) * number(1.0 / 6);
     }
 
     /// Lanes in a state that the midpoint rule does not start from: slack links, limits reached, or at a fresh start
@@ -143,12 +123,12 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
             beyond = most(most(limit.low - value, value - limit.high) * limit.per_unit, beyond);
         };
         for (std::uint32_t j = 0; j < program_.ranges; ++j) {
-            const Pair span = span_of<where>(program_.range[j]);
+            const Pair span = this->template span_of<where>(program_.range[j]);
             look(limits_[j], dot(span, span));
         }
         if constexpr (D == 3)
             for (std::uint32_t j = 0; j < program_.folds; ++j)
-                look(limits_[program_.ranges + j], volume_of<where>(program_.fold[j].nodes));
+                look(limits_[program_.ranges + j], this->template volume_of<where>(program_.fold[j].nodes));
         return beyond;
     }
 
@@ -171,155 +151,6 @@ template <int D, class V> class ProgramSwing : LaneSwing<D, V> {
     Mask is_steady() const {
         const V near = of(pack_.reach) * number(pack_.is_free ? precise : hardly);
         return moved2_ <= near * near;
-    }
-
-    void assemble() {
-        for (std::uint32_t i = 0; i < program_.unknowns; ++i) {
-            auto& node = nodes_[i];
-            Matrix diagonal{};
-            diagonal.add_to_diagonal(node.mass);
-            diagonal.to(node.diagonal);
-            ((at(node.aim) - at(node.place)) * node.mass).to(node.residual);
-        }
-        for (std::uint32_t e = 0; e < program_.entries; ++e) {
-            Matrix{}.to(entries_[e].lower);
-            Matrix{}.to(entries_[e].upper);
-        }
-        for (std::uint32_t j = 0; j < program_.links; ++j) add(program_.link[j], links_[j]);
-        if constexpr (D == 3)
-            for (std::uint32_t j = 0; j < program_.planes; ++j) add(program_.plane[j], planes_[j]);
-    }
-    void add(const BlockProgram::Link& row, Link& link) {
-        const Pair e = at(link.span), along = (at(link.begun) + e) * number(0.5);
-        link.next = link.pull + link.stiffness * (dot(e, e) - link.length2) * number(0.5);
-        Matrix stiffness = outer(along * link.stiffness, e);
-        stiffness.add_to_diagonal(most(link.pull, V{}) * number(0.5));
-        const Pair force = along * link.next;
-        if (row.a < program_.unknowns) push(row.a, stiffness, force);
-        if (row.b < program_.unknowns) push(row.b, stiffness, Pair{} - force);
-        if (row.entry == BlockProgram::none) return;
-        stiffness.take_from(entries_[row.entry].lower);
-        stiffness.take_from(entries_[row.entry].upper);
-    }
-    void push(std::uint32_t i, const Matrix& stiffness, const Pair& force) {
-        stiffness.add_to(nodes_[i].diagonal);
-        (at(nodes_[i].residual) + force).to(nodes_[i].residual);
-    }
-
-    /// A plane, along the mean gradient over the substep, exact since a volume is linear in each edge
-    /// (direct/angle_rows.h).
-    void add(const BlockProgram::Plane& row, Plane& plane) requires(D == 3) {
-        Pair begun[4], edge[4], along[4], gradient[4];
-        for (int k = 1; k < 4; ++k) {
-            begun[k] = at(nodes_[row.nodes[k]].start) - at(nodes_[row.nodes[0]].start);
-            edge[k] = at(nodes_[row.nodes[k]].place) - at(nodes_[row.nodes[0]].place);
-        }
-        const auto mean = [&](int i, int j) {
-            return (cross(begun[i] * number(2) + edge[i], begun[j]) + cross(edge[i] * number(2) + begun[i], edge[j])) *
-                   (plane.per_unit * number(1.0 / 36));
-        };
-        const auto now = [&](int i, int j) { return cross(edge[i], edge[j]) * (plane.per_unit * number(1.0 / 6)); };
-        along[1] = mean(2, 3), along[2] = mean(3, 1), along[3] = mean(1, 2);
-        along[0] = Pair{} - (along[1] + along[2] + along[3]);
-        gradient[1] = now(2, 3), gradient[2] = now(3, 1), gradient[3] = now(1, 2);
-        gradient[0] = Pair{} - (gradient[1] + gradient[2] + gradient[3]);
-        V steepest2{};
-        for (int k = 0; k < 4; ++k) {
-            gradient[k].to(plane.gradient[k]);
-            steepest2 = most(dot(gradient[k], gradient[k]), steepest2);
-        }
-        plane.volume = dot(edge[1], gradient[1]);
-        plane.stiffness = of(pack_.total) * number(relative) / steepest2;
-        plane.next = plane.pull + plane.stiffness * plane.volume;
-        for (int i = 0, pair = 0; i < 4; ++i) {
-            const Pair stiff = along[i] * plane.stiffness;
-            push(row.nodes[i], outer(stiff, gradient[i]), Pair{} - along[i] * plane.next);
-            for (int j = i + 1; j < 4; ++j, ++pair) {
-                auto& entry = entries_[row.entries[pair]];
-                outer(along[j] * plane.stiffness, gradient[i]).add_to(entry.lower);
-                outer(stiff, gradient[j]).add_to(entry.upper);
-            }
-        }
-    }
-
-    /// LU by D x D blocks, as in direct/matrices.h.
-    void eliminate() {
-        const std::uint32_t* pair = program_.pairs;
-        for (std::uint32_t i = 0; i < program_.unknowns; ++i) {
-            auto& node = nodes_[i];
-            V determinant;
-            const Matrix adjoint = adjugate(Matrix::of(node.diagonal), determinant);
-            const Matrix inverse = adjoint * (number(1) / determinant);
-            inverse.to(node.diagonal);
-            const Pair y = inverse * at(node.residual);
-            y.to(node.move);
-            const auto end = program_.first_entry[i + 1];
-            for (auto e = program_.first_entry[i]; e < end; ++e) {
-                const Matrix lower = Matrix::of(entries_[e].lower), right = inverse * Matrix::of(entries_[e].upper);
-                auto& other = nodes_[program_.entry_node[e]];
-                (lower * right).take_from(other.diagonal);
-                (at(other.residual) - lower * y).to(other.residual);
-                if (e + 1 == end) continue;
-                const Matrix down = lower * inverse;
-                for (auto g = e + 1; g < end; ++g) {
-                    auto& filled = entries_[*pair++];
-                    (Matrix::of(entries_[g].lower) * right).take_from(filled.lower);
-                    (down * Matrix::of(entries_[g].upper)).take_from(filled.upper);
-                }
-            }
-        }
-    }
-    void substitute_back() {
-        moved2_ = V{};
-        for (auto i = program_.unknowns; i-- > 0;) {
-            auto& node = nodes_[i];
-            Pair pulled{};
-            for (auto e = program_.first_entry[i]; e < program_.first_entry[i + 1]; ++e)
-                pulled = pulled + Matrix::of(entries_[e].upper) * at(nodes_[program_.entry_node[e]].move);
-            const Pair move = at(node.move) - Matrix::of(node.diagonal) * pulled;
-            move.to(node.move);
-            moved2_ = most(dot(move, move), moved2_);
-        }
-    }
-
-    /// Newton step of the active lanes, within the trust region. Returns the worst error of a row, relative.
-    V take_step(const Mask& active) {
-        far2_ = V{};
-        for (std::uint32_t j = 0; j < program_.links; ++j) {
-            auto& link = links_[j];
-            const Pair change = span_of<&Node::move>(program_.link[j]);
-            far2_ = most(dot(change, change) * link.per_length2, far2_);
-            link.next = link.next + link.stiffness * dot(at(link.span), change);
-        }
-        const V share = Base::trusted_share();
-        for (std::uint32_t i = 0; i < program_.unknowns; ++i)
-            Base::move(nodes_[i].place, at(nodes_[i].move) * share, active);
-        V worst{};
-        least_pull_ = number(1);
-        for (std::uint32_t j = 0; j < program_.links; ++j) {
-            auto& link = links_[j];
-            const Pair span = span_of<&Node::place>(program_.link[j]);
-            span.to(link.span);
-            link.pull = active ? link.pull + (link.next - link.pull) * share : link.pull;
-            if (program_.link[j].pulls_only) least_pull_ = least(link.pull, least_pull_);
-            worst = most(size_of(dot(span, span) - link.length2) * link.per_length2 * number(0.5), worst);
-        }
-        if constexpr (D == 3) worst = most(step_planes(active, share) * number(small_angle), worst);
-        return worst;
-    }
-    V step_planes(const Mask& active, const V& share) requires(D == 3) {
-        V worst{};
-        for (std::uint32_t j = 0; j < program_.planes; ++j) {
-            auto& plane = planes_[j];
-            const auto& corners = program_.plane[j].nodes;
-            V change{};
-            for (int k = 0; k < 4; ++k) change = change + dot(at(plane.gradient[k]), at(nodes_[corners[k]].move));
-            const V next = plane.next + plane.stiffness * change;
-            plane.pull = active ? plane.pull + (next - plane.pull) * share : plane.pull;
-            plane.volume = volume_of<&Node::place>(corners) * plane.per_unit;
-            worst = most(size_of(plane.volume), worst);
-        }
-        return worst;
     }
 
     // --- a substep's end

@@ -22,12 +22,12 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     const LinkBatch& run;
     const Real *place_a, *place_b, *low, *high;
     Real *move_a, *move_b;
-    std::size_t apart;
+    std::size_t stride;
 
     RigidLinks(const DistanceColumns<D, Real>& from, DistancePass<Real>& in, const LinkBatch& of)
         : columns(from), pass(in), run(of), place_a(from.place + of.a), place_b(from.place + of.b),
           low(from.quarter_per_square + of.parameters), high(from.high + of.parameters), move_a(from.move + of.a),
-          move_b(from.move + of.b), apart(from.apart) {}
+          move_b(from.move + of.b), stride(from.stride) {}
 
     /// Solves a batch with common limits, or with limits for each link.
     [[gnu::always_inline]] void solve_uniform() const {
@@ -115,7 +115,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         Link link;
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
-            const std::size_t at = k * apart + i;
+            const std::size_t at = k * stride + i;
             link.a[k] = load<V>(move_a + at);
             link.b[k] = load<V>(move_b + at);
             link.d[k] = load<V>(place_b + at) - load<V>(place_a + at);
@@ -129,7 +129,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         const Shares shares = shares_of(i, half);
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
-            const std::size_t at = k * apart + i;
+            const std::size_t at = k * stride + i;
             const V& along = rules.old_gradient ? link.d[k] : link.e[k];
             const V first = along * shares.a, second = rules.equal_mass ? first : along * shares.b;
             put<all>(move_a + at, link.a[k] - first, count);
@@ -166,7 +166,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         }
         Real* const to = columns.multiplier + run.row + i * run.row_step;
         if (run.row_step == 1) return put<all>(to, lambda, count);
-        put_apart<all>(to, lambda, count, run.row_step);
+        store_strided<all>(to, lambda, count, run.row_step);
     }
 
     [[gnu::always_inline]] Wanted uniformly_wanted() const {

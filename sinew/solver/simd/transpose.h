@@ -83,13 +83,13 @@ template <bool changes, class V, class Real>
 template <int D, class Real, bool changes>
 [[gnu::always_inline]] inline void to_columns_as(const Transposition<D, Real>& turning, std::uint32_t first,
                                                  std::uint32_t last) {
-    const auto [rows, columns, apart, row_of, slot_of_last, by, most] = turning;
+    const auto [rows, columns, stride, row_of, slot_of_last, by, most] = turning;
     constexpr std::uint32_t width = turned_at_once<D, Real>;
     const auto change = [ by, most ]<class V>(const V& x) __attribute__((always_inline)) {
         return into_column<changes>(x, by, most);
     };
     const auto one = [&](std::uint32_t slot) __attribute__((always_inline)) {
-        for (unsigned k = 0; k < D; ++k) columns[k * apart + slot] = change(rows[std::size_t(row_of[slot]) * D + k]);
+        for (unsigned k = 0; k < D; ++k) columns[k * stride + slot] = change(rows[std::size_t(row_of[slot]) * D + k]);
     };
     std::uint32_t slot = first;
     if constexpr (width > 1) {
@@ -104,8 +104,8 @@ template <int D, class Real, bool changes>
             V d = four_from<V>(rows, at + 3);
             turn(a, b, c, d);
             store(columns + slot, change(a));
-            store(columns + apart + slot, change(b));
-            store(columns + 2 * apart + slot, change(c));
+            store(columns + stride + slot, change(b));
+            store(columns + 2 * stride + slot, change(c));
         }
     }
     for (; slot < last; ++slot) one(slot);
@@ -120,14 +120,14 @@ void to_columns(const Transposition<D, Real>& turning, std::uint32_t first, std:
 
 template <int D, class Real>
 void to_rows(const Transposition<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
-    const auto [rows, columns, apart, row_of, slot_of_last, by, most] = turning;
+    const auto [rows, columns, stride, row_of, slot_of_last, by, most] = turning;
     constexpr std::uint32_t width = turned_at_once<D, Real>;
     std::uint32_t slot = first;
     if constexpr (width > 1) {
         using V = Pack<Real, width>;
         for (; slot + width <= last; slot += width) {
-            V a = load<V>(columns + slot) * by, b = load<V>(columns + apart + slot) * by;
-            V c = load<V>(columns + 2 * apart + slot) * by, d{};
+            V a = load<V>(columns + slot) * by, b = load<V>(columns + stride + slot) * by;
+            V c = load<V>(columns + 2 * stride + slot) * by, d{};
             turn(a, b, c, d);
             const auto* const at = row_of + slot;
             put_three(rows, at, a);
@@ -137,7 +137,7 @@ void to_rows(const Transposition<D, Real>& turning, std::uint32_t first, std::ui
         }
     }
     for (; slot < last; ++slot)
-        for (unsigned k = 0; k < D; ++k) rows[std::size_t(row_of[slot]) * D + k] = columns[k * apart + slot] * by;
+        for (unsigned k = 0; k < D; ++k) rows[std::size_t(row_of[slot]) * D + k] = columns[k * stride + slot] * by;
 }
 
 } // namespace

@@ -80,7 +80,7 @@ template <int D, class Real> class ClassicWalls {
     /// its sign.
     void hit(const HalfSpace<D, Real>& plane, Row row) {
         const auto& position = p_.position[row];
-        const Real depth = plane.offset + p_.radius[row] - dot(plane.normal, position);
+        const Real depth = plane.depth_of(position, p_.radius[row]);
         if (depth <= grain(plane, row)) return;
         const auto velocity = position - p_.previous[row];
         p_.position[row] = clamp_components(position + plane.normal * depth, limit::coordinate<Real>);

@@ -20,7 +20,7 @@ Transposition<D, Real> turning(const SweepState<D, Real>& sweep_state, std::vect
     static_assert(sizeof rows[0] == D * sizeof(Real));
     Transposition<D, Real> all{};
     all.rows = rows.data()->component.data();
-    all.columns = columns, all.apart = sweep_state.apart();
+    all.columns = columns, all.stride = sweep_state.stride();
     all.row_of = sweep_state.row_of.data(), all.slot_of_last = sweep_state.slot_of.back();
     return all;
 }

@@ -60,7 +60,7 @@ template <int D, class Real> class MomentumKeeper {
         const Row first = first_of(body);
         return {.place = state_.place[0],
                 .move = state_.move[0],
-                .apart = state_.apart(),
+                .stride = state_.stride(),
                 .mobility = state_.mobility,
                 .slots = body.scattered ? state_.bodies.slots.data() + body.first : nullptr,
                 .first = body.first,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/pin_spring.h"
 #include "sinew/solver/substep_mover.h"
 
 #include <algorithm>
@@ -47,10 +48,7 @@ template <int D, class Real> class PinProjector {
             const Real w = swept_.mobility[slot];
             if (pin.hard() || w == Real(0) || is_held_exactly(solver_, slot)) continue;
             const Real alpha = mover_.alpha(pin.compliance);
-            // critical damping for stiffness 1/c and mass 1/w is 2 / sqrt(c w); gamma = damper * compliance / h
-            const Real gamma = minimum(Real(2) * pin.damping * square_root(pin.compliance) *
-                                           square_root(inverse_or_zero(w)) * mover_.per_h,
-                                       limit::measure<Real>);
+            const Real gamma = pin_gamma(pin, w, mover_.per_h);
             const auto goal = pin.target_at(share_);
             const auto error = mover_.point_at(slot) - goal;
             const auto last_goal = pin.target_at(from_);

@@ -23,7 +23,7 @@ void for_each_projection(const World<D, Real>& world, const Plan<Real>& plan, Su
     if (world.repair_window)
         visit(wavefront_offset(world, component),
               [&](std::uint32_t tile) { substep.repair_overstretch(component, tile); });
-    visit(wavefront_offset(world, component), [&](std::uint32_t tile) { substep.tighten(component, tile); });
+    visit(wavefront_offset(world, component), [&](std::uint32_t tile) { substep.repair_spans(component, tile); });
 }
 
 } // namespace sinew::detail

@@ -22,7 +22,7 @@ template <int D, class Real> class Substep {
         motion_.place = swept_.place[0];
         motion_.move = swept_.move[0];
         motion_.residual = swept_.residual[0];
-        motion_.apart = swept_.apart();
+        motion_.stride = swept_.stride();
         motion_.mobility = swept_.mobility;
         motion_.most = mover_.furthest;
         motion_.furthest = limit::coordinate<Real>;
@@ -95,12 +95,12 @@ template <int D, class Real> class Substep {
     /// A row between two pins is supported by nearly horizontal tethers, which act only while the row is taut;
     /// without extra passes along the row it sags on the rows below, buckles and never comes to rest. Links within
     /// the row (colours of reach 0) touch no other tile.
-    void tighten(const Component& component, std::uint32_t number) {
+    void repair_spans(const Component& component, std::uint32_t number) {
         const auto& tile = swept_.plan.tiles[component.first_tile + number];
-        if (tile.tightened == 0) return;
+        if (tile.span_repairs == 0) return;
         constexpr std::uint32_t times = 6; // each costs a hanging cloth of 64 x 64 about 2 %
-        for (std::uint32_t i = 0; i < times * tile.tightened; ++i) {
-            if (i % tile.tightened == 0) tether(tile);
+        for (std::uint32_t i = 0; i < times * tile.span_repairs; ++i) {
+            if (i % tile.span_repairs == 0) tether(tile);
             for (std::uint32_t color = 0; color < component.colors; ++color)
                 if (swept_.plan.colors[component.first_color + color].reach == 0)
                     project(component, color, number, true);

@@ -93,8 +93,8 @@ template <int D, class Real> class WavefrontSweep {
     /// more, there is less to share.
     static constexpr std::uint32_t at_once = 16;
     int turns_of(const Component& component, int iterations) const {
-        const auto lag = std::uint32_t(iterations) * wavefront_offset(world_, component);
-        return int((component.tiles + lag + at_once - 1) / at_once);
+        const auto total_offset = std::uint32_t(iterations) * wavefront_offset(world_, component);
+        return int((component.tiles + total_offset + at_once - 1) / at_once);
     }
 
     /// Runs one turn of iteration `number` of the range. The first iteration gathers and predicts; later substeps are
@@ -102,8 +102,8 @@ template <int D, class Real> class WavefrontSweep {
     void run_turn(const Component& component, int turn, int number, const Range& range) {
         const int iterations = world_.settings.iterations, iteration = number % iterations;
         const int substep_number = range.first + number / iterations;
-        const auto lag = wavefront_offset(world_, component);
-        const auto begun = std::uint32_t(number) * lag, ended = begun + lag;
+        const auto iteration_offset = wavefront_offset(world_, component);
+        const auto begun = std::uint32_t(number) * iteration_offset, ended = begun + iteration_offset;
         const auto first = std::max(begun, std::uint32_t(turn) * at_once);
         const auto last = std::min(ended + component.tiles, std::uint32_t(turn + 1) * at_once);
         if (first >= last) return;

@@ -3,7 +3,7 @@
 #include "sinew/picture/draw.h"
 
 #include "player/action_log.h"
-#include "player/between.h"
+#include "player/interpolator.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -42,12 +42,12 @@ class Timeline {
     void draw(Picture& picture, OverlaySet overlay, const View& view, double share, const std::string& theme = "");
 
     /// Carries out an action now. Recorded actions after now are dropped.
-    void act(Action deed);
+    void act(Action action);
 
     /// Carries out an undoable action. Undo of a scene edit (Become) restores the scene alone; undo of any
     /// other edit, such as a cut, restores the state before the edit and drops all later actions. `goes_on` merges an
     /// edit with the preceding one of the same name, as while a slider is dragged.
-    void edit(Action deed, std::string name, bool goes_on = false);
+    void edit(Action action, std::string name, bool goes_on = false);
     /// Moves the end of the last edit to now: redo leads here.
     void finish_edit();
     /// Drops the last edit, which changed nothing.
@@ -68,14 +68,14 @@ class Timeline {
     };
     struct Done {
         std::uint64_t step = 0;
-        Action deed;
+        Action action;
     };
     struct Edit {
         std::string name;
         Action back, again;
     };
 
-    void apply(const Action& deed);
+    void apply(const Action& action);
     Return return_here() const;
     void arrive();
     void mark();

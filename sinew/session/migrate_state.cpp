@@ -1,4 +1,4 @@
-#include "sinew/session/transplant.h"
+#include "sinew/session/migrate_state.h"
 
 #include "sinew/assert/assert.h"
 #include "sinew/world/edit.h"

@@ -71,6 +71,6 @@ ParticleId id_at(const AnyWorld& world, Row row);
 /// Current rows of particles; the largest Row for a missing particle.
 std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> particles);
 
-void carry_out(const Action& deed, Session& session);
+void carry_out(const Action& action, Session& session);
 
 } // namespace sinew::play

@@ -1,4 +1,4 @@
-#include "player/eye.h"
+#include "player/camera_controller.h"
 
 #include "sinew/math/trig.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "player/deed.h"
+#include "player/action.h"
 
 namespace sinew::play {
 

@@ -1,4 +1,4 @@
-#include "player/tape.h"
+#include "player/timeline.h"
 
 #include "sinew/picture/draw.h"
 
@@ -32,18 +32,18 @@ std::uint64_t steps_in(double seconds, const Session& session) {
 }
 
 /// A new position replaces an earlier one at the same step.
-template <class Moved, class Dones> bool replace_last(Dones& done, std::uint64_t step, Action& deed) {
-    if (!std::holds_alternative<Moved>(deed) || done.empty()) return false;
+template <class Moved, class Dones> bool replace_last(Dones& done, std::uint64_t step, Action& action) {
+    if (!std::holds_alternative<Moved>(action) || done.empty()) return false;
     auto& last = done.back();
-    if (last.step != step || !std::holds_alternative<Moved>(last.deed)) return false;
-    last.deed = std::move(deed);
+    if (last.step != step || !std::holds_alternative<Moved>(last.action)) return false;
+    last.action = std::move(action);
     return true;
 }
 
 /// True if the state jumps, so that positions before and after must not be interpolated.
-bool leaps(const Action& deed) {
-    return std::holds_alternative<Become>(deed) || std::holds_alternative<Return>(deed) ||
-           std::holds_alternative<Restart>(deed);
+bool leaps(const Action& action) {
+    return std::holds_alternative<Become>(action) || std::holds_alternative<Return>(action) ||
+           std::holds_alternative<Restart>(action);
 }
 
 } // namespace
@@ -70,10 +70,10 @@ void Timeline::step() {
     arrive();
 }
 
-void Timeline::apply(const Action& deed) {
-    carry_out(deed, session_);
-    log_.note(deed, session_);
-    if (leaps(deed)) between_.forget();
+void Timeline::apply(const Action& action) {
+    carry_out(action, session_);
+    log_.note(action, session_);
+    if (leaps(action)) between_.forget();
 }
 
 Return Timeline::return_here() const {
@@ -83,7 +83,7 @@ Return Timeline::return_here() const {
 void Timeline::arrive() {
     const auto here = std::lower_bound(done_.begin(), done_.end(), now_,
                                        [](const Done& done, std::uint64_t step) { return done.step < step; });
-    for (auto done = here; done != done_.end() && done->step == now_; ++done) apply(done->deed);
+    for (auto done = here; done != done_.end() && done->step == now_; ++done) apply(done->action);
 }
 
 void Timeline::go_to(std::uint64_t step) {
@@ -110,11 +110,11 @@ void Timeline::draw(Picture& picture, OverlaySet overlay, const View& view, doub
     session_.set_theme(own);
 }
 
-void Timeline::act(Action deed) {
+void Timeline::act(Action action) {
     forget_the_future();
-    apply(deed);
-    if (!replace_last<Drag>(done_, now_, deed) && !replace_last<PointAt>(done_, now_, deed))
-        done_.push_back({now_, std::move(deed)});
+    apply(action);
+    if (!replace_last<Drag>(done_, now_, action) && !replace_last<PointAt>(done_, now_, action))
+        done_.push_back({now_, std::move(action)});
 }
 
 void Timeline::forget_the_future() {
@@ -137,22 +137,22 @@ void Timeline::mark() {
     marks_ = std::move(every_second);
 }
 
-void Timeline::edit(Action deed, std::string name, bool goes_on) {
+void Timeline::edit(Action action, std::string name, bool goes_on) {
     if (goes_on && undone_ == 0 && !edits_.empty() && edits_.back().name == name) {
         auto& last = edits_.back();
-        last.again = deed;
-        act(std::move(deed));
+        last.again = action;
+        act(std::move(action));
         if (!std::holds_alternative<Become>(last.again)) finish_edit();
         return;
     }
     while (undone_ > 0) edits_.pop_back(), --undone_;
     ++edits_made_;
-    Edit edit{std::move(name), Return{}, deed};
-    if (std::holds_alternative<Become>(deed))
+    Edit edit{std::move(name), Return{}, action};
+    if (std::holds_alternative<Become>(action))
         edit.back = Become{std::make_shared<const Scene>(session_.scene())};
     else
         edit.back = return_here();
-    act(std::move(deed));
+    act(std::move(action));
     if (!std::holds_alternative<Become>(edit.again)) edit.again = return_here();
     edits_.push_back(std::move(edit));
     if (edits_.size() > most_edits) edits_.pop_front();
