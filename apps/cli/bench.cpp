@@ -13,19 +13,21 @@ namespace {
 class BenchCommand final : public Command {
     Manual manual() const override {
         static const std::string details = case_details() + "\n" + quality_details() + "\n" + weights_details() + "\n" +
-                                           budget_details() + "\n" + rope_details();
+                                           budget_details() + "\n" + rope_details() + "\n" + contact_details();
         return {
             .name = "bench",
             .usage = "[CASE...] [--threads N] [--precision P] [--steps N] [--json | --markdown]\n"
                      "sinew bench quality [CASE] [--plot FILE] [--json]\n"
                      "sinew bench weights [--plot FILE] [--json]\n"
                      "sinew bench budget [--threads N] [--precision P] [--json]\n"
-                     "sinew bench rope [CASE] [--links N] [--weight W] [--start hang|level] [--threads N] [--json]",
+                     "sinew bench rope [CASE] [--links N] [--weight W] [--start hang|level] [--threads N] [--json]\n"
+                     "sinew bench contact [CASE...] [--threads N] [--substeps N] [--seconds S] [--json]",
             .about = "measures how well and how fast the engine is",
             .details = details,
             .examples = "sinew bench\n"
                         "sinew bench cloth-256 ragdolls-1000 --threads 2 --json\n"
-                        "sinew bench rope --links 100 --weight 100000 --start level --json\n",
+                        "sinew bench rope --links 100 --weight 100000 --start level --json\n"
+                        "sinew bench contact pile-1000 stack-10\n",
         };
     }
 
@@ -43,7 +45,8 @@ class BenchCommand final : public Command {
                        "of rope: mass on the end, in links; else 1, 100, 1000 and 100000");
         declare_text(parser, "--start", options.start, "S", "of rope: hang or level; else both");
         declare_number(parser, "-s,--seconds", options.seconds, {0.1, 1e6}, "S",
-                       "of rope: how long, simulated; else 5");
+                       "of rope and contact: how long, simulated; else 5 and 10");
+        declare_number(parser, "--substeps", options.substeps, {1, 1e4}, "N", "of contact: substeps a step; else 16");
         declare_text(parser, "--plot", options.plot, "FILE", "of quality and weights: an SVG file to draw into");
         declare_flag(parser, "--json", options.as_json, "one line of JSON a case");
         declare_flag(parser, "--markdown", options.as_markdown, "tables as Markdown has them");
@@ -59,7 +62,9 @@ class BenchCommand final : public Command {
         if (first == "rope" && plain.size() <= 2) {
             if (plain.size() == 2) options.only = plain[1];
             bench_ropes(options);
-        } else if (first == "weights" && plain.size() == 1)
+        } else if (first == "contact")
+            bench_contacts(options, contact_cases(plain));
+        else if (first == "weights" && plain.size() == 1)
             bench_weights(options);
         else if (first == "budget" && plain.size() == 1)
             bench_budget(options);
@@ -75,6 +80,18 @@ class BenchCommand final : public Command {
         for (const auto& word : names) {
             auto found = bench::find_case(word);
             if (!found) usage_error(fmt::format("bench: there is no case {}", word), "sinew bench --help");
+            chosen.push_back(std::move(*found));
+        }
+        return chosen;
+    }
+
+    static std::vector<bench::ContactCase> contact_cases(const std::vector<std::string>& names) {
+        if (names.size() == 1) return bench::all_contact_cases();
+        std::vector<bench::ContactCase> chosen;
+        for (std::size_t i = 1; i < names.size(); ++i) {
+            auto found = bench::find_contact_case(names[i]);
+            if (!found)
+                usage_error(fmt::format("bench: there is no case of contact {}", names[i]), "sinew bench --help");
             chosen.push_back(std::move(*found));
         }
         return chosen;

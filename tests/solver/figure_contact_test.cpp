@@ -1,5 +1,7 @@
+#include "sinew/solver/simd/kernel.h"
 #include "sinew/world/colliders.h"
 
+#include "bench/contact.h"
 #include "tests/crates.h"
 #include "tests/worlds.h"
 
@@ -389,6 +391,22 @@ TYPED_TEST(Figures2, CopiesHaveTheSameFuture) {
         step(copy, Real(1.0 / 60));
         ASSERT_EQ(state_hash(copy), state_hash(world)) << i;
     }
+}
+
+// Ragdolls that fall on each other, enough for several threads and strips.
+TEST(Pile, HashesTheSameOnAnyThreadsAndLanes) {
+    const auto work = bench::find_contact_case("pile-280")->family->build(280);
+    const auto hash_with = [&](int threads, Simd simd) {
+        FlatWorld<float> world = bench::contact_world(work, 8);
+        world.solver.options.threads = threads;
+        world.solver.options.simd = simd;
+        for (int i = 0; i < 75; ++i) step(world, 1.0F / 60);
+        EXPECT_GT(world.contacts.kept.size(), 100U);
+        return state_hash(world);
+    };
+    const auto expected = hash_with(1, best_simd());
+    EXPECT_EQ(hash_with(2, Simd::sse2), expected);
+    EXPECT_EQ(hash_with(4, Simd::avx2), expected);
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-/// Features of colliding figures, and the pairs of them that may touch.
+/// Features of colliding figures.
 namespace sinew {
 namespace {
 
@@ -28,11 +28,13 @@ template <int D, class Real> class FeatureFinder {
         room_.particles.clear();
         room_.segments.clear();
         room_.by_rows.assign(state.size(), 0);
-        room_.in_segment.assign(world_.particles.size(), 0);
         if (room_.is_stale) detail::ClothFeatures<D, Real>(world_, state, room_.cloth).find();
         for (FigureIndex i = 0; i < world_.figures.size(); ++i)
             if (world_.figures[i].in_use() && world_.figures[i].collides) add_segments(i);
         list_particles();
+        number_segments();
+        if (room_.is_stale) room_.list.is_valid = false;
+        divide();
         room_.projector.find(world_, solver_, room_.by_rows, room_.is_exact);
         for (const Row slot : room_.cloth.slots) room_.is_exact[slot] = 0;
         const auto is_exact = [&](Row slot) { return slot < state.size() && is_held_exactly(solver_, slot); };
@@ -47,20 +49,96 @@ template <int D, class Real> class FeatureFinder {
     World<D, Real>& world_;
     Solver<D, Real>& solver_;
     ContactRoom<D, Real>& room_;
+    static constexpr std::uint32_t none = ~std::uint32_t(0);
 
     /// Walls hold cloth as they hold everything swept; rows hold the rest. Cloth alone has no pairs with others.
     void list_particles() {
         const auto& state = solver_.sweep_state;
         bool any_other = false;
+        room_.number_of.assign(world_.particles.size(), none);
         for (Row row = 0; row < world_.particles.size(); ++row) {
             const auto figure = world_.particles.figure[row];
             if (figure >= world_.figures.size() || !world_.figures[figure].collides) continue;
             if (state.slot_of[row] >= state.size()) continue;
-            room_.particles.push_back(row);
+            room_.number_of[row] = std::uint32_t(room_.particles.size());
+            room_.particles.push_back({.row = row,
+                                       .slot = state.slot_of[row],
+                                       .figure = figure,
+                                       .radius = world_.particles.radius[row],
+                                       .cover = room_.cover_of(row),
+                                       .friction = Real(world_.figures[figure].friction)});
             room_.by_rows[state.slot_of[row]] = !room_.is_of_cloth(row);
             any_other = any_other || !room_.is_of_cloth(row);
         }
         if (!any_other) room_.particles.clear();
+    }
+    /// Segments by their ends among the particles; those of particles that take no part are dropped.
+    void number_segments() {
+        const auto number = [&](Row row) { return room_.particles.empty() ? none : room_.number_of[row]; };
+        SINEW_ASSERT(std::all_of(room_.segments.begin(), room_.segments.end(),
+                                 [&](const auto& s) { return (number(s.a) == none) == (number(s.b) == none); }),
+                     "a segment takes part with both ends");
+        std::erase_if(room_.segments, [&](const auto& s) { return number(s.a) == none || number(s.b) == none; });
+        auto& first = room_.first_segment_at;
+        first.assign(room_.particles.size() + 2, 0);
+        for (auto& segment : room_.segments) {
+            segment.number_a = number(segment.a), segment.number_b = number(segment.b);
+            room_.particles[segment.number_a].in_segment = room_.particles[segment.number_b].in_segment = true;
+            ++first[segment.number_a + 2];
+        }
+        for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
+        room_.segments_at.resize(room_.segments.size());
+        for (std::uint32_t i = 0; i < room_.segments.size(); ++i)
+            room_.segments_at[first[room_.segments[i].number_a + 1]++] = i;
+    }
+
+    /// Strips of equal numbers of particles, by the places at the start of the step. A figure with segments is in one
+    /// strip.
+    void divide() {
+        using Parts = detail::ContactParts<D, Real>;
+        auto& across = room_.parts.across;
+        across.clear();
+        const auto count = room_.particles.size();
+        auto& first_of = room_.parts.first_of_figure;
+        first_of.assign(world_.figures.size(), none);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            auto& lead = first_of[room_.particles[i].figure];
+            if (lead == none) lead = i;
+            across.push_back(
+                world_.particles.position[room_.particles[room_.particles[i].in_segment ? lead : i].row][0]);
+        }
+        auto& sorted = room_.parts.sorted;
+        std::array<Real, Parts::strips> ends;
+        const std::uint32_t strips = count < Parts::worth_it ? 1 : Parts::strips;
+        sorted.assign(across.begin(), across.end());
+        for (std::uint32_t k = 1; k < strips; ++k) {
+            const auto at = sorted.begin() + std::ptrdiff_t(count * k / strips);
+            std::nth_element(sorted.begin() + std::ptrdiff_t(count * (k - 1) / strips), at, sorted.end());
+            ends[k - 1] = *at;
+        }
+        bool is_same = room_.list.strip.size() == count;
+        room_.list.strip.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto strip =
+                std::uint32_t(std::upper_bound(ends.begin(), ends.begin() + (strips - 1), across[i]) - ends.begin());
+            is_same = is_same && room_.list.strip[i] == strip;
+            room_.particles[i].strip = room_.list.strip[i] = strip;
+        }
+        if (!is_same) room_.list.is_valid = false;
+        share_out_walls();
+    }
+    void share_out_walls() {
+        for (auto& part : room_.parts.list) part.particles.clear(), part.segments.clear();
+        for (std::uint32_t i = 0; i < room_.particles.size(); ++i)
+            if (!room_.is_of_cloth(room_.particles[i].row))
+                room_.parts.list[room_.particles[i].strip].particles.push_back(i);
+        if (world_.colliders.empty()) return;
+        for (std::uint32_t i = 0; i < room_.segments.size(); ++i) {
+            const auto a = room_.particles[room_.segments[i].number_a].strip,
+                       b = room_.particles[room_.segments[i].number_b].strip;
+            room_.parts.list[detail::ContactParts<D, Real>::part_of(std::min(a, b), std::max(a, b))].segments.push_back(
+                i);
+        }
     }
 
     Row row_at(const Piece& piece, std::size_t i) const {
@@ -88,7 +166,6 @@ template <int D, class Real> class FeatureFinder {
             if (!is_swept(a) || !is_swept(b) || a == b || is_known(a, b, first_of_figure)) continue;
             if (room_.is_of_cloth(a) && room_.is_of_cloth(b)) continue;
             room_.segments.push_back({.a = a, .b = b, .figure = figure, .side = side});
-            room_.in_segment[a] = room_.in_segment[b] = 1;
         }
         const auto count = std::uint32_t(room_.segments.size()) - first;
         for (auto i = first; i < room_.segments.size(); ++i)
@@ -126,109 +203,6 @@ template <int D, class Real> class FeatureFinder {
     }
 };
 
-/// Lists pairs of features by the boxes that they sweep in the rest of a step.
-template <int D, class Real> class CandidateFinder {
-  public:
-    CandidateFinder(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h)
-        : world_(world), solver_(solver), p_(world.particles), state_(solver.sweep_state), room_(contact_room(solver)),
-          left_(left), h_(h) {}
-
-    /// A list holds while nothing deviates by more than the margin from its expected motion: a blow hands on speed.
-    bool holds() {
-        room_.listed_at += h_;
-        if (room_.expected.size() != room_.particles.size() || room_.margin == Real(0)) return false;
-        for (std::size_t i = 0; i < room_.particles.size(); ++i) {
-            const Row slot = state_.slot_of[room_.particles[i]];
-            const auto off = state_.place_at(slot) - room_.expected[i] - room_.velocity[i] * room_.listed_at;
-            if (!(dot(off, off) <= square(room_.margin))) return false;
-        }
-        return true;
-    }
-
-    void run() {
-        note_motion();
-        make_boxes();
-        room_.candidates.clear();
-        const auto& pairs =
-            room_.broadphase.find(room_.boxes, [&](std::uint32_t i, std::uint32_t k) { return may_touch(i, k); });
-        for (const auto& pair : pairs) room_.candidates.push_back({pair.first, pair.second});
-    }
-
-  private:
-    World<D, Real>& world_;
-    Solver<D, Real>& solver_;
-    Particles<D, Real>& p_;
-    SweepState<D, Real>& state_;
-    ContactRoom<D, Real>& room_;
-    Real left_, h_; ///< rest of the step, and a substep
-
-    void note_motion() {
-        room_.expected.clear();
-        room_.velocity.clear();
-        room_.listed_at = 0;
-        Real widest = 0;
-        for (const Row row : room_.particles) {
-            const Row slot = state_.slot_of[row];
-            room_.expected.push_back(state_.place_at(slot));
-            room_.velocity.push_back(state_.move_at(slot) * (Real(1) / h_));
-            widest = maximum(widest, p_.radius[row]);
-        }
-        const Real fall = norm(state_.gravity) * square(left_);
-        room_.margin = maximum(Real(0.5) * widest, fall) + Real(1e-4) * widest + std::numeric_limits<Real>::min();
-    }
-    void make_boxes() {
-        room_.boxes.clear();
-        const auto count = room_.particles.size();
-        std::size_t i = 0;
-        for (const Row row : room_.particles) {
-            collide::BoundingBox<D, Real> box;
-            box.include(room_.expected[i]);
-            box.include(room_.expected[i] + room_.velocity[i] * left_);
-            const Real radius = maximum(p_.radius[row], room_.cover_of(row));
-            room_.boxes.push_back(box.grown(radius + Real(2) * room_.margin));
-            ++i;
-        }
-        for (const auto& segment : room_.segments) {
-            auto box = room_.boxes[number(segment.a, count)];
-            const auto& other = room_.boxes[number(segment.b, count)];
-            box.include(other.low);
-            box.include(other.high);
-            room_.boxes.push_back(box);
-        }
-    }
-    /// Number of a particle in the list, which is in the order of rows.
-    std::size_t number(Row row, std::size_t count) const {
-        const auto end = room_.particles.begin() + std::ptrdiff_t(count);
-        return std::size_t(std::lower_bound(room_.particles.begin(), end, row) - room_.particles.begin());
-    }
-
-    bool may_touch(std::uint32_t first, std::uint32_t second) const {
-        const auto count = room_.particles.size();
-        if (first >= count) return D == 3 && may_touch(room_.segments[first - count], room_.segments[second - count]);
-        const Row row = room_.particles[first];
-        if (second >= count) return may_touch(row, room_.segments[second - count]);
-        const Row other = room_.particles[second];
-        return !room_.in_segment[row] && !room_.in_segment[other] && meets(row, other) && !are_linked(row, other);
-    }
-    bool may_touch(Row row, const ContactSegment& segment) const {
-        return row != segment.a && row != segment.b && meets(row, segment.a) && !are_linked(row, segment.a) &&
-               !are_linked(row, segment.b);
-    }
-    bool may_touch(const ContactSegment& s, const ContactSegment& t) const {
-        return meets(s.a, t.a) && s.a != t.a && s.a != t.b && s.b != t.a && s.b != t.b && !are_linked(s.a, t.a) &&
-               !are_linked(s.a, t.b) && !are_linked(s.b, t.a) && !are_linked(s.b, t.b);
-    }
-    bool meets(Row a, Row b) const {
-        if (room_.is_of_cloth(a) && room_.is_of_cloth(b)) return false; // cloth_contact.h
-        if (p_.figure[a] == p_.figure[b]) return world_.figures[p_.figure[a]].touches_itself;
-        return touch(detail::filter_of(world_, a), detail::filter_of(world_, b));
-    }
-    bool are_linked(Row a, Row b) const {
-        const std::array<Row, 2> pair = {std::min(a, b), std::max(a, b)};
-        return std::binary_search(room_.links.begin(), room_.links.end(), pair);
-    }
-};
-
 } // namespace
 
 template <int D, class Real> void find_contact_features(World<D, Real>& world, Solver<D, Real>& solver) {
@@ -237,20 +211,11 @@ template <int D, class Real> void find_contact_features(World<D, Real>& world, S
     if (!any && !solver.contacts) return;
     auto& room = contact_room(solver);
     room.is_active = any;
-    room.margin = 0;
     if (!any) return world.contacts.kept.clear();
     FeatureFinder(world, solver).run();
 }
 
-template <int D, class Real>
-void find_contact_candidates(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h) {
-    CandidateFinder finder(world, solver, left, h);
-    if (!finder.holds()) finder.run();
-}
-
-#define SINEW_CONTACT_FEATURES(D, Real)                                                                                \
-    template void find_contact_features(World<D, Real>&, Solver<D, Real>&);                                            \
-    template void find_contact_candidates(World<D, Real>&, Solver<D, Real>&, Real, Real);
+#define SINEW_CONTACT_FEATURES(D, Real) template void find_contact_features(World<D, Real>&, Solver<D, Real>&);
 SINEW_INSTANTIATE(SINEW_CONTACT_FEATURES)
 
 } // namespace sinew

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "sinew/collide/broadphase.h"
 #include "sinew/solver/contact/cloth_room.h"
+#include "sinew/solver/contact/contact_list.h"
+#include "sinew/solver/contact/contact_parts.h"
 #include "sinew/solver/contact/contact_row.h"
 #include "sinew/solver/contact/joint_rows.h"
 #include "sinew/solver/contact/link_projector.h"
@@ -11,25 +12,25 @@ namespace sinew {
 
 /// Contacts of colliding figures during a step: everything that follows from the rest of the world.
 template <int D, class Real> struct ContactRoom {
-    bool is_active = false;     ///< some figure collides
-    bool is_stale = true;       ///< constraints or figures have changed since the last step
-    std::vector<Row> particles; ///< rows of the particles of colliding figures
+    bool is_active = false; ///< some figure collides
+    bool is_stale = true;   ///< constraints or figures have changed since the last step
+
+    // Features.
+    std::vector<ContactParticle<Real>> particles; ///< of colliding figures, in the order of rows
     std::vector<ContactSegment> segments;
+    std::vector<std::uint32_t> number_of;                     ///< per row: index in `particles`
+    std::vector<std::uint32_t> first_segment_at, segments_at; ///< per particle: segments that begin there
     std::vector<char> by_rows;          ///< per slot of the sweep: held by rows of contact, not plane by plane
-    std::vector<char> in_segment;       ///< per particle
     std::vector<char> is_exact;         ///< per slot of the sweep: links at the particle are exact, or there are none
     std::vector<char> exact_components; ///< per component of the plan: the sweep has no distances there
     std::vector<std::array<Row, 2>> links; ///< pairs of linked particles, in order
 
-    collide::Broadphase<D, Real> broadphase;
-    std::vector<collide::BoundingBox<D, Real>> boxes;
-    std::vector<ContactCandidate> candidates;
-    std::vector<Vec<D, Real>> expected, velocity; ///< per particle of `particles`: place and motion when listed
-    Real listed_at = 0;                           ///< time since the list was made
-    Real margin = 0;                              ///< deviation for which the list is valid, metres
+    detail::ContactList<D, Real> list;                   ///< pairs of features that may touch
+    std::vector<ContactMultiplier<D, Real>> multipliers; ///< per candidate of the list
+    std::vector<KeptContact<D, Real>> kept_at_walls;     ///< in the order of their keys
+    std::vector<KeptContact<D, Real>> written;           ///< copy of what the world keeps, after the last step
+    detail::ContactParts<D, Real> parts;
 
-    std::vector<ContactRow<D, Real>> rows;
-    std::vector<KeptContact<D, Real>> spare;
     detail::LinkProjector<D, Real> projector;
     detail::JointRows<D, Real> joints;
     detail::ClothRoom<D, Real> cloth;
@@ -43,6 +44,22 @@ template <int D, class Real> struct ContactRoom {
 template <int D, class Real> ContactRoom<D, Real>& contact_room(Solver<D, Real>& solver) {
     if (!solver.contacts) solver.contacts = std::make_shared<ContactRoom<D, Real>>();
     return *solver.contacts;
+}
+
+/// Part in which a pair of features is solved.
+template <int D, class Real> std::uint32_t part_of(const ContactRoom<D, Real>& room, const ContactCandidate& pair) {
+    std::uint32_t low = ~std::uint32_t(0), high = 0;
+    const auto include = [&](std::uint32_t particle) {
+        const auto strip = room.particles[particle].strip;
+        low = std::min(low, strip), high = std::max(high, strip);
+    };
+    const auto count = room.particles.size();
+    for (const auto feature : {pair.first, pair.second})
+        if (feature < count)
+            include(feature);
+        else
+            include(room.segments[feature - count].number_a), include(room.segments[feature - count].number_b);
+    return detail::ContactParts<D, Real>::part_of(low, high);
 }
 
 /// True if figures touch each other in this step.
@@ -65,9 +82,9 @@ template <int D, class Real> bool is_held_exactly(const Solver<D, Real>& solver,
 
 /// contact_features.cpp: lists the features of the colliding figures, before a sweep.
 template <int D, class Real> void find_contact_features(World<D, Real>& world, Solver<D, Real>& solver);
-/// contact_features.cpp: lists the pairs of features that may touch, where the last list no longer holds; `left` is the
-/// rest of the step, `h` a substep.
+/// contact_candidates.cpp: lists the pairs of features that may touch, where the last list no longer holds; `left` is
+/// the rest of the step, `h` a substep. True if the list is new.
 template <int D, class Real>
-void find_contact_candidates(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h);
+bool find_contact_candidates(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h);
 
 } // namespace sinew

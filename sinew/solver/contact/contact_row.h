@@ -9,27 +9,44 @@ namespace sinew {
 ///     gap + sum of weight_i dot(normal, displacement_i) - dot(normal, surface_move)  >=  0
 template <int D, class Real> struct ContactRow {
     using Vector = Vec<D, Real>;
-    ContactKey key{};
     std::array<Row, 4> slot{};    ///< slots of the sweep
     std::array<Real, 4> weight{}; ///< shares of the contact point, positive on the normal's side
     int members = 0;
-    std::uint32_t collider = ~std::uint32_t(0); ///< index of a collider, if there is one
+    bool keeps = true; ///< the multiplier outlasts the substep
     Vector normal{};
     Vector surface_move{}; ///< displacement of a wall in the substep
     Real gap = 0;          ///< at the start of the substep, metres; negative for an overlap
     Real mass = 0;         ///< 1 / sum of weight^2 inverse mass
-    Real friction = 0, restitution = 0;
-    Real multiplier = 0; ///< h newton seconds, >= 0
-    Vector tangent{};    ///< multiplier of friction
-    Real approach = 0;   ///< approach in a substep before the contact acts, metres
-    Real most = 0;       ///< largest multiplier in this substep
-    bool keeps = true;   ///< the multiplier outlasts the substep
+    Real friction = 0;
+    Real multiplier = 0;                        ///< h newton seconds, >= 0
+    Vector tangent{};                           ///< multiplier of friction
+    Real most = 0;                              ///< largest multiplier in this substep
+    std::uint32_t source = 0;                   ///< index of the candidate, or of the key of a wall
+    std::uint32_t collider = ~std::uint32_t(0); ///< index of a collider, if there is one
+    Real restitution = 0;
+    Real approach = 0; ///< approach in a substep before the contact acts, metres
 };
 
-/// Pair of features that may touch in a step. Particles are numbered first, then segments.
+/// Pair of features that may touch in a step. Particles are numbered first, then segments; first > second.
 struct ContactCandidate {
     std::uint32_t first = 0, second = 0;
     friend constexpr auto operator<=>(const ContactCandidate&, const ContactCandidate&) = default;
+};
+
+/// Multipliers of a candidate or a wall, from substep to substep.
+template <int D, class Real> struct ContactMultiplier {
+    Real normal = 0;
+    Vec<D, Real> tangent{};
+};
+
+/// Particle of a colliding figure.
+template <class Real> struct ContactParticle {
+    Row row = 0, slot = 0; ///< slot of the sweep
+    FigureIndex figure = no_figure;
+    bool in_segment = false;
+    Real radius = 0, cover = 0; ///< cover: of cloth against everything
+    Real friction = 0;
+    std::uint32_t strip = 0; ///< part of the world (contact_parts.h)
 };
 
 /// Link of a figure as a capsule.
@@ -37,7 +54,20 @@ struct ContactSegment {
     Row a = 0, b = 0;
     FigureIndex figure = no_figure;
     int side = 0; ///< 2D: 1 or -1 where the figure is solid to the right or to the left of a-b; 0: solid nowhere
-    std::uint32_t first = 0, count = 0; ///< segments around the same solid
+    std::uint32_t first = 0, count = 0;       ///< segments around the same solid
+    std::uint32_t number_a = 0, number_b = 0; ///< of the ends, among the particles
+};
+
+/// Number of parts (contact_parts.h).
+inline constexpr std::uint32_t contact_parts = 16;
+
+/// Rows and candidates that one thread looks after. Parts of a phase share no particle.
+template <int D, class Real> struct ContactPart {
+    std::uint32_t first = 0, last = 0;              ///< range of candidates
+    std::vector<std::uint32_t> particles, segments; ///< numbers of those whose walls it looks after
+    std::vector<ContactRow<D, Real>> rows;          ///< of the candidates, then of walls
+    std::size_t first_wall = 0;                     ///< index of the first row of a wall
+    std::vector<ContactKey> wall_keys;
 };
 
 } // namespace sinew

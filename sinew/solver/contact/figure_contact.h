@@ -1,8 +1,8 @@
 #pragma once
 
+#include "sinew/solver/contact/kept_contacts.h"
 #include "sinew/solver/contact/pin_rows.h"
 #include "sinew/solver/contact/row_builder.h"
-#include "sinew/world/asleep.h"
 
 /// Contacts of colliding figures in a substep of the sweep: soft rows on displacements, whose multipliers are kept from
 /// substep to substep (Catto 2011; small steps: Macklin et al. 2019); after each pass over the rows the links of the
@@ -12,26 +12,31 @@ namespace sinew::detail {
 template <int D, class Real> class FigureContact {
   public:
     using Vector = Vec<D, Real>;
+    using RowT = ContactRow<D, Real>;
+    using Part = ContactPart<D, Real>;
+    using Soft = Softness<Real>;
 
     /// `number`: substep, counted from 1.
     FigureContact(World<D, Real>& world, Solver<D, Real>& solver, Real h, int number, int substeps)
         : world_(world), solver_(solver), state_(solver.sweep_state), is_active_(has_figure_contacts(solver)), h_(h),
           from_(Real(number - 1) / Real(substeps)), to_(Real(number) / Real(substeps)),
-          left_(h * Real(substeps - number + 1)), drag_changes_(number <= 2) {}
+          left_(h * Real(substeps - number + 1)), is_first_(number == 1), is_last_(number == substeps),
+          drag_changes_(number <= 2), threads_(threads_for(state_.size(), solver.options.threads)) {}
 
     /// After the prediction: rows, and the impulses of the last substep.
     void begin() {
         if (!is_active_) return;
         const Real scale = scale_kept();
-        find_contact_candidates(world_, solver_, left_, h_);
-        RowBuilder<D, Real>(world_, solver_, h_, from_, to_).run();
+        list_candidates();
+        room().parts.run_all(threads_,
+                             [&](Part& part) { RowBuilder<D, Real>(world_, solver_, part, h_, from_, to_).run(); });
         room().projector.begin(state_, drag_changes_);
-        for (auto& row : room().rows) {
+        each_row([&](RowT& row) {
             if (!row.keeps) row.multiplier = 0, row.tangent = {};
             push(row, row.normal * row.multiplier + row.tangent);
-        }
+        });
         room().joints.begin(world_, state_, scale);
-        room().projector.project_velocities(state_);
+        room().projector.project_velocities(state_, threads_);
     }
 
     /// After the sweep.
@@ -39,56 +44,87 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         PinRows<D, Real>(world_, solver_, h_, from_, to_).solve();
         room().joints.solve(state_, Soft::contact());
-        for (auto& row : room().rows) solve(row, row.keeps ? Soft::contact() : Soft::hard());
-        room().projector.project_velocities(state_);
+        each_row([&](RowT& row) { solve(row, row.keeps ? Soft::contact() : Soft::hard()); });
+        room().projector.project_velocities(state_, threads_);
         hold_at_walls();
-        room().projector.project_lengths(state_);
-        for (auto& row : room().rows) row.gap += change(row);
+        room().projector.project_lengths(state_, threads_);
+        each_row([&](RowT& row) { row.gap += change(row); });
         room().joints.advance(state_);
     }
 
     /// After the particles have moved: velocities without the push out of overlaps, then rebounds.
     void relax() {
         if (!is_active_) return;
-        room().projector.restore_energy(state_);
+        room().projector.restore_energy(state_, threads_);
         room().joints.solve(state_, Soft::none());
-        for (auto& row : room().rows) solve(row, Soft::none());
-        room().projector.project_velocities(state_);
+        each_row([&](RowT& row) { solve(row, Soft::none()); });
+        room().projector.project_velocities(state_, threads_);
         bool any = false;
-        for (auto& row : room().rows) any = rebound(row) || any;
-        if (any) room().projector.project_velocities(state_);
+        for (auto& part : room().parts.list)
+            for (auto i = part.first_wall; i < part.rows.size(); ++i) any = rebound(part.rows[i]) || any;
+        if (any) room().projector.project_velocities(state_, threads_);
         keep();
     }
 
   private:
-    using ContactRowT = ContactRow<D, Real>;
-    using Soft = Softness<Real>;
-
     World<D, Real>& world_;
     Solver<D, Real>& solver_;
     SweepState<D, Real>& state_;
     bool is_active_;
     Real h_, from_, to_, left_; ///< substep; shares of the step at its ends; rest of the step
-    bool drag_changes_;
+    Real furthest_ = furthest_move(h_);
+    bool is_first_, is_last_, drag_changes_;
+    int threads_;
 
-    auto& room() { return contact_room(solver_); }
+    auto& room() { return *solver_.contacts; }
 
-    void push(const ContactRowT& row, const Vector& impulse) {
+    template <class Work> void each_row(const Work& work) {
+        room().parts.run(threads_, [&](Part& part) {
+            for (auto& row : part.rows) work(row);
+        });
+    }
+
+    void list_candidates() {
+        if (is_first_) set_margin();
+        const bool is_new = find_contact_candidates(world_, solver_, left_, h_);
+        KeptContacts<D, Real> kept(world_, solver_);
+        if (is_first_)
+            kept.take_from_world(is_new);
+        else if (is_new)
+            kept.take_from_last_list();
+    }
+    /// Margin of the list: small ones list few pairs in vain, and large ones are listed seldom.
+    void set_margin() {
+        constexpr Real share_of_radius = Real(0.25);
+        auto& list = room().list;
+        Real widest = 0;
+        for (const auto& particle : room().particles)
+            widest = maximum(widest, maximum(particle.radius, particle.cover));
+        const Real gravity = norm(state_.gravity);
+        const Real margin =
+            maximum(share_of_radius * widest, gravity * square(left_)) + std::numeric_limits<Real>::min();
+        const Real near_by = gravity * square(h_) * Real(4);
+        list.is_valid = list.is_valid && list.margin == margin && list.near_by == near_by && list.widest == widest;
+        list.margin = margin, list.near_by = near_by, list.widest = widest;
+    }
+
+    void push(const RowT& row, const Vector& impulse) {
         for (int i = 0; i < row.members; ++i) {
             const auto slot = row.slot[std::size_t(i)];
             const Real share = row.weight[std::size_t(i)] * state_.mobility[slot];
-            state_.set_move(slot, clamp_components(state_.move_at(slot) + impulse * share, furthest_move(h_)));
+            if (share == Real(0)) continue; // another part may read an immovable particle
+            state_.set_move(slot, clamp_components(state_.move_at(slot) + impulse * share, furthest_));
         }
     }
-    Vector relative_move(const ContactRowT& row) const {
+    Vector relative_move(const RowT& row) const {
         Vector sum = -row.surface_move;
         for (int i = 0; i < row.members; ++i)
             sum += state_.move_at(row.slot[std::size_t(i)]) * row.weight[std::size_t(i)];
         return sum;
     }
-    Real change(const ContactRowT& row) const { return dot(row.normal, relative_move(row)); }
+    Real change(const RowT& row) const { return dot(row.normal, relative_move(row)); }
 
-    void solve(ContactRowT& row, const Soft& soft) {
+    void solve(RowT& row, const Soft& soft) {
         const auto moved = relative_move(row);
         const Real along = dot(row.normal, moved);
         const Real next =
@@ -109,12 +145,14 @@ template <int D, class Real> class FigureContact {
         constexpr int rounds = 3;
         for (int i = 0; i < rounds; ++i) {
             bool any = false;
-            for (auto& row : room().rows)
-                if (row.members == 1 && room().is_exact[row.slot[0]]) any = hold_at_wall(row) || any;
+            for (auto& part : room().parts.list)
+                for (auto k = part.first_wall; k < part.rows.size(); ++k)
+                    if (auto& row = part.rows[k]; row.members == 1 && room().is_exact[row.slot[0]])
+                        any = hold_at_wall(row) || any;
             if (!any) return;
         }
     }
-    bool hold_at_wall(ContactRowT& row) {
+    bool hold_at_wall(RowT& row) {
         const Row slot = row.slot[0];
         const Real deep = Real(0.5) * world_.particles.radius[state_.row_of[slot]], beyond = -row.gap - deep;
         const Real missing = (beyond > Real(0) ? Soft::contact().rate * beyond : beyond) - change(row);
@@ -129,7 +167,7 @@ template <int D, class Real> class FigureContact {
     }
 
     /// A blow faster than resting contact leaves with its share of the approach.
-    bool rebound(ContactRowT& row) {
+    bool rebound(RowT& row) {
         const Real resting = Real(4) * square(h_) * norm(state_.gravity);
         if (row.restitution == Real(0) || row.most == Real(0) || row.approach <= resting) return false;
         const Real missing = row.restitution * row.approach - change(row);
@@ -151,19 +189,16 @@ template <int D, class Real> class FigureContact {
     }
 
     void keep() {
-        auto& contacts = world_.contacts;
-        std::erase_if(contacts.kept,
-                      [&](const auto& kept) { return !is_asleep(world_.particles, kept.key.particle[0]); });
-        for (const auto& row : room().rows) {
-            if (row.most > Real(0) && row.collider != ~std::uint32_t(0)) note(row);
-            if (row.keeps && row.multiplier > Real(0)) contacts.kept.push_back({row.key, row.multiplier, row.tangent});
-        }
-        const auto by_key = [](const auto& a, const auto& b) { return a.key < b.key; };
-        std::sort(contacts.kept.begin(), contacts.kept.end(), by_key);
+        KeptContacts<D, Real> kept(world_, solver_);
+        for (const auto& part : room().parts.list)
+            for (auto i = part.first_wall; i < part.rows.size(); ++i)
+                if (const auto& row = part.rows[i]; row.most > Real(0) && row.collider != ~std::uint32_t(0)) note(row);
+        kept.keep();
+        if (is_last_) kept.give_to_world();
         room().joints.store(world_);
         room().projector.links().store(world_);
     }
-    void note(const ContactRowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.most / h_); }
+    void note(const RowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.most / h_); }
 };
 
 } // namespace sinew::detail

@@ -3,6 +3,7 @@
 #include "sinew/math/matrix.h"
 #include "sinew/solver/contact/link_factor.h"
 #include "sinew/solver/contact/link_motion.h"
+#include "sinew/solver/workers.h"
 
 namespace sinew::detail {
 
@@ -19,6 +20,7 @@ template <int D, class Real> class LinkProjector {
   public:
     using Vector = Vec<D, double>;
     using Matrix = sinew::Matrix<D, double>;
+    using Component = LinkComponent;
 
     void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
               std::vector<char>& is_exact) {
@@ -38,24 +40,26 @@ template <int D, class Real> class LinkProjector {
         if (!is_current_ || mobilities_change) factorise(state);
     }
 
-    void project_velocities(SweepState<D, Real>& state) {
-        for (const auto& component : links_.components) project_velocities(state, component);
+    void project_velocities(SweepState<D, Real>& state, int threads) {
+        each_component(threads, [&](Component& component) { project_velocities(state, component); });
     }
 
     /// Right lengths at the end of the displacements.
-    void project_lengths(SweepState<D, Real>& state) {
-        for (auto& component : links_.components) {
+    void project_lengths(SweepState<D, Real>& state, int threads) {
+        each_component(threads, [&](Component& component) {
             note(state, component);
             project_lengths(state, component);
-        }
+        });
     }
 
     /// After the particles have moved: velocities that keep the lengths there, with no more energy than before the
     /// lengths were projected.
-    void restore_energy(SweepState<D, Real>& state) {
-        factorise(state);
+    void restore_energy(SweepState<D, Real>& state, int threads) {
         is_current_ = true;
-        for (const auto& component : links_.components) restore_energy(state, component);
+        each_component(threads, [&](Component& component) {
+            factorise(state, component);
+            restore_energy(state, component);
+        });
     }
 
     /// Displacement of a particle for an impulse on it, with the lengths held: a symmetric matrix, 1 / kg.
@@ -82,7 +86,6 @@ template <int D, class Real> class LinkProjector {
 
   private:
     using Link = RigidLink<D>;
-    using Component = LinkComponent;
     static constexpr auto none = RigidLinks<D, Real>::none;
 
     RigidLinks<D, Real> links_;
@@ -197,8 +200,8 @@ template <int D, class Real> class LinkProjector {
         each(component, [&](auto& link, double& right) {
             const auto push = link.along * (right * share);
             link.tension += right * share;
-            state.set_move(link.a, cast<Real>(move(state, link.a) + push * link.weight_a));
-            state.set_move(link.b, cast<Real>(move(state, link.b) - push * link.weight_b));
+            if (link.weight_a > 0) state.set_move(link.a, cast<Real>(move(state, link.a) + push * link.weight_a));
+            if (link.weight_b > 0) state.set_move(link.b, cast<Real>(move(state, link.b) - push * link.weight_b));
         });
     }
 
@@ -229,9 +232,22 @@ template <int D, class Real> class LinkProjector {
 
     // --- factorisation -----------------------------------------------------------------------------------------------
 
+    /// Components share no movable particle; one chunk of them a part of the work.
+    template <class Work> void each_component(int threads, const Work& work) {
+        constexpr int chunks = 32;
+        const auto count = links_.components.size();
+        Workers::run(threads, chunks, [&](int chunk) {
+            const auto last = count * std::size_t(chunk + 1) / chunks;
+            for (auto i = count * std::size_t(chunk) / chunks; i < last; ++i) work(links_.components[i]);
+        });
+    }
+
     void factorise(const SweepState<D, Real>& state) {
-        links_.measure(state, taut);
-        for (const auto& component : links_.components) factor_.factorise(links_.list, component);
+        for (const auto& component : links_.components) factorise(state, component);
+    }
+    void factorise(const SweepState<D, Real>& state, const Component& component) {
+        links_.measure(state, component, taut);
+        factor_.factorise(links_.list, component);
     }
 };
 

@@ -59,8 +59,9 @@ template <int D, class Real> struct RigidLinks {
 
     /// Edges, directions and inverse masses at the present places. A rope shorter than the share `taut` of its length
     /// lets go.
-    void measure(const SweepState<D, Real>& state, double taut) {
-        for (auto& link : list) {
+    void measure(const SweepState<D, Real>& state, const LinkComponent& component, double taut) {
+        for (auto k = component.first_link; k < component.last_link; ++k) {
+            auto& link = list[k];
             link.edge = cast<double>(state.place_at(link.b)) - cast<double>(state.place_at(link.a));
             link.along = direction(link.edge);
             if (link.is_rope && norm(link.edge) < taut * link.length) link.is_active = false;

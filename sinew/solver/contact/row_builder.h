@@ -3,8 +3,8 @@
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
 
-/// Rows of contact at the start of a substep: nearest points, normals and gaps of all listed pairs, and of particles
-/// with walls.
+/// Rows of contact of a part at the start of a substep: nearest points, normals and gaps of all listed pairs, and of
+/// particles with walls.
 namespace sinew::detail {
 
 template <int D, class Real> class RowBuilder {
@@ -12,26 +12,35 @@ template <int D, class Real> class RowBuilder {
     using Vector = Vec<D, Real>;
     using ContactRowT = ContactRow<D, Real>;
 
-    RowBuilder(World<D, Real>& world, Solver<D, Real>& solver, Real h, Real from_share, Real to_share)
-        : world_(world), p_(world.particles), state_(solver.sweep_state), room_(contact_room(solver)),
-          touches_(solver.touches), h_(h), from_(from_share), to_(to_share) {}
+    RowBuilder(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, Real>& part, Real h, Real from_share,
+               Real to_share)
+        : world_(world), p_(world.particles), state_(solver.sweep_state), room_(contact_room(solver)), part_(part),
+          touches_(solver.touches), h_(h), near_by_(room_.list.near_by), margin_(room_.list.margin), from_(from_share),
+          to_(to_share) {}
 
     void run() {
-        room_.rows.clear();
-        for (const auto& pair : room_.candidates) add(pair);
-        for (const Row row : room_.particles)
-            if (room_.by_rows[state_.slot_of[row]]) add_walls(row);
-        for (const auto& segment : room_.segments)
-            for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) add_collider_row(segment, i);
+        part_.rows.clear();
+        part_.wall_keys.clear();
+        for (auto i = part_.first; i < part_.last; ++i) {
+            source_ = i;
+            add(room_.list.candidates[i]);
+        }
+        part_.first_wall = part_.rows.size();
+        for (const auto number : part_.particles) add_walls(room_.particles[number].row);
+        for (const auto number : part_.segments)
+            for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) add_collider_row(room_.segments[number], i);
     }
 
   private:
+    using Particle = ContactParticle<Real>;
     World<D, Real>& world_;
     Particles<D, Real>& p_;
     SweepState<D, Real>& state_;
     ContactRoom<D, Real>& room_;
+    ContactPart<D, Real>& part_;
     const ColliderTouches<D, Real>& touches_;
-    Real h_, from_, to_;
+    Real h_, near_by_, margin_, from_, to_;
+    std::uint32_t source_ = 0; ///< the candidate
 
     Vector place(Row row) const { return state_.place_at(state_.slot_of[row]); }
     Vector move(Row row) const { return state_.move_at(state_.slot_of[row]); }
@@ -39,10 +48,14 @@ template <int D, class Real> class RowBuilder {
 
     void add(const ContactCandidate& pair) {
         const auto count = room_.particles.size();
-        if (pair.first >= count) return add(room_.segments[pair.first - count], room_.segments[pair.second - count]);
-        const Row row = room_.particles[pair.first];
-        if (pair.second >= count) return add(row, room_.segments[pair.second - count]);
-        add(row, room_.particles[pair.second]);
+        bool acts = false;
+        if (pair.first < count)
+            acts = add(room_.particles[pair.first], room_.particles[pair.second]);
+        else if (pair.second < count)
+            acts = add(room_.particles[pair.second], room_.segments[pair.first - count]);
+        else if constexpr (D == 3)
+            acts = add(room_.segments[pair.first - count], room_.segments[pair.second - count]);
+        if (!acts) room_.multipliers[source_] = {};
     }
 
     // --- figures with each other -------------------------------------------------------------------------------------
@@ -52,54 +65,55 @@ template <int D, class Real> class RowBuilder {
         return per > Real(0) ? away * per : otherwise;
     }
 
-    void add(Row a, Row b) {
-        const auto away = place(a) - place(b);
+    bool add(const Particle& a, const Particle& b) {
+        const auto away = state_.place_at(a.slot) - state_.place_at(b.slot);
         ContactRowT row;
-        row.key.particle = {id(a), ContactKey::none, id(b), ContactKey::none};
         row.normal = normal_of(away, Vector::axis(1));
-        const Real cover = maximum(room_.cover_of(a), room_.cover_of(b));
-        row.gap = minimum(norm(away) - p_.radius[a] - p_.radius[b], norm(away) - cover);
-        take(row, a, Real(1));
-        take(row, b, Real(-1));
-        finish(row, a, b);
+        const Real distance = norm(away), cover = maximum(a.cover, b.cover);
+        row.gap = minimum(distance - a.radius - b.radius, distance - cover);
+        take(row, a.slot, Real(1));
+        take(row, b.slot, Real(-1));
+        return finish(row, a, b);
     }
 
-    void add(Row p, const ContactSegment& s) {
-        const auto a = place(s.a), b = place(s.b), x = place(p);
+    bool add(const Particle& p, const ContactSegment& s) {
+        const auto &end_a = room_.particles[s.number_a], &end_b = room_.particles[s.number_b];
+        const auto a = state_.place_at(end_a.slot), b = state_.place_at(end_b.slot), x = state_.place_at(p.slot);
         const Real t = collide::nearest_parameter(a, b, x);
         const auto away = x - (a + (b - a) * t);
+        const Real radius = minimum(end_a.radius, end_b.radius);
         ContactRowT row;
-        row.key.particle = {id(p), ContactKey::none, id(s.a), id(s.b)};
-        row.normal = normal_of(away, side_of(a, b));
         Real distance = norm(away);
+        const Real per = inverse_or_zero(distance);
+        row.normal = per > Real(0) ? away * per : side_of(a, b);
         if (s.side != 0 && t > Real(0) && t < Real(1)) {
             row.normal = side_of(a, b) * Real(s.side);
             distance = dot(row.normal, away);
-            if (distance < Real(0) && !is_nearest_side(x, s, distance)) return;
+            if (distance < -Real(2) * room_.list.widest) return false;
+            if (distance < Real(0) && !is_nearest_side(x, s, distance)) return false;
         }
-        row.gap =
-            minimum(distance - p_.radius[p] - minimum(p_.radius[s.a], p_.radius[s.b]), distance - room_.cover_of(p));
-        take(row, p, Real(1));
-        if (t < Real(1)) take(row, s.a, t - Real(1));
-        if (t > Real(0)) take(row, s.b, -t);
-        finish(row, p, s.a);
+        row.gap = minimum(distance - p.radius - radius, distance - p.cover);
+        take(row, p.slot, Real(1));
+        if (t < Real(1)) take(row, end_a.slot, t - Real(1));
+        if (t > Real(0)) take(row, end_b.slot, -t);
+        return finish(row, p, end_a);
     }
 
-    void add(const ContactSegment& s, const ContactSegment& t) {
+    bool add(const ContactSegment& s, const ContactSegment& t) {
+        const auto &from = room_.particles[s.number_a], &other = room_.particles[t.number_a];
         const auto a = place(s.a), b = place(s.b), c = place(t.a), d = place(t.b);
         const auto at = collide::nearest_parameters(a, b, c, d);
         const bool inside = at.s > Real(0) && at.s < Real(1) && at.t > Real(0) && at.t < Real(1);
-        if (!inside) return; // rows of the ends
+        if (!inside) return false; // rows of the ends
         const auto away = a + (b - a) * at.s - (c + (d - c) * at.t);
         ContactRowT row;
-        row.key.particle = {id(s.a), id(s.b), id(t.a), id(t.b)};
         row.normal = normal_of(away, across(b - a, d - c));
         row.gap = norm(away) - minimum(p_.radius[s.a], p_.radius[s.b]) - minimum(p_.radius[t.a], p_.radius[t.b]);
-        take(row, s.a, Real(1) - at.s);
-        take(row, s.b, at.s);
-        take(row, t.a, at.t - Real(1));
-        take(row, t.b, -at.t);
-        finish(row, s.a, t.a);
+        take(row, from.slot, Real(1) - at.s);
+        take(row, room_.particles[s.number_b].slot, at.s);
+        take(row, other.slot, at.t - Real(1));
+        take(row, room_.particles[t.number_b].slot, -at.t);
+        return finish(row, from, other);
     }
 
     static Vector side_of(const Vector& a, const Vector& b) {
@@ -125,12 +139,13 @@ template <int D, class Real> class RowBuilder {
         return true;
     }
 
-    void finish(ContactRowT& row, Row first, Row second) {
-        row.friction = friction_between(first, second);
-        add(row);
-    }
-    Real friction_between(Row a, Row b) const {
-        return Real(minimum(world_.figures[p_.figure[a]].friction, world_.figures[p_.figure[b]].friction));
+    bool finish(ContactRowT& row, const Particle& first, const Particle& second) {
+        row.friction = minimum(first.friction, second.friction);
+        const auto& kept = room_.multipliers[source_];
+        row.multiplier = kept.normal, row.tangent = kept.tangent;
+        row.source = source_;
+        const Real slack = row.multiplier > Real(0) ? near_by_ + margin_ : near_by_;
+        return add(row, slack);
     }
 
     // --- walls -------------------------------------------------------------------------------------------------------
@@ -146,13 +161,13 @@ template <int D, class Real> class RowBuilder {
             const Real low = minimum(dot(plane.normal, from), dot(plane.normal, to)) - plane.offset - p_.radius[p];
             if (low > reach(p)) continue;
             ContactRowT row;
-            row.key.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none};
-            row.key.collider = plane_bit | i;
+            ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
+                           .collider = plane_bit | i};
             row.normal = plane.normal;
             row.gap = dot(plane.normal, from) - plane.offset - p_.radius[p];
             row.friction = plane.friction, row.restitution = plane.restitution;
-            take(row, p, Real(1));
-            add(row);
+            take(row, state_.slot_of[p], Real(1));
+            add(row, key);
         }
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) add_collider_rows(p, i, from, to);
     }
@@ -171,16 +186,16 @@ template <int D, class Real> class RowBuilder {
         moving.contacts(from, to, within, [&](const auto& contact) {
             const auto& surface = contact.surface;
             ContactRowT row;
-            row.key.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none};
-            row.key.collider = world_.collider_slots.slot_of(index);
-            row.key.feature = part_of(collider, surface.feature);
+            ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
+                           .collider = world_.collider_slots.slot_of(index),
+                           .feature = part_of(collider, surface.feature)};
             row.collider = index;
             row.normal = surface.normal;
             row.surface_move = contact.surface_move;
             row.gap = dot(surface.normal, from - surface.point + contact.surface_move) - radius;
             row.friction = collider.friction, row.restitution = collider.restitution;
-            take(row, p, Real(1));
-            add(row);
+            take(row, state_.slot_of[p], Real(1));
+            add(row, key);
         });
     }
     /// A link over an edge or a round shape touches it between its ends, which have rows of their own.
@@ -199,16 +214,16 @@ template <int D, class Real> class RowBuilder {
         const auto found = collide::nearest_to_segment(collider.shape, before, a, b, within);
         if (!found || !(found->t > Real(0)) || !(found->t < Real(1))) return;
         ContactRowT row;
-        row.key.particle = {id(s.a), id(s.b), ContactKey::none, ContactKey::none};
-        row.key.collider = world_.collider_slots.slot_of(index);
+        ContactKey key{.particle = {id(s.a), id(s.b), ContactKey::none, ContactKey::none},
+                       .collider = world_.collider_slots.slot_of(index)};
         row.collider = index;
         row.normal = found->surface.normal;
         row.surface_move = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
         row.gap = found->surface.distance - radius;
         row.friction = collider.friction, row.restitution = collider.restitution;
-        take(row, s.a, Real(1) - found->t);
-        take(row, s.b, found->t);
-        add(row);
+        take(row, state_.slot_of[s.a], Real(1) - found->t);
+        take(row, state_.slot_of[s.b], found->t);
+        add(row, key);
     }
 
     /// Lasting number of a contact: the part of a surface; a convex shape has one contact with a sphere.
@@ -223,40 +238,43 @@ template <int D, class Real> class RowBuilder {
             collider.shape);
     }
 
-    // --- all
-    // -----------------------------------------------------------------------------------------------------------
+    void add(ContactRowT& row, const ContactKey& key) {
+        if (const auto* kept = find_kept(key)) row.multiplier = kept->multiplier, row.tangent = kept->friction;
+        row.source = std::uint32_t(part_.wall_keys.size());
+        const bool acts = row.multiplier > Real(0);
+        if (add(row, acts ? std::numeric_limits<Real>::max() : norm(state_.gravity) * square(h_) * Real(4)))
+            part_.wall_keys.push_back(key);
+    }
+    const KeptContact<D, Real>* find_kept(const ContactKey& key) const {
+        const auto& kept = room_.kept_at_walls;
+        const auto found = std::lower_bound(kept.begin(), kept.end(), key,
+                                            [](const auto& contact, const ContactKey& k) { return contact.key < k; });
+        return found != kept.end() && found->key == key ? &*found : nullptr;
+    }
 
-    void take(ContactRowT& row, Row particle, Real weight) const {
-        row.slot[std::size_t(row.members)] = state_.slot_of[particle];
+    // --- all ---------------------------------------------------------------------------------------------------------
+
+    static void take(ContactRowT& row, Row slot, Real weight) {
+        row.slot[std::size_t(row.members)] = slot;
         row.weight[std::size_t(row.members++)] = weight;
     }
 
-    /// Adds a row that may touch within the substep.
-    void add(ContactRowT& row) {
+    /// Adds a row that may touch within the substep: gap <= 2 approach + slack. True if so.
+    bool add(ContactRowT& row, Real slack) {
         Real response = 0, approach = dot(row.normal, row.surface_move);
         for (int i = 0; i < row.members; ++i) {
             const auto slot = row.slot[std::size_t(i)];
             const Real weight = row.weight[std::size_t(i)];
             response += square(weight) * state_.mobility[slot];
             approach -= weight * dot(row.normal, state_.move_at(slot));
-            row.keeps = row.keeps && room_.is_exact[slot];
         }
-        if (response == Real(0)) return;
+        if (response == Real(0) || row.gap > Real(2) * absolute(approach) + slack) return false;
+        for (int i = 0; i < row.members; ++i) row.keeps = row.keeps && room_.is_exact[row.slot[std::size_t(i)]];
         row.mass = Real(1) / response;
         row.approach = approach;
-        const auto kept = find_kept(row.key);
-        if (kept) row.multiplier = kept->multiplier, row.tangent = kept->friction;
-        if (!(row.multiplier > Real(0)) && row.gap > Real(2) * absolute(approach) + near_by(row)) return;
         row.tangent -= row.normal * dot(row.normal, row.tangent);
-        room_.rows.push_back(row);
-    }
-    Real near_by(const ContactRowT&) const { return norm(state_.gravity) * square(h_) * Real(4); }
-
-    const KeptContact<D, Real>* find_kept(const ContactKey& key) const {
-        const auto& kept = world_.contacts.kept;
-        const auto found = std::lower_bound(kept.begin(), kept.end(), key,
-                                            [](const auto& contact, const ContactKey& k) { return contact.key < k; });
-        return found != kept.end() && found->key == key ? &*found : nullptr;
+        part_.rows.push_back(row);
+        return true;
     }
 };
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "sinew/solver/contact/contact_row.h"
+#include "sinew/solver/contact/feature_grid.h"
+
+#include <vector>
+
+namespace sinew::detail {
+
+/// Pairs of features that may touch, and the motion for which the list is valid: nothing deviates by more than a margin
+/// from its expected place. Every row that may act is then among the candidates, so results do not depend on when the
+/// list was made.
+template <int D, class Real> struct ContactList {
+    using Vector = Vec<D, Real>;
+    std::vector<ContactCandidate> candidates; ///< by parts, each in ascending order
+
+    bool is_valid = false;
+    Real margin = 0;                     ///< deviation for which the list is valid, metres
+    Real near_by = 0;                    ///< gap at which rows begin, apart from the approach, metres
+    Real h = 0, horizon = 0, age = 0;    ///< substep; duration of the expected motion, and since the list was made
+    Real widest = 0;                     ///< largest radius or cover
+    std::vector<Vector> place, velocity; ///< per particle, when listed
+    std::vector<Real> radius, cover;     ///< per particle, when listed
+    std::vector<std::uint32_t> strip;    ///< per particle, when listed
+
+    // Scratch of the search.
+    FeatureGrid<D, Real> particles, segments;
+    std::vector<Vector> middle;                       ///< per segment
+    std::vector<Real> reach;                          ///< per particle, then per segment
+    std::vector<Real> segment_ball;                   ///< per segment: reach from the middle
+    std::vector<std::vector<ContactCandidate>> found; ///< by chunks of features
+    std::vector<ContactCandidate> before;             ///< the last list, by parts
+    std::array<std::uint32_t, contact_parts> end_before{};
+    std::vector<ContactMultiplier<D, Real>> multipliers_before;
+};
+
+} // namespace sinew::detail

@@ -1,0 +1,136 @@
+#pragma once
+
+#include "sinew/solver/contact/contact_room.h"
+#include "sinew/world/asleep.h"
+
+/// Multipliers of contacts between steps, in the world, and between substeps, beside the list of candidates.
+namespace sinew::detail {
+
+template <int D, class Real> class KeptContacts {
+  public:
+    KeptContacts(World<D, Real>& world, Solver<D, Real>& solver)
+        : world_(world), state_(solver.sweep_state), room_(contact_room(solver)) {}
+
+    /// At the start of a step.
+    void take_from_world(bool list_is_new) {
+        const auto& kept = world_.contacts.kept;
+        const auto is_same = [](const auto& a, const auto& b) {
+            return a.key == b.key && a.multiplier == b.multiplier && a.friction == b.friction;
+        };
+        if (!list_is_new && std::ranges::equal(kept, room_.written, is_same)) return;
+        room_.multipliers.assign(room_.list.candidates.size(), {});
+        room_.kept_at_walls.clear();
+        for (const auto& contact : kept)
+            if (contact.key.collider != ContactKey::none)
+                room_.kept_at_walls.push_back(contact);
+            else if (auto* multiplier = find(contact.key))
+                *multiplier = {contact.multiplier, contact.friction};
+    }
+    /// After a new list in a later substep: pairs of the last list are in the same parts.
+    void take_from_last_list() {
+        room_.multipliers.assign(room_.list.candidates.size(), {});
+        std::size_t old = 0;
+        for (std::size_t i = 0; i < room_.parts.list.size(); ++i) {
+            const auto& part = room_.parts.list[i];
+            for (auto k = part.first; k < part.last; ++k) {
+                const auto& pair = room_.list.candidates[k];
+                while (old < room_.list.end_before[i] && room_.list.before[old] < pair) ++old;
+                if (old < room_.list.end_before[i] && room_.list.before[old] == pair)
+                    room_.multipliers[k] = room_.list.multipliers_before[old];
+            }
+            old = room_.list.end_before[i];
+        }
+    }
+
+    /// Multipliers of the rows of a substep.
+    void keep() {
+        for (auto& part : room_.parts.list)
+            for (std::size_t i = 0; i < part.first_wall; ++i) {
+                const auto& row = part.rows[i];
+                const bool acts = row.keeps && row.multiplier > Real(0);
+                room_.multipliers[row.source] = acts ? Multiplier{row.multiplier, row.tangent} : Multiplier{};
+            }
+        room_.kept_at_walls.clear();
+        for (const auto& part : room_.parts.list)
+            for (auto i = part.first_wall; i < part.rows.size(); ++i) {
+                const auto& row = part.rows[i];
+                if (row.keeps && row.multiplier > Real(0))
+                    room_.kept_at_walls.push_back({part.wall_keys[row.source], row.multiplier, row.tangent});
+            }
+        sort(room_.kept_at_walls);
+    }
+    /// After the last substep.
+    void give_to_world() {
+        auto& kept = world_.contacts.kept;
+        std::erase_if(kept, [&](const auto& contact) { return !is_asleep(world_.particles, contact.key.particle[0]); });
+        kept.insert(kept.end(), room_.kept_at_walls.begin(), room_.kept_at_walls.end());
+        for (const auto& part : room_.parts.list)
+            for (std::size_t i = 0; i < part.first_wall; ++i) {
+                const auto& row = part.rows[i];
+                if (row.keeps && row.multiplier > Real(0))
+                    kept.push_back({key_of(room_.list.candidates[row.source]), row.multiplier, row.tangent});
+            }
+        sort(kept);
+        room_.written = kept;
+    }
+
+  private:
+    using Multiplier = ContactMultiplier<D, Real>;
+    World<D, Real>& world_;
+    SweepState<D, Real>& state_;
+    ContactRoom<D, Real>& room_;
+
+    static void sort(std::vector<KeptContact<D, Real>>& contacts) {
+        const auto by_key = [](const auto& a, const auto& b) { return a.key < b.key; };
+        if (!std::is_sorted(contacts.begin(), contacts.end(), by_key))
+            std::sort(contacts.begin(), contacts.end(), by_key);
+    }
+
+    std::uint32_t id(Row row) const { return world_.particles.slots.slot_of(row); }
+    ContactKey key_of(const ContactCandidate& pair) const {
+        ContactKey key;
+        const auto count = room_.particles.size();
+        std::size_t i = 0;
+        for (const auto feature : {pair.first, pair.second}) {
+            if (feature < count) {
+                key.particle[i] = id(room_.particles[feature].row);
+            } else {
+                key.particle[i] = id(room_.segments[feature - count].a);
+                key.particle[i + 1] = id(room_.segments[feature - count].b);
+            }
+            i = 2;
+        }
+        return key;
+    }
+
+    // --- look-up -----------------------------------------------------------------------------------------------------
+
+    static constexpr auto none = ContactKey::none;
+
+    std::uint32_t number_of(std::uint32_t slot) const {
+        if (!world_.particles.slots.in_use(slot)) return none;
+        return room_.number_of[world_.particles.slots.row_at(slot)];
+    }
+    /// Number of a feature of one or two particles.
+    std::uint32_t feature_of(std::uint32_t slot_a, std::uint32_t slot_b) const {
+        const auto a = number_of(slot_a);
+        if (slot_b == none || a == none) return a;
+        const auto b = number_of(slot_b);
+        for (auto i = room_.first_segment_at[a]; i < room_.first_segment_at[a + 1]; ++i)
+            if (room_.segments[room_.segments_at[i]].number_b == b)
+                return std::uint32_t(room_.particles.size()) + room_.segments_at[i];
+        return none;
+    }
+    Multiplier* find(const ContactKey& key) {
+        const ContactCandidate pair{feature_of(key.particle[0], key.particle[1]),
+                                    feature_of(key.particle[2], key.particle[3])};
+        if (pair.first == none || pair.second == none) return nullptr;
+        const auto& part = room_.parts.list[part_of(room_, pair)];
+        const auto begin = room_.list.candidates.begin() + part.first, end = room_.list.candidates.begin() + part.last;
+        const auto found = std::lower_bound(begin, end, pair);
+        return found != end && *found == pair ? &room_.multipliers[std::size_t(found - room_.list.candidates.begin())]
+                                              : nullptr;
+    }
+};
+
+} // namespace sinew::detail
