@@ -49,16 +49,16 @@ TEST(Kernels, FindWhatIsInNoLimitsWhereverItIs) {
 
 /// Rows in some order, each with numbers of its own.
 template <int D, class Real> void expect_turned(Simd simd) {
-    constexpr std::uint32_t size = 45, apart = 64, room = 16;
+    constexpr std::uint32_t size = 45, stride = 64, room = 16;
     std::vector<std::uint32_t> row_of(size);
     for (std::uint32_t slot = 0; slot < size; ++slot) row_of[slot] = 7 * slot % size;
     std::vector<Real> rows(size * D);
     std::iota(rows.begin(), rows.end(), Real(-50));
     for (const std::uint32_t first : {0U, 1U, 5U})
         for (std::uint32_t last = first; last <= size; ++last) {
-            std::vector<Real> columns(D * apart + room, Real(1000)), back(rows.size(), Real(1000));
+            std::vector<Real> columns(D * stride + room, Real(1000)), back(rows.size(), Real(1000));
             Transposition<D, Real> turning{};
-            turning.rows = rows.data(), turning.columns = columns.data(), turning.apart = apart;
+            turning.rows = rows.data(), turning.columns = columns.data(), turning.stride = stride;
             turning.row_of = row_of.data();
             turning.slot_of_last = std::uint32_t(std::find(row_of.begin(), row_of.end(), size - 1) - row_of.begin());
             turning.by = 2, turning.most = 60;
@@ -69,7 +69,7 @@ template <int D, class Real> void expect_turned(Simd simd) {
                 for (unsigned k = 0; k < D; ++k) {
                     const Real was = rows[D * row_of[slot] + k], twice = std::clamp(2 * was, Real(-60), Real(60));
                     const bool turned = slot >= first && slot < last;
-                    EXPECT_EQ(columns[k * apart + slot], turned ? twice : Real(1000)) << first << ' ' << last;
+                    EXPECT_EQ(columns[k * stride + slot], turned ? twice : Real(1000)) << first << ' ' << last;
                     EXPECT_EQ(back[D * row_of[slot] + k], turned ? twice / 2 : Real(1000)) << first << ' ' << last;
                 }
         }
