@@ -204,7 +204,7 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
         node.holds = released ? V{} : seized ? number(1) : node.holds;
         node.pull = released ? V{} : node.pull;
         node.flips = seized ? node.flips + number(1) : node.flips;
-        flipped_ = released | seized ? number(1) : flipped_;
+        flipped_ = (released | seized) ? number(1) : flipped_;
     }
 
     /// Velocities at the end, and the lanes whose energy is right.
@@ -281,7 +281,7 @@ template <int D, class V> class ChainSwing : LaneSwing<D, V> {
             const Mask pushes = both(both(may, holds), node.next < V{});
             const Mask grows = both(without(may, holds), growth > number(exact));
             node.holds = pushes ? V{} : grows ? number(1) : node.holds;
-            changed = pushes | grows ? number(1) : changed;
+            changed = (pushes | grows) ? number(1) : changed;
             before = at(node.move);
         }
         return changed > V{};
