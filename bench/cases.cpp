@@ -21,9 +21,9 @@ std::optional<double> whole(std::string_view text) {
 
 } // namespace
 
-std::span<const LinkColor> families() {
+std::span<const CaseFamily> families() {
 #define SINEW_CALL(name) family::name(),
-    static const std::vector<LinkColor> all{SINEW_FAMILIES(SINEW_CALL)};
+    static const std::vector<CaseFamily> all{SINEW_FAMILIES(SINEW_CALL)};
 #undef SINEW_CALL
     return all;
 }

@@ -11,7 +11,7 @@
 /// Benchmark cases: families of worlds of any size.
 namespace sinew::bench {
 
-struct LinkColor {
+struct CaseFamily {
     std::string_view name;          ///< cases are NAME-SIZE: cloth-256
     std::string_view about;         ///< meaning of the size, and the world's contents
     std::vector<std::string> sizes; ///< sizes measured by default
@@ -28,20 +28,20 @@ struct LinkColor {
 #define SINEW_FAMILIES(X) X(cloth) X(mesh) X(ragdolls) X(ropes) X(swing) X(heavy) X(scale)
 
 namespace family {
-#define SINEW_DECLARE(name) LinkColor name();
+#define SINEW_DECLARE(name) CaseFamily name();
 SINEW_FAMILIES(SINEW_DECLARE)
 #undef SINEW_DECLARE
 } // namespace family
 
 struct Case {
     std::string name; ///< ragdolls-1000, ragdolls-1000-direct
-    const LinkColor* family = nullptr;
+    const CaseFamily* family = nullptr;
     int size = 0;
     bool direct = false; ///< true: the direct solver where eligible, the engine's default; false: swept throughout,
                          ///< like the textbook
 };
 
-std::span<const LinkColor> families();
+std::span<const CaseFamily> families();
 
 /// Case by name: FAMILY-SIZE or FAMILY-SIZE-direct; empty if unknown. A size is a whole number, also written as 4e6.
 std::optional<Case> find_case(std::string_view name);

@@ -47,7 +47,7 @@ template <class Real> void hang_for(World<3, Real>& world, int constraints) {
 
 } // namespace
 
-LinkColor family::cloth() {
+CaseFamily family::cloth() {
     return {.name = "cloth",
             .about = "the cloth prefab, SIZE particles wide and high, on two corners",
             .sizes = {"64", "256", "1024"},
@@ -56,7 +56,7 @@ LinkColor family::cloth() {
             .build_double = hang<double>};
 }
 
-LinkColor family::swing() {
+CaseFamily family::swing() {
     return {.name = "swing",
             .about = "the same let go level: it swings down and snaps taut",
             .sizes = {"64", "256"},
@@ -65,7 +65,7 @@ LinkColor family::swing() {
             .build_double = let_go<double>};
 }
 
-LinkColor family::scale() {
+CaseFamily family::scale() {
     return {.name = "scale",
             .about = "the cloth of about SIZE constraints: what one costs when there are many",
             .sizes = {"1e3", "1e4", "1e5", "1e6", "4e6"},

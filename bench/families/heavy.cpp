@@ -15,7 +15,7 @@ template <class Real> void hang(World<3, Real>& world, int weight) {
 
 } // namespace
 
-LinkColor family::heavy() {
+CaseFamily family::heavy() {
     return {.name = "heavy",
             .about = "a rope of 100 links that hangs, a weight of SIZE links on its end",
             .sizes = {},

@@ -62,7 +62,7 @@ template <class Real> void hang(World<3, Real>& world, int side) {
 
 } // namespace
 
-LinkColor family::mesh() {
+CaseFamily family::mesh() {
     return {.name = "mesh",
             .about = "the same cloth as a mesh read from an OBJ file, its points and triangles in no order",
             .sizes = {"64", "256"}, // 1024 takes minutes to build: on request only

@@ -64,7 +64,7 @@ template <class Real> void tumble(World<3, Real>& world, int ragdolls) {
 
 } // namespace
 
-LinkColor family::ragdolls() {
+CaseFamily family::ragdolls() {
     return {.name = "ragdolls",
             .about = "SIZE ragdolls of 15 points, 21 distances and 4 limits, tumbling freely",
             .sizes = {"1000"},

@@ -19,7 +19,7 @@ template <class Real> void hang(World<3, Real>& world, int ropes) {
 
 } // namespace
 
-LinkColor family::ropes() {
+CaseFamily family::ropes() {
     return {.name = "ropes",
             .about = "SIZE ropes of 20 links, held at one end, released level",
             .sizes = {"10000"},
