@@ -78,12 +78,19 @@ template <int D, class Real> class CandidateFinder {
     void note_motion() {
         list_.place.clear(), list_.velocity.clear();
         list_.radius.clear(), list_.cover.clear();
-        list_.age = 0, list_.h = h_, list_.horizon = left_;
+        list_.horizon = horizon();
+        list_.age = 0, list_.h = h_;
         for (const auto& particle : room_.particles) {
             list_.place.push_back(state_.place_at(particle.slot));
             list_.velocity.push_back(state_.move_at(particle.slot) * (Real(1) / h_));
             list_.radius.push_back(particle.radius), list_.cover.push_back(particle.cover);
         }
+    }
+    /// Twice the time for which the last list was valid, between a substep and the rest of the step: among blows a list
+    /// that looks far ahead is long, and does not last.
+    Real horizon() const {
+        const Real last = list_.is_valid ? Real(2) * list_.age : left_;
+        return minimum(left_, maximum(last, h_));
     }
     /// Time for which a relative speed brings features nearer to each other: rows look two substeps ahead.
     Real time_ahead() const { return list_.horizon + Real(2) * h_; }
