@@ -1,5 +1,6 @@
 #include "sinew/scene/layout.h"
 #include "sinew/scene/scene.h"
+#include "sinew/session/session.h"
 #include "sinew/world/measure.h"
 
 #include "tests/paths.h"
@@ -41,6 +42,22 @@ TEST(Scenes, EveryOneIsGoodInEveryMode) {
             const auto document = opened(text_of(file), file.string(), {{concat("mode=", mode)}});
             EXPECT_TRUE(document.diagnostics.ok()) << to_text(document.diagnostics);
         }
+}
+
+TEST(Scenes, ContactOfClothIsOneOfTwoWords) {
+    const auto scene_of = [](std::string_view word) {
+        return concat(R"({"sinew": 1, "dimension": 3, "figures": [{"prefab": "cloth", "contact": {"cloth": ")", word,
+                      R"("}}]})");
+    };
+    for (std::size_t i = 0; i < cloth_contact_names.size(); ++i) {
+        auto document = load(scene_of(cloth_contact_names[i]), "cloth.json", {});
+        auto scene = open_scene(document, {}, models_beside("cloth.json"));
+        ASSERT_TRUE(scene) << to_text(document.diagnostics);
+        const Session session(std::move(*scene));
+        std::visit([&](const auto& world) { EXPECT_EQ(world.figures[0].cloth, ClothContactKind(i)); }, session.world());
+    }
+    const auto errors = to_text(opened(scene_of("thick"), "cloth.json").diagnostics);
+    EXPECT_NE(errors.find(R"("spheres" or "thin")"), std::string::npos) << errors;
 }
 
 TEST(Scenes, EveryOneFollowsTheSchema) {
