@@ -22,7 +22,7 @@ template <int D, class Real> class ChainStep : LaneStep<ChainStep<D, Real>, D, R
     void run(std::span<const ChainTurn> turns, double report_substep, Whole&& whole, Redo&& redo) {
         const auto& kernel = kernels<D, Real>(Base::solver_.options.simd);
         const bool single = turns.size() == 1 || turns.front().links > ChainSpace<D>::most_links_in_lanes;
-        pack_.width = single ? 1 : kernel.block_lanes;
+        pack_.width = single ? min_block_lanes : kernel.block_lanes;
         pack_.links = int(turns.front().links);
         const auto swing = [&] { single ? kernel.swing_chain(pack_) : kernel.swing_chains(pack_); };
         Base::run(turns, report_substep, swing, whole, redo);
