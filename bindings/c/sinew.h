@@ -312,7 +312,8 @@ typedef struct sinew_ray_hit {
     sinew_collider collider; /* SINEW_NO_ID: a particle was met */
 } sinew_ray_hit;
 /* First particle with a radius, or collider other than a sensor, that a sphere meets on its straight way; radius 0 is a
- * ray. Only layers of `mask` count (~0: all). SINEW_NOT_FOUND if nothing is met. */
+ * ray. Only layers of `mask` count (~0: all). A thing that holds the start is met at once if the way leads further into
+ * it, and not if it leads out. SINEW_NOT_FOUND if nothing is met. */
 SINEW_API sinew_status sinew_cast_ray(sinew_simulation simulation, sinew_point from, sinew_point to, double radius,
                                       uint32_t mask, sinew_ray_hit* hit);
 

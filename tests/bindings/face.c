@@ -209,10 +209,13 @@ static void contacts_begin_persist_and_end(void) {
     CHECK(count == 1 && sinew_contact_at(simulation, 0, &contact) == SINEW_OK);
     CHECK(contact.phase == SINEW_BEGIN && contact.particle == particle && contact.other == SINEW_NO_ID);
     CHECK(strcmp(contact.collider_name, "floor") == 0 && contact.figure == 0 && contact.other_figure == UINT32_MAX);
-    CHECK(fabs(contact.impulse - sqrt(2 * 10 * 0.4)) < 0.2 && contact.blow_before == 0); /* m v */
+    CHECK(contact.blow == contact.impulse && contact.blow > 0 && contact.blow_before == 0);
+    CHECK(sinew_step(simulation, 1) == SINEW_OK && sinew_contact_count(simulation, &count) == SINEW_OK && count == 1);
+    CHECK(sinew_contact_at(simulation, 0, &contact) == SINEW_OK && contact.phase == SINEW_PERSIST);
+    CHECK(fabs(contact.blow - sqrt(2 * 10 * 0.4)) < 0.3); /* m v, and the weight for a step */
     CHECK(sinew_event_count(simulation, &count) == SINEW_OK && count == 2);
     CHECK(sinew_event_at(simulation, 0, &event) == SINEW_OK && strcmp(event.what, "hit") == 0);
-    CHECK(strcmp(event.with, "floor") == 0 && event.impulse == contact.blow);
+    CHECK(strcmp(event.with, "floor") == 0 && fabs(event.impulse - sqrt(2 * 10 * 0.4)) < 0.3);
     CHECK(sinew_event_at(simulation, 1, &event) == SINEW_OK && strcmp(event.where, "thud") == 0);
 
     CHECK(sinew_step(simulation, 10) == SINEW_OK && sinew_contact_count(simulation, &count) == SINEW_OK && count == 1);

@@ -271,7 +271,7 @@ TEST(ContactRule, ListensToColliders) {
 TEST(ContactRule, IsChecked) {
     const std::string begin = R"({"sinew": 1, "figures": [{"prefab": "rope"}], "events": [)";
     EXPECT_NE(told(begin + R"({"note": "x"}]})").find("needs a time"), std::string::npos);
-    EXPECT_NE(told(begin + R"({"on": {"of": "rop"}, "note": "x"}]})").find("no particle"), std::string::npos);
+    EXPECT_NE(told(begin + R"({"on": {"of": "rop"}, "note": "x"}]})").find("as figure/name"), std::string::npos);
     EXPECT_NE(told(begin + R"({"on": {"of": "rope", "with": "flor"}, "note": "x"}]})").find("no collider or figure"),
               std::string::npos);
     EXPECT_NE(told(begin + R"({"on": {"contact": "kiss", "of": "rope"}, "note": "x"}]})").find("persist"),

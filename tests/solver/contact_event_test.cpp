@@ -118,7 +118,6 @@ TYPED_TEST(ContactEvents, SleepersTouchAsBefore) {
             EXPECT_TRUE(world.events.empty());
         }
         EXPECT_EQ(world.contacts.figures.size(), 1U);
-        EXPECT_EQ(world.contacts.touching.size(), 2U);
     }
 }
 

@@ -200,10 +200,12 @@ template <int D, class Real> class FigureContact {
         room().joints.store(world_);
         room().projector.links().store(world_);
     }
+    /// Lists the figures that press, and those so near that a touch goes on without a force.
     void note_figures() {
+        const Real near = Real(0.01) * room().list.widest;
         for (const auto& part : room().parts.list)
             for (std::size_t i = 0; i < part.first_wall; ++i)
-                if (const auto& row = part.rows[i]; row.most > Real(0))
+                if (const auto& row = part.rows[i]; row.most > Real(0) || row.gap <= near)
                     solver_.touches.figures.push_back(touch_of(row, room().list.candidates[row.source]));
         merge_touches(solver_.touches.figures);
     }

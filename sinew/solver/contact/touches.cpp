@@ -38,6 +38,10 @@ template <int D, class Real> void list_figures(World<D, Real>& world, ColliderTo
         if (sleeps(touch) && !std::binary_search(touches.figures.begin(), touches.figures.end(), touch))
             figures.push_back(touch);
     merge_touches(figures);
+    std::erase_if(figures, [&](const FigureTouch& touch) { // near without a force: goes on, and does not begin
+        const auto& before = touches.figures_before;
+        return touch.strength.impulse == 0 && !std::binary_search(before.begin(), before.end(), touch);
+    });
 }
 
 /// Event of a pair; nothing if a side of it is gone.
