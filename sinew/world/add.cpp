@@ -1,4 +1,5 @@
 #include "sinew/assert/assert.h"
+#include "sinew/math/sort.h"
 #include "sinew/world/changes.h"
 #include "sinew/world/edit.h"
 
@@ -43,7 +44,7 @@ bool any_twice(std::span<const Row> rows) {
         return false;
     }
     std::vector<Row> sorted(rows.begin(), rows.end());
-    std::sort(sorted.begin(), sorted.end());
+    sinew::sort(sorted.begin(), sorted.end());
     return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 

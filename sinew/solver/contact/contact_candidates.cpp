@@ -1,3 +1,4 @@
+#include "sinew/math/sort.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
 
@@ -133,7 +134,7 @@ template <int D, class Real> class CandidateFinder {
             for (auto feature = first; feature < last; ++feature) {
                 const auto begun = found.size();
                 search_around(feature, found);
-                std::sort(found.begin() + std::ptrdiff_t(begun), found.end());
+                sinew::sort(found.begin() + std::ptrdiff_t(begun), found.end());
             }
         });
     }

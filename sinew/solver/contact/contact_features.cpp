@@ -1,3 +1,4 @@
+#include "sinew/math/sort.h"
 #include "sinew/solver/contact/cloth_features.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
@@ -199,7 +200,7 @@ template <int D, class Real> class FeatureFinder {
             if (room_.is_of_cloth(ends[0]) && room_.is_of_cloth(ends[1])) continue;
             room_.links.push_back({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])});
         }
-        std::sort(room_.links.begin(), room_.links.end());
+        sinew::sort(room_.links.begin(), room_.links.end());
     }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/contact/kept_contacts.h"
+#include "sinew/solver/contact/merge_touches.h"
 #include "sinew/solver/contact/pin_rows.h"
 #include "sinew/solver/contact/row_builder.h"
 
@@ -88,6 +89,7 @@ template <int D, class Real> class FigureContact {
         if (is_first_) set_margin();
         const bool is_new = find_contact_candidates(world_, solver_, left_, h_);
         KeptContacts<D, Real> kept(world_, solver_);
+        if (world_.contacts.lists_figures) note_figures();
         if (is_first_)
             kept.take_from_world(is_new);
         else if (is_new)
@@ -197,6 +199,27 @@ template <int D, class Real> class FigureContact {
         if (is_last_) kept.give_to_world();
         room().joints.store(world_);
         room().projector.links().store(world_);
+    }
+    void note_figures() {
+        for (const auto& part : room().parts.list)
+            for (std::size_t i = 0; i < part.first_wall; ++i)
+                if (const auto& row = part.rows[i]; row.most > Real(0))
+                    solver_.touches.figures.push_back(touch_of(row, room().list.candidates[row.source]));
+        merge_touches(solver_.touches.figures);
+    }
+    FigureTouch touch_of(const RowT& row, const ContactCandidate& pair) {
+        auto [first, one] = side_of(pair.first);
+        auto [second, other] = side_of(pair.second);
+        if (second < first) std::swap(first, second), std::swap(one, other);
+        const double impulse = double(row.most / h_);
+        return {first, second, {one, other}, impulse, {.impulse = impulse}};
+    }
+    /// Figure of a feature, and slot of its particle or of its first end.
+    std::pair<FigureIndex, std::uint32_t> side_of(std::uint32_t feature) {
+        const auto count = room().particles.size();
+        const bool is_particle = feature < count;
+        const Row row = is_particle ? room().particles[feature].row : room().segments[feature - count].a;
+        return {world_.particles.figure[row], world_.particles.slots.slot_of(row)};
     }
     void note(const RowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.most / h_); }
 };

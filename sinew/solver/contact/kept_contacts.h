@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/world/asleep.h"
 
@@ -83,7 +84,7 @@ template <int D, class Real> class KeptContacts {
     static void sort(std::vector<KeptContact<D, Real>>& contacts) {
         const auto by_key = [](const auto& a, const auto& b) { return a.key < b.key; };
         if (!std::is_sorted(contacts.begin(), contacts.end(), by_key))
-            std::sort(contacts.begin(), contacts.end(), by_key);
+            sinew::sort(contacts.begin(), contacts.end(), by_key);
     }
 
     std::uint32_t id(Row row) const { return world_.particles.slots.slot_of(row); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/math/union_find.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
@@ -126,8 +127,8 @@ template <int D, class Real> struct RigidLinks {
     }
     void order_by_component() {
         for (auto& link : list) link.root = sets_.first_of(link.root);
-        std::sort(list.begin(), list.end(),
-                  [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
+        sinew::sort(list.begin(), list.end(),
+                    [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
     }
 
     void keep_narrow(const World<D, Real>& world, const SweepState<D, Real>& state, std::vector<char>& is_exact) {
@@ -184,7 +185,7 @@ template <int D, class Real> struct RigidLinks {
                     if (moves(world, state, slot)) component_of[slot] = i;
                 }
             const auto first = slots.begin() + component.first_slot;
-            std::sort(first, slots.end());
+            sinew::sort(first, slots.end());
             slots.erase(std::unique(first, slots.end()), slots.end());
             component.last_slot = std::uint32_t(slots.size());
         }
