@@ -57,7 +57,7 @@ template <int D, class Real> class LinkProjector {
     void restore_energy(SweepState<D, Real>& state, int threads) {
         is_current_ = true;
         each_component(threads, [&](Component& component) {
-            factorise(state, component);
+            if (links_.measure(state, component, taut, slightly_turned)) factorise_measured(state, component);
             restore_energy(state, component);
         });
     }
@@ -78,6 +78,19 @@ template <int D, class Real> class LinkProjector {
             });
         }
         return matrix;
+    }
+    /// Displacement, along the pushes, for a unit of these pushes on particles, with the lengths held, 1 / kg.
+    double response(const SweepState<D, Real>& state, std::span<const Row> slots, std::span<const Vector> pushes) {
+        double sum = 0;
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            sum += double(state.mobility[slots[i]]) * dot(pushes[i], pushes[i]);
+            const auto component = links_.component_of[slots[i]];
+            const auto earlier = slots.first(i);
+            const bool is_new = std::none_of(earlier.begin(), earlier.end(),
+                                             [&](Row slot) { return links_.component_of[slot] == component; });
+            if (component != none && is_new) sum -= held_back(links_.components[component], slots, pushes);
+        }
+        return maximum(sum, 0.0);
     }
     /// Projects the velocities of the component of a particle.
     void project_velocities(SweepState<D, Real>& state, Row slot) {
@@ -101,6 +114,24 @@ template <int D, class Real> class LinkProjector {
     }
     template <class Visit> void each(const Component& component, Visit&& visit) {
         for (auto k = component.first_link; k < component.last_link; ++k) visit(links_.list[k], right_[k]);
+    }
+
+    /// Share of that displacement which the links of a component take back.
+    double held_back(const Component& component, std::span<const Row> slots, std::span<const Vector> pushes) {
+        const auto change = [&](const Link& link) {
+            double sum = 0;
+            for (std::size_t i = 0; i < slots.size(); ++i) {
+                const double weight =
+                    (link.b == slots[i] ? link.weight_b : 0) - (link.a == slots[i] ? link.weight_a : 0);
+                if (weight != 0) sum += weight * dot(link.along, pushes[i]);
+            }
+            return link.is_active ? sum : 0;
+        };
+        each(component, [&](auto& link, double& right) { right = change(link); });
+        factor_.solve(links_.list, component, right_);
+        double sum = 0;
+        each(component, [&](auto& link, double& right) { sum += change(link) * right; });
+        return sum;
     }
 
     // --- projections -------------------------------------------------------------------------------------------------
@@ -230,6 +261,10 @@ template <int D, class Real> class LinkProjector {
         project_velocities(state, component);
     }
 
+    /// Links that have turned by less, radians, since the last factorisation in the step are not factorised again: the
+    /// velocities left along them are that share of those across.
+    static constexpr double slightly_turned = 3e-4;
+
     // --- factorisation -----------------------------------------------------------------------------------------------
 
     /// Components share no movable particle; one chunk of them a part of the work.
@@ -246,7 +281,11 @@ template <int D, class Real> class LinkProjector {
         for (const auto& component : links_.components) factorise(state, component);
     }
     void factorise(const SweepState<D, Real>& state, const Component& component) {
-        links_.measure(state, component, taut);
+        links_.measure(state, component, taut, slightly_turned);
+        factorise_measured(state, component);
+    }
+    void factorise_measured(const SweepState<D, Real>& state, const Component& component) {
+        links_.take_directions(state, component);
         factor_.factorise(links_.list, component);
     }
 };
