@@ -160,7 +160,7 @@ template <int D, class Real> class FigureContact {
         const auto members = std::size_t(row.members);
         for (std::size_t i = 0; i < members; ++i) push_of[i] = cast<double>(row.normal * row.weight[i]);
         const std::span slots(row.slot.data(), members);
-        const double response = room().projector.response(state_, slots, std::span(push_of).first(members));
+        const double response = room().projector.response(state_).along(slots, std::span(push_of).first(members));
         const Real impulse = minimum(missing(row) * Real(inverse_or_zero(response)), limit::multiplier<Real>);
         push(row, row.normal * impulse);
         row.most = maximum(row.most, row.multiplier + impulse);

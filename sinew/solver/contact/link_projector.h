@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sinew/math/matrix.h"
 #include "sinew/solver/contact/link_factor.h"
 #include "sinew/solver/contact/link_motion.h"
+#include "sinew/solver/contact/link_response.h"
 #include "sinew/solver/workers.h"
 
 namespace sinew::detail {
@@ -19,7 +19,6 @@ namespace sinew::detail {
 template <int D, class Real> class LinkProjector {
   public:
     using Vector = Vec<D, double>;
-    using Matrix = sinew::Matrix<D, double>;
     using Component = LinkComponent;
 
     void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
@@ -62,36 +61,8 @@ template <int D, class Real> class LinkProjector {
         });
     }
 
-    /// Displacement of a particle for an impulse on it, with the lengths held: a symmetric matrix, 1 / kg.
-    Matrix response(const SweepState<D, Real>& state, Row slot) {
-        auto matrix = Matrix::diagonal(double(state.mobility[slot]));
-        if (links_.component_of[slot] == none) return matrix;
-        const auto& component = links_.components[links_.component_of[slot]];
-        for (int i = 0; i < D; ++i) {
-            each(component, [&](auto& link, double& right) {
-                right = ((link.b == slot ? link.weight_b : 0) - (link.a == slot ? link.weight_a : 0)) * link.along[i];
-            });
-            factor_.solve(links_.list, component, right_);
-            each(component, [&](auto& link, double& right) {
-                const double pull = (link.a == slot ? link.weight_a : 0) - (link.b == slot ? link.weight_b : 0);
-                matrix.column[std::size_t(i)] += link.along * (pull * right);
-            });
-        }
-        return matrix;
-    }
-    /// Displacement, along the pushes, for a unit of these pushes on particles, with the lengths held, 1 / kg.
-    double response(const SweepState<D, Real>& state, std::span<const Row> slots, std::span<const Vector> pushes) {
-        double sum = 0;
-        for (std::size_t i = 0; i < slots.size(); ++i) {
-            sum += double(state.mobility[slots[i]]) * dot(pushes[i], pushes[i]);
-            const auto component = links_.component_of[slots[i]];
-            const auto earlier = slots.first(i);
-            const bool is_new = std::none_of(earlier.begin(), earlier.end(),
-                                             [&](Row slot) { return links_.component_of[slot] == component; });
-            if (component != none && is_new) sum -= held_back(links_.components[component], slots, pushes);
-        }
-        return maximum(sum, 0.0);
-    }
+    /// Displacements for impulses, with the lengths held.
+    LinkResponse<D, Real> response(const SweepState<D, Real>& state) { return {links_, factor_, right_, state}; }
     /// Projects the velocities of the component of a particle.
     void project_velocities(SweepState<D, Real>& state, Row slot) {
         if (links_.component_of[slot] != none) project_velocities(state, links_.components[links_.component_of[slot]]);
@@ -114,24 +85,6 @@ template <int D, class Real> class LinkProjector {
     }
     template <class Visit> void each(const Component& component, Visit&& visit) {
         for (auto k = component.first_link; k < component.last_link; ++k) visit(links_.list[k], right_[k]);
-    }
-
-    /// Share of that displacement which the links of a component take back.
-    double held_back(const Component& component, std::span<const Row> slots, std::span<const Vector> pushes) {
-        const auto change = [&](const Link& link) {
-            double sum = 0;
-            for (std::size_t i = 0; i < slots.size(); ++i) {
-                const double weight =
-                    (link.b == slots[i] ? link.weight_b : 0) - (link.a == slots[i] ? link.weight_a : 0);
-                if (weight != 0) sum += weight * dot(link.along, pushes[i]);
-            }
-            return link.is_active ? sum : 0;
-        };
-        each(component, [&](auto& link, double& right) { right = change(link); });
-        factor_.solve(links_.list, component, right_);
-        double sum = 0;
-        each(component, [&](auto& link, double& right) { sum += change(link) * right; });
-        return sum;
     }
 
     // --- projections -------------------------------------------------------------------------------------------------
