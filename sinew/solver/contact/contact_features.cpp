@@ -2,6 +2,7 @@
 #include "sinew/solver/contact/cloth_features.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/contact/kept_contacts.h"
 
 #include <algorithm>
 #include <utility>
@@ -204,15 +205,28 @@ template <int D, class Real> class FeatureFinder {
     }
 };
 
+/// True if something swept may touch other figures. Figures far from everything are not swept.
+template <int D, class Real> bool any_meets(const World<D, Real>& world, const Solver<D, Real>& solver) {
+    if (std::none_of(world.figures.begin(), world.figures.end(),
+                     [](const Figure& figure) { return figure.in_use() && figure.collides; }))
+        return false;
+    const auto& slots = solver.sweep_state.row_of;
+    return std::any_of(slots.begin(), slots.end(), [&](Row row) {
+        const auto figure = world.particles.figure[row];
+        return world.particles.mobility[row] > Real(0) && figure < world.figures.size() &&
+               world.figures[figure].collides;
+    });
+}
+
 } // namespace
 
 template <int D, class Real> void find_contact_features(World<D, Real>& world, Solver<D, Real>& solver) {
-    const bool any = std::any_of(world.figures.begin(), world.figures.end(),
-                                 [](const Figure& figure) { return figure.in_use() && figure.collides; });
+    const bool any = any_meets(world, solver);
+    if (!any) forget_contacts(world);
     if (!any && !solver.contacts) return;
     auto& room = contact_room(solver);
     room.is_active = any;
-    if (!any) return world.contacts.kept.clear();
+    if (!any) return;
     FeatureFinder(world, solver).run();
 }
 
