@@ -24,9 +24,11 @@ template <int D, class Real> class EnergyLimiter {
         : world_(world), scratch_(solver.scratch), swept_(solver.sweep_state), ports_(solver.blocks.ports),
           per_h_(1 / double(h)) {}
 
-    /// Notes the motion and the stored energy before a substep.
-    void begin() {
+    /// Notes the motion and the stored energy before a substep, which is the `number`-th of its step.
+    void begin(int number) {
         if (ports_.groups.empty()) return;
+        if (number == 1)
+            for (auto& group : ports_.groups) group.lost = 0;
         for (Row s = 0; s < swept_.size(); ++s) ports_.last_moves[s] = cast<double>(swept_.move_at(s));
         for (auto& group : ports_.groups) group.stored = stored(group, false);
     }
@@ -36,8 +38,9 @@ template <int D, class Real> class EnergyLimiter {
         constexpr double least = 0.7; // share of the velocity; above it solved positions are kept
         for (auto& group : ports_.groups) {
             const auto motion = motion_of(group);
+            const double owed = motion.anchors().empty() ? 0 : maximum(0.0, -group.lost);
             group.lost = 0;
-            group.share = group.motorized ? 1 : share_left(group);
+            group.share = group.motorized ? 1 : share_left(group, owed);
             if (motion.anchors().empty()) {
                 group.spin = due_spin(motion);
                 if (group.lost < 0) stiffen(motion, group.spin), group.share = 1, group.lost = 0;
@@ -66,26 +69,42 @@ template <int D, class Real> class EnergyLimiter {
 
     Motion motion_of(const PortGroup<D>& group) const { return {swept_, ports_, group}; }
 
-    /// Factor of the velocities that removes energy added by constraints, 0..1. Notes energy that they have taken, or
-    /// added to the motion as one body.
-    double share_left(PortGroup<D>& group) const {
+    /// Factor of the velocities that removes energy added by constraints, and `owed` since an earlier substep of the
+    /// step, 0..1. Notes energy that they have taken, or that is still owed.
+    ///
+    /// A velocity that is scaled by s once the particle has moved changes the place of the middle of the substep, where
+    /// potentials are taken. The energy removed is
+    ///
+    ///     K (1 - s^2) + Q (1 - s),        Q = sum f . v'/2
+    ///
+    /// with the kinetic energy K and the impulses f from outside.
+    double share_left(PortGroup<D>& group, double owed) const {
         const auto motion = motion_of(group);
         typename Motion::Frame frame;
         if (!motion.find_frame(frame)) return 1;
-        double work = 0, kinetic = 0;
+        double work = 0, kinetic = 0, outer = 0;
         for (const auto s : motion.members()) {
             const auto own = motion.move(s) - frame.at(motion.place(s));
             work +=
                 0.5 * motion.mass(s) *
                 dot(motion.last_move(s) + motion.move(s) - frame.velocity * 2.0, motion.move(s) - motion.free_move(s));
             kinetic += 0.5 * motion.mass(s) * dot(own, own);
+            outer += 0.5 * motion.mass(s) * dot(motion.free_move(s) - motion.last_move(s), own);
         }
         work -= of_soft_pins(motion, frame.velocity);
-        const double gain = work * square(per_h_) + (group.springs > 0 ? stored(group, true) - group.stored : 0);
-        kinetic *= square(per_h_);
+        const double gain = owed + work * square(per_h_) + (group.springs > 0 ? stored(group, true) - group.stored : 0);
+        kinetic *= square(per_h_), outer *= square(per_h_);
         constexpr double rounding = 1e-14;
-        group.lost = gain <= 0 ? -gain : minimum(kinetic - gain, 0.0);
-        return gain > rounding * kinetic ? square_root(maximum(0.0, 1 - gain / kinetic)) : 1;
+        const double share = gain > rounding * kinetic ? share_without(gain, kinetic, outer) : 1;
+        const double left = gain - kinetic * (1 - square(share)) - outer * (1 - share);
+        if (gain <= 0 || left > rounding * kinetic) group.lost = -left;
+        return share;
+    }
+    /// The larger root, or the share at which most is removed.
+    static double share_without(double gain, double kinetic, double outer) {
+        const double root2 = square(outer + 2 * kinetic) - 4 * kinetic * gain;
+        const double share = (square_root(maximum(0.0, root2)) - outer) * inverse_or_zero(2 * kinetic);
+        return clamp(share, 0.0, 1.0);
     }
 
     /// True if constraints multiplied the motion of a group, and moved particles by more than a link.

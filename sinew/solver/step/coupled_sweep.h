@@ -46,7 +46,7 @@ template <int D, class Real> class CoupledSweep {
     void run_substep(int number, std::span<FreeBody<D>> bodies) {
         auto substep = substeps_.number(number);
         EnergyLimiter<D, Real> limiter(world_, solver_, substeps_.h);
-        limiter.begin();
+        limiter.begin(number);
         for (const auto& tile : plan_.tiles) substep.predict(tile);
         keeper_.note(bodies, 1);
         FigureContact<D, Real> contacts(world_, solver_, substeps_.h, number, substeps_.count);
