@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/ports/group_spin.h"
+#include "sinew/solver/ports/port_block.h"
 #include "sinew/solver/project.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
@@ -21,8 +22,8 @@ namespace sinew::detail {
 template <int D, class Real> class EnergyLimiter {
   public:
     EnergyLimiter(World<D, Real>& world, Solver<D, Real>& solver, Real h)
-        : world_(world), scratch_(solver.scratch), swept_(solver.sweep_state), ports_(solver.blocks.ports),
-          per_h_(1 / double(h)) {}
+        : world_(world), solver_(solver), scratch_(solver.scratch), swept_(solver.sweep_state), blocks_(solver.blocks),
+          ports_(solver.blocks.ports), h_(h), per_h_(1 / double(h)) {}
 
     /// Notes the motion and the stored energy before a substep, which is the `number`-th of its step.
     void begin(int number) {
@@ -34,10 +35,11 @@ template <int D, class Real> class EnergyLimiter {
     }
     /// Measures the gains once all moves are known, before positions advance. A group whose motion would multiply is
     /// slowed down at once.
-    void find_gains() {
+    void find_gains(bool last) {
         constexpr double least = 0.7; // share of the velocity; above it solved positions are kept
         for (auto& group : ports_.groups) {
             const auto motion = motion_of(group);
+            if (motion.anchors().empty() && nothing_else_acts()) motion.take_drift();
             const double owed = motion.anchors().empty() ? 0 : maximum(0.0, -group.lost);
             group.lost = 0;
             group.share = group.motorized ? 1 : share_left(group, owed);
@@ -45,7 +47,10 @@ template <int D, class Real> class EnergyLimiter {
                 group.spin = due_spin(motion);
                 if (group.lost < 0) stiffen(motion, group.spin), group.share = 1, group.lost = 0;
             }
-            if (group.share < least && is_multiplied(group)) slow_down(group), group.share = 1;
+            const bool owes = last && !motion.anchors().empty() && group.lost < 0;
+            if (!owes && (group.share >= least || !is_multiplied(group))) continue;
+            slow_down(group);
+            group.share = motion.anchors().empty() ? 1 : share_held_back(group, owed);
         }
     }
     /// Removes the gains once positions have advanced.
@@ -53,8 +58,9 @@ template <int D, class Real> class EnergyLimiter {
         for (const auto& group : ports_.groups) {
             if (group.share < 1) slow_down(group);
             const auto motion = motion_of(group);
-            if (motion.anchors().empty())
-                restore_spin(motion, group.spin, group.lost / square(per_h_), group.motorized);
+            if (!motion.anchors().empty()) continue;
+            restore_spin(motion, group.spin, group.lost / square(per_h_), group.motorized);
+            if (nothing_else_acts()) motion.take_drift();
         }
     }
 
@@ -62,11 +68,18 @@ template <int D, class Real> class EnergyLimiter {
     using Vector = Vec<D, double>;
     using Motion = GroupMotion<D, Real>;
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     std::span<Vec<D, Real>> scratch_;
     SweepState<D, Real>& swept_;
+    Blocks<D>& blocks_;
     Ports<D>& ports_;
+    Real h_;
     double per_h_;
 
+    /// True if nothing but constraints within and force fields act on what no pin holds.
+    bool nothing_else_acts() const {
+        return !has_walls(world_) && !has_figure_contacts(solver_) && !swept_.any_pin_soft;
+    }
     Motion motion_of(const PortGroup<D>& group) const { return {swept_, ports_, group}; }
 
     /// Factor of the velocities that removes energy added by constraints, and `owed` since an earlier substep of the
@@ -119,6 +132,22 @@ template <int D, class Real> class EnergyLimiter {
             most += motion.mass(s) * square(group.length);
         }
         return has > times * had && has > most;
+    }
+
+    /// Solves the blocks of a group that has been slowed down before positions advance again, with as much less of the
+    /// impulses: the same share of every displacement would take a link that has turned off its length. Returns the
+    /// factor of the velocities that is left to apply.
+    double share_held_back(PortGroup<D>& group, double owed) {
+        for (auto& block : blocks_.attached_trees) {
+            const Row slot = swept_.slot_of[blocks_.nodes[block.first_node].row];
+            if (!std::ranges::binary_search(motion_of(group).members(), slot)) continue;
+            PortBlock<D, Real> solver(world_, solver_, block, h_);
+            for (auto& port : solver.state().ports()) port.impulse = port.impulse * group.share;
+            solver.take();
+            solver.state().store();
+        }
+        group.lost = 0;
+        return share_left(group, owed);
     }
 
     void slow_down(const PortGroup<D>& group) {
