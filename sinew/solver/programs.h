@@ -28,10 +28,12 @@ template <int D> struct ProgramSpace {
 
     ProgramPack<D> pack;
     std::vector<double> numbers;
+    std::vector<std::uint32_t> rows; ///< particles of the nodes of a pack
 
-    void make_room(std::size_t block) {
+    void make_room(std::size_t block, std::size_t nodes) {
         const auto needed = block * max_block_lanes + line;
         if (numbers.size() < needed) numbers.resize(needed);
+        rows.resize(std::max(rows.size(), nodes * max_block_lanes));
     }
     /// The numbers, from a cache line's start on.
     double* aligned() {

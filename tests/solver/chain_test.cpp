@@ -176,5 +176,38 @@ TEST(ChainKernel, FollowsTheMidpointRule) {
     }
 }
 
+/// Strings at rest, upright in every second lane and hanging in the others: those fall freely, and these pull.
+template <int D> void expect_slack_by_lane(int width, void (*swing)(ChainPack<D>&)) {
+    ThreeLinks<D> chains(width);
+    using Node = typename ThreeLinks<D>::Node;
+    const auto up = [](std::size_t lane) { return lane % 2 == 0 ? 1.0 : -1.0; };
+    for (std::size_t l = 0; l < std::size_t(width); ++l)
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t k = 0; k < D; ++k)
+                chains.at(l, i, offsetof(Node, start), k) = k == 1 ? up(l) * double(i) : 0;
+            chains.at(l, i, offsetof(Node, pulls_only), 0) = 1;
+        }
+    swing(chains.pack);
+    const double fall = 10 * chains.pack.longest;
+    for (std::size_t l = 0; l < std::size_t(width); ++l) {
+        ASSERT_EQ(chains.pack.good.lane[l], 1) << l;
+        double below = 0;
+        for (std::size_t i = 3; i > 0; --i) {
+            below += up(l) > 0 ? 0 : 10.0 * double(i);
+            EXPECT_NEAR(chains.at(l, i, offsetof(Node, tension), 0), below, 1e-6) << l << ' ' << i;
+            EXPECT_NEAR(chains.at(l, i, offsetof(Node, velocity), 1), up(l) > 0 ? -fall : 0, 1e-9) << l << ' ' << i;
+        }
+    }
+}
+
+TEST(ChainKernel, LetsStringsGoSlackInEachLaneByItself) {
+    for (const Simd simd : {Simd::one, Simd::sse2, Simd::avx2, Simd::avx512}) {
+        if (!has_simd(simd)) continue;
+        SCOPED_TRACE(name_of(simd));
+        expect_slack_by_lane<2>(kernels<2, float>(simd).block_lanes, kernels<2, float>(simd).swing_chains);
+        expect_slack_by_lane<3>(kernels<3, float>(simd).block_lanes, kernels<3, float>(simd).swing_chains);
+    }
+}
+
 } // namespace
 } // namespace sinew::test::SINEW_TEST_FILE

@@ -82,5 +82,81 @@ TEST(Kernels, TurnRowsIntoColumnsAndBackAndTouchNothingElse) {
     on_each(expect_turned<3, double>);
 }
 
+/// Particles, each with numbers of its own; the third is immovable.
+template <int D, class Real> struct ExchangedParticles {
+    static constexpr std::uint32_t size = 40;
+    std::vector<Real> position = std::vector<Real>(size * D), residual = position, velocity = position;
+    std::vector<Real> inverse_mass = std::vector<Real>(size);
+
+    ExchangedParticles() {
+        std::iota(position.begin(), position.end(), Real(-50));
+        std::iota(velocity.begin(), velocity.end(), Real(1000));
+        for (std::uint32_t i = 0; i < size * D; ++i) residual[i] = Real(1e-6) * Real(i % 7);
+        for (std::uint32_t i = 0; i < size; ++i) inverse_mass[i] = i == 2 ? Real(0) : 1 / Real(1 + i);
+    }
+    bool operator==(const ExchangedParticles&) const = default;
+};
+
+/// Nodes of all lanes at once, or of one lane; with and without the last particle.
+template <int D, class Real> void expect_exchanged(Simd simd) {
+    using Particles = ExchangedParticles<D, Real>;
+    constexpr std::size_t numbers = 2 * D + 3, count = 4;
+    const auto& kernel = kernels<D, Real>(simd);
+    const auto width = std::size_t(kernel.block_lanes);
+    for (const std::uint32_t furthest : {Particles::size - 1, Particles::size - 2})
+        for (int first = 0; first < int(width); ++first)
+            for (const int last : {first + 1, int(width)}) {
+                Particles particles;
+                std::vector<double> nodes(count * numbers * width, 7.0);
+                std::vector<std::uint32_t> rows(count * width);
+                for (std::uint32_t i = 0; i < rows.size(); ++i) rows[i] = furthest - i;
+                const NodeExchange<D, Real> exchange{.nodes = nodes.data(),
+                                                     .numbers = numbers,
+                                                     .count = count,
+                                                     .width = int(width),
+                                                     .rows = rows.data(),
+                                                     .has_last_row = furthest + 1 == Particles::size,
+                                                     .position = particles.position.data(),
+                                                     .residual = particles.residual.data(),
+                                                     .velocity = particles.velocity.data(),
+                                                     .inverse_mass = particles.inverse_mass.data()};
+                kernel.load_nodes(exchange, first, last);
+                for (std::size_t i = 0; i < nodes.size(); ++i) {
+                    const std::size_t lane = i % width, number = i / width % numbers, node = i / width / numbers;
+                    const std::size_t row = rows[node * width + lane], k = number % D;
+                    double expected = 7;
+                    if (int(lane) < first || int(lane) >= last || number > 2 * D)
+                        expected = 7;
+                    else if (number < D)
+                        expected = double(particles.position[row * D + k]) + double(particles.residual[row * D + k]);
+                    else if (number < 2 * D)
+                        expected = double(particles.velocity[row * D + k]);
+                    else
+                        expected = row == 2 ? 0 : 1 / double(particles.inverse_mass[row]);
+                    EXPECT_EQ(nodes[i], expected) << "number " << number << " of node " << node << ", lane " << lane;
+                }
+                for (auto& number : nodes) number += 1e-3;
+                Particles expected = particles;
+                for (std::size_t node = 0; node < count; ++node)
+                    for (auto lane = std::size_t(first); lane < std::size_t(last); ++lane)
+                        for (std::size_t k = 0; k < D; ++k) {
+                            const std::size_t to = std::size_t(rows[node * width + lane]) * D + k;
+                            const double* const from = nodes.data() + node * numbers * width + lane;
+                            expected.position[to] = Real(from[k * width]);
+                            expected.residual[to] = Real(from[k * width] - double(Real(from[k * width])));
+                            expected.velocity[to] = Real(from[(D + k) * width]);
+                        }
+                kernel.store_nodes(exchange, first, last);
+                EXPECT_EQ(particles, expected) << first << ' ' << last;
+            }
+}
+
+TEST(Kernels, ExchangeNodesWithParticlesAndTouchNothingElse) {
+    on_each(expect_exchanged<2, float>);
+    on_each(expect_exchanged<3, float>);
+    on_each(expect_exchanged<2, double>);
+    on_each(expect_exchanged<3, double>);
+}
+
 } // namespace
 } // namespace sinew::SINEW_TEST_FILE

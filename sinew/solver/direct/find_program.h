@@ -136,16 +136,18 @@ template <int D> void order_programs(Blocks<D>& blocks, std::size_t parts) {
     std::sort(turns.begin(), turns.end(), [&](const ProgramTurn& a, const ProgramTurn& b) {
         return program(a).hash != program(b).hash ? program(a).hash < program(b).hash : a.block < b.block;
     });
-    std::size_t largest = 0;
+    std::size_t largest = 0, most_nodes = 0;
     for (std::size_t i = 0; i < turns.size(); ++i) {
         const bool alike = i > 0 && program(turns[i]).hash == program(turns[i - 1]).hash &&
                            std::ranges::equal(numbers(turns[i]), numbers(turns[i - 1]));
         turns[i].group = i == 0 ? 0 : turns[i - 1].group + !alike;
-        largest = std::max(largest, ProgramPack<D>::size_of(read_program(numbers(turns[i]).data())));
+        const auto read = read_program(numbers(turns[i]).data());
+        largest = std::max(largest, ProgramPack<D>::size_of(read));
+        most_nodes = std::max<std::size_t>(most_nodes, read.nodes);
     }
     if (turns.empty()) return;
     if (programs.spaces.size() < parts) programs.spaces.resize(parts);
-    for (auto& space : programs.spaces) space.make_room(largest);
+    for (auto& space : programs.spaces) space.make_room(largest, most_nodes);
 }
 
 } // namespace sinew::detail

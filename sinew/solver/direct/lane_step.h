@@ -74,17 +74,23 @@ template <int D, class Real> void follow_rows(const World<D, Real>& world, Block
     }
 }
 
-/// `Layout` knows where the numbers of a block are: load(lane, block) and store(lane, block) move positions and
-/// velocities between world and lane; load_tensions(lane, block, per) and report_tensions(lane, block, substep)
-/// tensions between multipliers and lane, take_tensions(lane, block) and put_tensions(lane, block) between rows and
-/// lane. each_particle(block, visit) and each_held(block, visit) visit rows of particles.
+/// `Layout` knows where the numbers of a block are: load(lane, block) moves constants into the lane;
+/// load_tensions(lane, block, per) and report_tensions(lane, block, substep) tensions between multipliers and lane,
+/// take_tensions(lane, block) and put_tensions(lane, block) between rows and lane. each_particle(block, visit) and
+/// each_held(block, visit) visit rows of particles.
 template <class Layout, int D, class Real> class LaneStep {
   public:
     LaneStep(World<D, Real>& world, Solver<D, Real>& solver, LanePack<D>& pack, double frame, int substeps)
         : world_(world), solver_(solver), particles_(world.particles), blocks_(solver.blocks), pack_(pack),
-          frame_(frame), last_(LaneClock::whole * std::uint32_t(substeps)),
+          kernel_(kernels<D, Real>(solver.options.simd)), frame_(frame),
+          last_(LaneClock::whole * std::uint32_t(substeps)),
           per_last2_(inverse_or_zero(square(double(world.last_substep)))) {
         pack_.longest = frame / substeps;
+        if (particles_.position.empty()) return;
+        exchange_.position = particles_.position.data()->component.data();
+        exchange_.residual = particles_.residual.data()->component.data();
+        exchange_.velocity = particles_.velocity.data()->component.data();
+        exchange_.inverse_mass = particles_.inverse_mass.data();
         for (std::uint32_t depth = 0; depth <= LaneClock::deepest; ++depth)
             decay_[depth] = Decay<double>::of(clamp(double(world.settings.damping), 0.0, limit::measure<double>),
                                               pack_.longest / double(1U << depth));
@@ -101,6 +107,8 @@ template <class Layout, int D, class Real> class LaneStep {
     Particles<D, Real>& particles_;
     Blocks<D>& blocks_;
     LanePack<D>& pack_;
+    const Kernels<D, Real>& kernel_;
+    NodeExchange<D, Real> exchange_;
 
     /// Moves the blocks of `turns`, all of one structure. `swing()` moves the lanes on by a substep; `whole(block)`
     /// moves a block as any other; `redo(block, from, to, depth)` moves one over a part of the step, and returns the
@@ -109,16 +117,15 @@ template <class Layout, int D, class Real> class LaneStep {
     void run(const Turns& turns, double report_substep, Swing&& swing, Whole&& whole, Redo&& redo) {
         pack_.active = {};
         for (auto next = turns.begin();;) {
-            int busy = 0;
-            for (int l = 0; l < pack_.width; ++l) {
+            for (int l = 0; l < pack_.width; ++l)
                 while (!lanes_[std::size_t(l)].block && next != turns.end())
                     take_in(l, blocks_.list[(next++)->block], whole);
-                busy += lanes_[std::size_t(l)].block != nullptr;
-            }
-            if (busy == 0) return;
+            exchange_nodes(kernel_.load_nodes);
+            if (std::none_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.block; })) return;
             swing();
             for (int l = 0; l < pack_.width; ++l)
                 if (lanes_[std::size_t(l)].block) go_on(l, report_substep, redo);
+            exchange_nodes(kernel_.store_nodes);
         }
     }
 
@@ -128,34 +135,20 @@ template <class Layout, int D, class Real> class LaneStep {
             if (world_.pins[i].hard() && !particles_.quarantined[row]) place = cast<double>(world_.pins[i].target);
         return place;
     }
-    /// Loads position and velocity of a particle into a row of nodes; returns the mass, kg.
-    template <class Node> double load_node(const LaneTable& nodes, std::size_t node, Row row) const {
-        const double mass = inverse_or_zero(double(particles_.inverse_mass[row]));
-        nodes.template put<D>(node, offsetof(Node, start),
-                              cast<double>(particles_.position[row]) + cast<double>(particles_.residual[row]));
-        nodes.template put<D>(node, offsetof(Node, velocity), cast<double>(particles_.velocity[row]));
-        nodes.at(node, offsetof(Node, mass)) = mass;
-        return mass;
-    }
-    template <class Node> void store_node(const LaneTable& nodes, std::size_t node, Row row) const {
-        constexpr double fastest = double(limit::speed<Real>), furthest = double(limit::coordinate<Real>);
-        const auto place = clamp_components(nodes.template get<D>(node, offsetof(Node, start)), furthest);
-        const auto held = cast<Real>(place);
-        particles_.residual[row] = cast<Real>(place - cast<double>(held));
-        particles_.position[row] = held;
-        particles_.velocity[row] =
-            cast<Real>(clamp_components(nodes.template get<D>(node, offsetof(Node, velocity)), fastest));
-    }
-    void start_block(int lane, double total, double reach, Row any) {
-        const auto l = std::size_t(lane);
-        push_[l] = cast<double>(push_on(world_, any).acceleration);
-        pack_.total.lane[l] = total;
-        pack_.reach.lane[l] = reach;
-        weight_reach_[l] = total * norm(push_[l]) * reach;
-        pack_.active.lane[l] = 1;
+    /// Movable nodes of the lanes: `count` records from `nodes` on. `rows` has room for a particle of each lane.
+    template <class Node> void exchange_with(double* nodes, std::size_t count, std::uint32_t* rows) {
+        constexpr auto after = [](int vectors) { return std::size_t(vectors * D) * sizeof(double); };
+        static_assert(offsetof(Node, start) == 0 && offsetof(Node, velocity) == after(1) &&
+                      offsetof(Node, mass) == after(2));
+        exchange_.nodes = nodes, exchange_.numbers = sizeof(Node) / sizeof(double);
+        exchange_.count = std::uint32_t(count), exchange_.width = pack_.width;
+        exchange_.rows = rows_ = rows;
+        exchange_.has_last_row = false;
     }
 
   private:
+    std::uint32_t* rows_ = nullptr;             ///< particles of the nodes, a row for each node
+    std::array<bool, max_block_lanes> moves_{}; ///< lanes whose nodes are to be exchanged with the particles
     double frame_;
     std::uint32_t last_; ///< end of the step, in shortest substeps
     double per_last2_;   ///< 1 / squared length of the substep that multipliers were reported for
@@ -170,16 +163,42 @@ template <class Layout, int D, class Real> class LaneStep {
 
     template <class Whole> void take_in(int lane, Block& block, Whole&& whole) {
         follow_rows(world_, blocks_, block);
-        if (!fits(block) || !find_room(lane, block)) return whole(block);
+        if (!fits(lane, block) || !find_room(lane, block)) return whole(block);
         block.lost = 0;
         lanes_[std::size_t(lane)] = {&block, {}};
+        start_block(lane, block);
         layout().load(lane, block);
         layout().load_tensions(lane, block, per_last2_);
         start_substep(lane, true);
     }
+    void start_block(int lane, const Block& block) {
+        const auto l = std::size_t(lane), width = std::size_t(pack_.width);
+        std::size_t at = l;
+        layout().each_particle(block, [&](Row row) {
+            rows_[at] = row;
+            at += width;
+            exchange_.has_last_row = exchange_.has_last_row || row + 1 == particles_.position.size();
+        });
+        pack_.reach.lane[l] = layout().length_of(block);
+        push_[l] = cast<double>(push_on(world_, rows_[l]).acceleration);
+        weight_reach_[l] = pack_.total.lane[l] * norm(push_[l]) * pack_.reach.lane[l];
+        pack_.active.lane[l] = 1;
+        moves_[l] = true;
+    }
+    /// Moves the nodes of the lanes that are to be exchanged: all at once, or one after the other.
+    void exchange_nodes(void (*kernel)(const NodeExchange<D, Real>&, int, int)) {
+        const auto width = std::size_t(pack_.width);
+        if (std::all_of(moves_.begin(), moves_.begin() + std::ptrdiff_t(width), [](bool moves) { return moves; }))
+            kernel(exchange_, 0, pack_.width);
+        else
+            for (std::size_t l = 0; l < width; ++l)
+                if (moves_[l]) kernel(exchange_, int(l), int(l) + 1);
+        moves_ = {};
+    }
 
-    /// False for a block that something pulls or carries about, and for one of very unequal masses.
-    bool fits(const Block& block) {
+    /// False for a block that something pulls or carries about, and for one of very unequal masses. Sets the total mass
+    /// of the lane.
+    bool fits(int lane, const Block& block) {
         double lightest = 1e300, total = 0;
         bool is_left_alone = true;
         layout().each_particle(block, [&](Row row) {
@@ -193,6 +212,7 @@ template <class Layout, int D, class Real> class LaneStep {
             for (auto i = blocks_.pin_of[row]; i != Blocks<D>::none; i = blocks_.next_pin[i])
                 is_left_alone = is_left_alone && world_.pins[i].from == world_.pins[i].target;
         });
+        pack_.total.lane[std::size_t(lane)] = total;
         return is_left_alone && lightest >= light * total;
     }
 
@@ -209,14 +229,16 @@ template <class Layout, int D, class Real> class LaneStep {
     collide::BoundingBox<D, double> room_of(const Block& block) {
         constexpr double margin = 2;
         collide::BoundingBox<D, double> reached;
-        double thickness = 0, fastest2 = 0, push = 0;
+        double thickness = 0, fastest2 = 0;
+        Row any = 0;
         layout().each_particle(block, [&](Row row) {
             const auto velocity = cast<double>(particles_.velocity[row]);
             reached.include(cast<double>(particles_.position[row]));
             fastest2 = maximum(fastest2, dot(velocity, velocity));
             thickness = maximum(thickness, double(particles_.radius[row]));
-            push = norm(cast<double>(push_on(world_, row).acceleration));
+            any = row;
         });
+        const double push = norm(cast<double>(push_on(world_, any).acceleration));
         std::optional<Vec<D, double>> held;
         layout().each_held(block, [&](Row row) { reached.include(*(held = held_place(row))); });
         const auto reach = reached.grown(margin * frame_ * (square_root(fastest2) + frame_ * push) + thickness);
@@ -255,7 +277,7 @@ template <class Layout, int D, class Real> class LaneStep {
             hand_over(lane, redo);
         clock.advance();
         if (clock.begun < last_) return start_substep(lane, !good);
-        layout().store(lane, *block);
+        moves_[l] = true;
         layout().report_tensions(lane, *block, report_substep);
         block = nullptr;
         pack_.active.lane[l] = 0;
@@ -263,11 +285,11 @@ template <class Layout, int D, class Real> class LaneStep {
 
     template <class Redo> void hand_over(int lane, Redo&& redo) {
         const auto& [block, clock] = lanes_[std::size_t(lane)];
-        layout().store(lane, *block);
+        kernel_.store_nodes(exchange_, lane, lane + 1);
         layout().put_tensions(lane, *block);
         const double from = double(clock.begun) / last_, to = double(clock.end()) / last_;
         block->lost += redo(*block, from, to, int(clock.depth) / 2);
-        layout().load(lane, *block);
+        kernel_.load_nodes(exchange_, lane, lane + 1);
         layout().take_tensions(lane, *block);
     }
 };

@@ -12,18 +12,21 @@ template <int D, class Real> class ChainStep : LaneStep<ChainStep<D, Real>, D, R
 
   public:
     ChainStep(World<D, Real>& world, Solver<D, Real>& solver, ChainSpace<D>& space, double frame, int substeps)
-        : Base(world, solver, space.pack, frame, substeps), pack_(space.pack), chains_(solver.blocks.chains),
-          distances_(std::get<kind_number<Distance, D>>(world.constraints)) {}
+        : Base(world, solver, space.pack, frame, substeps), space_(space), pack_(space.pack),
+          chains_(solver.blocks.chains), distances_(std::get<kind_number<Distance, D>>(world.constraints)) {}
 
     static bool are_alike(const ChainTurn& a, const ChainTurn& b) { return a.links == b.links; }
 
     /// Moves the chains of `turns`, all of the same number of links.
     template <class Whole, class Redo>
     void run(std::span<const ChainTurn> turns, double report_substep, Whole&& whole, Redo&& redo) {
-        const auto& kernel = kernels<D, Real>(Base::solver_.options.simd);
+        const auto& kernel = Base::kernel_;
         const bool single = turns.size() == 1 || turns.front().links > ChainSpace<D>::most_links_in_lanes;
         pack_.width = single ? 1 : kernel.block_lanes;
         pack_.links = int(turns.front().links);
+        constexpr std::size_t per_node = sizeof(Node) / sizeof(double);
+        Base::template exchange_with<Node>(pack_.nodes + per_node * std::size_t(pack_.width), turns.front().links,
+                                           space_.rows.data());
         const auto swing = [&] { single ? kernel.swing_chain(pack_) : kernel.swing_chains(pack_); };
         Base::run(turns, report_substep, swing, whole, redo);
     }
@@ -31,6 +34,7 @@ template <int D, class Real> class ChainStep : LaneStep<ChainStep<D, Real>, D, R
   private:
     using Node = ChainNode<D, double>;
 
+    ChainSpace<D>& space_;
     ChainPack<D>& pack_;
     const Chains<D>& chains_;
     Constraints<Distance<D>, Real>& distances_;
@@ -55,22 +59,14 @@ template <int D, class Real> class ChainStep : LaneStep<ChainStep<D, Real>, D, R
     void load(int lane, const Block& block) {
         const auto table = nodes(lane);
         const auto links = links_of(block);
-        double total = 0;
         table.template put<D>(0, offsetof(Node, start), Base::held_place(chain_of(block).held));
         for (std::size_t i = 1; i <= links.size(); ++i) {
             const auto& link = links[i - 1];
             const double length2 = square(link.length);
-            total += Base::template load_node<Node>(table, i, link.particle);
             table.at(i, offsetof(Node, length2)) = length2;
             table.at(i, offsetof(Node, per_length2)) = 1 / length2;
             table.at(i, offsetof(Node, pulls_only)) = link.pulls_only;
         }
-        Base::start_block(lane, total, length_of(block), links.front().particle);
-    }
-    void store(int lane, const Block& block) const {
-        const auto links = links_of(block);
-        for (std::size_t i = 0; i < links.size(); ++i)
-            Base::template store_node<Node>(nodes(lane), i + 1, links[i].particle);
     }
 
     void load_tensions(int lane, const Block& block, double per) const {

@@ -20,13 +20,14 @@ template <int D, class Real> class ProgramStep : LaneStep<ProgramStep<D, Real>, 
     /// Moves the blocks of `turns`, all of the same program.
     template <class Whole, class Redo>
     void run(std::span<const ProgramTurn> turns, double report_substep, Whole&& whole, Redo&& redo) {
-        const auto& kernel = kernels<D, Real>(Base::solver_.options.simd);
+        const auto& kernel = Base::kernel_;
         const bool single = turns.size() == 1;
         const auto& first = programs_.list[Base::blocks_.list[turns.front().block].program];
         pack_.width = single ? 1 : kernel.block_lanes;
         pack_.program = read_program(programs_.numbers.data() + first.first);
         pack_.is_free = pack_.program.nodes == pack_.program.unknowns;
         pack_.lay_out(space_.aligned());
+        Base::template exchange_with<Node>(pack_.nodes, pack_.program.unknowns, space_.rows.data());
         const auto swing = [&] { single ? kernel.swing_program(pack_) : kernel.swing_programs(pack_); };
         Base::run(turns, report_substep, swing, whole, redo);
     }
@@ -80,12 +81,8 @@ template <int D, class Real> class ProgramStep : LaneStep<ProgramStep<D, Real>, 
 
     void load(int lane, const Block& block) {
         const auto rows = nodes_of(block);
-        double total = 0;
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            if (i < block.unknowns)
-                total += Base::template load_node<Node>(nodes(lane), i, rows[i].row);
-            else
-                nodes(lane).template put<D>(i, offsetof(Node, start), Base::held_place(rows[i].row));
+        for (std::size_t i = block.unknowns; i < rows.size(); ++i)
+            nodes(lane).template put<D>(i, offsetof(Node, start), Base::held_place(rows[i].row));
         each_row(
             block,
             [&](const DistanceRow<D>& row, std::size_t i) {
@@ -96,7 +93,6 @@ template <int D, class Real> class ProgramStep : LaneStep<ProgramStep<D, Real>, 
                 planes(lane).at(i, offsetof(Plane, per_unit)) = 1 / row.unit;
             },
             [&](const auto& row, std::size_t i) { load_limit(row, lane, i); });
-        Base::start_block(lane, total, length_of(block), rows.front().row);
     }
     void load_limit(const DistanceRow<D>& row, int lane, std::size_t i) const {
         constexpr double margin = 2e-4, far = 1e30;
@@ -109,10 +105,6 @@ template <int D, class Real> class ProgramStep : LaneStep<ProgramStep<D, Real>, 
         limits(lane).at(i, offsetof(Limit, low)) = (row.low + margin) * row.unit;
         limits(lane).at(i, offsetof(Limit, high)) = (row.high - margin) * row.unit;
         limits(lane).at(i, offsetof(Limit, per_unit)) = 1 / row.unit;
-    }
-    void store(int lane, const Block& block) const {
-        for (std::size_t i = 0; i < block.unknowns; ++i)
-            Base::template store_node<Node>(nodes(lane), i, nodes_of(block)[i].row);
     }
 
     void load_tensions(int lane, const Block& block, double per) const {

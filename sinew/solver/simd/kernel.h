@@ -123,6 +123,19 @@ template <int D, class Real> struct BodyTurn {
     Real most;                    ///< largest displacement
 };
 
+/// Nodes of blocks in the lanes of packs, and the particles that they stand for. A record of a node begins with D
+/// numbers of the position, D of the velocity, and the mass.
+template <int D, class Real> struct NodeExchange {
+    double* nodes = nullptr;
+    std::size_t numbers = 0;             ///< of a record and lane
+    std::uint32_t count = 0;             ///< nodes
+    int width = 1;                       ///< lanes
+    const std::uint32_t* rows = nullptr; ///< particle of each node, one for each lane in a row
+    bool has_last_row = false;           ///< some lane has the last particle, whose load must not pass the end
+    Real *position = nullptr, *residual = nullptr, *velocity = nullptr; ///< D numbers a particle
+    const Real* inverse_mass = nullptr;
+};
+
 /// Kernel over the particles in slots [first, last).
 template <int D, class Real> using Moving = void (*)(const Motion<D, Real>&, std::uint32_t first, std::uint32_t last);
 
@@ -149,6 +162,9 @@ template <int D, class Real> struct Kernels {
     /// True if all numbers are within [-limit, limit], or [0, limit]; NaN is not.
     bool (*all_within)(const Real* numbers, std::size_t count, Real limit);
     bool (*all_within_and_positive)(const Real* numbers, std::size_t count, Real limit);
+    /// Particles to nodes and back, in lanes [first, last).
+    void (*load_nodes)(const NodeExchange<D, Real>&, int first, int last);
+    void (*store_nodes)(const NodeExchange<D, Real>&, int first, int last);
     /// Moves chains or other blocks on by a substep: as many side by side as there are lanes, or a single one.
     int block_lanes;
     void (*swing_chains)(ChainPack<D>&);

@@ -4,6 +4,7 @@
 #include "sinew/solver/simd/chain.h"
 #include "sinew/solver/simd/distance.h"
 #include "sinew/solver/simd/integrate.h"
+#include "sinew/solver/simd/node_exchange.h"
 #include "sinew/solver/simd/program.h"
 #include "sinew/solver/simd/range_check.h"
 #include "sinew/solver/simd/transpose.h"
@@ -27,6 +28,8 @@ template <int D, class Real> constexpr Kernels<D, Real> kernels_here(std::type_i
             .to_rows = to_rows<D, Real>,
             .all_within = all_within<true, Real>,
             .all_within_and_positive = all_within<false, Real>,
+            .load_nodes = load_nodes<D, Real>,
+            .store_nodes = store_nodes<D, Real>,
             .block_lanes = lane::widest<double>,
             .swing_chains = swing_chains<D, lane::widest<double>>,
             .swing_chain = swing_chains<D, 1>,
