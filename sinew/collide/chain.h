@@ -67,7 +67,7 @@ template <int D, class Real> struct Chain {
             BoundingBox<2, Real> box;
             box.include(edge.a);
             box.include(edge.b);
-            if (box.overlaps(near)) visit(edge);
+            if (box.grown(share_behind<Real> * norm(edge.b - edge.a)).overlaps(near)) visit(edge);
         }
     }
 };

@@ -33,11 +33,22 @@ template <int D, class Real> struct Collider {
     }
 };
 
+/// Box around a shape, with the layer behind its parts from which spheres are pushed out.
+template <int D, class Real>
+BoundingBox<D, Real> bounds_with_layer(const Shape<D, Real>& shape, const Pose<D, Real>& pose) {
+    const auto box = bounds(shape, pose);
+    return std::visit(
+        [&]<class Held>(const Held&) {
+            return IsSurface<Held> ? box.grown(share_behind<Real> * norm(box.high - box.low)) : box;
+        },
+        shape);
+}
+
 /// Box around a collider during a whole step. A turning shape stays within the sphere about its origin.
 template <int D, class Real> BoundingBox<D, Real> bounds_in_step(const Collider<D, Real>& collider) {
-    auto box = bounds(collider.shape, collider.from);
+    auto box = bounds_with_layer(collider.shape, collider.from);
     if (collider.is_at_rest()) return box;
-    const auto end = bounds(collider.shape, collider.target);
+    const auto end = bounds_with_layer(collider.shape, collider.target);
     box.include(end.low);
     box.include(end.high);
     if (collider.from.rotation == collider.target.rotation || !(box.high[0] < box.huge)) return box;
@@ -117,7 +128,8 @@ template <int D, class Real> class MovingCollider {
 
     /// Depth behind a one-sided part from which a sphere is still pushed out: contacts give a little.
     template <class Part> static Real depth_of(const Part& part, const Vector& begun, const Vector& move, Real radius) {
-        constexpr Real half = Real(0.5), little = Real(64) * std::numeric_limits<Real>::epsilon(), some = Real(0.02);
+        constexpr Real half = Real(0.5), little = Real(64) * std::numeric_limits<Real>::epsilon(),
+                       some = share_behind<Real>;
         Real size = 0;
         if constexpr (one_sided<Part>()) size = norm(part.b - part.a);
         return half * radius + little * norm(begun) + some * (norm(move) + size);

@@ -65,12 +65,19 @@ template <int D, class Real> struct Mesh {
         return corners_[a] + corners_[b] + corners_[c];
     }
 
+    /// With the layer behind a triangle from which spheres are pushed out.
+    void include(BoundingBox<3, Real>& box, std::uint32_t triangle) const {
+        const auto side = part(triangle).b - part(triangle).a;
+        for (const auto corner : triangles_[triangle])
+            for (const Real depth : {share_behind<Real> * norm(side), -share_behind<Real> * norm(side)})
+                box.include(corners_[corner] + Vector::map([depth](int) { return depth; }));
+    }
+
     void build(std::uint32_t first, std::uint32_t last) {
         constexpr std::uint32_t leaf = 4;
         const auto at = nodes_.size();
         nodes_.push_back({});
-        for (auto i = first; i < last; ++i)
-            for (const auto corner : triangles_[order_[i]]) nodes_[at].box.include(corners_[corner]);
+        for (auto i = first; i < last; ++i) include(nodes_[at].box, order_[i]);
         if (last - first <= leaf) {
             nodes_[at].first = first, nodes_[at].count = last - first;
         } else {

@@ -15,6 +15,10 @@ template <int D, class Real> struct SurfacePoint {
     std::uint32_t feature = 0;                        ///< face, edge or corner of the shape
 };
 
+/// Depth behind a part of a surface from which spheres are still pushed out, as a share of the part's size: contacts
+/// give a little.
+template <class Real> inline constexpr Real share_behind = Real(0.02);
+
 /// Nearest approach of a surface and a segment.
 template <int D, class Real> struct SegmentApproach {
     Real t = 0; ///< parameter on the segment, 0..1

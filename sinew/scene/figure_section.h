@@ -181,6 +181,7 @@ struct ContactSection {
     std::optional<double> radius;
     bool figures = false;
     bool itself = false;
+    std::string cloth{cloth_contact_names[0]};
     double friction = 0.5;
     std::vector<int> layers{0};
     std::optional<std::vector<int>> touches;
@@ -196,6 +197,10 @@ struct ContactSection {
         visit(self.itself,
               Field{.name = "itself",
                     .help = "Contact of its particles and links with each other, except for neighbours on a link"});
+        visit(self.cloth, Field{.name = "cloth",
+                                .help = "Contact of faces with themselves and other cloth: spheres 1.5 cells apart, "
+                                        "which may cross for moments; or thin, half a cell apart, which never cross",
+                                .choices = cloth_contact_names});
         visit(self.friction,
               Field{.name = "friction",
                     .help = "Coefficient of Coulomb friction against other figures; the smaller one counts",

@@ -35,6 +35,7 @@ template <int D, class Real> class WorldBuilder {
         set_contact(world_, figure,
                     {.figures = contact.figures,
                      .itself = contact.itself,
+                     .cloth = cloth_contact(contact.cloth),
                      .friction = contact.friction,
                      .filter = filter_of(contact.layers, contact.touches)});
         if (!contact.radius) return;
@@ -63,6 +64,12 @@ template <int D, class Real> class WorldBuilder {
         const auto found = std::find(direct_names.begin(), direct_names.end(), name);
         SINEW_ASSERT(found != direct_names.end(), "the reader accepts these names only");
         return Direct(found - direct_names.begin());
+    }
+
+    static ClothContactKind cloth_contact(std::string_view name) {
+        const auto found = std::find(cloth_contact_names.begin(), cloth_contact_names.end(), name);
+        SINEW_ASSERT(found != cloth_contact_names.end(), "the reader accepts these names only");
+        return ClothContactKind(found - cloth_contact_names.begin());
     }
 
     void speed_up(ParticleId id, const Point& velocity) {

@@ -68,10 +68,12 @@ bool set_contact(World<D, Real>& world, FigureIndex figure, const FigureContactS
     if (!has_figure(world, figure)) return false;
     auto& changed = world.figures[figure];
     const bool collides = spec.figures || spec.itself;
-    if (changed.collides != collides) world.journal.stale = world.journal.changed = true; // blocks are not for them
+    if (changed.collides != collides || changed.cloth != spec.cloth)
+        world.journal.stale = world.journal.changed = true; // blocks are not for them
     world.journal.changed |= changed.touches_itself != spec.itself || changed.friction != spec.friction;
     changed.collides = collides;
     changed.touches_itself = spec.itself;
+    changed.cloth = spec.cloth;
     changed.friction = clamp(spec.friction, 0.0, double(limit::measure<Real>));
     changed.filter = spec.filter;
     return true;

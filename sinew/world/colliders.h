@@ -26,8 +26,9 @@ std::optional<ColliderId> collider_called(const World<D, Real>& world, std::stri
 
 /// Contact of a figure with colliders and with other figures.
 struct FigureContactSpec {
-    bool figures = false; ///< its particles and links touch other figures with the same
-    bool itself = false;  ///< they touch each other, except for neighbours on a link
+    bool figures = false;                               ///< its particles and links touch other figures with the same
+    bool itself = false;                                ///< they touch each other, except for neighbours on a link
+    ClothContactKind cloth = ClothContactKind::spheres; ///< of its faces with themselves and other cloth (3D)
     double friction = 0.5;
     collide::Filter filter{};
 };

@@ -80,6 +80,14 @@ enum class Direct : unsigned char {
 };
 inline constexpr std::array<std::string_view, 3> direct_names = {"auto", "on", "off"}; ///< in the order of Direct
 
+/// Contact of cloth with itself and with other cloth.
+enum class ClothContactKind : unsigned char {
+    spheres, ///< spheres at the particles, 1.5 cells apart; layers may cross for moments
+    thin     ///< faces and edges, half a cell apart; cloth without crossings never crosses
+};
+inline constexpr std::array<std::string_view, 2> cloth_contact_names = {"spheres",
+                                                                        "thin"}; ///< in the order of ClothContactKind
+
 /// Result of a prefab: names of its particles and constraints, and pieces to draw. Positions are in the columns of the
 /// world. A removed figure leaves an empty, unused entry.
 struct Figure {
@@ -97,12 +105,12 @@ struct Figure {
     std::optional<Integrator> integrator{}; ///< in classic mode; nothing: the integrator of the rules
     bool tethers = false;                   ///< long-range attachments to the figure's pins (plan.h)
     bool quarantined = false;
-    collide::Filter filter{}; ///< layers of the particles, and the layers that these touch
-    bool collides =
-        false; ///< particles and links touch those of other figures that collide; solved directly while alone
-    bool touches_itself = false;            ///< likewise with each other, except for neighbours on a link
-    double friction = 0.5;                  ///< Coulomb's coefficient against other figures
-    std::uint32_t generation = Stamp::none; ///< generation of the FigureId; none: not in use
+    collide::Filter filter{};    ///< layers of the particles, and the layers that these touch
+    bool collides = false;       ///< particles and links touch those of others that collide; direct while alone
+    bool touches_itself = false; ///< likewise with each other, except for neighbours on a link
+    ClothContactKind cloth = ClothContactKind::spheres; ///< of its faces (3D)
+    double friction = 0.5;                              ///< Coulomb's coefficient against other figures
+    std::uint32_t generation = Stamp::none;             ///< generation of the FigureId; none: not in use
 
     bool in_use() const { return generation != Stamp::none; }
 };

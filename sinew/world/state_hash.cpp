@@ -154,6 +154,8 @@ void add_figures(const std::vector<Figure>& figures, Digest& digest) {
             digest.add(i, layers, mask, figures[i].collides, figures[i].touches_itself, figures[i].friction);
     }
     for (std::size_t i = 0; i < figures.size(); ++i)
+        if (figures[i].cloth != ClothContactKind::spheres) digest.add(i, figures[i].cloth);
+    for (std::size_t i = 0; i < figures.size(); ++i)
         if (figures[i].integrator) digest.add(i, *figures[i].integrator);
 }
 

@@ -107,8 +107,8 @@ template <int D, class Real> std::vector<collide::Shape<D, Real>> thin_shapes() 
 }
 
 // 1000 m/s is 1 m a substep, 50 times as far as the wall is thick. A direct block steps 8 m at a time, and is stopped
-// by a stiff spring: on terrain it stays up to 14 mm deep. The landscape is so wide that nothing leaves it over its
-// rim.
+// by a stiff spring, which gives way a little and then pushes out. The landscape is so wide that nothing leaves it over
+// its rim.
 TYPED_TEST(Colliders, NothingTunnelsAtAThousandMetresASecond) {
     using Real = typename TypeParam::Real;
     using World = typename TypeParam::World;
@@ -133,7 +133,7 @@ TYPED_TEST(Colliders, NothingTunnelsAtAThousandMetresASecond) {
                 for (const auto id : rod) set_velocity(world, id, way * Real(1000));
                 for (int k = 0; k < 3; ++k) step(world, Real(1.0 / 60));
                 EXPECT_GT(height_of(world, bullet), -1e-3) << shape.index() << " " << radius << " " << i;
-                for (const auto id : rod) EXPECT_GT(height_of(world, id), -0.02) << shape.index() << " rod " << i;
+                for (const auto id : rod) EXPECT_GT(height_of(world, id), -1e-3) << shape.index() << " rod " << i;
             }
 }
 

@@ -108,10 +108,12 @@ template <int D, class Real> class ClothContact {
     }
     bool may_touch(const ClothPair& pair) const {
         const auto a = room_.figure[pair.first], b = room_.figure[pair.second];
+        if (is_thin(a) || is_thin(b)) return false; // cloth/thin_contact.h
         if (a != b) return touch(world_.figures[a].filter, world_.figures[b].filter);
         const auto near = room_.near_of(pair.first);
         return world_.figures[a].touches_itself && std::find(near.begin(), near.end(), pair.second) == near.end();
     }
+    bool is_thin(FigureIndex figure) const { return world_.figures[figure].cloth == ClothContactKind::thin; }
     /// Sorts by both numbers, and leaves each pair once.
     void sort_found() {
         auto& first = room_.first;

@@ -78,11 +78,14 @@ template <int D, class Real> class ClothFeatures {
                 if (const auto slot = slot_of(id); slot < state_.size()) number_[slot] = 0;
         });
         room_.figure.clear();
+        room_.any_spheres = false;
         for (std::uint32_t slot = 0; slot < number_.size(); ++slot) {
             if (number_[slot] == none) continue;
             number_[slot] = std::uint32_t(room_.size());
             room_.slots.push_back(slot);
             room_.figure.push_back(p_.figure[state_.row_of[slot]]);
+            const bool is_thin = world_.figures[room_.figure.back()].cloth == ClothContactKind::thin;
+            room_.any_spheres = room_.any_spheres || !is_thin;
         }
     }
 

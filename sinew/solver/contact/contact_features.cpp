@@ -30,7 +30,12 @@ template <int D, class Real> class FeatureFinder {
         room_.particles.clear();
         room_.segments.clear();
         room_.by_rows.assign(state.size(), 0);
-        if (room_.is_stale) detail::ClothFeatures<D, Real>(world_, state, room_.cloth).find();
+        if (room_.is_stale) {
+            detail::ClothFeatures<D, Real>(world_, state, room_.cloth).find();
+            room_.thin.vertices.clear();
+            detail::ClothMeshBuilder<D, Real>(world_, state, room_.thin.mesh).build();
+            room_.thin.reserve();
+        }
         for (FigureIndex i = 0; i < world_.figures.size(); ++i)
             if (world_.figures[i].in_use() && world_.figures[i].collides) add_segments(i);
         list_particles();
@@ -42,8 +47,11 @@ template <int D, class Real> class FeatureFinder {
         const auto is_exact = [&](Row slot) { return slot < state.size() && is_held_exactly(solver_, slot); };
         room_.joints.find(world_, solver_, is_exact);
         room_.exact_components.clear();
-        for (const auto& component : state.plan.components)
+        room_.cloth_components.clear();
+        for (const auto& component : state.plan.components) {
             room_.exact_components.push_back(is_held_exactly(solver_, component));
+            room_.cloth_components.push_back(has_cloth(component));
+        }
         if (std::exchange(room_.is_stale, false)) list_links();
     }
 
@@ -52,6 +60,12 @@ template <int D, class Real> class FeatureFinder {
     Solver<D, Real>& solver_;
     ContactRoom<D, Real>& room_;
     static constexpr std::uint32_t none = ~std::uint32_t(0);
+
+    bool has_cloth(const Component& component) const {
+        const auto& slots = room_.cloth.slots; // ascending
+        const auto next = std::lower_bound(slots.begin(), slots.end(), component.begin.slot);
+        return next != slots.end() && *next < solver_.sweep_state.plan.end_of(component).slot;
+    }
 
     /// Walls hold cloth as they hold everything swept; rows hold the rest. Cloth alone has no pairs with others.
     void list_particles() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/cloth/thin_room.h"
 #include "sinew/solver/contact/cloth_room.h"
 #include "sinew/solver/contact/contact_list.h"
 #include "sinew/solver/contact/contact_parts.h"
@@ -23,6 +24,7 @@ template <int D, class Real> struct ContactRoom {
     std::vector<char> by_rows;          ///< per slot of the sweep: held by rows of contact, not plane by plane
     std::vector<char> is_exact;         ///< per slot of the sweep: links at the particle are exact, or there are none
     std::vector<char> exact_components; ///< per component of the plan: the sweep has no distances there
+    std::vector<char> cloth_components; ///< per component of the plan: some particle is of cloth
     std::vector<std::array<Row, 2>> links; ///< pairs of linked particles, in order
 
     detail::ContactList<D, Real> list;                   ///< pairs of features that may touch
@@ -34,6 +36,7 @@ template <int D, class Real> struct ContactRoom {
     detail::LinkProjector<D, Real> projector;
     detail::JointRows<D, Real> joints;
     detail::ClothRoom<D, Real> cloth;
+    detail::ThinRoom<D, Real> thin;
 
     /// Radius of a particle of cloth against everything; 0 for other particles.
     Real cover_of(Row row) const { return cloth.empty() ? Real(0) : cloth.cover[row]; }
