@@ -4,7 +4,7 @@
 # Header-only libraries are the host's; the host's C headers must stay out of the search path.
 set(host_headers ${PROJECT_BINARY_DIR}/host_headers)
 file(MAKE_DIRECTORY ${host_headers})
-foreach(name IN ITEMS fmt nlohmann xxhash.h)
+foreach(name IN ITEMS nlohmann xxhash.h)
     file(CREATE_LINK /usr/include/${name} ${host_headers}/${name} SYMBOLIC)
 endforeach()
 
@@ -31,17 +31,18 @@ foreach(declaration IN LISTS declarations)
     list(APPEND exports -Wl,--export=${name})
 endforeach()
 
+# Decimal numbers are the engine's own (sinew/math/decimal.h), in place of the C library's in 128-bit arithmetic.
 # A last -O0 keeps clang from running any wasm-opt of the machine.
 function(sinew_wasm_options name real)
     target_compile_options(${name} PRIVATE -Oz -ffp-contract=off -fvisibility=hidden -fno-threadsafe-statics
         -fno-c++-static-destructors)
-    target_compile_definitions(${name} PRIVATE NDEBUG FMT_HEADER_ONLY FMT_STATIC_THOUSANDS_SEPARATOR=',' JSON_NOEXCEPTION
-        SINEW_ONE_PRECISION=${real})
+    target_compile_definitions(${name} PRIVATE NDEBUG JSON_NOEXCEPTION
+        SINEW_ONE_PRECISION=${real} SINEW_SMALL)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
     target_include_directories(${name} SYSTEM PRIVATE ${host_headers})
     sinew_warnings(${name})
-    target_link_options(${name} PRIVATE -mexec-model=reactor -Wl,--strip-all -Wl,--gc-sections -Wl,-z,stack-size=1048576
-        -Wl,-Map=${PROJECT_BINARY_DIR}/bin/${name}.map ${exports} -O0)
+    target_link_options(${name} PRIVATE -mexec-model=reactor -Wl,--strip-all -Wl,--gc-sections -Wl,--compress-relocations -Wl,-z,stack-size=1048576
+        -Wl,-Map=${PROJECT_BINARY_DIR}/bin/${name}.map ${exports} -Wl,--wrap=strtod -lc-printscan-no-floating-point -O0)
     set_target_properties(${name} PROPERTIES SUFFIX .wasm RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endfunction()
 

@@ -1,21 +1,21 @@
 #include "player/play.h"
 
+#include "sinew/math/trig.h"
 #include "sinew/world/measure.h"
 
 #include "player/files.h"
 #include "player/tool.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <utility>
 
 namespace sinew::play {
 namespace {
 
-constexpr double a_notch = 1.15;    // magnification per notch of the wheel
-constexpr double most_notches = 20; // per event
-constexpr double look_every = 0.5;  // seconds between checks of the scene's file
+constexpr double log_of_a_notch = 0.13976194237515863; // a notch of the wheel magnifies 1.15 times
+constexpr double most_notches = 20;                    // per event
+constexpr double look_every = 0.5;                     // seconds between checks of the scene's file
 
 bool follows_pointer(const PinSection& pin) {
     return pin.driver && std::holds_alternative<PointerDriver>(*pin.driver);
@@ -191,7 +191,7 @@ void Play::handle(const Input& input) {
             const auto& scene = play.session().scene();
             if (scene.pointer.wheel_time_scale > 0 && scene.solver.mode == "classic")
                 return play.timeline().act(Quicken{notches * scene.pointer.wheel_time_scale});
-            play.zoom(std::pow(a_notch, notches));
+            play.zoom(exponential(log_of_a_notch * notches));
         }
         void operator()(const Pinched& pinched) const {
             play.each_pane([&] { play.camera().pan(play.session(), pinched.by); });

@@ -50,7 +50,7 @@ RemoveEvent removed_constraints(const AnyWorld& world) {
 std::string text_of(const Session& session) {
     auto scene = session.scene();
     if (auto removal = removed_constraints(session.world()); !removal.constraints.empty())
-        scene.events.insert(scene.events.begin(), EventSection{.at = 0, .event = std::move(removal)});
+        scene.events.insert(scene.events.begin(), EventSection{.at = 0.0, .on = {}, .event = std::move(removal)});
     return json::to_text(to_json(scene)) + "\n";
 }
 

@@ -3,7 +3,6 @@
 #include "sinew/scene/check.h"
 #include "sinew/scene/reader.h"
 #include "sinew/scene/text.h"
-#include "sinew/scene/writer.h"
 #include "sinew/world/measure.h"
 
 #include "player/saved_action.h"

@@ -1,5 +1,5 @@
-#include "sinew/scene/layout.h"
 #include "sinew/scene/limits.h"
+#include "sinew/scene/reader.h"
 #include "sinew/scene/scene.h"
 #include "sinew/scene/text.h"
 

@@ -66,10 +66,12 @@ StepTimes timed(Run& run, std::uint64_t steps, const std::string& label, std::op
 json::Array events_json(const Session& session) {
     constexpr std::size_t most = 100;
     json::Array events;
-    for (const auto& [seconds, what, where, islands] : session.happenings()) {
+    for (const auto& happening : session.happenings()) {
         if (events.size() == most) break;
-        json::Object event{{"seconds", seconds}, {"what", what}, {"where", where}};
-        if (islands > 0) event.push_back({"islands", islands});
+        json::Object event{{"seconds", happening.seconds}, {"what", happening.what}, {"where", happening.where}};
+        if (happening.islands > 0) event.push_back({"islands", happening.islands});
+        if (!happening.with.empty()) event.push_back({"with", happening.with});
+        if (happening.impulse > 0) event.push_back({"impulse", happening.impulse});
         events.push_back(std::move(event));
     }
     return events;
@@ -113,23 +115,25 @@ class RunCommand final : public Command {
             .name = "run",
             .usage = "SCENE [--seconds S] [--trace FILE] [--pointer FILE] [--threads N] [--json] [key=value...]",
             .about = "steps a scene without drawing it and tells how it ended",
-            .details = "With --json the last line is one JSON object: scene, mode, precision, dimension, units,\n"
-                       "seconds, steps, particles, constraints, hash, energy {kinetic, potential, stored, total},\n"
-                       "energy_lost (what ropes and figures gave up where they struck, cracked or snapped taut),\n"
-                       "stretch_max, stretch_mean (of distances, as fractions of their rest length), max_speed,\n"
-                       "ms_per_step (median), ms_by_phase (mean), events_count and events (the first 100): torn, cut, "
-                       "parted (a figure\n"
-                       "fell into so many islands), quarantined and those of the scene. Numbers are in the scene's\n"
-                       "units; one that is not finite is null. The hash is the same on every machine.\n"
-                       "\n"
-                       "A trace holds a row for each particle of each frame, the start among them: time, name,\n"
-                       "position and velocity in the scene's own units, as CSV with a heading where the file ends in\n"
-                       ".csv, otherwise as a JSON object a line. With --trace - the rows go to standard output, and\n"
-                       "what run has to tell to standard error.\n"
-                       "\n"
-                       "A pointer file has a line TIME, X, Y, BUTTON for each turn of a pointer's path, in the\n"
-                       "scene's units (in 3D X and Y are pixels of its picture). The pointer goes straight from one\n"
-                       "place to the next; while BUTTON is not 0 it holds what it was pressed on.\n",
+            .details =
+                "With --json the last line is one JSON object: scene, mode, precision, dimension, units,\n"
+                "seconds, steps, particles, constraints, hash, energy {kinetic, potential, stored, total},\n"
+                "energy_lost (what ropes and figures gave up where they struck, cracked or snapped taut),\n"
+                "stretch_max, stretch_mean (of distances, as fractions of their rest length), max_speed,\n"
+                "ms_per_step (median), ms_by_phase (mean), events_count and events (the first 100): torn, cut, "
+                "parted (a figure\n"
+                "fell into so many islands), quarantined, those of the scene, and begin, persist, end and hit of\n"
+                "contacts for which the scene waits (with: the other side, impulse). Numbers are in the scene's\n"
+                "units; one that is not finite is null. The hash is the same on every machine.\n"
+                "\n"
+                "A trace holds a row for each particle of each frame, the start among them: time, name,\n"
+                "position and velocity in the scene's own units, as CSV with a heading where the file ends in\n"
+                ".csv, otherwise as a JSON object a line. With --trace - the rows go to standard output, and\n"
+                "what run has to tell to standard error.\n"
+                "\n"
+                "A pointer file has a line TIME, X, Y, BUTTON for each turn of a pointer's path, in the\n"
+                "scene's units (in 3D X and Y are pixels of its picture). The pointer goes straight from one\n"
+                "place to the next; while BUTTON is not 0 it holds what it was pressed on.\n",
             .examples = "sinew run ragdoll\n"
                         "sinew run ragdoll --seconds 10 --json | jq .hash\n"
                         "sinew run ragdoll mode=classic precision=float world.gravity=[0,0.2]\n"

@@ -2,7 +2,6 @@
 
 #include "sinew/scene/document.h"
 #include "sinew/scene/reader.h"
-#include "sinew/scene/writer.h"
 
 #include "player/files.h"
 

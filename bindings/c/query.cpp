@@ -41,6 +41,13 @@ template <class WorldT> sinew_view ends_of(const WorldT& world, std::vector<std:
     return view_of(rows, 2);
 }
 
+/// 1 for every particle asleep, else 0, in `rows`.
+template <class Particles> sinew_view sleepers_of(const Particles& particles, std::vector<std::uint32_t>& rows) {
+    rows.clear();
+    for (Row row = 0; row < particles.size(); ++row) rows.push_back(particles.asleep[row] != 0);
+    return view_of(rows);
+}
+
 template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world, int column, Simulation& simulation) {
     const auto& particles = world.particles;
     switch (column) {
@@ -60,6 +67,8 @@ template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world,
         return ends_of(world, simulation.rows);
     case SINEW_MOBILITY:
         return view_of(particles.mobility);
+    case SINEW_ASLEEP:
+        return sleepers_of(particles, simulation.rows);
     default:
         return std::nullopt;
     }
@@ -67,8 +76,12 @@ template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world,
 
 template <class WorldT> sinew_particle_state state_of(const WorldT& world, Row row) {
     const auto& particles = world.particles;
-    sinew_particle_state state{
-        {}, {}, double(particles.inverse_mass[row]), double(particles.radius[row]), particles.figure[row]};
+    sinew_particle_state state{{},
+                               {},
+                               double(particles.inverse_mass[row]),
+                               double(particles.radius[row]),
+                               particles.figure[row],
+                               particles.asleep[row] != 0};
     for (int i = 0; i < WorldT::dimension; ++i) {
         state.position[i] = double(particles.position[row][i]);
         state.velocity[i] = double(particles.velocity[row][i]);
@@ -106,6 +119,7 @@ sinew_status sinew_get_info(sinew_simulation simulation, sinew_info* info) {
             info->particles = std::uint32_t(world.particles.size());
             info->constraints = count_constraints(world);
             info->figures = std::uint32_t(world.figures.size());
+            for (Row row = 0; row < world.particles.size(); ++row) info->asleep += world.particles.asleep[row] != 0;
         });
         info->is_classic = scene.solver.mode == "classic";
         info->y_is_down = scene.units.up == "-y";
@@ -291,7 +305,8 @@ sinew_status sinew_event_at(sinew_simulation simulation, uint32_t index, sinew_e
     return read(simulation, [&](const Simulation&, const Session& session) {
         if (index >= session.happenings().size()) return fail(SINEW_NOT_FOUND, "there are fewer events");
         const auto& found = session.happenings()[index];
-        *event = {found.seconds, found.what.c_str(), found.where.c_str(), std::uint32_t(found.islands)};
+        *event = {found.seconds,      found.what.c_str(), found.where.c_str(), std::uint32_t(found.islands),
+                  found.with.c_str(), found.impulse};
         return SINEW_OK;
     });
 }

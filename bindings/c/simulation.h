@@ -29,8 +29,9 @@ struct Simulation {
     play::Play* player = nullptr; ///< outlives the simulation
     std::size_t pane = 0;
     Drawn drawn{};
-    std::string text{};                ///< last text handed out
-    std::vector<std::uint32_t> rows{}; ///< last column of rows handed out
+    std::string text{};                    ///< last text handed out
+    std::vector<std::uint32_t> rows{};     ///< last column of rows handed out
+    std::vector<sinew_contact> contacts{}; ///< as last counted
 
     /// Null if the player has no such pane.
     const Session* session() const;
@@ -60,6 +61,15 @@ template <int D, class Real> Vec<D, Real> vector_of(const sinew_point& point) {
     return point_of(point).as<D, Real>();
 }
 bool is_finite(const sinew_point& point);
+/// Rotation by an angle; in space about an axis, or about z if there is none.
+template <int D, class Real> collide::Rotation<D, Real> rotation_of(double angle, const sinew_point* axis) {
+    if constexpr (D == 2) {
+        return collide::Rotation<2, Real>::of(Real(angle));
+    } else {
+        const auto given = axis ? vector_of<3, Real>(*axis) : Vec<3, Real>{};
+        return collide::Rotation<3, Real>::of(given == Vec<3, Real>{} ? Vec<3, Real>::axis(2) : given, Real(angle));
+    }
+}
 
 /// Ids as numbers: slot and generation; of constraints also the kind.
 std::uint64_t number_of(std::uint32_t slot, std::uint32_t generation);

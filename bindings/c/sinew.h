@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 /* Version of this header: raised by every change that breaks a compiled caller. */
-#define SINEW_ABI 1u
+#define SINEW_ABI 2u
 
 /* The library's ABI; a caller compiled with another SINEW_ABI must not go on. */
 SINEW_API uint32_t sinew_abi(void);
@@ -159,6 +159,7 @@ typedef struct sinew_info {
     double per_second;   /* units of time in a second: 60 if the scene counts frames */
     uint32_t view_width; /* size of the picture that the scene asks for, pixels */
     uint32_t view_height;
+    uint32_t asleep; /* particles asleep: at rest, left out of the step until woken */
 } sinew_info;
 SINEW_API sinew_status sinew_get_info(sinew_simulation simulation, sinew_info* info);
 
@@ -182,7 +183,8 @@ typedef enum sinew_column SINEW_INT {
     SINEW_RADIUS = 4,
     SINEW_FIGURE = 5,          /* uint32_t, index of the figure; ~0 for loose particles */
     SINEW_CONSTRAINT_ENDS = 6, /* uint32_t, two rows for each distance */
-    SINEW_MOBILITY = 7         /* inverse mass that the constraints see: 0 while pinned */
+    SINEW_MOBILITY = 7,        /* inverse mass that the constraints see: 0 while pinned */
+    SINEW_ASLEEP = 8           /* uint32_t, 1: the particle is asleep */
 } sinew_column;
 
 /* Memory of the simulation, not a copy: valid until the next call that steps or changes it. In WebAssembly any call may
@@ -200,6 +202,7 @@ SINEW_API sinew_status sinew_get_column(sinew_simulation simulation, sinew_colum
 typedef uint64_t sinew_particle;
 typedef uint64_t sinew_constraint;
 typedef uint64_t sinew_pin;
+typedef uint64_t sinew_collider;
 #define SINEW_NO_ID UINT64_MAX
 
 SINEW_API sinew_status sinew_particle_at(sinew_simulation simulation, uint32_t row, sinew_particle* particle);
@@ -217,6 +220,7 @@ typedef struct sinew_particle_state {
     double inverse_mass; /* 0: immovable */
     double radius;
     uint32_t figure; /* ~0: none */
+    uint32_t is_asleep;
 } sinew_particle_state;
 SINEW_API sinew_status sinew_get_particle(sinew_simulation simulation, sinew_particle particle,
                                           sinew_particle_state* state);
@@ -245,13 +249,88 @@ SINEW_API sinew_status sinew_figure_at(sinew_simulation simulation, uint32_t ind
 
 typedef struct sinew_event {
     double seconds;    /* simulated time */
-    const char* what;  /* "torn", "parted", "quarantined", or the name of a scene event */
-    const char* where; /* figure or particle; may be empty */
+    const char* what;  /* "torn", "parted", "quarantined", "touched" (a sensor), the phase of a contact that the scene
+                          waits for ("begin", "persist", "end", "hit"), or the name of a scene event */
+    const char* where; /* figure or particle, or the text of a note; may be empty */
     uint32_t islands;  /* "parted": number of islands of the figure; else 0 */
+    const char* with;  /* contacts: name of the collider or figure touched; may be empty */
+    double impulse;    /* contacts: in the step */
 } sinew_event;
 /* Events since the start; at most 10,000 are kept. */
 SINEW_API sinew_status sinew_event_count(sinew_simulation simulation, uint32_t* count);
 SINEW_API sinew_status sinew_event_at(sinew_simulation simulation, uint32_t index, sinew_event* event);
+
+/* --- contacts ---------------------------------------------------------------------------------------------------- */
+
+typedef enum sinew_phase SINEW_INT {
+    SINEW_BEGIN = 0,   /* the touch began in the last step */
+    SINEW_PERSIST = 1, /* it went on */
+    SINEW_END = 2      /* it ended */
+} sinew_phase;
+
+/* A contact in the last step. A hit is one whose `blow` is above a number of the caller's, and `blow_before` was not.
+ */
+typedef struct sinew_contact {
+    double impulse;     /* in the last step, newton seconds (or the scene's unit of impulse); friction is not counted */
+    double blow;        /* the same; in the step after the touch began, that of both steps: a blow may take two */
+    double blow_before; /* in the step before */
+    sinew_particle particle;   /* of two figures the particle that is pressed hardest, or an end of a link that is */
+    sinew_particle other;      /* the same of the other figure; SINEW_NO_ID: a collider is touched */
+    sinew_collider collider;   /* SINEW_NO_ID: a figure is touched */
+    uint32_t figure;           /* ~0: a loose particle */
+    uint32_t other_figure;     /* ~0: a collider is touched */
+    uint32_t phase;            /* a sinew_phase */
+    const char* collider_name; /* as in the scene; may be empty */
+} sinew_contact;
+/* Whether touches of figures with figures are listed too, from the next step on (`on` 0 or 1; contacts of figures must
+ * be switched on in the scene: "contact": {"figures": true}). Those with colliders always are. A scene whose events
+ * wait for contacts lists them anyway. Results do not depend on it. */
+SINEW_API sinew_status sinew_list_contacts(sinew_simulation simulation, uint32_t on);
+/* Lists the contacts of the last step, for sinew_contact_at until the simulation is stepped or changed. */
+SINEW_API sinew_status sinew_contact_count(sinew_simulation simulation, uint32_t* count);
+SINEW_API sinew_status sinew_contact_at(sinew_simulation simulation, uint32_t index, sinew_contact* contact);
+
+/* --- queries ----------------------------------------------------------------------------------------------------- */
+
+typedef struct sinew_point {
+    double x, y, z;
+} sinew_point;
+
+/* Nearest particle whose surface is within `reach` of a point; `distance` (may be null) is from the surface, negative
+ * inside. SINEW_NOT_FOUND if there is none. */
+SINEW_API sinew_status sinew_nearest_particle(sinew_simulation simulation, sinew_point at, double reach,
+                                              sinew_particle* particle, double* distance);
+/* Nearest link, the segment between the ends of a distance; `t` (may be null) is the place on it, 0 at the first end
+ * and 1 at the second. SINEW_NOT_FOUND if there is none within `reach`. */
+SINEW_API sinew_status sinew_nearest_link(sinew_simulation simulation, sinew_point at, double reach,
+                                          sinew_constraint* link, double* t, double* distance);
+
+typedef struct sinew_ray_hit {
+    double share; /* of the way, 0 to 1 */
+    sinew_point point, normal;
+    sinew_particle particle; /* SINEW_NO_ID: a collider was met */
+    sinew_collider collider; /* SINEW_NO_ID: a particle was met */
+} sinew_ray_hit;
+/* First particle with a radius, or collider other than a sensor, that a sphere meets on its straight way; radius 0 is a
+ * ray. Only layers of `mask` count (~0: all). A thing that holds the start is met at once if the way leads further into
+ * it, and not if it leads out. SINEW_NOT_FOUND if nothing is met. */
+SINEW_API sinew_status sinew_cast_ray(sinew_simulation simulation, sinew_point from, sinew_point to, double radius,
+                                      uint32_t mask, sinew_ray_hit* hit);
+
+/* A sphere (circle), or a box if `half` is not zero, turned about its centre. */
+typedef struct sinew_region {
+    sinew_point center;
+    sinew_point half; /* half of the edges of a box; all zero: a sphere */
+    double radius;    /* of a sphere */
+    double angle;     /* of a box, in radians, counter-clockwise; in 3D about `axis` */
+    sinew_point axis; /* 3D: of any length; all zero: z */
+} sinew_region;
+/* Ids of the particles, or links, that touch a region, in the order of their rows: at most `room` are written, and
+ * `count` says how many there are. */
+SINEW_API sinew_status sinew_overlapping_particles(sinew_simulation simulation, const sinew_region* region,
+                                                   sinew_particle* particles, size_t room, size_t* count);
+SINEW_API sinew_status sinew_overlapping_links(sinew_simulation simulation, const sinew_region* region,
+                                               sinew_constraint* links, size_t room, size_t* count);
 
 /* --- the scene of a simulation ----------------------------------------------------------------------------------- */
 
@@ -264,10 +343,6 @@ SINEW_API sinew_status sinew_parameters(sinew_simulation simulation, const char*
 SINEW_API sinew_status sinew_set(sinew_simulation simulation, const char* override_pair);
 
 /* --- edits ------------------------------------------------------------------------------------------------------- */
-
-typedef struct sinew_point {
-    double x, y, z;
-} sinew_point;
 
 typedef struct sinew_particle_spec {
     sinew_point position, velocity;
@@ -302,6 +377,13 @@ SINEW_API sinew_status sinew_pin_particle(sinew_simulation simulation, sinew_par
 /* Target at the end of the next step, approached in a straight line. */
 SINEW_API sinew_status sinew_move_pin(sinew_simulation simulation, sinew_pin pin, sinew_point target);
 SINEW_API sinew_status sinew_unpin(sinew_simulation simulation, sinew_pin pin);
+
+/* Colliders of the scene by name. */
+SINEW_API sinew_status sinew_find_collider(sinew_simulation simulation, const char* name, sinew_collider* collider);
+/* Pose of a collider at the end of the next step, approached evenly: what touches it is carried along. `angle` as in
+ * sinew_region, `axis` may be null. A collider with a motion of its own in the scene follows that. */
+SINEW_API sinew_status sinew_move_collider(sinew_simulation simulation, sinew_collider collider, sinew_point position,
+                                           double angle, const sinew_point* axis);
 
 /* --- pointer ----------------------------------------------------------------------------------------------------- */
 

@@ -1,6 +1,6 @@
-#include "player/tool.h"
+#include "sinew/math/format.h"
 
-#include <fmt/format.h>
+#include "player/tool.h"
 
 namespace sinew::play {
 namespace {
@@ -37,7 +37,7 @@ class MeasureTool final : public Tool {
     }
 
     static std::string text_of(const Play& play, double length) {
-        return fmt::format("{:.4g} {}", length, play.session().scene().units.length);
+        return format_text("{:4} {}", length, play.session().scene().units.length);
     }
 
     Vec2<double> from_{};

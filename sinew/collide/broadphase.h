@@ -2,6 +2,7 @@
 
 #include "sinew/collide/bounding_box.h"
 #include "sinew/math/random.h"
+#include "sinew/math/sort.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +29,7 @@ template <int D, class Real> class Broadphase {
         fill(boxes);
         for (std::size_t cell = 0; cell + 1 < start_.size(); ++cell) pair_up(boxes, cell, wanted);
         for (const auto i : large_) pair_large(boxes, i, wanted);
-        std::sort(pairs_.begin(), pairs_.end());
+        sinew::sort(pairs_.begin(), pairs_.end());
         return pairs_;
     }
 

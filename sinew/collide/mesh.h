@@ -3,6 +3,7 @@
 #include "sinew/collide/bounding_box.h"
 #include "sinew/collide/pose.h"
 #include "sinew/collide/triangle.h"
+#include "sinew/math/sort.h"
 
 #include <algorithm>
 #include <array>
@@ -91,7 +92,7 @@ template <int D, class Real> struct Mesh {
         int axis = 0;
         for (int i = 1; i < 3; ++i)
             if (size[i] > size[axis]) axis = i;
-        std::sort(order_.begin() + first, order_.begin() + last, [&](std::uint32_t i, std::uint32_t k) {
+        sinew::sort(order_.begin() + first, order_.begin() + last, [&](std::uint32_t i, std::uint32_t k) {
             const Real a = sum(i)[axis], b = sum(k)[axis];
             return a < b || (a == b && i < k);
         });

@@ -1,7 +1,8 @@
 #include "sinew/picture/annotator.h"
 
+#include "sinew/math/format.h"
+
 #include <array>
-#include <fmt/format.h>
 #include <span>
 #include <utility>
 
@@ -42,15 +43,15 @@ void Annotator::add_bar(std::string_view what, double scale, std::string_view un
         const std::array<Vec2<float>, 4> box = {{{{left, y - high}}, {{right, y - high}}, {{right, y}}, {{left, y}}}};
         picture_.add(Shape::polygon, box, 0, color_of_share(2 * (i + 0.5) / parts - 1));
     }
-    label(fmt::format("-{:g} {}", scale, unit), margin + 18 * unit_, y);
+    label(format_text("-{:6} {}", scale, unit), margin + 18 * unit_, y);
     label(std::string(what), margin + wide / 2, y);
-    label(fmt::format("{:g} {}", scale, unit), margin + wide - 15 * unit_, y);
+    label(format_text("{:6} {}", scale, unit), margin + wide - 15 * unit_, y);
 }
 
 void Annotator::add_arrow(std::string_view what, double scale) {
     const float margin = legend_margin * unit_, long_as = longest_arrow * unit_, letter = 0.6F * letters * unit_;
     const float y = next_row();
-    const auto text = scale > 0 ? fmt::format("{}: {:g} N", what, scale) : fmt::format("{}: none", what);
+    const auto text = scale > 0 ? format_text("{}: {:6} N", what, scale) : format_text("{}: none", what);
     const float left = scale > 0 ? margin + long_as + letter : margin;
     picture_.add_text(text, {{left + letter * float(text.size()) / 2, y}}, letters * unit_, theme_.pen);
     if (scale > 0) draw_arrow({{margin, y}}, {{margin + long_as, y}}, theme_.pen);

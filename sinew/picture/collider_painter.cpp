@@ -1,5 +1,6 @@
 #include "sinew/picture/collider_painter.h"
 
+#include "sinew/math/sort.h"
 #include "sinew/math/trig.h"
 #include "sinew/picture/outline.h"
 #include "sinew/picture/surface.h"
@@ -202,8 +203,8 @@ template <class WorldT> class ColliderPainter {
     }
 
     void draw_faces(Faces& faces) {
-        std::stable_sort(faces.begin(), faces.end(),
-                         [&](const SolidFace& a, const SolidFace& b) { return depth_of(a) > depth_of(b); });
+        sinew::stable_sort(faces.begin(), faces.end(),
+                           [&](const SolidFace& a, const SolidFace& b) { return depth_of(a) > depth_of(b); });
         const Light light(view_, theme_.ink);
         for (const auto& face : faces) draw_face(face, light);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/world/edit.h"
 
 #include <algorithm>
@@ -31,8 +32,8 @@ template <class WorldT> class DrawOrder {
                 pieces_.push_back(
                     {&piece, WorldT::dimension == 3 ? depth_of(piece) : 0, std::uint32_t(pieces_.size())});
         if (WorldT::dimension == 3) {
-            std::stable_sort(pieces_.begin(), pieces_.end(),
-                             [](const Drawn& a, const Drawn& b) { return a.depth > b.depth; });
+            sinew::stable_sort(pieces_.begin(), pieces_.end(),
+                               [](const Drawn& a, const Drawn& b) { return a.depth > b.depth; });
             group_alike();
         } else {
             group();
@@ -62,8 +63,8 @@ template <class WorldT> class DrawOrder {
                 known = pieces_[i].group;
             }
         }
-        std::stable_sort(pieces_.begin(), pieces_.end(),
-                         [](const Drawn& a, const Drawn& b) { return a.group < b.group; });
+        sinew::stable_sort(pieces_.begin(), pieces_.end(),
+                           [](const Drawn& a, const Drawn& b) { return a.group < b.group; });
     }
 
     /// Merges two groups of a run.

@@ -1,6 +1,6 @@
 #include "sinew/prefab/chain.h"
 
-#include <fmt/format.h>
+#include "sinew/math/format.h"
 
 namespace sinew {
 namespace {
@@ -40,10 +40,9 @@ std::optional<std::string> Chain::problem(int) const {
     const double turn = 2 * half_turn_of_slack(links, slack);
     if (turn <= bend_limit) return std::nullopt;
     constexpr double degrees = 180 / pi<double>;
-    return fmt::format(
-        "with this slack the links turn by {:.0f} degrees, and bend_limit is {:.0f}: less slack, a higher "
-        "limit or more links",
-        turn * degrees, bend_limit * degrees);
+    return format_text("with this slack the links turn by {} degrees, and bend_limit is {}: less slack, a higher "
+                       "limit or more links",
+                       turn * degrees, bend_limit * degrees);
 }
 
 template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {

@@ -1,9 +1,9 @@
 #include "sinew/prefab/cloth.h"
 
+#include "sinew/math/format.h"
 #include "sinew/math/random.h"
 
 #include <cmath>
-#include <fmt/format.h>
 
 namespace sinew {
 namespace {
@@ -148,8 +148,8 @@ std::optional<std::string> Cloth::problem(int dimension) const {
     const auto particles = double(columns) * double(rows);
     for (const double number : pin_list)
         if (!(number >= 0 && number < particles) || number != std::floor(number))
-            return fmt::format("pin_list holds {}: this cloth's particles are counted from 0 to {:.0f}", number,
-                               particles - 1);
+            return format_text("pin_list holds {}: this cloth's particles are counted from 0 to {}", number,
+                               std::int64_t(particles) - 1);
     return std::nullopt;
 }
 

@@ -1,14 +1,14 @@
 #include "sinew/prefab/limb.h"
 
-#include <fmt/format.h>
+#include "sinew/math/format.h"
 
 namespace sinew {
 
 std::optional<std::string> Limb::problem(int) const {
     if (bend_least <= bend && bend <= bend_most) return std::nullopt;
     const auto degrees = [](double radians) { return radians * 180 / pi<double>; };
-    return fmt::format("bend is {:.6g} degrees, out of its limits {:.6g} and {:.6g}", degrees(bend),
-                       degrees(bend_least), degrees(bend_most));
+    return format_text("bend is {:6} degrees, out of its limits {:6} and {:6}", degrees(bend), degrees(bend_least),
+                       degrees(bend_most));
 }
 
 template <int D, class Real> void Limb::build(Builder<D, Real>& figure) const {

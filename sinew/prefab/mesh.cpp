@@ -1,9 +1,11 @@
 #include "sinew/prefab/mesh.h"
 
+#include "sinew/math/format.h"
+#include "sinew/math/sort.h"
+
 #include <algorithm>
 #include <cmath>
 #include <compare>
-#include <fmt/format.h>
 
 namespace sinew {
 namespace {
@@ -66,7 +68,7 @@ std::vector<bool> repeats_of(const MeshModel& model, bool diagonals) {
             ++turn;
         });
         for (std::size_t i = 0, begin = 0; i < end.size(); begin = end[i++]) {
-            std::sort(turns.begin() + std::ptrdiff_t(begin), turns.begin() + end[i]);
+            sinew::sort(turns.begin() + std::ptrdiff_t(begin), turns.begin() + end[i]);
             for (auto k = begin + 1; k < end[i]; ++k)
                 if (turns[k].b == turns[k - 1].b) repeats[turns[k].turn] = true;
         }
@@ -85,7 +87,7 @@ std::optional<std::string> Mesh::problem(int) const {
     const auto points = shape_of(*this).points.size();
     for (const double number : pin_list)
         if (!(number >= 0 && number < double(points)) || number != std::floor(number))
-            return fmt::format("pin_list holds {}: the points of this mesh are counted from 0 to {}", number,
+            return format_text("pin_list holds {}: the points of this mesh are counted from 0 to {}", number,
                                points - 1);
     return std::nullopt;
 }

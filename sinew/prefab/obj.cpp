@@ -1,11 +1,13 @@
 #include "sinew/prefab/obj.h"
 
+#include "sinew/math/format.h"
+#include "sinew/math/sort.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <optional>
 #include <string>
 
@@ -38,7 +40,7 @@ std::string shown(std::string_view word) {
     if (word.empty()) return "nothing";
     std::string text;
     for (const char c : word.substr(0, most_shown)) text += c >= ' ' && c <= '~' ? c : '?';
-    return fmt::format("\"{}{}\"", text, word.size() > most_shown ? "..." : "");
+    return format_text("\"{}{}\"", text, word.size() > most_shown ? "..." : "");
 }
 
 template <class Number> std::optional<Number> parsed(std::string_view word) {
@@ -93,13 +95,13 @@ class ReadingObj {
         if (keyword == "v") return read_point(rest);
         if (keyword == "f") return read_face(rest);
         if (keyword.empty() || std::ranges::find(passed_over, keyword) != passed_over.end()) return;
-        problem_ = fmt::format("a line of a mesh begins with v, f or the like, found {}", shown(keyword));
+        problem_ = format_text("a line of a mesh begins with v, f or the like, found {}", shown(keyword));
     }
 
     /// Reads three numbers; a weight or a colour may follow and is ignored.
     void read_point(std::string_view rest) {
         if (model_.points.size() >= limits_.points) {
-            problem_ = fmt::format("more than {} points", limits_.points);
+            problem_ = format_text("more than {} points", limits_.points);
             return;
         }
         Vec3<double> point;
@@ -107,7 +109,7 @@ class ReadingObj {
             const auto word = take_word(rest);
             const auto number = number_in<double>(word);
             if (!number || !(*number >= -furthest && *number <= furthest)) {
-                problem_ = fmt::format("a coordinate is a number from {:g} to {:g}, found {}", -furthest, furthest,
+                problem_ = format_text("a coordinate is a number from {:6} to {:6}, found {}", -furthest, furthest,
                                        shown(word));
                 return;
             }
@@ -120,7 +122,7 @@ class ReadingObj {
         const auto begin = model_.corners.size();
         for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
             if (model_.corners.size() >= limits_.corners) {
-                problem_ = fmt::format("more than {} corners of faces", limits_.corners);
+                problem_ = format_text("more than {} corners of faces", limits_.corners);
                 return;
             }
             const auto corner = corner_in(word);
@@ -128,13 +130,13 @@ class ReadingObj {
             model_.corners.push_back(*corner);
         }
         if (model_.corners.size() < begin + 3) {
-            problem_ = fmt::format("a face has three corners or more, found {}", model_.corners.size() - begin);
+            problem_ = format_text("a face has three corners or more, found {}", model_.corners.size() - begin);
             return;
         }
         auto sorted = std::vector(model_.corners.begin() + std::ptrdiff_t(begin), model_.corners.end());
-        std::ranges::sort(sorted);
+        sinew::sort(sorted);
         if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
-            problem_ = fmt::format("a face has each corner once, found point {} twice", *twice + 1);
+            problem_ = format_text("a face has each corner once, found point {} twice", *twice + 1);
         model_.ends.push_back(std::uint32_t(model_.corners.size()));
     }
 
@@ -144,8 +146,8 @@ class ReadingObj {
         const std::int64_t index = !number ? -1 : *number < 0 ? points + *number : *number - 1;
         if (number && index >= 0 && index < points) return std::uint32_t(index);
         problem_ = number
-                       ? fmt::format("there are {} points above this line, found a face of point {}", points, *number)
-                       : fmt::format("a corner is the number of a point, found {}", shown(word));
+                       ? format_text("there are {} points above this line, found a face of point {}", points, *number)
+                       : format_text("a corner is the number of a point, found {}", shown(word));
         return std::nullopt;
     }
 };
@@ -158,20 +160,11 @@ std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLim
 
 std::string to_obj(const MeshModel& model) {
     std::string text;
-    fmt::memory_buffer line;
-    const auto end_line = [&] {
-        line.push_back('\n');
-        text.append(line.data(), line.size());
-        line.clear();
-    };
-    for (const auto& point : model.points) {
-        fmt::format_to(fmt::appender(line), "v {} {} {}", point[0], point[1], point[2]);
-        end_line();
-    }
+    for (const auto& point : model.points) text += format_text("v {} {} {}\n", point[0], point[1], point[2]);
     for (std::size_t i = 0; i < model.faces(); ++i) {
-        line.push_back('f');
-        for (const auto corner : model.face(i)) fmt::format_to(fmt::appender(line), " {}", corner + 1);
-        end_line();
+        text += 'f';
+        for (const auto corner : model.face(i)) text += format_text(" {}", corner + 1);
+        text += '\n';
     }
     return text;
 }

@@ -1,6 +1,6 @@
 #include "sinew/prefab/polygon.h"
 
-#include <fmt/format.h>
+#include "sinew/math/format.h"
 
 namespace sinew {
 
@@ -12,7 +12,7 @@ Sizes Polygon::sizes() const {
 std::optional<std::string> Polygon::problem(int) const {
     // A triangle has no diagonals and is rigid without.
     if (braced != "braces" || sides == 3 || brace_span <= sides - 2) return std::nullopt;
-    return fmt::format("brace_span is {}: in a polygon of {} sides braces span 2 to {}", brace_span, sides, sides - 2);
+    return format_text("brace_span is {}: in a polygon of {} sides braces span 2 to {}", brace_span, sides, sides - 2);
 }
 
 template <int D, class Real> void Polygon::build(Builder<D, Real>& figure) const {

@@ -1,6 +1,6 @@
 #include "sinew/prefab/prefabs.h"
 
-#include <fmt/format.h>
+#include "sinew/math/format.h"
 
 namespace sinew {
 
@@ -24,7 +24,7 @@ std::optional<std::string> problem_of(const AnyPrefab& prefab, int dimension) {
     return std::visit(
         [&]<class Prefab>(const Prefab& chosen) -> std::optional<std::string> {
             if (!Prefab::dimensions.include(dimension))
-                return fmt::format("there is no {} in {} dimensions", Prefab::name, dimension);
+                return format_text("there is no {} in {} dimensions", Prefab::name, dimension);
             if constexpr (requires { chosen.problem(dimension); })
                 return chosen.problem(dimension);
             else

@@ -3,11 +3,11 @@
 #include "sinew/constraint/kind_table.h"
 #include "sinew/math/color.h"
 #include "sinew/math/color_names.h"
+#include "sinew/math/format.h"
 #include "sinew/scene/colliders.h"
 #include "sinew/scene/types.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <set>
 
 namespace sinew {
@@ -21,10 +21,11 @@ std::string colors_like(std::string_view text) {
     std::vector<std::string_view> names(theme_colors.begin(), theme_colors.end());
     for (const auto& named : css_colors) names.push_back(named.name);
     const auto near = nearest(text, names);
-    std::string help = near.empty() ? "" : fmt::format("did you mean {}? ", in_quotes(near));
+    std::string help = near.empty() ? "" : format_text("did you mean {}? ", in_quotes(near));
     auto others = similar(text, names, 6);
     std::erase(others, near);
-    if (!others.empty()) help += fmt::format("near it: {}; ", fmt::join(others, ", "));
+    for (const auto& other : others) help += concat(other == others.front() ? "near it: " : ", ", other);
+    if (!others.empty()) help += "; ";
     return help + "allowed: every name of CSS, ink or paper, #rgb, #rrggbb, #rrggbbaa or none";
 }
 
@@ -68,9 +69,9 @@ class ValueCheck {
             const auto name = name_of(scene_.figures[i]);
             const auto place = under("figures", i, scene_.figures[i].name.empty() ? "" : "name");
             if (name.find('/') != std::string_view::npos)
-                document_.error(place, fmt::format("a figure's name cannot contain a slash, found \"{}\"", name));
+                document_.error(place, format_text("a figure's name cannot contain a slash, found \"{}\"", name));
             if (!seen.insert(name).second)
-                document_.error(place, fmt::format("there is already a figure called \"{}\"", name),
+                document_.error(place, format_text("there is already a figure called \"{}\"", name),
                                 "give each figure its own \"name\"");
         }
     }
@@ -78,7 +79,7 @@ class ValueCheck {
     void traces() {
         if (scene_.traces.size() > most_traces)
             document_.error("/traces",
-                            fmt::format("a scene can have {} traces, found {}", most_traces, scene_.traces.size()));
+                            format_text("a scene can have {} traces, found {}", most_traces, scene_.traces.size()));
         for (std::size_t i = 0; i < scene_.traces.size(); ++i) {
             const auto& trace = scene_.traces[i];
             if (trace.shows == trace_quantities.front()) continue;
@@ -86,7 +87,7 @@ class ValueCheck {
                 document_.error(under("traces", i, "shows"), "a curve over time is drawn in 2 dimensions only",
                                 "in 3 a trace can show a path");
             else if (!trace.box)
-                document_.error(under("traces", i), fmt::format("a curve of the {} needs a \"box\"", trace.shows),
+                document_.error(under("traces", i), format_text("a curve of the {} needs a \"box\"", trace.shows),
                                 "say two opposite corners of its frame");
             if (trace.low && trace.high && !(*trace.low < *trace.high))
                 document_.error(under("traces", i, "low"), "low is not below high");
@@ -99,7 +100,7 @@ class ValueCheck {
                 if (!made.dimensions.include(scene_.dimension))
                     return document_.error(
                         under("figures", i, "prefab"),
-                        fmt::format("a {} does not exist in {} dimensions", made.name, scene_.dimension));
+                        format_text("a {} does not exist in {} dimensions", made.name, scene_.dimension));
             }
             if constexpr (requires { made.problem(scene_.dimension); })
                 if (const auto problem = made.problem(scene_.dimension)) document_.error(under("figures", i), *problem);
@@ -123,34 +124,36 @@ class ValueCheck {
         const auto found = section.through.size();
         if (found < least || found > most)
             document_.error(place + "/through",
-                            fmt::format("a {} goes through {}{} particles, found {}", section.mark,
-                                        least == most ? "" : fmt::format("{} to ", least), most, found));
+                            format_text("a {} goes through {}{} particles, found {}", section.mark,
+                                        least == most ? "" : format_text("{} to ", least), most, found));
         if (section.end_width > 0 && section.width == 0)
             document_.error(place + "/end_width", "an end_width needs a width to begin with");
     }
 
     void event(const EventSection& section, std::size_t i) {
         const double step = step_length(scene_);
-        if (section.times > 0 && section.every == 0)
+        if (!section.at && !section.on)
+            document_.error(under("events", i), "an event needs a time \"at\", or a contact \"on\"");
+        if (section.times > 0 && section.every == 0 && !section.on)
             document_.error(under("events", i, "times"), "what happens several times needs an \"every\"");
         if (section.every > 0 && section.every < step * 0.999)
             document_.error(under("events", i, "every"),
-                            fmt::format("{} is shorter than a step, {:.6g}", section.every, step));
+                            format_text("{} is shorter than a step, {:6}", section.every, step));
         if (const auto* join = std::get_if<JoinEvent>(&section.event))
             constraint(join->constraint, under("events", i), "join");
     }
 
     void constraint(const ConstraintSection& section, const std::string& place, std::string_view members = "between") {
-        const auto between = fmt::format("{}/{}", place, members);
+        const auto between = format_text("{}/{}", place, members);
         if (section.rest && (section.low || section.high))
             document_.error(place + "/rest", "a constraint has either a rest or limits low and high, not both");
         if (section.low && section.high && *section.low > *section.high)
-            document_.error(place + "/low", fmt::format("low ({}) is above high ({})", *section.low, *section.high));
+            document_.error(place + "/low", format_text("low ({}) is above high ({})", *section.low, *section.high));
         const auto kind = *kind_called(section.kind);
         const auto size = section.between.size(), wanted = std::size_t(kind.least_arity);
         if (kind.any_arity ? size < wanted : size != wanted)
             document_.error(between,
-                            fmt::format("{} {} needs {}{} particle{}, found {}", article(kind.name), kind.name,
+                            format_text("{} {} needs {}{} particle{}, found {}", article(kind.name), kind.name,
                                         kind.any_arity ? "at least " : "", wanted, wanted == 1 ? "" : "s", size));
         if (section.damping_time > 0 && section.compliance == 0)
             document_.error(place + "/damping_time",
@@ -160,25 +163,25 @@ class ValueCheck {
             document_.error(between, "one of the names can end in a star, not more");
         std::set<std::string_view> seen;
         for (const auto& name : section.between)
-            if (!seen.insert(name).second) document_.error(between, fmt::format("\"{}\" is named twice", name));
+            if (!seen.insert(name).second) document_.error(between, format_text("\"{}\" is named twice", name));
         if (!kind.dimensions.include(scene_.dimension))
             document_.error(place + "/kind",
-                            fmt::format("there is no {} in {} dimensions", kind.name, scene_.dimension));
+                            format_text("there is no {} in {} dimensions", kind.name, scene_.dimension));
     }
 
     void look(const Look& look, const std::string& place) {
         for (const auto& [key, text] :
              {std::pair("/color", look.color), std::pair("/fill", look.fill), std::pair("/hover", look.hover)})
             if (!text.empty() && !parse_color(text) && std::ranges::find(theme_colors, text) == theme_colors.end())
-                document_.error(place + key, fmt::format("{} is no colour", in_quotes(text)), colors_like(text));
+                document_.error(place + key, format_text("{} is no colour", in_quotes(text)), colors_like(text));
     }
 
     template <class Key> void keys(const std::vector<Key>& keys, const std::string& place) {
         for (std::size_t i = 1; i < keys.size(); ++i)
             if (keys[i].at <= keys[i - 1].at)
                 document_.error(
-                    fmt::format("{}/{}/at", place, i),
-                    fmt::format("{} is not after {}, the time of the key before it", keys[i].at, keys[i - 1].at));
+                    format_text("{}/{}/at", place, i),
+                    format_text("{} is not after {}, the time of the key before it", keys[i].at, keys[i - 1].at));
     }
 
     void collider(const ColliderSection& section, std::size_t index) {
@@ -205,7 +208,7 @@ class ValueCheck {
 } // namespace
 
 std::string under(std::string_view list, std::size_t index, std::string_view key) {
-    return key.empty() ? fmt::format("/{}/{}", list, index) : fmt::format("/{}/{}/{}", list, index, key);
+    return key.empty() ? format_text("/{}/{}", list, index) : format_text("/{}/{}/{}", list, index, key);
 }
 
 std::string_view name_of(const FigureSection& figure) {

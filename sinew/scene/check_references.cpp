@@ -1,9 +1,10 @@
+#include "sinew/math/format.h"
 #include "sinew/scene/check.h"
 #include "sinew/scene/types.h"
+#include "sinew/world/colliders.h"
 #include "sinew/world/edit.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <span>
 
 namespace sinew {
@@ -23,8 +24,7 @@ template <int D, class Real> class ReferenceCheck {
             particle(scene_.pins[i].particle, under("pins", i, "particle"));
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
         for (std::size_t i = 0; i < scene_.looks.size(); ++i) look(scene_.looks[i].first);
-        for (std::size_t i = 0; i < scene_.events.size(); ++i)
-            detail::visit_held(scene_.events[i].event, [&](const auto& event) { this->event(event, i); });
+        for (std::size_t i = 0; i < scene_.events.size(); ++i) event(scene_.events[i], i);
         for (std::size_t i = 0; i < scene_.traces.size(); ++i)
             if (const auto& of = scene_.traces[i].of; !find_figure(world_, of)) particle(of, under("traces", i, "of"));
         for (std::size_t i = 0; i < scene_.world.forces.size(); ++i)
@@ -49,11 +49,11 @@ template <int D, class Real> class ReferenceCheck {
         constexpr std::size_t most_listed = 40;
         std::string help;
         if (candidates.size() > most_listed)
-            help = fmt::format("there are {}, such as \"{}\" and \"{}\"", candidates.size(), candidates.front(),
+            help = format_text("there are {}, such as \"{}\" and \"{}\"", candidates.size(), candidates.front(),
                                candidates.back());
         else if (!candidates.empty() || also.empty())
             help = suggest(name, std::move(candidates));
-        document_.error(place, fmt::format("there is no {} \"{}\"", what, name),
+        document_.error(place, format_text("there is no {} \"{}\"", what, name),
                         help + (help.empty() || also.empty() ? "" : "; ") + also);
     }
 
@@ -62,7 +62,7 @@ template <int D, class Real> class ReferenceCheck {
         std::string text;
         for (const auto& run : numbered)
             if (run.count > 0)
-                text += fmt::format("{} {} to {}", text.empty() ? "by number:" : ",",
+                text += format_text("{} {} to {}", text.empty() ? "by number:" : ",",
                                     name_of(run.first, std::span(&run, 1)),
                                     name_of(run.first + run.count - 1, std::span(&run, 1)));
         return text;
@@ -80,12 +80,12 @@ template <int D, class Real> class ReferenceCheck {
         if (document_.diagnostics.full()) return document_.diagnostics.count_one_more();
         const auto slash = path.find('/');
         if (slash == std::string_view::npos)
-            return document_.error(place, fmt::format("expected a {} as figure/name, found \"{}\"", what, path),
+            return document_.error(place, format_text("expected a {} as figure/name, found \"{}\"", what, path),
                                    suggest(path, figure_names()));
         const auto index = find_figure(world_, path.substr(0, slash));
         if (!index) return unknown("figure", path.substr(0, slash), place, figure_names());
         const auto& figure = world_.figures[*index];
-        tell(figure, fmt::format("{} in \"{}\" called", what, path.substr(0, slash)), path.substr(slash + 1));
+        tell(figure, format_text("{} in \"{}\" called", what, path.substr(0, slash)), path.substr(slash + 1));
     }
 
     void particle(std::string_view name, const std::string& place) {
@@ -120,11 +120,11 @@ template <int D, class Real> class ReferenceCheck {
         for (std::size_t k = 0; k < by_hand->constraints.size(); ++k)
             for (std::size_t m = 0; m < by_hand->constraints[k].between.size(); ++m)
                 particle_seen_from(i, by_hand->constraints[k].between[m],
-                                   under("figures", i) + under("constraints", k) + fmt::format("/between/{}", m));
+                                   under("figures", i) + under("constraints", k) + format_text("/between/{}", m));
         for (std::size_t k = 0; k < by_hand->pieces.size(); ++k)
             for (std::size_t m = 0; m < by_hand->pieces[k].through.size(); ++m)
                 particle_seen_from(i, by_hand->pieces[k].through[m],
-                                   under("figures", i) + under("pieces", k) + fmt::format("/through/{}", m));
+                                   under("figures", i) + under("pieces", k) + format_text("/through/{}", m));
     }
 
     /// Checks a particle's name inside figure i: a particle of the figure itself, or figure/name of an earlier figure.
@@ -132,7 +132,7 @@ template <int D, class Real> class ReferenceCheck {
         particle(full_name(name, world_.figures[i].name + "/"), place);
         const auto index = find_figure(world_, name.substr(0, std::min(name.find('/'), name.size())));
         if (name.find('/') != std::string_view::npos && index && *index > i)
-            document_.error(place, fmt::format("\"{}\" is of a figure that is made later", name),
+            document_.error(place, format_text("\"{}\" is of a figure that is made later", name),
                             "figures are made in their order: put the one that joins others behind them");
     }
 
@@ -181,6 +181,21 @@ template <int D, class Real> class ReferenceCheck {
         unknown("figure or part", key, place, std::move(candidates));
     }
 
+    void event(const EventSection& section, std::size_t i) {
+        detail::visit_held(section.event, [&](const auto& event) { this->event(event, i); });
+        if (!section.on) return;
+        const auto place = under("events", i, "on");
+        if (!find_figure(world_, section.on->of)) particle(section.on->of, place + "/of");
+        const auto& with = section.on->with;
+        if (!with.empty() && !collider_called(world_, with) && !find_figure(world_, with)) side(with, place + "/with");
+    }
+    /// Reports what is neither a particle nor, as there is none of the name, a figure or a collider.
+    void side(const std::string& name, const std::string& place) {
+        if (name.find('/') != std::string::npos) return particle(name, place);
+        auto candidates = figure_names();
+        for (const auto& collider : world_.colliders) candidates.emplace_back(collider.name);
+        unknown("collider or figure", name, place, std::move(candidates));
+    }
     void event(const GrabEvent& grab, std::size_t i) { particle(grab.particle, under("events", i, "grab")); }
     void event(const ReleaseEvent& release, std::size_t i) {
         particle(release.particle, under("events", i, "release"));
@@ -191,12 +206,12 @@ template <int D, class Real> class ReferenceCheck {
     void event(const KickEvent& kick, std::size_t i) { particle(kick.target, under("events", i, "kick")); }
     void event(const JoinEvent& join, std::size_t i) {
         for (std::size_t k = 0; k < join.constraint.between.size(); ++k)
-            particle(join.constraint.between[k], under("events", i, "join") + fmt::format("/{}", k));
+            particle(join.constraint.between[k], under("events", i, "join") + format_text("/{}", k));
     }
     void event(const RemoveEvent& removal, std::size_t i) {
         for (std::size_t k = 0; k < removal.constraints.size(); ++k)
             if (!is_joined_later(removal.constraints[k]))
-                constraint(removal.constraints[k], under("events", i, "remove") + fmt::format("/{}", k));
+                constraint(removal.constraints[k], under("events", i, "remove") + format_text("/{}", k));
     }
     template <class Event> void event(const Event&, std::size_t) {}
 };

@@ -1,8 +1,8 @@
+#include "sinew/math/format.h"
 #include "sinew/scene/check.h"
 #include "sinew/scene/types.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <map>
 #include <span>
 
@@ -68,8 +68,8 @@ class SizeCheck {
     bool count(std::int64_t found, std::int64_t allowed, std::string_view what, std::string place) {
         if (found <= allowed) return false;
         document_.error(std::move(place),
-                        fmt::format("the scene would have {} {}, at most {} are allowed", found, what, allowed),
-                        fmt::format("if you trust the file, raise the limit: limits.{}={}", what, found));
+                        format_text("the scene would have {} {}, at most {} are allowed", found, what, allowed),
+                        format_text("if you trust the file, raise the limit: limits.{}={}", what, found));
         return true;
     }
 };

@@ -1,10 +1,10 @@
 #include "sinew/scene/colliders.h"
 
 #include "sinew/collide/decompose.h"
+#include "sinew/math/format.h"
 #include "sinew/scene/check.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace sinew {
 namespace {
@@ -92,7 +92,7 @@ struct ShapeCheck {
     void expect_dimension(int wanted, std::string_view name) const {
         if (dimension != wanted)
             error("shape",
-                  fmt::format("a {} is a shape of {} dimensions, and this scene has {}", name, wanted, dimension));
+                  format_text("a {} is a shape of {} dimensions, and this scene has {}", name, wanted, dimension));
     }
 
     void operator()(const HalfSpaceShape& plane) const {
@@ -110,15 +110,15 @@ struct ShapeCheck {
     void operator()(const ChainShape& chain) const {
         expect_dimension(2, chain.name);
         if (chain.points.size() < 2)
-            error("points", fmt::format("a chain needs at least 2 points, found {}", chain.points.size()));
+            error("points", format_text("a chain needs at least 2 points, found {}", chain.points.size()));
     }
     void operator()(const MeshShape& mesh) const {
         expect_dimension(3, mesh.name);
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
             for (const int corner : mesh.triangles[i])
                 if (std::size_t(corner) >= mesh.points.size()) {
-                    error(fmt::format("triangles/{}", i),
-                          fmt::format("there is no point {}; the points are 0 to {}", corner, mesh.points.size() - 1));
+                    error(format_text("triangles/{}", i),
+                          format_text("there is no point {}; the points are 0 to {}", corner, mesh.points.size() - 1));
                     return;
                 }
     }
@@ -129,7 +129,7 @@ struct ShapeCheck {
             return error("heights", "a landscape needs at least 2 rows of 2 heights");
         for (std::size_t i = 1; i < rows.size(); ++i)
             if (rows[i].size() != rows.front().size())
-                error(fmt::format("heights/{}", i), fmt::format("this row has {} heights, and the first one {}",
+                error(format_text("heights/{}", i), format_text("this row has {} heights, and the first one {}",
                                                                 rows[i].size(), rows.front().size()));
     }
 };

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "sinew/math/scalar.h"
-#include "sinew/scene/types.h"
-#include "sinew/scene/units.h"
+#include "sinew/scene/walk.h"
 
 namespace sinew::detail {
+
+/// Converts the declared defaults of a record.
+void scale_record(AnyRecord record, const Units& units);
 
 /// Converts declared defaults to the units of a scene: each number of the value is multiplied by the scale of its unit.
 template <class T> void scale_defaults(T& value, const Field& field, const Units& units) {
@@ -23,7 +25,7 @@ template <class T> void scale_defaults(T& value, const Field& field, const Units
     } else if constexpr (is_optional<T>) {
         if (value) scale_defaults(*value, field, units);
     } else if constexpr (Record<T>) {
-        T::fields(value, [&](auto& member, const Field& of) { scale_defaults(member, of, units); });
+        scale_record(AnyRecord::of(value), units);
     }
 }
 

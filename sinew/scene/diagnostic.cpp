@@ -1,5 +1,6 @@
 #include "sinew/scene/diagnostic.h"
 
+#include "sinew/math/sort.h"
 #include "sinew/scene/utf8.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ void Diagnostics::error(Span span, std::string path, std::string message, std::s
 std::vector<Diagnostic> Diagnostics::in_order() const {
     const auto key = [](const Diagnostic& d) { return std::tie(d.span.source, d.span.begin, d.span.end, d.message); };
     auto sorted = kept_;
-    std::stable_sort(sorted.begin(), sorted.end(), [&](auto& a, auto& b) { return key(a) < key(b); });
+    sinew::stable_sort(sorted.begin(), sorted.end(), [&](auto& a, auto& b) { return key(a) < key(b); });
     sorted.erase(std::unique(sorted.begin(), sorted.end(), [&](auto& a, auto& b) { return key(a) == key(b); }),
                  sorted.end());
     return sorted;
@@ -268,7 +269,7 @@ std::vector<std::string_view> similar(std::string_view word, std::span<const std
         if (candidate.size() <= longest_word)
             if (const auto stretch = common_stretch(word, candidate); stretch >= least_stretch)
                 scored.push_back({stretch, edits(word, candidate), candidate});
-    std::ranges::stable_sort(scored, [](const Scored& a, const Scored& b) {
+    sinew::stable_sort(scored.begin(), scored.end(), [](const Scored& a, const Scored& b) {
         return std::tuple(b.stretch, a.edits) < std::tuple(a.stretch, b.edits);
     });
     std::vector<std::string_view> names;
@@ -310,7 +311,7 @@ std::string suggest(std::string_view word, std::vector<std::string_view> candida
         help = concat(is_renamed ? "renamed to " : "did you mean ", in_quotes(near), is_renamed ? " " : "? ");
 
     candidates.resize(candidates.size() - unsorted);
-    std::sort(candidates.begin(), candidates.end());
+    sinew::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     help += near.empty() ? "allowed here: " : "(allowed here: ";
     const auto all = candidates.size() + unsorted;

@@ -1,5 +1,6 @@
 #include "sinew/scene/document.h"
 
+#include "sinew/math/sort.h"
 #include "sinew/scene/reader.h"
 #include "sinew/scene/utf8.h"
 
@@ -38,7 +39,7 @@ class Index {
   public:
     using Entry = std::pair<std::string_view, std::size_t>;
     void add(std::string_view key, std::size_t position) { sorted_.emplace_back(key, position); }
-    void sort() { std::sort(sorted_.begin(), sorted_.end()); }
+    void sort() { sinew::sort(sorted_.begin(), sorted_.end()); }
     std::span<const Entry> equal(std::string_view key) const {
         const auto before = [](const Entry& a, const Entry& b) { return a.first < b.first; };
         const auto [first, last] = std::equal_range(sorted_.begin(), sorted_.end(), Entry{key, 0}, before);

@@ -11,7 +11,8 @@
 #include <variant>
 #include <vector>
 
-/// Timed events: the section "events" of a scene file. Times are in the scene's time unit, from the start of the scene.
+/// Events at given times, or on contact: the section "events" of a scene file. Times are in the scene's time unit, from
+/// the start of the scene.
 namespace sinew {
 
 struct GrabEvent {
@@ -197,19 +198,64 @@ struct SetEvent {
     }
 };
 
+/// A comment in the log of a scene: a goal, a round.
+struct NoteEvent {
+    static constexpr std::string_view name = "note";
+    static constexpr std::string_view about = "A line in the log of events; nothing else happens.";
+    std::string text;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.text, Field{.name = "note", .help = "Text of the line", .required = true});
+    }
+};
+
+/// Contact at which an event happens, in place of a time.
+struct ContactRule {
+    static constexpr std::array<std::string_view, 4> phases{"begin", "persist", "end", "hit"};
+    std::string phase{"begin"};
+    std::string of, with;
+    double above = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.phase,
+              Field{.name = "contact",
+                    .help = "begin: in the step in which a touch begins; persist: in every step of a touch but the "
+                            "first; end: when the touch has ended; hit: when the impulse of a blow reaches `above`",
+                    .choices = phases});
+        visit(self.of, Field{.name = "of", .help = "Figure, or particle as figure/name", .required = true});
+        visit(
+            self.with,
+            Field{.name = "with",
+                  .help = "What it touches: a collider, a figure, or a particle as figure/name; anything if left out"});
+        visit(self.above, Field{.name = "above",
+                                .help = "Impulse in a step, or of a hit, below which a contact does not count",
+                                .unit = unit::impulse,
+                                .low = 0,
+                                .high = 1e12});
+    }
+};
+
 struct EventSection {
-    double at = 0;
+    std::optional<double> at;
+    std::optional<ContactRule> on;
     double every = 0;
     int times = 0;
     std::variant<GrabEvent, ReleaseEvent, ImpulseEvent, KickEvent, GustEvent, CutEvent, RemoveEvent, JoinEvent,
-                 SetEvent>
+                 SetEvent, NoteEvent>
         event;
 
+    /// Time of the first occurrence, or before which no contact counts.
+    double first() const { return at.value_or(0); }
+
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.at,
-              Field{.name = "at", .help = "Time", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
+        visit(self.at, Field{.name = "at",
+                             .help = "Time; with `on`, no contact before it counts",
+                             .unit = unit::time,
+                             .low = 0,
+                             .high = 1e12});
+        visit(self.on, Field{.name = "on", .help = "Contact at which the event happens, again and again"});
         visit(self.every, Field{.name = "every",
-                                .help = "Interval of repetition; 0 for a single event",
+                                .help = "Interval of repetition; 0 for a single event. With `on`, shortest interval",
                                 .unit = unit::time,
                                 .low = 0,
                                 .high = 1e12});

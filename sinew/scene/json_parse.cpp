@@ -1,3 +1,4 @@
+#include "sinew/math/sort.h"
 #include "sinew/scene/json.h"
 #include "sinew/scene/json_cursor.h"
 #include "sinew/scene/json_syntax.h"
@@ -173,7 +174,7 @@ class Builder {
     void remove_duplicates(Object& members) {
         std::vector<std::uint32_t> order(members.size());
         for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return members[a].key < members[b].key; });
+        sinew::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return members[a].key < members[b].key; });
         std::vector<std::uint32_t> repeated;
         for (std::size_t i = 1; i < order.size(); ++i)
             if (members[order[i]].key == members[order[i - 1]].key) repeated.push_back(order[i]);
@@ -183,7 +184,7 @@ class Builder {
             else
                 error(members[i].key_span, concat("duplicate property ", in_quotes(members[i].key)));
         }
-        std::sort(repeated.begin(), repeated.end(), std::greater<>());
+        sinew::sort(repeated.begin(), repeated.end(), std::greater<>());
         if (repeated.empty()) return;
         Object kept;
         for (std::uint32_t i = 0; i < members.size(); ++i) {

@@ -42,6 +42,9 @@ template <Record R> Layout layout_of() {
 
 namespace detail {
 
+/// Describes the fields of a record.
+void describe_record(AnyRecord record, Layout& shape);
+
 /// Describes a value that is neither a choice nor a record: its type, and its elements if any.
 template <class T> void describe_value(const T& value, const Field& field, Layout& shape) {
     using Type = Layout::Type;
@@ -89,7 +92,7 @@ template <class T> Layout layout_of(const T& value, const Field& field) {
         if (!value) shape.usual = {};
     } else if constexpr (Record<T>) {
         shape.type = Type::record;
-        T::fields(value, [&](const auto& member, const Field& of) { shape.parts.push_back(layout_of(member, of)); });
+        describe_record(unchanged(value), shape);
     } else {
         shape.usual = write(value, field, plain);
         describe_value(value, field, shape);

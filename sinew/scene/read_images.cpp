@@ -5,7 +5,6 @@
 #include "sinew/scene/text.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <map>
 
 namespace sinew {
@@ -23,7 +22,7 @@ class ReadingImages {
         for (std::size_t i = 0; i < figures.size(); ++i)
             for (const auto& [part, seen] : figures[i].looks)
                 if (seen.image)
-                    look(*seen.image, fmt::format("/figures/{}/looks{}", i, json::pointer_step(part)),
+                    look(*seen.image, format_text("/figures/{}/looks{}", i, json::pointer_step(part)),
                          name_of(figures[i]), part);
         return std::move(images_);
     }
@@ -38,7 +37,7 @@ class ReadingImages {
 
     void look(const ImageLook& image, const std::string& place, std::string_view figure, std::string_view key) {
         if (has_no_room(figure, key))
-            document_.error(place + "/image", fmt::format("nothing of {} takes an image", in_quotes(key)),
+            document_.error(place + "/image", format_text("nothing of {} takes an image", in_quotes(key)),
                             "an image goes on dots, sticks, links, limbs, ropes and polygons of four corners");
         if (!in_its_folder(image.file, place + "/image/file", "sprites/link.png", document_)) return;
         if (const auto known = broken_.find(image.file); known != broken_.end())

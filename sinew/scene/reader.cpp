@@ -163,6 +163,23 @@ bool report_unknown(const json::Object& object, const std::vector<std::string_vi
     return any;
 }
 
+void FieldReader::read_fields(AnyRecord record) {
+    record.each([&](void* member, const FieldType& type, const Field& field) { type.read(*this, member, field); });
+}
+
+const json::Value* FieldReader::taken(const Field& field) {
+    allow(field.name);
+    if (const auto* member = json::find(object_, field.name)) {
+        ++taken_;
+        return &member->value;
+    }
+    if (field.required) {
+        good_ = false;
+        report_missing(value_, field, path_, in_);
+    }
+    return nullptr;
+}
+
 bool FieldReader::finish() {
     if (good_ && taken_ == object_.size()) return true;
     if (in_.diagnostics.full()) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sinew/scene/defaults.h"
 #include "sinew/scene/diagnostic.h"
 #include "sinew/scene/json.h"
+#include "sinew/scene/layout.h"
 #include "sinew/scene/types.h"
 #include "sinew/scene/units.h"
 
@@ -87,12 +87,21 @@ class FieldReader {
     FieldReader(const json::Value& value, const json::Object& object, const Path& path, const Reading& in)
         : value_(value), object_(object), path_(path), in_(in) {}
 
-    template <Record R> bool read_fields(R& record);
+    void read_fields(AnyRecord record);
+    /// Reads a field of a record.
+    template <class T> static void read_member(FieldReader& reader, void* member, const Field& field) {
+        if constexpr (is_variant<T>)
+            reader.read_variant(*static_cast<T*>(member), field);
+        else
+            reader.read_field(*static_cast<T*>(member), field);
+    }
     /// Reports members that no field has read. True if the whole object is valid.
     bool finish();
 
   private:
     template <class T> void read_field(T& target, const Field& field);
+    /// Value of a field in the object, or null.
+    const json::Value* taken(const Field& field);
     template <class T> void read_variant(T& target, const Field& field);
 
     /// Allows the names of all alternatives of a variant, when the selected one is unknown.
@@ -184,7 +193,7 @@ bool read_object(const json::Value& value, R& target, const Field& field, const 
     const auto* object = value.as<json::Object>();
     if (!object) return refuse(value, field, path, in, "an object");
     FieldReader reader(value, *object, path, in);
-    reader.read_fields(target);
+    reader.read_fields(AnyRecord::of(target));
     return reader.finish();
 }
 
@@ -232,25 +241,8 @@ template <Record R> bool read(const json::Value& value, R& record, const Reading
 
 namespace detail {
 
-template <Record R> bool FieldReader::read_fields(R& record) {
-    R::fields(record, [&](auto& member, const Field& field) {
-        if constexpr (is_variant<std::remove_cvref_t<decltype(member)>>)
-            this->read_variant(member, field);
-        else
-            this->read_field(member, field);
-    });
-    return good_;
-}
-
 template <class T> void FieldReader::read_field(T& target, const Field& field) {
-    allow(field.name);
-    if (const auto* member = json::find(object_, field.name)) {
-        ++taken_;
-        good_ &= read(member->value, target, field, Path(path_, field.name), in_);
-    } else if (field.required) {
-        good_ = false;
-        report_missing(value_, field, path_, in_);
-    }
+    if (const auto* value = taken(field)) good_ &= read(*value, target, field, Path(path_, field.name), in_);
 }
 
 template <class T> void FieldReader::read_variant(T& target, const Field& field) {
@@ -265,14 +257,14 @@ template <class T> void FieldReader::read_variant(T& target, const Field& field)
     if (chosen == none) {
         if (field.name.empty())
             for (const auto name : alternatives.names) allow(name);
-        return visit_held(target, [&](auto& record) { this->read_fields(record); });
+        return visit_held(target, [&](auto& record) { this->read_fields(AnyRecord::of(record)); });
     }
     if (chosen == wrong) return allow_all<T>();
     std::size_t index = 0;
     each_alternative(std::type_identity<T>{}, [&]<class A>(std::type_identity<A>) {
         if (index++ != chosen) return;
         auto record = fresh<A>({}, in_.units);
-        this->read_fields(record);
+        this->read_fields(AnyRecord::of(record));
         target = std::move(record);
     });
 }
@@ -284,6 +276,36 @@ template <class T> void FieldReader::allow_all() {
         each_alternative(std::type_identity<T>{}, [&]<class A>(std::type_identity<A>) {
             for (const auto name : names_of<A>()) allow(name);
         });
+}
+
+template <class T> constexpr FieldType make_field_type() {
+    FieldType type{[](void* member, const Field& field, const Units& units) {
+                       scale_defaults(*static_cast<T*>(member), field, units);
+                   },
+                   [](const void* member, const Field& field, const Writing& out) {
+                       return write_if_present(*static_cast<const T*>(member), field, out);
+                   },
+                   nullptr,
+                   FieldReader::read_member<T>,
+                   [](const void* member, const Field& field, Layout& part) {
+                       part = layout_of(*static_cast<const T*>(member), field);
+                   },
+                   nullptr};
+    if constexpr (is_variant<T>) {
+        type.write_held = [](const void* member, const Field& field, json::Object& object, const Writing& out) {
+            write_alternative(*static_cast<const T*>(member), field, object, out);
+        };
+        type.add_names = [](std::vector<std::string_view>& names) {
+            each_alternative(std::type_identity<T>{}, [&]<class A>(std::type_identity<A>) {
+                for (const auto name : names_of<A>()) names.push_back(name);
+            });
+        };
+    }
+    return type;
+}
+template <class T> const FieldType& field_type() {
+    static constexpr FieldType type = make_field_type<T>();
+    return type;
 }
 
 } // namespace detail

@@ -178,7 +178,7 @@ struct Scene {
         visit(self.constraints, Field{.name = "constraints", .help = "Constraints between figures"});
         visit(self.pins, Field{.name = "pins", .help = "Pins: particles that are held or driven"});
         visit(self.looks, Field{.name = "looks", .help = "Looks by figure/part, by figure or by part"});
-        visit(self.events, Field{.name = "events", .help = "Events at given times"});
+        visit(self.events, Field{.name = "events", .help = "Events at given times, or on contact"});
         visit(self.traces, Field{.name = "traces", .help = "Traces of the past: paths and curves"});
         visit(self.seconds, Field{.name = "seconds",
                                   .help = "Duration worth watching; the default duration of render",

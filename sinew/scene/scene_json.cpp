@@ -1,5 +1,5 @@
+#include "sinew/scene/reader.h"
 #include "sinew/scene/scene.h"
-#include "sinew/scene/writer.h"
 
 /// Conversion of scenes to JSON. The templates that write sections are instantiated only here.
 namespace sinew {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/math/format.h"
+
 #include <concepts>
 #include <string>
 #include <string_view>
@@ -27,8 +29,5 @@ template <class... Part> std::string concat(const Part&... part) {
 std::string printable(std::string_view text, std::size_t most_characters = 60);
 /// The printable text in double quotes.
 std::string in_quotes(std::string_view text, std::size_t most_characters = 60);
-
-/// The shortest text that parses back to the same number.
-std::string number_text(double number);
 
 } // namespace sinew

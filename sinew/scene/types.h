@@ -115,20 +115,4 @@ constexpr Field element_of(Field field) {
 
 } // namespace detail
 
-/// Names of all keys the record's object may have: its fields and the fields of all alternatives.
-template <Record R> std::vector<std::string_view> names_of() {
-    std::vector<std::string_view> names;
-    R record;
-    R::fields(record, [&](auto& member, const Field& field) {
-        using T = std::remove_cvref_t<decltype(member)>;
-        if (!field.name.empty()) names.push_back(field.name);
-        if constexpr (detail::is_variant<T>) {
-            detail::each_alternative(std::type_identity<T>{}, [&]<class A>(std::type_identity<A>) {
-                for (const auto name : names_of<A>()) names.push_back(name);
-            });
-        }
-    });
-    return names;
-}
-
 } // namespace sinew

@@ -1,12 +1,10 @@
 #include "sinew/scene/units.h"
 
+#include "sinew/math/decimal.h"
 #include "sinew/math/scalar.h"
 #include "sinew/scene/text.h"
 
-#include <array>
-#include <charconv>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 
 namespace sinew {
@@ -26,16 +24,10 @@ std::string with_exponent(std::string_view name, int exponent) {
 
 double rounded(double number) {
     if (!is_finite(number)) return number;
-    std::array<char, 40> text{};
-    const int length = std::snprintf(text.data(), text.size(), "%.14e", number);
-    const std::string_view all(text.data(), std::size_t(length));
+    const auto text = decimal::round(absolute(number), 15);
     std::int64_t digits = 0;
-    for (const char c : all.substr(0, all.find('e')))
-        if (c >= '0' && c <= '9') digits = 10 * digits + (c - '0');
-    const auto sign = all.find('e') + 1;
-    int exponent = 0;
-    std::from_chars(all.data() + sign + 1, all.data() + all.size(), exponent);
-    exponent = (all[sign] == '-' ? -exponent : exponent) - 14;
+    for (const char c : text.digits) digits = 10 * digits + (c - '0');
+    const int exponent = text.exponent - 14;
     // For |exponent| <= 22 both the digits and the power of ten are exact in double, so the quotient or product is the
     // nearest double.
     if (std::abs(exponent) > 22) return number;

@@ -19,8 +19,16 @@ struct Writing {
 };
 
 namespace detail {
-template <Record R> void write_fields(json::Object& object, const R& record, std::string_view key, const Writing& out);
+/// Appends required fields and fields that differ from those of `usual`, a record of the same type. The field `key` is
+/// always written, because it selects the alternative of a variant.
+void write_fields(json::Object& object, AnyRecord record, AnyRecord usual, std::string_view key, const Writing& out);
+
+/// Appends required fields and fields that differ from their defaults.
+template <Record R> void write_fields(json::Object& object, const R& record, std::string_view key, const Writing& out) {
+    auto usual = fresh<R>({}, out.units);
+    write_fields(object, unchanged(record), AnyRecord::of(usual), key, out);
 }
+} // namespace detail
 
 /// Writes a value of any type a field can have (types.h). An optional must hold a value.
 template <class T> json::Value write(const T& value, const Field& field, const Writing& out) {
@@ -72,26 +80,12 @@ template <class T> std::optional<json::Value> write_if_present(const T& value, c
         return write(value, field, out);
 }
 
-/// Appends required fields and fields that differ from their defaults. The field `key` is always written, because it
-/// selects the alternative of a variant.
-template <Record R> void write_fields(json::Object& object, const R& record, std::string_view key, const Writing& out) {
-    std::vector<std::optional<json::Value>> usual;
-    auto plain = fresh<R>({}, out.units);
-    R::fields(plain,
-              [&](const auto& member, const Field& field) { usual.push_back(write_if_present(member, field, out)); });
-    std::size_t index = 0;
-    R::fields(record, [&](const auto& member, const Field& field) {
-        const auto& as_usual = usual[index++];
-        if constexpr (is_variant<std::remove_cvref_t<decltype(member)>>) {
-            visit_held(member, [&]<Record A>(const A& alternative) {
-                if (!field.name.empty()) object.push_back({std::string(field.name), A::name});
-                write_fields(object, alternative, field.name.empty() ? std::string_view(A::name) : std::string_view(),
-                             out);
-            });
-        } else if (auto value = write_if_present(member, field, out)) {
-            const bool needed = out.defaults || field.required || (!key.empty() && field.name == key);
-            if (needed || value != as_usual) object.push_back({std::string(field.name), std::move(*value)});
-        }
+/// Appends the tag of the alternative held, and the alternative's fields.
+template <class T>
+void write_alternative(const T& variant, const Field& field, json::Object& object, const Writing& out) {
+    visit_held(variant, [&]<Record A>(const A& alternative) {
+        if (!field.name.empty()) object.push_back({std::string(field.name), A::name});
+        write_fields(object, alternative, field.name.empty() ? std::string_view(A::name) : std::string_view(), out);
     });
 }
 

@@ -62,6 +62,8 @@ template <class WorldT> struct EventApplier {
         return impulse.target;
     }
 
+    std::string operator()(const NoteEvent& note) const { return note.text; }
+
     std::string operator()(const RemoveEvent& removal) const {
         std::vector<ConstraintId> ids;
         for (const auto& name : removal.constraints)

@@ -1,5 +1,7 @@
 #include "sinew/session/pick.h"
 
+#include "sinew/math/sort.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -108,7 +110,7 @@ template <class WorldT> class Picker {
             corners.emplace_back(distance(p, pixel_), piece.particles[i]);
         }
         if (!odd || !moves || count < 3) return;
-        std::stable_sort(corners.begin(), corners.end(), [](auto& a, auto& b) { return a.first < b.first; });
+        sinew::stable_sort(corners.begin(), corners.end(), [](auto& a, auto& b) { return a.first < b.first; });
         const auto place = view_.place_of(cast<double>(pixel_));
         best_ = at({corners[0].second, corners[1].second, corners[2].second}, {{place[0], place[1], 0}}, figure);
     }

@@ -67,8 +67,8 @@ void Session::skip_past_events() {
         const auto& event = scene_.events[due.event];
         if (due.at >= first) return false;
         if (!(event.every > 0)) return true;
-        due.before = std::uint64_t(std::ceil((first - event.at) / event.every));
-        due.at = event.at + event.every * double(due.before);
+        due.before = std::uint64_t(std::ceil((first - event.first()) / event.every));
+        due.at = event.first() + event.every * double(due.before);
         return event.times != 0 && due.before >= std::uint64_t(event.times);
     });
     std::make_heap(due_.begin(), due_.end());

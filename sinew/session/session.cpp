@@ -30,11 +30,11 @@ template <class WorldT> auto& solver_of(AnySolver& any) {
 template <class WorldT> using VectorOf = typename WorldT::Vector;
 
 /// In the order of EventType.
-constexpr std::array event_names = {"torn", "quarantined", "touched", "parted"};
+constexpr std::array event_names = {"torn", "quarantined", "touched", "parted", "hit"};
 
 /// Touches are reported for sensors; of obstacles and the ground there would be too many.
 template <class WorldT> bool is_worth_noting(const WorldT& world, const Event& event) {
-    if (event.type != EventType::touched && event.type != EventType::parted) return true;
+    if (event.type == EventType::torn || event.type == EventType::quarantined) return true;
     const auto row = world.collider_slots.find(event.collider);
     return row && world.colliders[*row].is_sensor;
 }
@@ -113,13 +113,24 @@ void Session::step() {
         },
         world_);
     note_events();
+    happen_on_contact();
     history_.record(scene_, world_);
 }
 
 void Session::plan_events() {
     due_.clear();
-    for (std::size_t i = 0; i < scene_.events.size(); ++i) due_.push_back({scene_.events[i].at, i});
+    for (std::size_t i = 0; i < scene_.events.size(); ++i)
+        if (!scene_.events[i].on) due_.push_back({scene_.events[i].first(), i});
     std::make_heap(due_.begin(), due_.end());
+    rules_.restart(scene_, world_);
+}
+
+void Session::happen_on_contact() {
+    for (auto& met : rules_.met(scene_, world_)) {
+        const auto& event = scene_.events[met.event];
+        note({.what = event.on->phase, .where = event.on->of, .with = std::move(met.with), .impulse = met.impulse});
+        happen(event, met.before);
+    }
 }
 
 void Session::happen_now() {
@@ -131,7 +142,7 @@ void Session::happen_now() {
         const auto& event = scene_.events[due.event];
         happen(event, due.before++);
         if (event.every > 0 && (event.times == 0 || due.before < std::uint64_t(event.times))) {
-            due.at = event.at + event.every * double(due.before);
+            due.at = event.first() + event.every * double(due.before);
             std::push_heap(due_.begin(), due_.end());
         } else {
             due_.pop_back();
@@ -306,8 +317,12 @@ void Session::still_gusts() {
 }
 
 void Session::note(std::string what, std::string where, std::size_t islands) {
-    if (happening_count_++ < most_happenings)
-        happenings_.push_back({seconds(), std::move(what), std::move(where), islands});
+    note({.what = std::move(what), .where = std::move(where), .islands = islands});
+}
+
+void Session::note(SessionEvent event) {
+    event.seconds = seconds();
+    if (happening_count_++ < most_happenings) happenings_.push_back(std::move(event));
 }
 
 /// Notes every figure whose number of islands has grown.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/scene/scene.h"
+#include "sinew/session/contact_rules.h"
 #include "sinew/session/driver.h"
 #include "sinew/session/event_grabs.h"
 #include "sinew/session/hand.h"
@@ -37,9 +38,13 @@ struct Report {
 /// Entry of a session's log.
 struct SessionEvent {
     double seconds = 0;
-    std::string what;        ///< "torn", "parted", "quarantined", or the name of a scene event ("grab")
-    std::string where;       ///< name of the figure or particle in the scene; may be empty
+    /// "torn", "parted", "quarantined", "touched" (a sensor), the phase of a contact for which the scene waits
+    /// ("begin", "persist", "end", "hit"), or the name of a scene event ("grab").
+    std::string what{};
+    std::string where{};     ///< name of the figure or particle in the scene, or the text of a note; may be empty
     std::size_t islands = 0; ///< "parted": number of islands the figure now has (islands.h); else 0
+    std::string with{};      ///< contacts: name of the collider or figure touched; may be empty
+    double impulse = 0;      ///< contacts: in the step, or of a hit, in the scene's units
 };
 
 using AnySolver = EveryWorld<std::variant, Solver>;
@@ -161,6 +166,8 @@ class Session {
     std::optional<PinId> freeze_hovered();
     void still_gusts();
     void keep_going(const AnyWorld& old);
+    void happen_on_contact();
+    void note(SessionEvent event);
     void note(std::string what, std::string where, std::size_t islands = 0);
     void note_events();
     void note_parted();
@@ -171,6 +178,7 @@ class Session {
     Images images_;
     std::array<Point, 2> focus_; ///< two opposite corners around the initial scene
     std::vector<Due> due_;       ///< a heap
+    ContactRules rules_;
     std::vector<Driven> driven_;
     Motors winder_;
     std::optional<Point> pointer_;

@@ -41,7 +41,8 @@ template <int D> struct ChainSpace {
     void make_room(std::size_t links) {
         constexpr std::size_t line = 64 / sizeof(double), per_node = sizeof(ChainNode<D, double>) / sizeof(double);
         const auto in_lanes = std::min<std::size_t>(links, most_links_in_lanes) + 1;
-        const auto needed = std::max((links + 1) * per_node, in_lanes * per_node * max_block_lanes) + line;
+        const auto needed =
+            std::max((links + 1) * per_node * min_block_lanes, in_lanes * per_node * max_block_lanes) + line;
         if (numbers.size() < needed) numbers.resize(needed), rows.resize(needed / per_node);
         const auto at = reinterpret_cast<std::uintptr_t>(numbers.data()) / sizeof(double);
         pack.nodes = numbers.data() + (line - at % line) % line;

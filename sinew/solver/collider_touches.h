@@ -13,6 +13,8 @@ template <int D, class Real> struct ColliderTouches {
     std::vector<std::uint32_t> collider;              ///< by particle: 1 + index of the collider, or 0
     std::vector<Real> impulse;                        ///< by particle: of that collider, newton seconds
     std::vector<ColliderTouch> before;                ///< pairs of the step before, in order
+    std::vector<FigureTouch> figures;                 ///< of the step, in any order, some of them several times
+    std::vector<FigureTouch> figures_before;          ///< of the step before, in order
 
     void set(Row row, std::uint32_t index, Real of) { collider[row] = index + 1, impulse[row] = of; }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
+#include "sinew/math/sort.h"
 #include "sinew/table/id.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ class Elimination {
     void add_neighbour(Row neighbour) { pool_.push_back(neighbour); }
     void end_row(Row row) {
         const auto first = pool_.begin() + std::ptrdiff_t(begin_[row]);
-        std::sort(first, pool_.end());
+        sinew::sort(first, pool_.end());
         pool_.erase(std::unique(first, pool_.end()), pool_.end());
         size_[row] = std::uint32_t(pool_.size() - begin_[row]);
     }

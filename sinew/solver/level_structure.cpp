@@ -1,5 +1,7 @@
 #include "sinew/solver/level_structure.h"
 
+#include "sinew/math/sort.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -89,8 +91,8 @@ void LevelStructure::arrange(std::span<std::uint32_t> level) {
             if (level_[other] < level_[i]) sum += place_[other], ++count;
         pull_[i] = count > 0 ? sum / count : 0;
     }
-    std::sort(level.begin(), level.end(),
-              [&](auto a, auto b) { return std::pair(pull_[a], a) < std::pair(pull_[b], b); });
+    sinew::sort(level.begin(), level.end(),
+                [&](auto a, auto b) { return std::pair(pull_[a], a) < std::pair(pull_[b], b); });
     along_.clear();
     for (const std::uint32_t most : {1U, unknown})
         for (const auto i : level)

@@ -70,6 +70,9 @@ template <int D, class Real> void wake(World<D, Real>& world, Solver<D, Real>& s
 template <int D, class Real> void fall_asleep(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 template <int D, class Real> void note_sleep_parameters(World<D, Real>& world);
 
+/// alone.cpp: before a step, finds the bodies of colliding figures that are far from everything.
+template <int D, class Real> void find_alone(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
+
 /// classic.cpp: a step by the originals' rules.
 template <int D, class Real> void classic_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
+#include "sinew/math/sort.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -38,7 +39,7 @@ template <class Entry> class RowLists {
         std::uint32_t kept = 0;
         for (std::size_t row = 0; row < size(); ++row) {
             const auto begin = entries_.begin() + first_[row], end = entries_.begin() + first_[row + 1];
-            std::sort(begin, end);
+            sinew::sort(begin, end);
             first_[row] = kept;
             kept = std::uint32_t(std::unique_copy(begin, end, entries_.begin() + kept) - entries_.begin());
         }

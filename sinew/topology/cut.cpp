@@ -1,5 +1,6 @@
 #include "sinew/topology/cut.h"
 
+#include "sinew/math/sort.h"
 #include "sinew/topology/slice.h"
 #include "sinew/topology/vertex_split.h"
 #include "sinew/world/changes.h"
@@ -73,7 +74,7 @@ Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids, const Slicer<D
         add_what_hangs(world, distances.members.rows[*row], all);
     }
     done.links = gone.size();
-    std::sort(done.figures.begin(), done.figures.end());
+    sinew::sort(done.figures.begin(), done.figures.end());
     done.figures.erase(std::unique(done.figures.begin(), done.figures.end()), done.figures.end());
     remove_constraints(world, std::span<const ConstraintId>(all));
     done.new_particles = come_apart(world, std::span<const Ends>(gone), slicer);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/world/world.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ class Gaps {
   public:
     explicit Gaps(std::span<const Ends> gone) {
         for (const auto& ends : gone) keys_.push_back(key(ends[0], ends[1]));
-        std::sort(keys_.begin(), keys_.end());
+        sinew::sort(keys_.begin(), keys_.end());
     }
     bool between(ParticleId a, ParticleId b) const { return std::binary_search(keys_.begin(), keys_.end(), key(a, b)); }
 

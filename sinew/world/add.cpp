@@ -1,4 +1,5 @@
 #include "sinew/assert/assert.h"
+#include "sinew/math/sort.h"
 #include "sinew/world/changes.h"
 #include "sinew/world/edit.h"
 
@@ -43,7 +44,7 @@ bool any_twice(std::span<const Row> rows) {
         return false;
     }
     std::vector<Row> sorted(rows.begin(), rows.end());
-    std::sort(sorted.begin(), sorted.end());
+    sinew::sort(sorted.begin(), sorted.end());
     return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
@@ -115,6 +116,7 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
     p.quarantined.push_back(0);
     p.rest_time.push_back(Real(0));
     p.asleep.push_back(char(0));
+    p.alone.push_back(char(0));
     p.at_end.push_back(0);
     world.events.reserve(events_per_step);
     SINEW_ASSERT(p.at_end.size() == p.size(), "the columns of a table have one length");

@@ -8,6 +8,10 @@ template <int D, class Real> bool any_asleep(const Particles<D, Real>& particles
     return particles.asleep.any_of([](char flag) { return flag != 0; });
 }
 
+template <int D, class Real> bool any_alone(const Particles<D, Real>& particles) {
+    return particles.alone.any_of([](char flag) { return flag != 0; });
+}
+
 /// True if the particle of a slot is asleep.
 template <int D, class Real> bool is_asleep(const Particles<D, Real>& particles, std::uint32_t slot) {
     return particles.slots.in_use(slot) && particles.asleep[particles.slots.row_at(slot)] != 0;

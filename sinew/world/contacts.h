@@ -6,6 +6,8 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <limits>
+#include <tuple>
 #include <vector>
 
 namespace sinew {
@@ -29,16 +31,48 @@ template <int D, class Real> struct KeptContact {
     Vec<D, Real> friction{}; ///< multiplier of friction
 };
 
+/// Strength of a touch; no part of the state, which a step reads.
+struct TouchStrength {
+    double impulse = 0; ///< in the last step, newton seconds
+    double blow = 0;    ///< the same; in the step after the touch began, that of both: a blow may take two
+    double blow_before = 0;
+    bool is_new = false; ///< began in the last step
+
+    /// True if the touch reaches an impulse that it did not reach in the step before.
+    bool is_hit(double threshold) const { return blow >= threshold && (is_new || blow_before < threshold); }
+};
+
 /// Touch of a particle and a collider, by their slots.
 struct ColliderTouch {
     std::uint32_t particle = 0, collider = 0;
-    friend constexpr auto operator<=>(const ColliderTouch&, const ColliderTouch&) = default;
+    TouchStrength strength{};
+    friend constexpr auto operator<=>(const ColliderTouch& a, const ColliderTouch& b) {
+        return std::tie(a.particle, a.collider) <=> std::tie(b.particle, b.collider);
+    }
+    friend constexpr bool operator==(const ColliderTouch& a, const ColliderTouch& b) { return (a <=> b) == 0; }
+};
+
+/// Touch of two figures, or of a figure with itself.
+struct FigureTouch {
+    FigureIndex first = no_figure, second = no_figure; ///< first <= second
+    std::array<std::uint32_t, 2> particle{};           ///< slots: of either side, where they press hardest
+    double hardest = 0;                                ///< impulse there, newton seconds
+    TouchStrength strength{};
+    friend constexpr auto operator<=>(const FigureTouch& a, const FigureTouch& b) {
+        return std::tie(a.first, a.second) <=> std::tie(b.first, b.second);
+    }
+    friend constexpr bool operator==(const FigureTouch& a, const FigureTouch& b) { return (a <=> b) == 0; }
 };
 
 template <int D, class Real> struct Contacts {
     std::vector<KeptContact<D, Real>> kept; ///< in the order of their keys
     Real kept_substep = 0;                  ///< length of the substep of the kept multipliers
     std::vector<ColliderTouch> touching;    ///< in the last step, in order
+
+    bool lists_figures = false;       ///< set by whoever wants touches of figures listed and reported
+    std::vector<FigureTouch> figures; ///< in the last step, in order
+    /// A touch whose blow reaches this, and did not in the step before, is reported as a hit.
+    double hit_impulse = std::numeric_limits<double>::infinity();
 };
 
 } // namespace sinew

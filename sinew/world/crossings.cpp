@@ -1,6 +1,7 @@
 #include "sinew/world/crossings.h"
 
 #include "sinew/collide/broadphase.h"
+#include "sinew/math/sort.h"
 #include "sinew/world/world.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ struct ClothFaces {
     }
     void add_edge(Row a, Row b) { edges.push_back({std::min(a, b), std::max(a, b)}); }
     void leave_each_edge_once() {
-        std::sort(edges.begin(), edges.end());
+        sinew::sort(edges.begin(), edges.end());
         edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     }
 };

@@ -105,9 +105,9 @@ struct Figure {
     std::optional<Integrator> integrator{}; ///< in classic mode; nothing: the integrator of the rules
     bool tethers = false;                   ///< long-range attachments to the figure's pins (plan.h)
     bool quarantined = false;
-    collide::Filter filter{}; ///< layers of the particles, and the layers that these touch
-    bool collides = false;    ///< particles and links touch those of other figures that collide; never solved directly
-    bool touches_itself = false;                        ///< likewise with each other, except for neighbours on a link
+    collide::Filter filter{};    ///< layers of the particles, and the layers that these touch
+    bool collides = false;       ///< particles and links touch those of others that collide; direct while alone
+    bool touches_itself = false; ///< likewise with each other, except for neighbours on a link
     ClothContactKind cloth = ClothContactKind::spheres; ///< of its faces (3D)
     double friction = 0.5;                              ///< Coulomb's coefficient against other figures
     std::uint32_t generation = Stamp::none;             ///< generation of the FigureId; none: not in use

@@ -1,5 +1,6 @@
 #include "sinew/world/measure.h"
 
+#include "sinew/math/sort.h"
 #include "sinew/world/stencil.h"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ class SlackLinks {
                 links_.push_back({ends.first, ends.second, row, double(distances.high(row))});
             }
         const auto order = [](const Link& link) { return std::tuple(link.a, link.b, link.row); };
-        std::sort(links_.begin(), links_.end(), [&](const Link& x, const Link& y) { return order(x) < order(y); });
+        sinew::sort(links_.begin(), links_.end(), [&](const Link& x, const Link& y) { return order(x) < order(y); });
     }
 
     /// Fraction of an angle spring's energy: product of (length / max length)^2 over the arms with slack, each at most

@@ -1,11 +1,12 @@
 #include "sinew/world/rig.h"
 
+#include "sinew/math/format.h"
+#include "sinew/math/sort.h"
 #include "sinew/math/union_find.h"
 #include "sinew/world/edit.h"
 #include "sinew/world/shortest_paths.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace sinew {
 namespace {
@@ -49,11 +50,11 @@ template <int D, class Real> class Inspector {
 
     std::string name_of_particle(Row row) const {
         const auto index = world_.particles.figure[row];
-        if (index >= world_.figures.size()) return fmt::format("particle {}", row);
+        if (index >= world_.figures.size()) return format_text("particle {}", row);
         const auto& figure = world_.figures[index];
         const auto name = name_in(figure.particle_names, figure.particle_numbers, figure.particles,
                                   world_.particles.slots.id_of(row));
-        return figure.name + "/" + (name.empty() ? fmt::format("particle {}", row) : name);
+        return figure.name + "/" + (name.empty() ? format_text("particle {}", row) : name);
     }
 
     template <class Table> std::string name_of_constraint(const Table& table, int kind, Row row) const {
@@ -63,7 +64,7 @@ template <int D, class Real> class Inspector {
                                       ConstraintId{kind, table.slots.id_of(row)});
             if (!name.empty()) return figure.name + "/" + name;
         }
-        std::string text = fmt::format("{} of", Table::Kind::name);
+        std::string text = format_text("{} of", Table::Kind::name);
         const auto members = table.members[row];
         constexpr std::size_t listed = 4;
         for (std::size_t i = 0; i < std::min(members.size(), listed); ++i)
@@ -79,7 +80,7 @@ template <int D, class Real> class Inspector {
         for (Row row = 0; row < table.size() && faults_.size() < most_; ++row) {
             const double low = double(table.low(row)), high = double(table.high(row));
             if (const auto why = impossible<Kind>(low, high); !why.empty()) {
-                report(fmt::format("{}: its limits are {}", why, range(low * to_shown, high * to_shown)),
+                report(format_text("{}: its limits are {}", why, range(low * to_shown, high * to_shown)),
                        name_of_constraint(table, kind, row));
                 continue;
             }
@@ -89,7 +90,7 @@ template <int D, class Real> class Inspector {
             const auto members = table.members[row];
             const bool stuck = std::all_of(members.begin(), members.end(),
                                            [&](Row member) { return world_.particles.mobility[member] == Real(0); });
-            report(fmt::format("stands at {:.4g}, its limits are {}{}", state->measure * to_shown,
+            report(format_text("stands at {:4}, its limits are {}{}", state->measure * to_shown,
                                range(low * to_shown, high * to_shown),
                                stuck ? ", and none of its particles can move" : ""),
                    name_of_constraint(table, kind, row));
@@ -106,10 +107,10 @@ template <int D, class Real> class Inspector {
 
     static std::string range(double low, double high) {
         constexpr double none = 1e20;
-        if (low == high) return fmt::format("{:.4g} exactly", low);
-        if (low < -none) return fmt::format("at most {:.4g}", high);
-        if (high > none) return fmt::format("at least {:.4g}", low);
-        return fmt::format("{:.4g} to {:.4g}", low, high);
+        if (low == high) return format_text("{:4} exactly", low);
+        if (low < -none) return format_text("at most {:4}", high);
+        if (high > none) return format_text("at least {:4}", low);
+        return format_text("{:4} to {:4}", low, high);
     }
 
     // --- mass --------------------------------------------------------------------------------------------------------
@@ -138,20 +139,20 @@ template <int D, class Real> class Inspector {
             const auto [a, b] = distances().members.rows[row];
             const auto way = ways.between(a, b, low * (1 - least_strain), row);
             if (way)
-                report(fmt::format("is at least {:.4g}, but other links join its ends within {:.4g}", low, *way),
+                report(format_text("is at least {:4}, but other links join its ends within {:4}", low, *way),
                        name_of_constraint(distances(), link_kind, row));
         }
         std::vector<Row> held;
         for (const auto& pin : world_.pins)
             if (const auto row = row_of(world_, pin.particle); row && pin.hard()) held.push_back(*row);
-        std::sort(held.begin(), held.end());
+        sinew::sort(held.begin(), held.end());
         held.erase(std::unique(held.begin(), held.end()), held.end());
         for (std::size_t i = 0; i + 1 < held.size() && faults_.size() < most_; ++i)
             for (const auto& [other, way] : ways.from(held[i], held)) {
                 const double apart =
                     double(distance(world_.particles.position[held[i]], world_.particles.position[other]));
                 if (other > held[i] && too_short(way, apart))
-                    report(fmt::format("is held {:.4g} from {}, but the links between them reach {:.4g}", apart,
+                    report(format_text("is held {:4} from {}, but the links between them reach {:4}", apart,
                                        name_of_particle(other), way),
                            name_of_particle(held[i]));
             }

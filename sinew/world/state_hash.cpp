@@ -1,4 +1,5 @@
 #include "sinew/math/hash.h"
+#include "sinew/world/asleep.h"
 #include "sinew/world/measure.h"
 #include "sinew/world/parameter_hash.h"
 
@@ -187,6 +188,7 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.radius, p.figure,
                p.quarantined, p.mobility);
     if (world.settings.sleep.speed != 0) digest.add(p.rest_time, p.asleep, world.sleep_parameters);
+    if (any_alone(p)) digest.add(p.alone);
     for_each_table(world, [&](const auto& table) { add_constraints(table, digest); });
     for (const auto& run : world.sweep) digest.add(run.kind, run.count);
     add_pins(world, digest);

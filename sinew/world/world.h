@@ -53,6 +53,7 @@ template <int D, class Real> struct Particles {
     std::vector<char> quarantined; ///< frozen: the particle or the particle's figure was found non-finite
     Column<Real> rest_time;        ///< time for which the body of a particle, its first one, has been at rest
     Column<char> asleep;           ///< left out of the step until the body is woken (docs/concepts/contact.md)
+    Column<char> alone;            ///< of a colliding figure, but far from all it may touch: solved without contacts
     Slots<ParticleTag> slots;
 
     std::size_t size() const { return position.size(); }
@@ -71,6 +72,7 @@ template <int D, class Real> struct Particles {
         visit(self.quarantined);
         visit(self.rest_time);
         visit(self.asleep);
+        visit(self.alone);
     }
 };
 
@@ -304,8 +306,9 @@ template <class Real> struct Settings {
 enum class EventType : std::uint8_t {
     torn,        ///< a constraint exceeded its breaking strain and was removed
     quarantined, ///< a figure or a loose particle became non-finite and is frozen; a figure until release_quarantine()
-    touched,     ///< a particle and a collider came into contact
-    parted,      ///< a particle and a collider ceased to touch
+    touched,     ///< a particle and a collider, or two figures (Contacts::lists_figures), came into contact
+    parted,      ///< they ceased to touch
+    hit,         ///< they met harder than Contacts::hit_impulse
 };
 
 struct Event {
@@ -313,9 +316,11 @@ struct Event {
     FigureIndex figure = no_figure;
     ConstraintId constraint{};        ///< torn: id of the removed constraint
     std::array<ParticleId, 2> ends{}; ///< torn: its first particle and its last
-    ParticleId particle{};            ///< quarantined: the first non-finite particle; touched, parted: the particle
-    ColliderId collider{};            ///< touched, parted
-    double impulse = 0;               ///< touched: of the first step, newton seconds
+    ParticleId particle{};         ///< quarantined: the first non-finite particle; touched, parted, hit: the particle
+    ColliderId collider{};         ///< touched, parted, hit: the collider, unless two figures touch
+    FigureIndex other = no_figure; ///< touched, parted, hit: the second figure
+    ParticleId other_particle{};   ///< of the second figure, where the figures pressed hardest
+    double impulse = 0;            ///< touched: in the step; hit: of the blow; newton seconds
 };
 
 /// Largest number of events of a step. Further constraints tear in the next step.

@@ -16,7 +16,8 @@ static int failures = 0;
     } while (0)
 
 static const char* const pendulum =
-    "{\"sinew\": 1, \"view\": {\"center\": [0, 0], \"height\": 4, \"size\": [400, 400]}, \"world\": {\"gravity\": [0, -10]},"
+    "{\"sinew\": 1, \"view\": {\"center\": [0, 0], \"height\": 4, \"size\": [400, 400]}, \"world\": {\"gravity\": [0, "
+    "-10]},"
     " \"figures\": [{\"name\": \"pendulum\", \"particles\": {\"pivot\": {\"at\": [0, 0], \"pinned\": true},"
     " \"bob\": {\"at\": [1, 0]}}, \"constraints\": [{\"name\": \"rod\", \"between\": [\"pivot\", \"bob\"]}]}]}";
 
@@ -185,6 +186,137 @@ static void a_player_owns_its_simulation(void) {
     CHECK(sinew_get_info(simulation, &info) == SINEW_BAD_HANDLE && sinew_player_close(player) == SINEW_BAD_HANDLE);
 }
 
+/* A ball of 1 kg falls on a floor 0.4 m below its surface, rebounds never, and sleeps. */
+static const char* const ball =
+    "{\"sinew\": 1, \"world\": {\"gravity\": [0, -10]}, \"solver\": {\"sleep\": {\"speed\": 0.05}},"
+    " \"colliders\": [{\"name\": \"floor\", \"shape\": \"half_space\"}],"
+    " \"figures\": [{\"name\": \"ball\", \"particles\": {\"p\": {\"at\": [0, 0.5], \"radius\": 0.1}}}],"
+    " \"events\": [{\"on\": {\"contact\": \"hit\", \"of\": \"ball\", \"with\": \"floor\", \"above\": 2}, \"note\": "
+    "\"thud\"}]}";
+
+static void contacts_begin_persist_and_end(void) {
+    sinew_simulation simulation;
+    sinew_contact contact;
+    sinew_event event;
+    sinew_particle particle;
+    uint32_t count = 9;
+    CHECK(sinew_open(ball, NULL, &simulation) == SINEW_OK);
+    CHECK(sinew_find_particle(simulation, "ball/p", &particle) == SINEW_OK);
+    CHECK(sinew_contact_count(simulation, &count) == SINEW_OK && count == 0);
+    CHECK(sinew_contact_at(simulation, 0, &contact) == SINEW_NOT_FOUND);
+    for (int i = 0; i < 60 && count == 0; ++i)
+        CHECK(sinew_step(simulation, 1) == SINEW_OK && sinew_contact_count(simulation, &count) == SINEW_OK);
+    CHECK(count == 1 && sinew_contact_at(simulation, 0, &contact) == SINEW_OK);
+    CHECK(contact.phase == SINEW_BEGIN && contact.particle == particle && contact.other == SINEW_NO_ID);
+    CHECK(strcmp(contact.collider_name, "floor") == 0 && contact.figure == 0 && contact.other_figure == UINT32_MAX);
+    CHECK(contact.blow == contact.impulse && contact.blow > 0 && contact.blow_before == 0);
+    CHECK(sinew_step(simulation, 1) == SINEW_OK && sinew_contact_count(simulation, &count) == SINEW_OK && count == 1);
+    CHECK(sinew_contact_at(simulation, 0, &contact) == SINEW_OK && contact.phase == SINEW_PERSIST);
+    CHECK(fabs(contact.blow - sqrt(2 * 10 * 0.4)) < 0.3); /* m v, and the weight for a step */
+    CHECK(sinew_event_count(simulation, &count) == SINEW_OK && count == 2);
+    CHECK(sinew_event_at(simulation, 0, &event) == SINEW_OK && strcmp(event.what, "hit") == 0);
+    CHECK(strcmp(event.with, "floor") == 0 && fabs(event.impulse - sqrt(2 * 10 * 0.4)) < 0.3);
+    CHECK(sinew_event_at(simulation, 1, &event) == SINEW_OK && strcmp(event.where, "thud") == 0);
+
+    CHECK(sinew_step(simulation, 10) == SINEW_OK && sinew_contact_count(simulation, &count) == SINEW_OK && count == 1);
+    CHECK(sinew_contact_at(simulation, 0, &contact) == SINEW_OK && contact.phase == SINEW_PERSIST);
+    CHECK(sinew_apply_impulse(simulation, particle, (sinew_point){0, 3, 0}) == SINEW_OK);
+    CHECK(sinew_step(simulation, 1) == SINEW_OK && sinew_contact_count(simulation, &count) == SINEW_OK && count == 1);
+    CHECK(sinew_contact_at(simulation, 0, &contact) == SINEW_OK && contact.phase == SINEW_END && contact.impulse == 0);
+    CHECK(sinew_close(simulation) == SINEW_OK);
+}
+
+static void what_rests_falls_asleep(void) {
+    sinew_simulation simulation;
+    sinew_particle particle;
+    sinew_particle_state state;
+    sinew_info info;
+    sinew_view view;
+    CHECK(sinew_open(ball, NULL, &simulation) == SINEW_OK);
+    CHECK(sinew_find_particle(simulation, "ball/p", &particle) == SINEW_OK);
+    CHECK(sinew_get_info(simulation, &info) == SINEW_OK && info.asleep == 0);
+    CHECK(sinew_run_until(simulation, 3) == SINEW_OK);
+    CHECK(sinew_get_info(simulation, &info) == SINEW_OK && info.asleep == 1);
+    CHECK(sinew_get_particle(simulation, particle, &state) == SINEW_OK && state.is_asleep);
+    CHECK(sinew_get_column(simulation, SINEW_ASLEEP, &view) == SINEW_OK && view.rows == 1 && view.is_integer);
+    CHECK(((const uint32_t*)view.data)[0] == 1);
+    CHECK(sinew_apply_impulse(simulation, particle, (sinew_point){0, 3, 0}) == SINEW_OK);
+    CHECK(sinew_step(simulation, 1) == SINEW_OK);
+    CHECK(sinew_get_particle(simulation, particle, &state) == SINEW_OK && !state.is_asleep);
+    CHECK(sinew_close(simulation) == SINEW_OK);
+}
+
+static void queries_find_the_nearest_and_the_first(void) {
+    const sinew_simulation simulation = opened(); /* pivot at (0, 0), bob at (1, 0), a rod between */
+    sinew_particle bob, particle, found[2];
+    sinew_constraint rod, link, links[1];
+    double distance, t;
+    size_t count;
+    CHECK(sinew_find_particle(simulation, "pendulum/bob", &bob) == SINEW_OK);
+    CHECK(sinew_find_constraint(simulation, "pendulum/rod", &rod) == SINEW_OK);
+    CHECK(sinew_nearest_particle(simulation, (sinew_point){1.3, 0.4, 0}, 1, &particle, &distance) == SINEW_OK);
+    CHECK(particle == bob && fabs(distance - 0.5) < 1e-12);
+    CHECK(sinew_nearest_particle(simulation, (sinew_point){1.3, 0.4, 0}, 0.4, &particle, NULL) == SINEW_NOT_FOUND);
+    CHECK(sinew_nearest_link(simulation, (sinew_point){0.25, 0.1, 0}, 1, &link, &t, &distance) == SINEW_OK);
+    CHECK(link == rod && fabs(t - 0.25) < 1e-12 && fabs(distance - 0.1) < 1e-12);
+    CHECK(sinew_nearest_link(simulation, (sinew_point){NAN, 0, 0}, 1, &link, NULL, NULL) == SINEW_BAD_ARGUMENT);
+
+    sinew_region region = {.center = {1, 0, 0}, .radius = 0.1};
+    CHECK(sinew_overlapping_particles(simulation, &region, found, 2, &count) == SINEW_OK);
+    CHECK(count == 1 && found[0] == bob);
+    CHECK(sinew_overlapping_links(simulation, &region, links, 1, &count) == SINEW_OK && count == 1 && links[0] == rod);
+    region = (sinew_region){.center = {0.5, 0, 0}, .half = {0.8, 0.1, 0}, .angle = 1.5707963};
+    CHECK(sinew_overlapping_particles(simulation, &region, found, 2, &count) == SINEW_OK && count == 0);
+    region.angle = 0;
+    CHECK(sinew_overlapping_particles(simulation, &region, NULL, 0, &count) == SINEW_OK && count == 2);
+    CHECK(sinew_overlapping_particles(simulation, &region, NULL, 1, &count) == SINEW_BAD_ARGUMENT);
+    region.radius = -1;
+    CHECK(sinew_overlapping_links(simulation, &region, links, 1, &count) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_close(simulation) == SINEW_OK);
+}
+
+static void rays_meet_balls_and_floors(void) {
+    sinew_simulation simulation;
+    sinew_ray_hit hit;
+    sinew_particle particle;
+    sinew_collider wall;
+    CHECK(sinew_open(ball, NULL, &simulation) == SINEW_OK);
+    CHECK(sinew_find_particle(simulation, "ball/p", &particle) == SINEW_OK);
+    CHECK(sinew_find_collider(simulation, "floor", &wall) == SINEW_OK);
+    CHECK(sinew_find_collider(simulation, "ceiling", &wall) == SINEW_NOT_FOUND);
+    CHECK(sinew_cast_ray(simulation, (sinew_point){0, 2, 0}, (sinew_point){0, 0, 0}, 0, UINT32_MAX, &hit) == SINEW_OK);
+    CHECK(hit.particle == particle && hit.collider == SINEW_NO_ID && fabs(hit.share - 0.7) < 1e-6);
+    CHECK(fabs(hit.point.y - 0.6) < 1e-6 && hit.normal.y > 0.999);
+    CHECK(sinew_cast_ray(simulation, (sinew_point){1, 1, 0}, (sinew_point){1, -1, 0}, 0.2, UINT32_MAX, &hit) ==
+          SINEW_OK);
+    CHECK(hit.collider == wall && hit.particle == SINEW_NO_ID && fabs(hit.share - 0.4) < 1e-6);
+    CHECK(sinew_cast_ray(simulation, (sinew_point){1, 1, 0}, (sinew_point){1, 2, 0}, 0, UINT32_MAX, &hit) ==
+          SINEW_NOT_FOUND);
+    CHECK(sinew_cast_ray(simulation, (sinew_point){1, 1, 0}, (sinew_point){1, -1, 0}, 0, 0, &hit) == SINEW_NOT_FOUND);
+    CHECK(sinew_close(simulation) == SINEW_OK);
+}
+
+/* A floor that code raises by 1 m/s carries the ball along. */
+static void a_moved_collider_carries(void) {
+    sinew_simulation simulation;
+    sinew_collider wall;
+    sinew_particle particle;
+    sinew_particle_state state;
+    CHECK(sinew_open(ball, NULL, &simulation) == SINEW_OK);
+    CHECK(sinew_find_collider(simulation, "floor", &wall) == SINEW_OK);
+    CHECK(sinew_find_particle(simulation, "ball/p", &particle) == SINEW_OK);
+    CHECK(sinew_run_until(simulation, 1) == SINEW_OK);
+    for (int i = 1; i <= 60; ++i) {
+        CHECK(sinew_move_collider(simulation, wall, (sinew_point){0, i / 60.0, 0}, 0, NULL) == SINEW_OK);
+        CHECK(sinew_step(simulation, 1) == SINEW_OK);
+    }
+    CHECK(sinew_get_particle(simulation, particle, &state) == SINEW_OK);
+    CHECK(fabs(state.position[1] - 1.1) < 1e-3 && fabs(state.velocity[1] - 1) < 1e-2);
+    CHECK(sinew_move_collider(simulation, wall + 1, (sinew_point){0, 0, 0}, 0, NULL) == SINEW_BAD_ID);
+    CHECK(sinew_move_collider(simulation, wall, (sinew_point){INFINITY, 0, 0}, 0, NULL) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_close(simulation) == SINEW_OK);
+}
+
 static void too_many_are_refused(void) {
     static sinew_simulation all[5000];
     size_t count = 0;
@@ -204,6 +336,11 @@ int main(void) {
     null_pointers_are_refused();
     a_picture_is_a_list_of_items();
     a_player_owns_its_simulation();
+    contacts_begin_persist_and_end();
+    what_rests_falls_asleep();
+    queries_find_the_nearest_and_the_first();
+    rays_meet_balls_and_floors();
+    a_moved_collider_carries();
     too_many_are_refused();
     return failures == 0 ? 0 : 1;
 }

@@ -48,6 +48,17 @@ TYPED_TEST(ExtremeCalls, LeaveEverythingWithinItsLimits) {
     }
 }
 
+// Walls go, particles come, and a joined figure has to be swept twice: rebounds from walls must not be forgotten then,
+// because there is no room for them.
+TEST(ExtremeRounds, WallsThatAreGoneLeaveNoRebounds) {
+    RandomCalls<In<2, float>::World> calls(107, Numbers::extreme);
+    for (int i = 0; i < 40; ++i) {
+        calls.call();
+        if (i % 4 == 3) step(calls.world, 1.0F / 60);
+        ASSERT_TRUE(is_within_limits(calls.world)) << "call " << i;
+    }
+}
+
 TYPED_TEST(ExtremeCalls, AnImpulseAndTwoLeapsBeyondAllLimitsAreHeldAtThem) {
     using Real = typename TypeParam::Real;
     using Vector = typename TypeParam::Vector;

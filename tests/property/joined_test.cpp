@@ -130,27 +130,6 @@ template <int D> struct Joined {
     }
 };
 
-/// A law with a bound for every figure, and a tighter one that all but two in a hundred keep: what the masses of some
-/// ask for no sweep can give (docs/measured/joined.md).
-class Law {
-  public:
-    Law(const char* name, double tight, double loose) : name_(name), tight_(tight), loose_(loose) {}
-    ~Law() { EXPECT_LE(broken_, seen_ / 50) << name_; }
-    Law(const Law&) = delete;
-    Law& operator=(const Law&) = delete;
-
-    void hold(double worst, std::uint64_t seed) {
-        EXPECT_LE(worst, loose_) << name_ << ", seed " << seed;
-        ++seen_;
-        broken_ += worst > tight_;
-    }
-
-  private:
-    const char* name_;
-    double tight_, loose_;
-    int seen_ = 0, broken_ = 0;
-};
-
 /// The most energy it gains in so many seconds, as a part of its weight times its size.
 template <int D> double most_gain(Joined<D>& joined, double seconds) {
     const double before = energy(joined.world).total();
@@ -179,14 +158,13 @@ template <int D> void hang_and_throw(Joined<D>& joined) {
 }
 
 TYPED_TEST(JoinedThings, HungThrownAndReleasedGainNoEnergy) {
-    Law hung("hung and thrown", 1e-3, 1e-2), released("released", 1e-3, 1e-2);
     for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(few, many)); ++seed) {
         Joined<TypeParam::dimension> joined(seed);
         if (!joined.has_ports()) continue;
         hang_and_throw(joined);
-        hung.hold(most_gain(joined, 1), seed);
+        EXPECT_LE(most_gain(joined, 1), 1e-3) << "hung and thrown, seed " << seed;
         joined.let_go();
-        released.hold(most_gain(joined, 0.5), seed);
+        EXPECT_LE(most_gain(joined, 0.5), 1e-3) << "released, seed " << seed;
     }
 }
 
@@ -203,7 +181,6 @@ TYPED_TEST(JoinedThings, DrawnOutByALoadTheyGainNothingWhenLetGo) {
 }
 
 TYPED_TEST(JoinedThings, LooseKeepTheirMomentum) {
-    Law law("momentum", 1e-10, 1e-6);
     for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(few, many)); ++seed) {
         Joined<TypeParam::dimension> joined(seed);
         if (!joined.has_ports()) continue;
@@ -215,29 +192,41 @@ TYPED_TEST(JoinedThings, LooseKeepTheirMomentum) {
         for (Row row = 0; row < joined.world.particles.size(); ++row)
             amount += norm(joined.world.particles.velocity[row]) / joined.world.particles.inverse_mass[row];
         run(joined.world, 0.5);
-        law.hold(norm(momentum(joined.world) - before) / amount, seed);
+        EXPECT_LE(norm(momentum(joined.world) - before) / amount, 1e-10) << "seed " << seed;
     }
 }
 
+/// The worst of the links solved at once in a second, of a figure that swings on one pin.
+template <int D> double worst_direct_stretch(Joined<D>& joined) {
+    fall(joined.world, gravity);
+    pin(joined.world, joined.any_particle());
+    double worst = 0;
+    for (int frame = 0; frame < 60; ++frame) {
+        step(joined.world, 1.0 / 60);
+        worst = std::max(worst, joined.worst_direct_stretch());
+    }
+    return worst;
+}
+
 TYPED_TEST(JoinedThings, LinksSolvedAtOnceKeepTheirLengths) {
-    Law law("lengths", 1e-3, 1e-2);
     for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(few, many)); ++seed) {
         Joined<TypeParam::dimension> joined(seed);
         if (!joined.has_ports()) continue;
-        fall(joined.world, gravity);
-        pin(joined.world, joined.any_particle());
-        double worst = 0;
-        for (int frame = 0; frame < 60; ++frame) {
-            step(joined.world, 1.0 / 60);
-            worst = std::max(worst, joined.worst_direct_stretch());
-        }
-        law.hold(worst, seed);
+        EXPECT_LE(worst_direct_stretch(joined), 1e-3) << "seed " << seed;
+    }
+}
+
+// Cloths of grams between loads of kilograms: their motion multiplies, and is held back.
+TYPED_TEST(JoinedThings, LinksSolvedAtOnceKeepTheirLengthsWhereMotionIsHeldBack) {
+    for (const std::uint64_t seed : {93, 144}) {
+        Joined<TypeParam::dimension> joined(seed);
+        if (!joined.has_ports()) continue;
+        EXPECT_LE(worst_direct_stretch(joined), 1e-3) << "seed " << seed;
     }
 }
 
 /// A pin carries one particle about at 2 m/s and stops: from then on no energy comes in.
 TYPED_TEST(JoinedThings, DraggedGainNothingOnceTheyAreHeld) {
-    Law law("dragged", 1e-3, 1e-2);
     for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(few, many)); ++seed) {
         Joined<TypeParam::dimension> joined(seed);
         if (!joined.has_ports()) continue;
@@ -251,7 +240,7 @@ TYPED_TEST(JoinedThings, DraggedGainNothingOnceTheyAreHeld) {
             ASSERT_TRUE(joined.is_finite_everywhere()) << "seed " << seed << ", frame " << frame;
         }
         step(joined.world, 1.0 / 60);
-        law.hold(most_gain(joined, 0.5), seed);
+        EXPECT_LE(most_gain(joined, 0.5), 1e-3) << "seed " << seed;
     }
 }
 

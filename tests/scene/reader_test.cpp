@@ -1,5 +1,4 @@
 #include "sinew/scene/reader.h"
-#include "sinew/scene/writer.h"
 
 #include "tests/scene/laws.h"
 #include "tests/scene/sample.h"

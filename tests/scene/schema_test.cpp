@@ -1,5 +1,4 @@
 #include "sinew/scene/document.h"
-#include "sinew/scene/layout.h"
 #include "sinew/scene/reader.h"
 
 #include "tests/scene/sample.h"

@@ -4,6 +4,7 @@
 
 #include "tests/session/places.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 /// What events do: those that repeat, that kick, that join, that grab many. A rate of 60: a step is a frame.
@@ -191,6 +192,90 @@ TEST(Pointer, InClassicModeStrokesWhatItComesNearTo) {
     expect_stroked(told, "f/p3", 0);
     told.step();
     expect_stroked(told, "f/p2", 20);
+}
+
+// --- events on contact
+// ------------------------------------------------------------------------------------------------
+
+/// A ball falls on a ledge and a ball lies there; gravity of 10 m/s^2 downwards, 60 steps a second.
+Session falling(const std::string& events) {
+    auto document = load(R"({"sinew": 1, "world": {"gravity": [0, -10]}, "colliders": [
+        {"name": "ledge", "shape": "half_space"}], "figures": [
+        {"name": "ball", "contact": {"figures": true}, "particles": {"p": {"at": [0, 1.1], "radius": 0.1}}},
+        {"name": "target", "contact": {"figures": true},
+         "particles": {"p": {"at": [0, 0.2], "radius": 0.2, "pinned": true}}}],
+        "events": [)" + events +
+                             "]}",
+                         "test.json");
+    auto opened = open_scene(document);
+    EXPECT_TRUE(opened) << to_text(document.diagnostics);
+    return Session(std::move(*opened));
+}
+std::vector<std::string> log_of(Session& session, double seconds) {
+    session.run_until(seconds);
+    std::vector<std::string> log;
+    for (const auto& event : session.happenings()) log.push_back(event.what + " " + event.where + " " + event.with);
+    return log;
+}
+
+TEST(ContactRule, BeginsWhereTheBallLands) {
+    auto session = falling(R"({"on": {"of": "ball", "with": "target"}, "impulse": "ball", "by": [0, 5]})");
+    EXPECT_EQ(log_of(session, 0.3), std::vector<std::string>{});
+    EXPECT_EQ(log_of(session, 0.8), (std::vector<std::string>{"begin ball target", "impulse ball "}));
+    EXPECT_GT((*position_of(world_of(session), *find_particle(world_of(session), "ball/p")))[1], 0.6) << "thrown up";
+    EXPECT_GT(session.happenings()[0].impulse, 0);
+    session.restart();
+    EXPECT_EQ(log_of(session, 0.8).size(), 2U);
+}
+
+TEST(ContactRule, HitsOnlyAboveItsThreshold) {
+    for (const std::string above : {"3", "4"}) {
+        auto session =
+            falling(R"({"on": {"contact": "hit", "of": "target", "above": )" + above + R"(}, "note": "goal"})");
+        const auto log = log_of(session, 2);
+        if (above == "4") {
+            EXPECT_TRUE(log.empty());
+            continue;
+        }
+        EXPECT_EQ(log, (std::vector<std::string>{"hit target ball", "note goal "}));
+        EXPECT_NEAR(session.happenings()[0].impulse, std::sqrt(2 * 10 * 0.6), 0.35); // m v, and the weight for a step
+    }
+}
+
+TEST(ContactRule, EndsWhenThePartsPart) {
+    auto session = falling(R"({"at": 1, "impulse": "ball", "by": [0, 4]},
+        {"on": {"contact": "end", "of": "ball/p", "with": "target"}, "note": "free", "times": 1})");
+    const auto log = log_of(session, 1.3);
+    EXPECT_EQ(log, (std::vector<std::string>{"impulse ball ", "end ball/p target", "note free "}));
+}
+
+TEST(ContactRule, PersistsAsOftenAsItSays) {
+    auto session = falling(
+        R"({"at": 1, "on": {"contact": "persist", "of": "ball", "with": "target"}, "note": "on top", "every": 0.5, "times": 3})");
+    EXPECT_EQ(log_of(session, 1.1).size(), 2U) << "not before its time";
+    EXPECT_EQ(log_of(session, 4).size(), 6U) << "thrice, every half second";
+}
+
+TEST(ContactRule, ListensToColliders) {
+    auto document =
+        load(R"({"sinew": 1, "world": {"gravity": [0, -10]}, "colliders": [{"name": "floor", "shape": "half_space"}],
+        "figures": [{"name": "ball", "particles": {"p": {"at": [0, 0.5], "radius": 0.1}}}],
+        "events": [{"on": {"contact": "hit", "of": "ball/p", "with": "floor", "above": 2}, "kick": "ball/p", "by": [0, 0]}]})",
+             "test.json");
+    auto opened = open_scene(document);
+    ASSERT_TRUE(opened) << to_text(document.diagnostics);
+    Session session(std::move(*opened));
+    EXPECT_EQ(log_of(session, 1), (std::vector<std::string>{"hit ball/p floor", "kick ball/p "}));
+}
+
+TEST(ContactRule, IsChecked) {
+    const std::string begin = R"({"sinew": 1, "figures": [{"prefab": "rope"}], "events": [)";
+    EXPECT_NE(told(begin + R"({"note": "x"}]})").find("needs a time"), std::string::npos);
+    EXPECT_NE(told(begin + R"({"on": {"of": "rop"}, "note": "x"}]})").find("as figure/name"), std::string::npos);
+    EXPECT_NE(told(begin + R"({"on": {"of": "rope", "with": "flor"}, "note": "x"}]})").find("no collider or figure"),
+              std::string::npos);
+    EXPECT_NE(told(begin + R"({"on": {"contact": "kiss", "of": "rope"}, "note": "x"}]})").find("persist"),
+              std::string::npos);
 }
 
 } // namespace

@@ -131,6 +131,41 @@ TEST(JoinedFigures, ARagdollOnAClothAndAClothInItsHand) {
     expect(watch(holding, lasting(3), 3), 0.6, any, "in its hand");
 }
 
+/// The particle of a level cloth that is nearest to being right below, or above, another.
+ParticleId beside(const Scene<3>& scene, const Vec<3, double>& place, int columns, int rows) {
+    ParticleId nearest{};
+    double least = 1e9;
+    for (int i = 0; i < columns * rows; ++i) {
+        const auto thread =
+            scene.id("cloth/particle_" + std::to_string(i % columns) + "_" + std::to_string(i / columns));
+        const auto offset = scene.place(thread) - place;
+        const double away = square(offset[0]) + square(offset[2]);
+        if (away < least) least = away, nearest = thread;
+    }
+    return nearest;
+}
+
+TEST(JoinedFigures, ARagdollInAHammockOfClothGainsNothing) {
+    for (const double mass : {1.0, 6.0}) {
+        Scene<3> scene;
+        constexpr int columns = 25, rows = 13;
+        const Cloth cloth{.columns = columns,
+                          .rows = rows,
+                          .spacing = 0.08,
+                          .plane = "horizontal",
+                          .pins = "all_corners",
+                          .mass = mass};
+        build(scene.world, cloth, "cloth", {.at = {{0, 0, -0.48}}});
+        build(scene.world, Ragdoll{}, "doll", {.at = {{-0.6, 0.15, 0}}, .turn = 90});
+        for (const char* name :
+             {"head", "left_shoulder", "right_shoulder", "left_hip", "right_hip", "left_foot", "right_foot"}) {
+            const auto joint = scene.id(std::string("doll/") + name);
+            scene.join(beside(scene, scene.place(joint), columns, rows), joint);
+        }
+        expect(watch(scene, lasting(1), 2), 0.2, any, "hammock");
+    }
+}
+
 TEST(JoinedFigures, MoreIterationsLeaveLess) {
     double before = 1;
     for (const int iterations : {1, 2, 4}) {

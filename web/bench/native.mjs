@@ -1,5 +1,5 @@
 // node bench/native.mjs [ROUNDS]: the module beside the native library with lanes of the same width (SSE2), by turns, as a table in Markdown.
-// A turn is two seconds of a cloth on one thread; told is the median step. Needs build/bin/sinew: ./dev build.
+// A turn is four seconds of a cloth on one thread, in processor time. Needs build/bin/sinew (./dev build), or another in $SINEW.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import os from "node:os";
@@ -7,8 +7,8 @@ import path from "node:path";
 import { load, loadFloat } from "../sinew/index.js";
 
 const rounds = Number(process.argv[2] ?? 15);
-const seconds = 2, rate = 60;
-const command = path.resolve(import.meta.dirname, "../../build/bin/sinew");
+const seconds = 4, rate = 60;
+const command = process.env.SINEW ?? path.resolve(import.meta.dirname, "../../build/bin/sinew");
 
 const cloth = (side, precision) => ({
     sinew: 1, dimension: 3, world: { gravity: [0, -9.81, 0] }, solver: { precision, rate, substeps: 10 },
@@ -20,22 +20,30 @@ const median = (numbers) => numbers.toSorted((a, b) => a - b)[numbers.length >> 
 const folder = mkdtempSync(path.join(os.tmpdir(), "sinew-"));
 const engine = await loadFloat(await load());
 
+/** Milliseconds of processor time of a command, and what it prints. */
+function commandTime(words) {
+    const env = { ...process.env, SINEW_SIMD: "sse2", LC_ALL: "C" };
+    const printed = execFileSync("bash", ["-c", '"$@"; times', "bash", command, ...words], { env, encoding: "utf8" }).trim().split("\n");
+    const [, ...parts] = /([\d]+)m([\d.]+)s ([\d]+)m([\d.]+)s/.exec(printed.at(-1)); // of the children: user, system
+    const [userMinutes, user, systemMinutes, system] = parts.map(Number);
+    return { ms: 1000 * (60 * (userMinutes + systemMinutes) + user + system), printed };
+}
+
 function nativeTurn(file) {
-    const words = ["run", file, "--seconds", String(seconds), "--threads", "1", "--json"];
-    const { ms_per_step, hash } = JSON.parse(execFileSync(command, words, { env: { ...process.env, SINEW_SIMD: "sse2" }, encoding: "utf8" }).trim().split("\n").at(-1));
-    return { ms: ms_per_step, hash };
+    const run = (length) => commandTime(["run", file, "--seconds", String(length), "--threads", "1", "--json"]);
+    const opening = run(1 / rate), whole = run(seconds + 1 / rate); // both open the scene and take a first step
+    const { hash } = JSON.parse(run(seconds).printed.findLast((line) => line.startsWith("{")));
+    return { ms: (whole.ms - opening.ms) / (seconds * rate), hash };
 }
 
 function moduleTurn(scene) {
-    const simulation = engine.open(scene), times = [];
-    for (let i = 0; i < seconds * rate; ++i) {
-        const begun = performance.now();
-        simulation.step();
-        times.push(performance.now() - begun);
-    }
+    const simulation = engine.open(scene);
+    const begun = process.cpuUsage();
+    simulation.step(seconds * rate);
+    const { user, system } = process.cpuUsage(begun);
     const hash = simulation.hash();
     simulation.dispose();
-    return { ms: median(times), hash };
+    return { ms: (user + system) / 1000 / (seconds * rate), hash };
 }
 
 console.log(`${rounds} rounds, Node ${process.versions.node}, ${os.cpus()[0].model}, load ${os.loadavg()[0].toFixed(1)} of ${os.cpus().length}\n`);

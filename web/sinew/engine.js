@@ -4,7 +4,7 @@ import { Player } from "./player.js";
 import { Simulation } from "./simulation.js";
 
 /** The ABI of bindings/c/sinew.h that this package is written for. */
-export const abi = 1;
+export const abi = 2;
 
 /** An instance of the module, with a memory of its own. Worlds of float are in a second one: loadFloat in index.js. */
 export class Engine {

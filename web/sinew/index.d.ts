@@ -152,6 +152,7 @@ export type Point = [number, number] | [number, number, number];
 export type ParticleId = bigint;
 export type ConstraintId = bigint;
 export type PinId = bigint;
+export type ColliderId = bigint;
 
 export interface Report {
     seconds: number;            // simulated
@@ -164,9 +165,43 @@ export interface Report {
 
 export interface SceneEvent {
     seconds: number;
-    what: string;               // "torn", "parted", "quarantined", or the name of a scene event
-    where: string;              // figure or particle
+    /**
+     * "torn", "parted", "quarantined", "touched" (a sensor), the phase of a contact that the scene waits for ("begin",
+     * "persist", "end", "hit"), or the name of a scene event.
+     */
+    what: string;
+    where: string;              // figure or particle, or the text of a note
     islands: number;            // "parted": number of islands of the figure
+    with: string;               // contacts: name of the collider or figure touched
+    impulse: number;            // contacts: in the step, or of a hit
+}
+
+/** A contact in the last step. A hit is one whose `blow` is above a number of yours, and `blowBefore` was not. */
+export interface Contact {
+    phase: "begin" | "persist" | "end";
+    impulse: number;            // in the last step
+    blow: number;               // the same; in the step after the touch began, that of both: a blow may take two
+    blowBefore: number;         // in the step before
+    /** Of two figures the particle that is pressed hardest, or an end of a link that is. */
+    particle: ParticleId;
+    other: ParticleId | null;   // of the other figure; null: a collider is touched
+    figure: number | null;      // index; null: a loose particle
+    otherFigure: number | null;
+    collider: ColliderId | null;
+    colliderName: string;       // as in the scene; may be empty
+}
+
+/** A circle or sphere by its radius, or a box by half of its edges, turned by an angle (in 3D about an axis, z by default). */
+export type Region =
+    | { center: Point; radius: number }
+    | { center: Point; half: Point; angle?: number; axis?: Point };
+
+export interface RayHit {
+    share: number;              // of the way, 0 to 1
+    point: number[];
+    normal: number[];
+    particle: ParticleId | null;
+    collider: ColliderId | null;
 }
 
 /** A running scene without a pointer. */
@@ -179,6 +214,8 @@ export interface Simulation {
     readonly yIsDown: boolean;
     readonly particleCount: number;
     readonly constraintCount: number;
+    /** Particles asleep: at rest, left out of the steps until they are woken. */
+    readonly asleepCount: number;
     /** True for the simulation of a player, which alone may change it. */
     readonly isReadOnly: boolean;
     readonly isClosed: boolean;
@@ -213,14 +250,35 @@ export interface Simulation {
     readonly figureIndices: Uint32Array;
     /** Rows of the ends of every distance, two each. */
     readonly ends: Uint32Array;
+    /** 1 for every particle asleep, else 0. */
+    readonly sleepers: Uint32Array;
 
     figures(): { index: number; name: string; prefab: string; particles: number; isQuarantined: boolean }[];
     particle(nameOrRow: string | number): ParticleId;
     constraint(name: string): ConstraintId;
     nameOf(particle: ParticleId): string;
-    stateOf(particle: ParticleId | string): { position: number[]; velocity: number[]; inverseMass: number; radius: number; figure: number };
+    stateOf(particle: ParticleId | string): { position: number[]; velocity: number[]; inverseMass: number; radius: number; figure: number; isAsleep: boolean };
     loadOf(constraint: ConstraintId | string): { measure: number; error: number; strain: number; tension: number };
     constraintsOf(kind: string | number): ConstraintId[];
+
+    /** Lists touches of figures with figures too, from the next step on; those with colliders always are. */
+    listContacts(on?: boolean): void;
+    /** Contacts of the last step; those that ended in it come last. */
+    contacts(): Contact[];
+
+    /** Nearest particle whose surface is within reach; `distance` is negative inside. */
+    nearestParticle(point: Point, reach: number): { particle: ParticleId; distance: number } | null;
+    /** Nearest link within reach; `t` is the place on it, 0 at its first end and 1 at its second. */
+    nearestLink(point: Point, reach: number): { link: ConstraintId; t: number; distance: number } | null;
+    /** First particle with a radius, or collider, that a ray (a sphere with a radius) meets on its way. */
+    castRay(from: Point, to: Point, options?: { radius?: number; mask?: number }): RayHit | null;
+    /** What touches a region, in the order of rows. */
+    particlesIn(region: Region): ParticleId[];
+    linksIn(region: Region): ConstraintId[];
+
+    collider(name: string): ColliderId;
+    /** Pose at the end of the next step; what touches the collider is carried along. */
+    moveCollider(collider: ColliderId | string, position: Point, angle?: number, axis?: Point): void;
 
     addParticle(spec: { position: Point; velocity?: Point; mass?: number; radius?: number }): ParticleId;
     removeParticle(particle: ParticleId | string): void;

@@ -2,7 +2,13 @@ import { valueText } from "./engine.js";
 import { Picture } from "./picture.js";
 
 /** Numbers of sinew_column in bindings/c/sinew.h. */
-const column = { position: 0, previous: 1, velocity: 2, inverseMass: 3, radius: 4, figure: 5, ends: 6, mobility: 7 };
+const column = { position: 0, previous: 1, velocity: 2, inverseMass: 3, radius: 4, figure: 5, ends: 6, mobility: 7, asleep: 8 };
+
+/** Numbers of sinew_phase. */
+const phases = ["begin", "persist", "end"];
+
+/** Ids and indices of nothing in bindings/c/sinew.h. */
+const noId = 0xffffffffffffffffn, noFigure = 0xffffffff;
 
 /** A running scene without a pointer, or the scene of a player for reading. */
 export class Simulation {
@@ -37,12 +43,13 @@ export class Simulation {
             dimension: uint(0), precision: uint(4) === 4 ? "float" : "double", particles: uint(8), constraints: uint(12),
             figures: uint(16), isClassic: uint(20) !== 0, yIsDown: uint(24) !== 0, isReadOnly: uint(28) !== 0,
             rate: data.double(at + 32), seconds: data.double(at + 40), perMetre: data.double(at + 48),
-            perKilogram: data.double(at + 56), perSecond: data.double(at + 64), size: [uint(72), uint(76)],
+            perKilogram: data.double(at + 56), perSecond: data.double(at + 64), size: [uint(72), uint(76)], asleep: uint(80),
         };
     }
 
     get particleCount() { return this.info().particles; }
     get constraintCount() { return this.info().constraints; }
+    get asleepCount() { return this.info().asleep; }
 
     step(count = 1) { this.call("sinew_step", count); }
     runUntil(seconds) { this.call("sinew_run_until", seconds); }
@@ -75,7 +82,8 @@ export class Simulation {
         const count = data.uint(this.ask("sinew_event_count"));
         return Array.from({ length: Math.max(0, count - since) }, (_, i) => {
             const at = this.ask("sinew_event_at", since + i);
-            return { seconds: data.double(at), what: data.textFrom(at + 8), where: data.textFrom(at + 12), islands: data.uint(at + 16) };
+            return { seconds: data.double(at), what: data.textFrom(at + 8), where: data.textFrom(at + 12), islands: data.uint(at + 16),
+                with: data.textFrom(at + 20), impulse: data.double(at + 24) };
         });
     }
 
@@ -95,6 +103,7 @@ export class Simulation {
     get radii() { return this.column(column.radius); }
     get figureIndices() { return this.column(column.figure); }
     get ends() { return this.column(column.ends); }
+    get sleepers() { return this.column(column.asleep); }
 
     figures() {
         const { data } = this.engine;
@@ -136,7 +145,7 @@ export class Simulation {
         const at = this.ask("sinew_get_particle", this.particle(particle));
         const vector = (from) => Array.from({ length: this.dimension }, (_, i) => data.double(at + from + 8 * i));
         return { position: vector(0), velocity: vector(24), inverseMass: data.double(at + 48), radius: data.double(at + 56),
-            figure: data.uint(at + 64) };
+            figure: data.uint(at + 64), isAsleep: data.uint(at + 68) !== 0 };
     }
 
     loadOf(constraint) {
@@ -150,6 +159,81 @@ export class Simulation {
         const number = this.kind(kind);
         const count = this.engine.data.uint(this.ask("sinew_constraint_count", number));
         return Array.from({ length: count }, (_, row) => this.engine.data.id(this.ask("sinew_constraint_at", number, row)));
+    }
+
+    // --- contacts and queries -------------------------------------------------------------------------------------
+
+    listContacts(on = true) { this.call("sinew_list_contacts", on ? 1 : 0); }
+
+    contacts() {
+        const { data } = this.engine;
+        const count = data.uint(this.ask("sinew_contact_count"));
+        const orNull = (number, nothing) => (number === nothing ? null : number);
+        return Array.from({ length: count }, (_, index) => {
+            const at = this.ask("sinew_contact_at", index);
+            return { phase: phases[data.uint(at + 56)], impulse: data.double(at), blow: data.double(at + 8),
+                blowBefore: data.double(at + 16), particle: data.id(at + 24), other: orNull(data.id(at + 32), noId),
+                collider: orNull(data.id(at + 40), noId), figure: orNull(data.uint(at + 48), noFigure),
+                otherFigure: orNull(data.uint(at + 52), noFigure), colliderName: data.textFrom(at + 60) };
+        });
+    }
+
+    /** Calls a query that finds something or nothing, with one point; null for nothing. */
+    found(name, point, given, read) {
+        const { data } = this.engine;
+        return data.within((arena) => this.engine.finds(name, this.handle, arena.point(point), ...given) ? read(data.result) : null);
+    }
+
+    nearestParticle(point, reach) {
+        const { data } = this.engine;
+        const at = data.result;
+        return this.found("sinew_nearest_particle", point, [reach, at, at + 8],
+            () => ({ particle: data.id(at), distance: data.double(at + 8) }));
+    }
+
+    nearestLink(point, reach) {
+        const { data } = this.engine;
+        const at = data.result;
+        return this.found("sinew_nearest_link", point, [reach, at, at + 8, at + 16],
+            () => ({ link: data.id(at), t: data.double(at + 8), distance: data.double(at + 16) }));
+    }
+
+    castRay(from, to, { radius = 0, mask = 0xffffffff } = {}) {
+        const { data } = this.engine;
+        const vector = (at) => Array.from({ length: this.dimension }, (_, i) => data.double(at + 8 * i));
+        return data.within((arena) => {
+            const at = data.result;
+            if (!this.engine.finds("sinew_cast_ray", this.handle, arena.point(from), arena.point(to), radius, mask, at)) return null;
+            const [particle, collider] = [data.id(at + 56), data.id(at + 64)];
+            return { share: data.double(at), point: vector(at + 8), normal: vector(at + 32),
+                particle: particle === noId ? null : particle, collider: collider === noId ? null : collider };
+        });
+    }
+
+    overlapping(name, { center, half = [0, 0, 0], radius = 0, angle = 0, axis = [0, 0, 0] }) {
+        const { data } = this.engine;
+        const point = ([x, y, z = 0]) => [x, y, z];
+        return data.within((arena) => {
+            const region = arena.doubles([...point(center), ...point(half), radius, angle, ...point(axis)]);
+            const count = data.uint(this.ask(name, region, 0, 0));
+            const ids = arena.ids(new Array(count).fill(0n));
+            this.call(name, region, ids, count, data.result);
+            return Array.from({ length: count }, (_, i) => data.id(ids + 8 * i));
+        });
+    }
+
+    particlesIn(region) { return this.overlapping("sinew_overlapping_particles", region); }
+    linksIn(region) { return this.overlapping("sinew_overlapping_links", region); }
+
+    collider(which) {
+        if (typeof which === "bigint") return which;
+        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_find_collider", arena.text(which))));
+    }
+
+    moveCollider(collider, position, angle = 0, axis = [0, 0, 0]) {
+        const id = this.collider(collider);
+        this.engine.data.within((arena) =>
+            this.call("sinew_move_collider", id, arena.point(position), angle, arena.point(axis)));
     }
 
     // --- edits ----------------------------------------------------------------------------------------------------

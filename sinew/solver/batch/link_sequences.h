@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/solver/batch/mesh_links.h"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ template <int D, class Real> class SequenceFinder {
             const auto rows = std::span(room_.sorted).subspan(first, room_.at[tile] - first);
             links.clear();
             for (const Row row : rows) links.push_back(links_.at(row));
-            std::sort(links.begin(), links.end());
+            sinew::sort(links.begin(), links.end());
             for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = links[i].row;
             find_in_tile(first_tile() + tile, first);
         }
@@ -89,7 +90,7 @@ template <int D, class Real> class SequenceFinder {
             room_.sequences.push_back({std::uint32_t(begin + i), std::uint32_t(begin + end), tile, color});
         }
         links_.clear(links);
-        std::sort(left.begin(), left.end(), [](const Link& a, const Link& b) {
+        sinew::sort(left.begin(), left.end(), [](const Link& a, const Link& b) {
             return std::tuple(a.lower, a.offset, a.row) < std::tuple(b.lower, b.offset, b.row);
         });
         for (const auto& link : left) room_.left_over.push_back(link.row);

@@ -1,3 +1,4 @@
+#include "sinew/math/sort.h"
 #include "sinew/solver/batch/components.h"
 #include "sinew/solver/batch/reuse.h"
 #include "sinew/solver/batch/tethers.h"
@@ -71,7 +72,7 @@ template <int D, class Real> class PlanBuilder {
             if (keeper_.is_kept(i))
                 order.push_back(
                     {plan_.components[i].has_links() ? plan_.components[i].particles.first : none, i, true});
-        std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        sinew::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     }
 
     /// Drops the kept component without links if another one has none: both are laid out as one. True if dropped.
@@ -167,8 +168,8 @@ template <int D, class Real> class PlanBuilder {
             if (const auto row = world_.particles.slots.find(world_.pins[i].particle);
                 row && swept_.slot_of[*row] != none)
                 plan_.pins.push_back({swept_.slot_of[*row], i});
-        std::sort(plan_.pins.begin(), plan_.pins.end(),
-                  [](const auto& a, const auto& b) { return std::pair(a.slot, a.pin) < std::pair(b.slot, b.pin); });
+        sinew::sort(plan_.pins.begin(), plan_.pins.end(),
+                    [](const auto& a, const auto& b) { return std::pair(a.slot, a.pin) < std::pair(b.slot, b.pin); });
         std::size_t pin = 0;
         for (auto& tile : plan_.tiles) {
             tile.first_pin = std::uint32_t(pin);

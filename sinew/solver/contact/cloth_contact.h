@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/collide/filter.h"
+#include "sinew/math/sort.h"
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/world/world.h"
 
@@ -125,7 +126,7 @@ template <int D, class Real> class ClothContact {
         for (std::size_t i = 0; i < room_.size(); ++i) {
             const auto from = room_.second.begin() + begin, to = room_.second.begin() + first[i];
             begin = first[i];
-            std::sort(from, to);
+            sinew::sort(from, to);
             const auto last = std::unique(from, to);
             first[i] = kept;
             kept = std::uint32_t(std::move(from, last, room_.second.begin() + kept) - room_.second.begin());

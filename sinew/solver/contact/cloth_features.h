@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/solver/contact/cloth_room.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
@@ -159,7 +160,7 @@ template <int D, class Real> class ClothFeatures {
             auto& all = of_face[i];
             for (const auto& [particle, way] : reached_)
                 if (particle > i) all.push_back(particle);
-            std::sort(all.begin(), all.end());
+            sinew::sort(all.begin(), all.end());
             all.erase(std::unique(all.begin(), all.end()), all.end());
             room_.near.insert(room_.near.end(), all.begin(), all.end());
             room_.first_near.push_back(std::uint32_t(room_.near.size()));

@@ -1,3 +1,4 @@
+#include "sinew/math/sort.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
 
@@ -25,7 +26,8 @@ template <int D, class Real> class CandidateFinder {
         set_aside();
         note_motion();
         find_reaches();
-        list_.particles.fill(list_.place, std::span(list_.reach).first(room_.particles.size()));
+        list_.particles.fill(list_.place, std::span(list_.reach).first(room_.particles.size()), list_.velocity,
+                             list_.size, list_.figure);
         if constexpr (D == 3) list_.segments.fill(list_.middle, list_.segment_ball);
         search();
         sort_by_parts();
@@ -77,13 +79,14 @@ template <int D, class Real> class CandidateFinder {
 
     void note_motion() {
         list_.place.clear(), list_.velocity.clear();
-        list_.radius.clear(), list_.cover.clear();
+        list_.radius.clear(), list_.cover.clear(), list_.figure.clear(), list_.size.clear();
         list_.horizon = horizon();
         list_.age = 0, list_.h = h_;
         for (const auto& particle : room_.particles) {
             list_.place.push_back(state_.place_at(particle.slot));
             list_.velocity.push_back(state_.move_at(particle.slot) * (Real(1) / h_));
             list_.radius.push_back(particle.radius), list_.cover.push_back(particle.cover);
+            list_.figure.push_back(particle.figure), list_.size.push_back(maximum(particle.radius, particle.cover));
         }
     }
     /// Twice the time for which the last list was valid, between a substep and the rest of the step: among blows a list
@@ -133,43 +136,62 @@ template <int D, class Real> class CandidateFinder {
             for (auto feature = first; feature < last; ++feature) {
                 const auto begun = found.size();
                 search_around(feature, found);
-                std::sort(found.begin() + std::ptrdiff_t(begun), found.end());
+                sinew::sort(found.begin() + std::ptrdiff_t(begun), found.end());
             }
         });
     }
     void search_around(std::uint32_t feature, std::vector<ContactCandidate>& found) const {
         const auto count = std::uint32_t(room_.particles.size());
-        collide::BoundingBox<D, Real> box;
         if (feature < count) {
-            if (room_.particles[feature].in_segment) return;
-            box.include(list_.place[feature]);
-            list_.particles.each_near(box.grown(list_.reach[feature]), [&](std::uint32_t other) {
+            const auto& particle = room_.particles[feature];
+            if (particle.in_segment) return;
+            list_.particles.each_near(seeker(feature, feature, feature, size_of(feature)), [&](auto other) {
                 if (other < feature && are_near(feature, other) && may_touch(feature, other))
                     found.push_back({feature, other});
             });
             return;
         }
         const auto& segment = room_.segments[feature - count];
-        box.include(list_.place[segment.number_a]);
-        box.include(list_.place[segment.number_b]);
-        box = box.grown(list_.reach[feature]);
-        list_.particles.each_near(box, [&](std::uint32_t other) {
+        const auto &a = list_.place[segment.number_a], &b = list_.place[segment.number_b];
+        const auto number_a = segment.number_a, number_b = segment.number_b;
+        list_.particles.each_near(seeker(feature, number_a, number_b, size_of(segment)), [&](auto other) {
             if (are_near(segment, feature, other) && may_touch(other, segment)) found.push_back({feature, other});
         });
         if constexpr (D == 3)
-            list_.segments.each_near(box, [&](std::uint32_t other) {
+            list_.segments.each_near(box_around(a, b).grown(list_.reach[feature]), [&](std::uint32_t other) {
                 if (other + count < feature && are_near(segment, feature, room_.segments[other], other + count) &&
                     may_touch(segment, room_.segments[other]))
                     found.push_back({feature, other + count});
             });
     }
 
+    auto seeker(std::uint32_t feature, std::uint32_t a, std::uint32_t b, Real size) const {
+        return typename detail::FeatureGrid<D, Real>::Seeker{.a = list_.place[a],
+                                                             .b = list_.place[b],
+                                                             .velocity_a = list_.velocity[a],
+                                                             .velocity_b = list_.velocity[b],
+                                                             .reach = list_.reach[feature],
+                                                             .near = size + slack(),
+                                                             .ahead = time_ahead(),
+                                                             .group = group_of(room_.particles[a].figure)};
+    }
+    static collide::BoundingBox<D, Real> box_around(const Vector& a, const Vector& b) {
+        collide::BoundingBox<D, Real> box;
+        box.include(a);
+        box.include(b);
+        return box;
+    }
+    /// Figure whose particles need not be looked at.
+    std::uint32_t group_of(FigureIndex figure) const {
+        return world_.figures[figure].touches_itself ? no_figure : figure;
+    }
+
     // --- distances ---------------------------------------------------------------------------------------------------
 
+    Real slack() const { return Real(4) * list_.margin + Real(2) * list_.near_by; }
     /// Largest distance at which features that close in at a relative speed may touch while the list holds.
     bool is_within(Real squared_distance, Real sizes, Real squared_speed) const {
-        const Real most =
-            sizes + Real(4) * list_.margin + Real(2) * list_.near_by + square_root(squared_speed) * time_ahead();
+        const Real most = sizes + slack() + square_root(squared_speed) * time_ahead();
         return squared_distance <= square(most);
     }
     bool are_near(std::uint32_t a, std::uint32_t b) const {
@@ -178,7 +200,6 @@ template <int D, class Real> class CandidateFinder {
                is_within(far, size_of(a) + size_of(b), squared(list_.velocity[a] - list_.velocity[b]));
     }
     bool are_near(const ContactSegment& s, std::uint32_t feature, std::uint32_t p) const {
-        if (s.figure == room_.particles[p].figure && !world_.figures[s.figure].touches_itself) return false;
         const auto &a = list_.place[s.number_a], &b = list_.place[s.number_b], &x = list_.place[p];
         const auto far = squared(x - (a + (b - a) * collide::nearest_parameter(a, b, x)));
         if (!(far <= square(list_.reach[feature] + list_.reach[p]))) return false;

@@ -1,6 +1,8 @@
+#include "sinew/math/sort.h"
 #include "sinew/solver/contact/cloth_features.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/contact/kept_contacts.h"
 
 #include <algorithm>
 #include <utility>
@@ -213,19 +215,32 @@ template <int D, class Real> class FeatureFinder {
             if (room_.is_of_cloth(ends[0]) && room_.is_of_cloth(ends[1])) continue;
             room_.links.push_back({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])});
         }
-        std::sort(room_.links.begin(), room_.links.end());
+        sinew::sort(room_.links.begin(), room_.links.end());
     }
 };
+
+/// True if something swept may touch other figures. Figures far from everything are not swept.
+template <int D, class Real> bool any_meets(const World<D, Real>& world, const Solver<D, Real>& solver) {
+    if (std::none_of(world.figures.begin(), world.figures.end(),
+                     [](const Figure& figure) { return figure.in_use() && figure.collides; }))
+        return false;
+    const auto& slots = solver.sweep_state.row_of;
+    return std::any_of(slots.begin(), slots.end(), [&](Row row) {
+        const auto figure = world.particles.figure[row];
+        return world.particles.mobility[row] > Real(0) && figure < world.figures.size() &&
+               world.figures[figure].collides;
+    });
+}
 
 } // namespace
 
 template <int D, class Real> void find_contact_features(World<D, Real>& world, Solver<D, Real>& solver) {
-    const bool any = std::any_of(world.figures.begin(), world.figures.end(),
-                                 [](const Figure& figure) { return figure.in_use() && figure.collides; });
+    const bool any = any_meets(world, solver);
+    if (!any) forget_contacts(world);
     if (!any && !solver.contacts) return;
     auto& room = contact_room(solver);
     room.is_active = any;
-    if (!any) return world.contacts.kept.clear();
+    if (!any) return;
     FeatureFinder(world, solver).run();
 }
 

@@ -24,6 +24,8 @@ template <int D, class Real> struct ContactList {
     std::vector<std::uint32_t> strip;    ///< per particle, when listed
 
     // Scratch of the search.
+    std::vector<std::uint32_t> figure; ///< per particle
+    std::vector<Real> size;            ///< per particle: radius or cover
     FeatureGrid<D, Real> particles, segments;
     std::vector<Vector> middle;                       ///< per segment
     std::vector<Real> reach;                          ///< per particle, then per segment

@@ -2,6 +2,8 @@
 
 #include "sinew/world/contacts.h"
 
+#include <limits>
+
 namespace sinew {
 
 /// A row of contact between features of figures, or of a figure and a wall, in one substep:
@@ -13,10 +15,12 @@ template <int D, class Real> struct ContactRow {
     std::array<Real, 4> weight{}; ///< shares of the contact point, positive on the normal's side
     int members = 0;
     bool keeps = true; ///< the multiplier outlasts the substep
+    int side = 0;      ///< 2D: of the segment on which the particle is, 1: left of a-b
     Vector normal{};
-    Vector surface_move{}; ///< displacement of a wall in the substep
-    Real gap = 0;          ///< at the start of the substep, metres; negative for an overlap
-    Real mass = 0;         ///< 1 / sum of weight^2 inverse mass
+    Vector surface_move{};                        ///< displacement of a wall in the substep
+    Real gap = 0;                                 ///< at the start of the substep, metres; negative for an overlap
+    Real mass = 0;                                ///< 1 / sum of weight^2 inverse mass
+    Real deep = std::numeric_limits<Real>::max(); ///< depth from which the row is held as the figures answer
     Real friction = 0;
     Real multiplier = 0;                        ///< h newton seconds, >= 0
     Vector tangent{};                           ///< multiplier of friction
@@ -37,6 +41,7 @@ struct ContactCandidate {
 template <int D, class Real> struct ContactMultiplier {
     Real normal = 0;
     Vec<D, Real> tangent{};
+    int side = 0; ///< 2D: of the segment, while the features touch; 0: unknown
 };
 
 /// Particle of a colliding figure.

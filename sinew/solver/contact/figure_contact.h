@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/contact/kept_contacts.h"
+#include "sinew/solver/contact/merge_touches.h"
 #include "sinew/solver/contact/pin_rows.h"
 #include "sinew/solver/contact/row_builder.h"
 
@@ -46,7 +47,7 @@ template <int D, class Real> class FigureContact {
         room().joints.solve(state_, Soft::contact());
         each_row([&](RowT& row) { solve(row, row.keeps ? Soft::contact() : Soft::hard()); });
         room().projector.project_velocities(state_, threads_);
-        hold_at_walls();
+        hold_deep();
         room().projector.project_lengths(state_, threads_);
         each_row([&](RowT& row) { row.gap += change(row); });
         room().joints.advance(state_);
@@ -88,6 +89,7 @@ template <int D, class Real> class FigureContact {
         if (is_first_) set_margin();
         const bool is_new = find_contact_candidates(world_, solver_, left_, h_);
         KeptContacts<D, Real> kept(world_, solver_);
+        if (world_.contacts.lists_figures) note_figures();
         if (is_first_)
             kept.take_from_world(is_new);
         else if (is_new)
@@ -95,7 +97,7 @@ template <int D, class Real> class FigureContact {
     }
     /// Margin of the list: small ones list few pairs in vain, and large ones are listed seldom.
     void set_margin() {
-        constexpr Real share_of_radius = Real(0.25);
+        constexpr Real share_of_radius = Real(0.1);
         auto& list = room().list;
         Real widest = 0;
         for (const auto& particle : room().particles)
@@ -139,30 +141,32 @@ template <int D, class Real> class FigureContact {
         row.most = maximum(row.most, next);
     }
 
-    /// A soft row of a light limb gives way where the whole figure is pressed against a wall. Beyond half a radius the
-    /// row is solved as the figure answers with its links held.
-    void hold_at_walls() {
+    /// A soft row of a light limb gives way where whole figures are pressed against each other or a wall. Beyond half
+    /// of the radii the row is solved as the figures answer with their links held.
+    void hold_deep() {
         constexpr int rounds = 3;
         for (int i = 0; i < rounds; ++i) {
             bool any = false;
             for (auto& part : room().parts.list)
-                for (auto k = part.first_wall; k < part.rows.size(); ++k)
-                    if (auto& row = part.rows[k]; row.members == 1 && room().is_exact[row.slot[0]])
-                        any = hold_at_wall(row) || any;
+                for (auto& row : part.rows) any = (is_too_deep(row) && hold(row)) || any;
             if (!any) return;
         }
     }
-    bool hold_at_wall(RowT& row) {
-        const Row slot = row.slot[0];
-        const Real deep = Real(0.5) * world_.particles.radius[state_.row_of[slot]], beyond = -row.gap - deep;
-        const Real missing = (beyond > Real(0) ? Soft::contact().rate * beyond : beyond) - change(row);
-        if (!(missing > Real(0))) return false;
-        const auto normal = cast<double>(row.normal);
-        const double response = dot(normal, room().projector.response(state_, slot) * normal);
-        const Real impulse = minimum(missing * Real(inverse_or_zero(response)), limit::multiplier<Real>);
+    bool is_too_deep(const RowT& row) const { return row.keeps && missing(row) > Real(0); }
+    Real missing(const RowT& row) const {
+        const Real beyond = -row.gap - row.deep;
+        return (beyond > Real(0) ? Soft::contact().rate * beyond : beyond) - change(row);
+    }
+    bool hold(RowT& row) {
+        std::array<Vec<D, double>, 4> push_of{};
+        const auto members = std::size_t(row.members);
+        for (std::size_t i = 0; i < members; ++i) push_of[i] = cast<double>(row.normal * row.weight[i]);
+        const std::span slots(row.slot.data(), members);
+        const double response = room().projector.response(state_).along(slots, std::span(push_of).first(members));
+        const Real impulse = minimum(missing(row) * Real(inverse_or_zero(response)), limit::multiplier<Real>);
         push(row, row.normal * impulse);
         row.most = maximum(row.most, row.multiplier + impulse);
-        room().projector.project_velocities(state_, slot);
+        for (const Row slot : slots) room().projector.project_velocities(state_, slot);
         return impulse > Real(0);
     }
 
@@ -197,6 +201,29 @@ template <int D, class Real> class FigureContact {
         if (is_last_) kept.give_to_world();
         room().joints.store(world_);
         room().projector.links().store(world_);
+    }
+    /// Lists the figures that press, and those so near that a touch goes on without a force.
+    void note_figures() {
+        const Real near = Real(0.01) * room().list.widest;
+        for (const auto& part : room().parts.list)
+            for (std::size_t i = 0; i < part.first_wall; ++i)
+                if (const auto& row = part.rows[i]; row.most > Real(0) || row.gap <= near)
+                    solver_.touches.figures.push_back(touch_of(row, room().list.candidates[row.source]));
+        merge_touches(solver_.touches.figures);
+    }
+    FigureTouch touch_of(const RowT& row, const ContactCandidate& pair) {
+        auto [first, one] = side_of(pair.first);
+        auto [second, other] = side_of(pair.second);
+        if (second < first) std::swap(first, second), std::swap(one, other);
+        const double impulse = double(row.most / h_);
+        return {first, second, {one, other}, impulse, {.impulse = impulse}};
+    }
+    /// Figure of a feature, and slot of its particle or of its first end.
+    std::pair<FigureIndex, std::uint32_t> side_of(std::uint32_t feature) {
+        const auto count = room().particles.size();
+        const bool is_particle = feature < count;
+        const Row row = is_particle ? room().particles[feature].row : room().segments[feature - count].a;
+        return {world_.particles.figure[row], world_.particles.slots.slot_of(row)};
     }
     void note(const RowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.most / h_); }
 };

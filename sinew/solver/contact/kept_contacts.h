@@ -1,10 +1,19 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/world/asleep.h"
 
 /// Multipliers of contacts between steps, in the world, and between substeps, beside the list of candidates.
-namespace sinew::detail {
+namespace sinew {
+
+/// Forgets all contacts but those of what is asleep.
+template <int D, class Real> void forget_contacts(World<D, Real>& world) {
+    std::erase_if(world.contacts.kept,
+                  [&](const auto& contact) { return !is_asleep(world.particles, contact.key.particle[0]); });
+}
+
+namespace detail {
 
 template <int D, class Real> class KeptContacts {
   public:
@@ -24,7 +33,7 @@ template <int D, class Real> class KeptContacts {
             if (contact.key.collider != ContactKey::none)
                 room_.kept_at_walls.push_back(contact);
             else if (auto* multiplier = find(contact.key))
-                *multiplier = {contact.multiplier, contact.friction};
+                *multiplier = {contact.multiplier, contact.friction, side_of(contact.key.feature)};
     }
     /// After a new list in a later substep: pairs of the last list are in the same parts.
     void take_from_last_list() {
@@ -47,8 +56,8 @@ template <int D, class Real> class KeptContacts {
         for (auto& part : room_.parts.list)
             for (std::size_t i = 0; i < part.first_wall; ++i) {
                 const auto& row = part.rows[i];
-                const bool acts = row.keeps && row.multiplier > Real(0);
-                room_.multipliers[row.source] = acts ? Multiplier{row.multiplier, row.tangent} : Multiplier{};
+                room_.multipliers[row.source] =
+                    lasts(row) ? Multiplier{row.multiplier, row.tangent, row.side} : Multiplier{};
             }
         room_.kept_at_walls.clear();
         for (const auto& part : room_.parts.list)
@@ -62,13 +71,14 @@ template <int D, class Real> class KeptContacts {
     /// After the last substep.
     void give_to_world() {
         auto& kept = world_.contacts.kept;
-        std::erase_if(kept, [&](const auto& contact) { return !is_asleep(world_.particles, contact.key.particle[0]); });
+        forget_contacts(world_);
         kept.insert(kept.end(), room_.kept_at_walls.begin(), room_.kept_at_walls.end());
         for (const auto& part : room_.parts.list)
             for (std::size_t i = 0; i < part.first_wall; ++i) {
                 const auto& row = part.rows[i];
-                if (row.keeps && row.multiplier > Real(0))
-                    kept.push_back({key_of(room_.list.candidates[row.source]), row.multiplier, row.tangent});
+                if (!lasts(row)) continue;
+                kept.push_back({key_of(room_.list.candidates[row.source]), row.multiplier, row.tangent});
+                kept.back().key.feature = feature_of_side(row.side);
             }
         sort(kept);
         room_.written = kept;
@@ -83,7 +93,7 @@ template <int D, class Real> class KeptContacts {
     static void sort(std::vector<KeptContact<D, Real>>& contacts) {
         const auto by_key = [](const auto& a, const auto& b) { return a.key < b.key; };
         if (!std::is_sorted(contacts.begin(), contacts.end(), by_key))
-            std::sort(contacts.begin(), contacts.end(), by_key);
+            sinew::sort(contacts.begin(), contacts.end(), by_key);
     }
 
     std::uint32_t id(Row row) const { return world_.particles.slots.slot_of(row); }
@@ -102,6 +112,13 @@ template <int D, class Real> class KeptContacts {
         }
         return key;
     }
+
+    /// A row that acts, and one that remembers on which side of a segment a particle is.
+    static bool lasts(const ContactRow<D, Real>& row) {
+        return row.keeps && (row.multiplier > Real(0) || (row.side != 0 && row.gap < Real(0)));
+    }
+    static constexpr int side_of(std::uint32_t feature) { return feature == 2 ? -1 : int(feature); }
+    static constexpr std::uint32_t feature_of_side(int side) { return side < 0 ? 2 : std::uint32_t(side); }
 
     // --- look-up -----------------------------------------------------------------------------------------------------
 
@@ -133,4 +150,5 @@ template <int D, class Real> class KeptContacts {
     }
 };
 
-} // namespace sinew::detail
+} // namespace detail
+} // namespace sinew

@@ -25,11 +25,22 @@ template <int D> class LinkFactor {
     /// Replaces the right side by the solution.
     void solve(std::span<const Link> list, const LinkComponent& component, std::span<double> right) const {
         const auto begin = component.first_link, end = component.last_link;
-        for (auto k = begin; k < end; ++k)
-            for (auto m = list[k].first; m < k; ++m) right[k] -= entry(list[k], m) * right[m];
+        for (auto k = begin; k < end; ++k) {
+            const double* const row = entries_.data() + list[k].start;
+            const double* const above = right.data() + list[k].first;
+            const auto size = k - list[k].first;
+            double sum = right[k];
+            for (std::uint32_t m = 0; m < size; ++m) sum -= row[m] * above[m];
+            right[k] = sum;
+        }
         for (auto k = begin; k < end; ++k) right[k] *= pivots_[k];
-        for (auto k = end; k-- > begin;)
-            for (auto m = list[k].first; m < k; ++m) right[m] -= entry(list[k], m) * right[k];
+        for (auto k = end; k-- > begin;) {
+            const double* const row = entries_.data() + list[k].start;
+            double* const above = right.data() + list[k].first;
+            const auto size = k - list[k].first;
+            const double own = right[k];
+            for (std::uint32_t m = 0; m < size; ++m) above[m] -= row[m] * own;
+        }
     }
 
   private:
@@ -67,8 +78,6 @@ template <int D> class LinkFactor {
         }
         pivots_[k] = link.is_active ? inverse_or_zero(maximum(pivot, 0.0)) : 0;
     }
-
-    double entry(const Link& link, std::uint32_t m) const { return entries_[link.start + m - link.first]; }
 };
 
 } // namespace sinew::detail

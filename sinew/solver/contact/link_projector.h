@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sinew/math/matrix.h"
 #include "sinew/solver/contact/link_factor.h"
 #include "sinew/solver/contact/link_motion.h"
+#include "sinew/solver/contact/link_response.h"
 #include "sinew/solver/workers.h"
 
 namespace sinew::detail {
@@ -19,7 +19,6 @@ namespace sinew::detail {
 template <int D, class Real> class LinkProjector {
   public:
     using Vector = Vec<D, double>;
-    using Matrix = sinew::Matrix<D, double>;
     using Component = LinkComponent;
 
     void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
@@ -57,28 +56,13 @@ template <int D, class Real> class LinkProjector {
     void restore_energy(SweepState<D, Real>& state, int threads) {
         is_current_ = true;
         each_component(threads, [&](Component& component) {
-            factorise(state, component);
+            if (links_.measure(state, component, taut, slightly_turned)) factorise_measured(state, component);
             restore_energy(state, component);
         });
     }
 
-    /// Displacement of a particle for an impulse on it, with the lengths held: a symmetric matrix, 1 / kg.
-    Matrix response(const SweepState<D, Real>& state, Row slot) {
-        auto matrix = Matrix::diagonal(double(state.mobility[slot]));
-        if (links_.component_of[slot] == none) return matrix;
-        const auto& component = links_.components[links_.component_of[slot]];
-        for (int i = 0; i < D; ++i) {
-            each(component, [&](auto& link, double& right) {
-                right = ((link.b == slot ? link.weight_b : 0) - (link.a == slot ? link.weight_a : 0)) * link.along[i];
-            });
-            factor_.solve(links_.list, component, right_);
-            each(component, [&](auto& link, double& right) {
-                const double pull = (link.a == slot ? link.weight_a : 0) - (link.b == slot ? link.weight_b : 0);
-                matrix.column[std::size_t(i)] += link.along * (pull * right);
-            });
-        }
-        return matrix;
-    }
+    /// Displacements for impulses, with the lengths held.
+    LinkResponse<D, Real> response(const SweepState<D, Real>& state) { return {links_, factor_, right_, state}; }
     /// Projects the velocities of the component of a particle.
     void project_velocities(SweepState<D, Real>& state, Row slot) {
         if (links_.component_of[slot] != none) project_velocities(state, links_.components[links_.component_of[slot]]);
@@ -230,6 +214,10 @@ template <int D, class Real> class LinkProjector {
         project_velocities(state, component);
     }
 
+    /// Links that have turned by less, radians, since the last factorisation in the step are not factorised again: the
+    /// velocities left along them are that share of those across.
+    static constexpr double slightly_turned = 3e-4;
+
     // --- factorisation -----------------------------------------------------------------------------------------------
 
     /// Components share no movable particle; one chunk of them a part of the work.
@@ -246,7 +234,11 @@ template <int D, class Real> class LinkProjector {
         for (const auto& component : links_.components) factorise(state, component);
     }
     void factorise(const SweepState<D, Real>& state, const Component& component) {
-        links_.measure(state, component, taut);
+        links_.measure(state, component, taut, slightly_turned);
+        factorise_measured(state, component);
+    }
+    void factorise_measured(const SweepState<D, Real>& state, const Component& component) {
+        links_.take_directions(state, component);
         factor_.factorise(links_.list, component);
     }
 };

@@ -36,7 +36,7 @@ template <int D, class Real> class PinRows {
     void solve(Pin<D, Real>& pin, Row slot) {
         auto& projector = solver_.contacts->projector;
         projector.project_velocities(state_, slot);
-        auto response = projector.response(state_, slot);
+        auto response = projector.response(state_).of(slot);
         double mean = 0;
         for (int i = 0; i < D; ++i) mean += response.column[std::size_t(i)][i] / D;
         const double alpha = double(pin.compliance) / square(h_);

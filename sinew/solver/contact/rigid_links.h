@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/math/union_find.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
@@ -57,14 +58,27 @@ template <int D, class Real> struct RigidLinks {
 
     static constexpr std::uint32_t none = ~std::uint32_t(0);
 
-    /// Edges, directions and inverse masses at the present places. A rope shorter than the share `taut` of its length
-    /// lets go.
-    void measure(const SweepState<D, Real>& state, const LinkComponent& component, double taut) {
+    /// Edges at the present places. A rope shorter than the share `taut` of its length lets go. True if that happened,
+    /// or if a link has turned by more than `slight`, radians, since the directions were taken.
+    bool measure(const SweepState<D, Real>& state, const LinkComponent& component, double taut, double slight) {
+        bool changed = false;
         for (auto k = component.first_link; k < component.last_link; ++k) {
             auto& link = list[k];
             link.edge = cast<double>(state.place_at(link.b)) - cast<double>(state.place_at(link.a));
+            const double length = norm(link.edge);
+            const auto off = link.edge - link.along * length;
+            changed = changed || dot(off, off) > square(slight * length);
+            if (!link.is_rope || !link.is_active || length >= taut * link.length) continue;
+            link.is_active = false;
+            changed = true;
+        }
+        return changed;
+    }
+    /// Directions of the edges, and inverse masses.
+    void take_directions(const SweepState<D, Real>& state, const LinkComponent& component) {
+        for (auto k = component.first_link; k < component.last_link; ++k) {
+            auto& link = list[k];
             link.along = direction(link.edge);
-            if (link.is_rope && norm(link.edge) < taut * link.length) link.is_active = false;
             link.weight_a = double(state.mobility[link.a]), link.weight_b = double(state.mobility[link.b]);
         }
     }
@@ -126,8 +140,8 @@ template <int D, class Real> struct RigidLinks {
     }
     void order_by_component() {
         for (auto& link : list) link.root = sets_.first_of(link.root);
-        std::sort(list.begin(), list.end(),
-                  [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
+        sinew::sort(list.begin(), list.end(),
+                    [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
     }
 
     void keep_narrow(const World<D, Real>& world, const SweepState<D, Real>& state, std::vector<char>& is_exact) {
@@ -184,7 +198,7 @@ template <int D, class Real> struct RigidLinks {
                     if (moves(world, state, slot)) component_of[slot] = i;
                 }
             const auto first = slots.begin() + component.first_slot;
-            std::sort(first, slots.end());
+            sinew::sort(first, slots.end());
             slots.erase(std::unique(first, slots.end()), slots.end());
             component.last_slot = std::uint32_t(slots.size());
         }

@@ -40,7 +40,8 @@ template <int D, class Real> class RowBuilder {
     ContactPart<D, Real>& part_;
     const ColliderTouches<D, Real>& touches_;
     Real h_, near_by_, margin_, from_, to_;
-    std::uint32_t source_ = 0; ///< the candidate
+    std::uint32_t source_ = 0;                       ///< the candidate
+    static constexpr Real share_of_deep = Real(0.5); ///< of the radii
 
     Vector place(Row row) const { return state_.place_at(state_.slot_of[row]); }
     Vector move(Row row) const { return state_.move_at(state_.slot_of[row]); }
@@ -71,6 +72,7 @@ template <int D, class Real> class RowBuilder {
         row.normal = normal_of(away, Vector::axis(1));
         const Real distance = norm(away), cover = maximum(a.cover, b.cover);
         row.gap = minimum(distance - a.radius - b.radius, distance - cover);
+        row.deep = share_of_deep * (a.radius + b.radius);
         take(row, a.slot, Real(1));
         take(row, b.slot, Real(-1));
         return finish(row, a, b);
@@ -92,7 +94,10 @@ template <int D, class Real> class RowBuilder {
             if (distance < -Real(2) * room_.list.widest) return false;
             if (distance < Real(0) && !is_nearest_side(x, s, distance)) return false;
         }
+        if constexpr (D == 2)
+            if (s.side == 0) remember_side(row, a, b, away, t, distance);
         row.gap = minimum(distance - p.radius - radius, distance - p.cover);
+        row.deep = share_of_deep * (p.radius + radius);
         take(row, p.slot, Real(1));
         if (t < Real(1)) take(row, end_a.slot, t - Real(1));
         if (t > Real(0)) take(row, end_b.slot, -t);
@@ -114,6 +119,17 @@ template <int D, class Real> class RowBuilder {
         take(row, other.slot, at.t - Real(1));
         take(row, room_.particles[t.number_b].slot, -at.t);
         return finish(row, from, other);
+    }
+
+    /// A particle pressed through the middle of a segment is pushed back, not through.
+    void remember_side(ContactRowT& row, const Vector& a, const Vector& b, const Vector& away, Real t, Real& distance) {
+        const auto left = side_of(a, b);
+        const int present = dot(left, away) < Real(0) ? -1 : 1, before = room_.multipliers[source_].side;
+        const bool is_between_ends = t > Real(0) && t < Real(1);
+        row.side = is_between_ends && before != 0 ? before : present;
+        if (row.side == present || !is_between_ends) return;
+        row.normal = left * Real(row.side);
+        distance = -distance;
     }
 
     static Vector side_of(const Vector& a, const Vector& b) {
@@ -165,6 +181,7 @@ template <int D, class Real> class RowBuilder {
                            .collider = plane_bit | i};
             row.normal = plane.normal;
             row.gap = dot(plane.normal, from) - plane.offset - p_.radius[p];
+            row.deep = share_of_deep * p_.radius[p];
             row.friction = plane.friction, row.restitution = plane.restitution;
             take(row, state_.slot_of[p], Real(1));
             add(row, key);
@@ -193,6 +210,7 @@ template <int D, class Real> class RowBuilder {
             row.normal = surface.normal;
             row.surface_move = contact.surface_move;
             row.gap = dot(surface.normal, from - surface.point + contact.surface_move) - radius;
+            row.deep = share_of_deep * radius;
             row.friction = collider.friction, row.restitution = collider.restitution;
             take(row, state_.slot_of[p], Real(1));
             add(row, key);

@@ -1,49 +1,104 @@
+#include "sinew/math/sort.h"
+#include "sinew/solver/contact/merge_touches.h"
 #include "sinew/solver/phases.h"
 #include "sinew/world/asleep.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace sinew {
 namespace {
 
-/// Pairs of the step, in order. Particles asleep touch the same as before.
+/// Pairs of a particle and a collider in the step, in order. Particles asleep touch the same as before.
 template <int D, class Real> void list_touches(World<D, Real>& world, const ColliderTouches<D, Real>& touches) {
     auto& touching = world.contacts.touching;
     touching.clear();
     for (Row row = 0; row < world.particles.size(); ++row)
         if (touches.collider[row] != 0)
-            touching.push_back(
-                {world.particles.slots.slot_of(row), world.collider_slots.slot_of(touches.collider[row] - 1)});
+            touching.push_back({world.particles.slots.slot_of(row),
+                                world.collider_slots.slot_of(touches.collider[row] - 1),
+                                {.impulse = double(touches.impulse[row])}});
     for (const auto& pair : touches.before)
         if (is_asleep(world.particles, pair.particle) && world.collider_slots.in_use(pair.collider))
             touching.push_back(pair);
-    std::sort(touching.begin(), touching.end());
+    sinew::sort(touching.begin(), touching.end());
     touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
 }
 
-template <int D, class Real>
-void report(World<D, Real>& world, EventType type, const ColliderTouch& pair, Real impulse) {
-    if (world.events.size() >= events_per_step) return;
-    if (!world.particles.slots.in_use(pair.particle) || !world.collider_slots.in_use(pair.collider)) return;
-    const Row row = world.particles.slots.row_at(pair.particle);
-    world.events.push_back({.type = type,
-                            .figure = world.particles.figure[row],
-                            .particle = world.particles.slots.id_of(row),
-                            .collider = world.collider_slots.id_of(world.collider_slots.row_at(pair.collider)),
-                            .impulse = double(impulse)});
+/// Pairs of figures in the step, in order. Figures asleep touch the same as before.
+template <int D, class Real> void list_figures(World<D, Real>& world, ColliderTouches<D, Real>& touches) {
+    const auto sleeps = [&](const FigureTouch& touch) {
+        return is_asleep(world.particles, touch.particle[0]) && is_asleep(world.particles, touch.particle[1]);
+    };
+    auto& figures = world.contacts.figures;
+    figures.clear();
+    if (!world.contacts.lists_figures) return;
+    figures.insert(figures.end(), touches.figures.begin(), touches.figures.end());
+    for (const auto& touch : touches.figures_before)
+        if (sleeps(touch) && !std::binary_search(touches.figures.begin(), touches.figures.end(), touch))
+            figures.push_back(touch);
+    merge_touches(figures);
+    std::erase_if(figures, [&](const FigureTouch& touch) { // near without a force: goes on, and does not begin
+        const auto& before = touches.figures_before;
+        return touch.strength.impulse == 0 && !std::binary_search(before.begin(), before.end(), touch);
+    });
 }
 
-/// Calls visit(pair) for the pairs of one list that are not in the other; both are in order.
-template <class List, class Visit> void each_missing(const List& list, const List& other, Visit&& visit) {
-    for (const auto& pair : list)
-        if (!std::binary_search(other.begin(), other.end(), pair)) visit(pair);
+/// Event of a pair; nothing if a side of it is gone.
+template <int D, class Real>
+std::optional<Event> event_of(const World<D, Real>& world, EventType type, const ColliderTouch& pair) {
+    const auto& particles = world.particles.slots;
+    const auto& colliders = world.collider_slots;
+    if (!particles.in_use(pair.particle) || !colliders.in_use(pair.collider)) return std::nullopt;
+    const Row row = particles.row_at(pair.particle);
+    return Event{.type = type,
+                 .figure = world.particles.figure[row],
+                 .particle = particles.id_of(row),
+                 .collider = colliders.id_of(colliders.row_at(pair.collider))};
+}
+template <int D, class Real>
+std::optional<Event> event_of(const World<D, Real>& world, EventType type, const FigureTouch& touch) {
+    const auto& slots = world.particles.slots;
+    if (!slots.in_use(touch.particle[0]) || !slots.in_use(touch.particle[1])) return std::nullopt;
+    return Event{.type = type,
+                 .figure = touch.first,
+                 .particle = slots.id_of(slots.row_at(touch.particle[0])),
+                 .other = touch.second,
+                 .other_particle = slots.id_of(slots.row_at(touch.particle[1]))};
+}
+
+template <int D, class Real, class Touch>
+void report(World<D, Real>& world, EventType type, const Touch& touch, double impulse) {
+    if (world.events.size() >= events_per_step) return;
+    if (auto event = event_of(world, type, touch)) {
+        event->impulse = impulse;
+        world.events.push_back(*event);
+    }
+}
+
+/// Compares the touches of a step with those of the step before, both in order.
+template <int D, class Real, class Touch>
+void compare(World<D, Real>& world, std::vector<Touch>& now, const std::vector<Touch>& before) {
+    for (auto& touch : now) {
+        const auto known = std::lower_bound(before.begin(), before.end(), touch);
+        auto& strength = touch.strength;
+        strength.is_new = known == before.end() || *known != touch;
+        const auto last = strength.is_new ? TouchStrength{} : known->strength;
+        strength.blow = strength.impulse + (last.is_new ? last.impulse : 0);
+        strength.blow_before = last.blow;
+        if (strength.is_new) report(world, EventType::touched, touch, strength.impulse);
+        if (strength.is_hit(world.contacts.hit_impulse)) report(world, EventType::hit, touch, strength.blow);
+    }
+    for (const auto& touch : before)
+        if (!std::binary_search(now.begin(), now.end(), touch)) report(world, EventType::parted, touch, 0);
 }
 
 } // namespace
 
 template <int D, class Real> void begin_touches(World<D, Real>& world, Solver<D, Real>& solver) {
-    if (world.colliders.empty()) return;
     auto& touches = solver.touches;
+    touches.figures.clear();
+    if (world.colliders.empty()) return;
     touches.boxes.resize(world.colliders.size());
     for (std::size_t i = 0; i < world.colliders.size(); ++i)
         touches.boxes[i] = collide::bounds_in_step(world.colliders[i]);
@@ -53,18 +108,21 @@ template <int D, class Real> void begin_touches(World<D, Real>& world, Solver<D,
 }
 
 template <int D, class Real> void end_touches(World<D, Real>& world, Solver<D, Real>& solver) {
-    auto& touching = world.contacts.touching;
+    auto& contacts = world.contacts;
     auto& touches = solver.touches;
-    if (world.colliders.empty() && touching.empty()) return;
-    touches.collider.resize(world.particles.size(), 0);
-    touches.impulse.resize(world.particles.size(), Real(0));
-    std::swap(touching, touches.before);
-    list_touches(world, touches);
-    each_missing(touching, touches.before, [&](const auto& pair) {
-        report(world, EventType::touched, pair, touches.impulse[world.particles.slots.row_at(pair.particle)]);
-    });
-    each_missing(touches.before, touching, [&](const auto& pair) { report(world, EventType::parted, pair, Real(0)); });
-    for (auto& collider : world.colliders) collider.from = collider.target;
+    if (!world.colliders.empty() || !contacts.touching.empty()) {
+        touches.collider.resize(world.particles.size(), 0);
+        touches.impulse.resize(world.particles.size(), Real(0));
+        std::swap(contacts.touching, touches.before);
+        list_touches(world, touches);
+        compare(world, contacts.touching, touches.before);
+        for (auto& collider : world.colliders) collider.from = collider.target;
+    }
+    if (contacts.lists_figures || !contacts.figures.empty()) {
+        std::swap(contacts.figures, touches.figures_before);
+        list_figures(world, touches);
+        compare(world, contacts.figures, touches.figures_before);
+    }
 }
 
 #define SINEW_TOUCHES(D, Real)                                                                                         \

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/solver/direct/eligibility.h"
 #include "sinew/world/constraint_graph.h"
 
@@ -28,7 +29,7 @@ template <int D, class Real> class AttachedPieces {
         pieces.clear();
         for (const Row row : members)
             if (room_.part_of[row] != no_row) pieces.push_back({room_.pieces.first_of(row), row});
-        std::sort(pieces.begin(), pieces.end());
+        sinew::sort(pieces.begin(), pieces.end());
         for (const auto& [first, row] : pieces) room_.part_of[row] = no_row;
         for (std::size_t first = 0, end = 0; first < pieces.size(); first = end) {
             room_.tree.clear();
@@ -79,7 +80,7 @@ template <int D, class Real> class AttachedPieces {
         figures.clear();
         for (const Row row : members)
             if (particles_.figure[row] < world_.figures.size()) figures.push_back({particles_.figure[row], row});
-        std::sort(figures.begin(), figures.end());
+        sinew::sort(figures.begin(), figures.end());
         for (std::size_t first = 0, end = 0; first < figures.size(); first = end) {
             while (end < figures.size() && figures[end].first == figures[first].first) ++end;
             const auto own = std::span(figures).subspan(first, end - first);

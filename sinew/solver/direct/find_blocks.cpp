@@ -1,3 +1,4 @@
+#include "sinew/math/sort.h"
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/direct/attached_pieces.h"
 #include "sinew/solver/direct/build.h"
@@ -132,7 +133,7 @@ template <int D, class Real> class BlockFinder {
             for_each_constraint(world_, row, [&](const auto& table, Row constraint) { reach(table, constraint, row); });
         }
         const auto part = room_.members.begin() + std::ptrdiff_t(first);
-        std::sort(part, room_.members.end());
+        sinew::sort(part, room_.members.end());
     }
     bool meet(Row particle) {
         if (room_.met[particle] == blocks_.looks) return false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/solver/block.h"
 #include "sinew/solver/workers.h"
 
@@ -89,7 +90,7 @@ template <int D> void order_chains(Blocks<D>& blocks, std::size_t parts) {
         turns.push_back({blocks.list[i].links, i});
         longest = std::max<std::size_t>(longest, blocks.list[i].links);
     }
-    std::sort(turns.begin(), turns.end(), [](const ChainTurn& a, const ChainTurn& b) {
+    sinew::sort(turns.begin(), turns.end(), [](const ChainTurn& a, const ChainTurn& b) {
         return a.links != b.links ? a.links < b.links : a.block < b.block;
     });
     auto& spaces = blocks.chains.spaces;

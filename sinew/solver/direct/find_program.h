@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/sort.h"
 #include "sinew/solver/block.h"
 
 #include <algorithm>
@@ -133,7 +134,7 @@ template <int D> void order_programs(Blocks<D>& blocks, std::size_t parts) {
     const auto numbers = [&](const ProgramTurn& turn) {
         return std::span(std::as_const(programs.numbers)).subspan(program(turn).first, program(turn).size);
     };
-    std::sort(turns.begin(), turns.end(), [&](const ProgramTurn& a, const ProgramTurn& b) {
+    sinew::sort(turns.begin(), turns.end(), [&](const ProgramTurn& a, const ProgramTurn& b) {
         return program(a).hash != program(b).hash ? program(a).hash < program(b).hash : a.block < b.block;
     });
     std::size_t largest = 0, most_nodes = 0;

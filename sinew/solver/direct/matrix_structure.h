@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
+#include "sinew/math/sort.h"
 #include "sinew/solver/block.h"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ template <int D> void add_entries(Blocks<D>& blocks, const Elimination& eliminat
         const auto begin = std::ptrdiff_t(blocks.entries.size());
         for (const Row neighbour : elimination.neighbours(elimination.order()[i]))
             blocks.entries.push_back({.node = block.first_node + elimination.position(neighbour)});
-        std::sort(blocks.entries.begin() + begin, blocks.entries.end(),
-                  [](const auto& a, const auto& b) { return a.node < b.node; });
+        sinew::sort(blocks.entries.begin() + begin, blocks.entries.end(),
+                    [](const auto& a, const auto& b) { return a.node < b.node; });
     }
     blocks.first_entry.push_back(std::uint32_t(blocks.entries.size()));
     for (std::uint32_t i = block.first_node; i < block.first_node + block.unknowns; ++i) {

@@ -22,7 +22,7 @@ template <int D, class Real> class ChainStep : LaneStep<ChainStep<D, Real>, D, R
     void run(std::span<const ChainTurn> turns, double report_substep, Whole&& whole, Redo&& redo) {
         const auto& kernel = Base::kernel_;
         const bool single = turns.size() == 1 || turns.front().links > ChainSpace<D>::most_links_in_lanes;
-        pack_.width = single ? 1 : kernel.block_lanes;
+        pack_.width = single ? min_block_lanes : kernel.block_lanes;
         pack_.links = int(turns.front().links);
         constexpr std::size_t per_node = sizeof(Node) / sizeof(double);
         Base::template exchange_with<Node>(pack_.nodes + per_node * std::size_t(pack_.width), turns.front().links,

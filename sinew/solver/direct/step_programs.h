@@ -23,7 +23,7 @@ template <int D, class Real> class ProgramStep : LaneStep<ProgramStep<D, Real>, 
         const auto& kernel = Base::kernel_;
         const bool single = turns.size() == 1;
         const auto& first = programs_.list[Base::blocks_.list[turns.front().block].program];
-        pack_.width = single ? 1 : kernel.block_lanes;
+        pack_.width = single ? min_block_lanes : kernel.block_lanes;
         pack_.program = read_program(programs_.numbers.data() + first.first);
         pack_.is_free = pack_.program.nodes == pack_.program.unknowns;
         pack_.lay_out(space_.aligned());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/ports/group_spin.h"
+#include "sinew/solver/ports/port_block.h"
 #include "sinew/solver/project.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
@@ -21,28 +22,35 @@ namespace sinew::detail {
 template <int D, class Real> class EnergyLimiter {
   public:
     EnergyLimiter(World<D, Real>& world, Solver<D, Real>& solver, Real h)
-        : world_(world), scratch_(solver.scratch), swept_(solver.sweep_state), ports_(solver.blocks.ports),
-          per_h_(1 / double(h)) {}
+        : world_(world), solver_(solver), scratch_(solver.scratch), swept_(solver.sweep_state), blocks_(solver.blocks),
+          ports_(solver.blocks.ports), h_(h), per_h_(1 / double(h)) {}
 
-    /// Notes the motion and the stored energy before a substep.
-    void begin() {
+    /// Notes the motion and the stored energy before a substep, which is the `number`-th of its step.
+    void begin(int number) {
         if (ports_.groups.empty()) return;
+        if (number == 1)
+            for (auto& group : ports_.groups) group.lost = 0;
         for (Row s = 0; s < swept_.size(); ++s) ports_.last_moves[s] = cast<double>(swept_.move_at(s));
         for (auto& group : ports_.groups) group.stored = stored(group, false);
     }
     /// Measures the gains once all moves are known, before positions advance. A group whose motion would multiply is
     /// slowed down at once.
-    void find_gains() {
+    void find_gains(bool last) {
         constexpr double least = 0.7; // share of the velocity; above it solved positions are kept
         for (auto& group : ports_.groups) {
             const auto motion = motion_of(group);
+            if (motion.anchors().empty() && nothing_else_acts()) motion.take_drift();
+            const double owed = motion.anchors().empty() ? 0 : maximum(0.0, -group.lost);
             group.lost = 0;
-            group.share = group.motorized ? 1 : share_left(group);
+            group.share = group.motorized ? 1 : share_left(group, owed);
             if (motion.anchors().empty()) {
                 group.spin = due_spin(motion);
                 if (group.lost < 0) stiffen(motion, group.spin), group.share = 1, group.lost = 0;
             }
-            if (group.share < least && is_multiplied(group)) slow_down(group), group.share = 1;
+            const bool owes = last && !motion.anchors().empty() && group.lost < 0;
+            if (!owes && (group.share >= least || !is_multiplied(group))) continue;
+            slow_down(group);
+            group.share = motion.anchors().empty() ? 1 : share_held_back(group, owed);
         }
     }
     /// Removes the gains once positions have advanced.
@@ -50,8 +58,9 @@ template <int D, class Real> class EnergyLimiter {
         for (const auto& group : ports_.groups) {
             if (group.share < 1) slow_down(group);
             const auto motion = motion_of(group);
-            if (motion.anchors().empty())
-                restore_spin(motion, group.spin, group.lost / square(per_h_), group.motorized);
+            if (!motion.anchors().empty()) continue;
+            restore_spin(motion, group.spin, group.lost / square(per_h_), group.motorized);
+            if (nothing_else_acts()) motion.take_drift();
         }
     }
 
@@ -59,33 +68,56 @@ template <int D, class Real> class EnergyLimiter {
     using Vector = Vec<D, double>;
     using Motion = GroupMotion<D, Real>;
     World<D, Real>& world_;
+    Solver<D, Real>& solver_;
     std::span<Vec<D, Real>> scratch_;
     SweepState<D, Real>& swept_;
+    Blocks<D>& blocks_;
     Ports<D>& ports_;
+    Real h_;
     double per_h_;
 
+    /// True if nothing but constraints within and force fields act on what no pin holds.
+    bool nothing_else_acts() const {
+        return !has_walls(world_) && !has_figure_contacts(solver_) && !swept_.any_pin_soft;
+    }
     Motion motion_of(const PortGroup<D>& group) const { return {swept_, ports_, group}; }
 
-    /// Factor of the velocities that removes energy added by constraints, 0..1. Notes energy that they have taken, or
-    /// added to the motion as one body.
-    double share_left(PortGroup<D>& group) const {
+    /// Factor of the velocities that removes energy added by constraints, and `owed` since an earlier substep of the
+    /// step, 0..1. Notes energy that they have taken, or that is still owed.
+    ///
+    /// A velocity that is scaled by s once the particle has moved changes the place of the middle of the substep, where
+    /// potentials are taken. The energy removed is
+    ///
+    ///     K (1 - s^2) + Q (1 - s),        Q = sum f . v'/2
+    ///
+    /// with the kinetic energy K and the impulses f from outside.
+    double share_left(PortGroup<D>& group, double owed) const {
         const auto motion = motion_of(group);
         typename Motion::Frame frame;
         if (!motion.find_frame(frame)) return 1;
-        double work = 0, kinetic = 0;
+        double work = 0, kinetic = 0, outer = 0;
         for (const auto s : motion.members()) {
             const auto own = motion.move(s) - frame.at(motion.place(s));
             work +=
                 0.5 * motion.mass(s) *
                 dot(motion.last_move(s) + motion.move(s) - frame.velocity * 2.0, motion.move(s) - motion.free_move(s));
             kinetic += 0.5 * motion.mass(s) * dot(own, own);
+            outer += 0.5 * motion.mass(s) * dot(motion.free_move(s) - motion.last_move(s), own);
         }
         work -= of_soft_pins(motion, frame.velocity);
-        const double gain = work * square(per_h_) + (group.springs > 0 ? stored(group, true) - group.stored : 0);
-        kinetic *= square(per_h_);
+        const double gain = owed + work * square(per_h_) + (group.springs > 0 ? stored(group, true) - group.stored : 0);
+        kinetic *= square(per_h_), outer *= square(per_h_);
         constexpr double rounding = 1e-14;
-        group.lost = gain <= 0 ? -gain : minimum(kinetic - gain, 0.0);
-        return gain > rounding * kinetic ? square_root(maximum(0.0, 1 - gain / kinetic)) : 1;
+        const double share = gain > rounding * kinetic ? share_without(gain, kinetic, outer) : 1;
+        const double left = gain - kinetic * (1 - square(share)) - outer * (1 - share);
+        if (gain <= 0 || left > rounding * kinetic) group.lost = -left;
+        return share;
+    }
+    /// The larger root, or the share at which most is removed.
+    static double share_without(double gain, double kinetic, double outer) {
+        const double root2 = square(outer + 2 * kinetic) - 4 * kinetic * gain;
+        const double share = (square_root(maximum(0.0, root2)) - outer) * inverse_or_zero(2 * kinetic);
+        return clamp(share, 0.0, 1.0);
     }
 
     /// True if constraints multiplied the motion of a group, and moved particles by more than a link.
@@ -100,6 +132,22 @@ template <int D, class Real> class EnergyLimiter {
             most += motion.mass(s) * square(group.length);
         }
         return has > times * had && has > most;
+    }
+
+    /// Solves the blocks of a group that has been slowed down before positions advance again, with as much less of the
+    /// impulses: the same share of every displacement would take a link that has turned off its length. Returns the
+    /// factor of the velocities that is left to apply.
+    double share_held_back(PortGroup<D>& group, double owed) {
+        for (auto& block : blocks_.attached_trees) {
+            const Row slot = swept_.slot_of[blocks_.nodes[block.first_node].row];
+            if (!std::ranges::binary_search(motion_of(group).members(), slot)) continue;
+            PortBlock<D, Real> solver(world_, solver_, block, h_);
+            for (auto& port : solver.state().ports()) port.impulse = port.impulse * group.share;
+            solver.take();
+            solver.state().store();
+        }
+        group.lost = 0;
+        return share_left(group, owed);
     }
 
     void slow_down(const PortGroup<D>& group) {

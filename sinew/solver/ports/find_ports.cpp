@@ -1,4 +1,5 @@
 #include "sinew/assert/assert.h"
+#include "sinew/math/sort.h"
 #include "sinew/solver/direct/look_up_rows.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/ports/load_tethers.h"
@@ -68,8 +69,8 @@ template <int D, class Real> void list_rows(World<D, Real>& world, Solver<D, Rea
         for_each_constraint(world, blocks.nodes[port.node].row, [&]<class Table>(const Table& table, Row row) {
             if (!blocks.holds(table, row)) rows.push_back({.kind = kind_of<World<D, Real>, Table>, .row = row});
         });
-    std::sort(rows.begin(), rows.end(),
-              [](const auto& a, const auto& b) { return std::pair(-a.kind, a.row) < std::pair(-b.kind, b.row); });
+    sinew::sort(rows.begin(), rows.end(),
+                [](const auto& a, const auto& b) { return std::pair(-a.kind, a.row) < std::pair(-b.kind, b.row); });
     const auto same = [](const auto& a, const auto& b) { return a.kind == b.kind && a.row == b.row; };
     rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
 }
@@ -154,9 +155,9 @@ template <int D, class Real> class GroupFinder {
         const auto by_row = [](const PortRow& a, const PortRow& b) {
             return std::tie(a.kind, a.row) < std::tie(b.kind, b.row);
         };
-        std::sort(ports_.members.begin() + group.first, ports_.members.end());
-        std::sort(ports_.anchors.begin() + group.first_anchor, ports_.anchors.end());
-        std::sort(ports_.springs.begin() + group.first_spring, ports_.springs.end(), by_row);
+        sinew::sort(ports_.members.begin() + group.first, ports_.members.end());
+        sinew::sort(ports_.anchors.begin() + group.first_anchor, ports_.anchors.end());
+        sinew::sort(ports_.springs.begin() + group.first_spring, ports_.springs.end(), by_row);
         group.members = size(ports_.members) - group.first;
         group.springs = size(ports_.springs) - group.first_spring;
         group.anchors = size(ports_.anchors) - group.first_anchor;

@@ -81,6 +81,15 @@ template <int D, class Real> class GroupMotion {
             swept_.set_move(s, cast<Real>(other.at(place(s)) + own * share));
         }
     }
+    /// Takes the mean motion that constraints have added: they act within, and what they add is the rounding of the
+    /// large moves of light members.
+    void take_drift() const {
+        Vector added{};
+        double whole = 0;
+        for (const auto s : members()) added += (move(s) - free_move(s)) * mass(s), whole += mass(s);
+        const auto drift = added * inverse_or_zero(whole);
+        for (const auto s : members()) swept_.set_move(s, cast<Real>(move(s) - drift));
+    }
     /// Moves all members with a frame.
     void stiffen(const Frame& frame) const {
         for (const auto s : members()) swept_.set_move(s, cast<Real>(frame.at(place(s))));

@@ -5,6 +5,12 @@ namespace sinew {
 
 /// Most blocks side by side.
 inline constexpr int max_block_lanes = 8;
+/// Lanes for a block by itself. A small module has no kernels of one lane beside those of two.
+#if defined(SINEW_SMALL)
+inline constexpr int min_block_lanes = 2;
+#else
+inline constexpr int min_block_lanes = 1;
+#endif
 
 /// A substep of several blocks of equal structure. Numbers by lane; unused lanes have `active` 0.
 template <int D> struct LanePack {

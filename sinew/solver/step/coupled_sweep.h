@@ -47,7 +47,7 @@ template <int D, class Real> class CoupledSweep {
     void run_substep(int number, std::span<FreeBody<D>> bodies) {
         auto substep = substeps_.number(number);
         EnergyLimiter<D, Real> limiter(world_, solver_, substeps_.h);
-        limiter.begin();
+        limiter.begin(number);
         for (const auto& tile : plan_.tiles) substep.predict(tile);
         keeper_.note(bodies, 1);
         FigureContact<D, Real> contacts(world_, solver_, substeps_.h, number, substeps_.count);
@@ -55,7 +55,7 @@ template <int D, class Real> class CoupledSweep {
         solve_with_ports(substep, number);
         hold(substep, number);
         contacts.solve();
-        limiter.find_gains();
+        limiter.find_gains(number > 1 && number == substeps_.count);
         if (has_thin_cloth())
             truncate_thin_cloth<D, Real>(world_, solver_.sweep_state, solver_.contacts->thin, span(number));
         for (const auto& tile : plan_.tiles) substep.advance(tile);

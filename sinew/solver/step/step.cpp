@@ -1,3 +1,4 @@
+#include "sinew/solver/contact/kept_contacts.h"
 #include "sinew/solver/profile.h"
 #include "sinew/solver/step/coupled_sweep.h"
 #include "sinew/solver/sweep/repair_window.h"
@@ -9,6 +10,7 @@ namespace {
 template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
     world.events.clear();
     wake(world, solver, dt);
+    find_alone(world, solver, dt);
     if (world.settings.mode == Mode::classic) detail::make_room_for_widest(world, solver.scratch);
     hold_in_limits(world, solver);
     apply_random_pushes(world);
@@ -18,7 +20,7 @@ template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& 
 template <int D, class Real> void step_sweep(World<D, Real>& world, Solver<D, Real>& solver, int count, Real h) {
     const auto& plan = solver.sweep_state.plan;
     const bool motorized = !(plan.others.empty() && solver.blocks.list.empty()) && any_driven(world);
-    if (solver.sweep_state.size() == 0 && !motorized) return;
+    if (solver.sweep_state.size() == 0 && !motorized) return forget_contacts(world);
     begin_sweep(world, solver, h);
     find_contact_features(world, solver);
     const detail::Substeps<D, Real> substeps(world, solver, count, h);

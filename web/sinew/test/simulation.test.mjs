@@ -92,7 +92,7 @@ test("edits act", () => {
     simulation.setPosition(weight, [5, 5]);
     simulation.setVelocity(weight, [0, 0]);
     simulation.applyImpulse(weight, [20, 0]);
-    assert.deepEqual(simulation.stateOf(weight), { position: [5, 5], velocity: [2, 0], inverseMass: 0.1, radius: 0, figure: 0xffffffff });
+    assert.deepEqual(simulation.stateOf(weight), { position: [5, 5], velocity: [2, 0], inverseMass: 0.1, radius: 0, figure: 0xffffffff, isAsleep: false });
 });
 
 test("a hand takes hold, carries and lets go", () => {
@@ -150,4 +150,96 @@ test("pixels and places are each other's inverse", () => {
     assert.ok(Math.hypot(x - 300, y - 150) < 1e-3, `${x}, ${y}`);
     const [u, v] = simulation.toScene([x, y]);
     assert.ok(Math.hypot(u - 1, v - 0.5) < 1e-6);
+});
+
+/** A ball falls on a target that is held in place, and beside a floor. */
+const falling = {
+    sinew: 1, world: { gravity: [0, -10] }, colliders: [{ name: "floor", shape: "half_space" }],
+    figures: [
+        { name: "ball", contact: { figures: true }, particles: { p: { at: [0, 1.1], radius: 0.1 } } },
+        { name: "target", contact: { figures: true }, particles: { p: { at: [0, 0.3], radius: 0.2, pinned: true } } },
+        { name: "pebble", particles: { p: { at: [1, 0.3], radius: 0.1 } } },
+    ],
+};
+
+test("contacts begin, persist and end", () => {
+    const simulation = engine.open(falling);
+    const [ball, target, pebble] = ["ball/p", "target/p", "pebble/p"].map((name) => simulation.particle(name));
+    const ofBall = () => simulation.contacts().filter(({ particle, other }) => particle === ball || other === ball);
+    simulation.listContacts();
+    assert.deepEqual(simulation.contacts(), []);
+    while (ofBall().length === 0 && simulation.report().seconds < 1) simulation.step();
+    const [begun] = ofBall();
+    assert.equal(begun.phase, "begin");
+    assert.deepEqual([begun.figure, begun.otherFigure, begun.other, begun.collider], [0, 1, target, null]);
+    assert.ok(begun.blow === begun.impulse && begun.blow > 1 && begun.blowBefore === 0);
+    const [onFloor] = simulation.contacts().filter(({ particle }) => particle === pebble);
+    assert.deepEqual([onFloor.colliderName, onFloor.phase, onFloor.other], ["floor", "persist", null]);
+    assert.equal(onFloor.collider, simulation.collider("floor"));
+    simulation.step();
+    assert.ok(Math.abs(ofBall()[0].blow - Math.sqrt(2 * 10 * 0.5)) < 0.35, `${ofBall()[0].blow}`); // m v, and weight
+    simulation.step(10);
+    assert.equal(ofBall()[0].phase, "persist");
+    simulation.applyImpulse(ball, [0, 4]);
+    let ends = 0;
+    for (let i = 0; i < 5; ++i) {
+        simulation.step();
+        ends += ofBall().filter(({ phase }) => phase === "end").length;
+    }
+    assert.equal(ends, 1);
+    simulation.dispose();
+});
+
+test("events of a scene happen on contact", () => {
+    const simulation = engine.open({ ...falling, events: [{ on: { contact: "hit", of: "ball", with: "target", above: 2 }, note: "thud" }] });
+    simulation.runUntil(1);
+    const [hit, note] = simulation.events();
+    assert.deepEqual([hit.what, hit.where, hit.with, note.what, note.where], ["hit", "ball", "target", "note", "thud"]);
+    assert.ok(Math.abs(hit.impulse - Math.sqrt(10)) < 0.35);
+    simulation.dispose();
+});
+
+test("queries answer in the plane and in space", () => {
+    const flat = engine.open(falling);
+    const [ball, target] = [flat.particle("ball/p"), flat.particle("target/p")];
+    const near = flat.nearestParticle([0.3, 1.1], 1);
+    assert.equal(near.particle, ball);
+    assert.ok(Math.abs(near.distance - 0.2) < 1e-12);
+    assert.equal(flat.nearestParticle([9, 9], 1), null);
+    assert.equal(flat.nearestLink([0, 0], 9), null);
+    const hit = flat.castRay([0, 3], [0, -1]);
+    assert.deepEqual([hit.particle, hit.collider, hit.normal], [ball, null, [0, 1]]);
+    assert.ok(Math.abs(hit.share - 1.8 / 4) < 1e-9);
+    assert.equal(flat.castRay([5, 3], [5, -1], { radius: 0.5 }).collider, flat.collider("floor"));
+    assert.equal(flat.castRay([5, 3], [9, 3]), null);
+    assert.deepEqual(flat.particlesIn({ center: [0, 0.7], half: [0.1, 0.5] }), [ball, target]);
+    assert.deepEqual(flat.particlesIn({ center: [0, 0.7], half: [0.1, 0.5], angle: Math.PI / 2 }), []);
+    assert.throws(() => flat.particlesIn({ center: [NaN, 0], radius: 1 }), hasStatus(status.badArgument));
+
+    const space = engine.open({ sinew: 1, dimension: 3, figures: [{ name: "rod", particles: { a: { at: [0, 0, 0] }, b: { at: [0, 0, 2] } },
+        constraints: [{ name: "link", between: ["a", "b"] }] }] });
+    const link = space.constraint("rod/link");
+    const nearest = space.nearestLink([0.5, 0, 0.5], 1);
+    assert.equal(nearest.link, link);
+    assert.ok(Math.abs(nearest.t - 0.25) < 1e-12 && Math.abs(nearest.distance - 0.5) < 1e-12);
+    assert.deepEqual(space.linksIn({ center: [0.3, 0, 1], radius: 0.4 }), [link]);
+    assert.deepEqual(space.linksIn({ center: [0.5, 0, 1], half: [0.1, 0.6, 0.1] }), []);
+    assert.deepEqual(space.linksIn({ center: [0.5, 0, 1], half: [0.1, 0.6, 0.1], angle: Math.PI / 2, axis: [0, 0, 1] }), [link]);
+    assert.deepEqual(space.particlesIn({ center: [0, 0, 0], radius: 3 }).length, 2);
+    for (const simulation of [flat, space]) simulation.dispose();
+});
+
+test("what rests falls asleep, and a collider that moves wakes and carries it", () => {
+    const simulation = engine.open({ ...falling, solver: { sleep: { speed: 0.05 } } });
+    assert.equal(simulation.asleepCount, 0);
+    simulation.runUntil(3);
+    assert.ok(simulation.stateOf("pebble/p").isAsleep);
+    assert.equal(simulation.sleepers.reduce((sum, flag) => sum + flag), simulation.asleepCount);
+    for (let i = 1; i <= 30; ++i) {
+        simulation.moveCollider("floor", [0, i / 60]);
+        simulation.step();
+    }
+    assert.ok(!simulation.stateOf("pebble/p").isAsleep);
+    assert.ok(Math.abs(simulation.stateOf("pebble/p").position[1] - 0.6) < 1e-3);
+    simulation.dispose();
 });

@@ -32,9 +32,9 @@ template <int D, class Real> constexpr Kernels<D, Real> kernels_here(std::type_i
             .store_nodes = store_nodes<D, Real>,
             .block_lanes = lane::widest<double>,
             .swing_chains = swing_chains<D, lane::widest<double>>,
-            .swing_chain = swing_chains<D, 1>,
+            .swing_chain = swing_chains<D, min_block_lanes>,
             .swing_programs = swing_programs<D, lane::widest<double>>,
-            .swing_program = swing_programs<D, 1>};
+            .swing_program = swing_programs<D, min_block_lanes>};
 }
 
 template <class... Each> constexpr AllKernels<Each...> all_kernels_here(std::type_identity<AllKernels<Each...>>) {

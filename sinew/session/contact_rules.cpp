@@ -1,0 +1,117 @@
+#include "sinew/session/contact_rules.h"
+
+#include "sinew/world/edit.h"
+
+#include <optional>
+
+namespace sinew {
+namespace {
+
+/// One side of a contact.
+struct Side {
+    FigureIndex figure = no_figure;
+    std::optional<ParticleId> particle{};
+    std::string_view collider{};
+    bool is_collider = false;
+};
+
+/// Contacts of the last step that fulfil one rule.
+template <class WorldT> class RuleMatch {
+  public:
+    RuleMatch(const WorldT& world, const ContactRule& rule) : world_(world), rule_(rule) {}
+
+    /// The strongest; nothing if no contact fulfils the rule.
+    std::optional<RuleMet> find() {
+        if (rule_.phase == "end") {
+            for (const auto& event : world_.events)
+                if (event.type == EventType::parted) consider(side_of(event), other_side_of(event), {});
+            return best_;
+        }
+        for (const auto& touch : world_.contacts.touching)
+            if (counts(touch.strength)) consider(particle_at(touch.particle), collider_at(touch), touch.strength);
+        for (const auto& touch : world_.contacts.figures)
+            if (counts(touch.strength))
+                consider(figure_at(touch.first, touch.particle[0]), figure_at(touch.second, touch.particle[1]),
+                         touch.strength);
+        return best_;
+    }
+
+  private:
+    const WorldT& world_;
+    const ContactRule& rule_;
+    std::optional<RuleMet> best_;
+
+    bool counts(const TouchStrength& touch) const {
+        if (rule_.phase == "hit") return touch.is_hit(rule_.above);
+        return touch.impulse >= rule_.above && touch.is_new == (rule_.phase == "begin");
+    }
+    void consider(const Side& one, const Side& other, const TouchStrength& touch) {
+        if (is(rule_.of, one) && (rule_.with.empty() || is(rule_.with, other))) return keep(other, touch);
+        if (is(rule_.of, other) && (rule_.with.empty() || is(rule_.with, one))) keep(one, touch);
+    }
+    void keep(const Side& with, const TouchStrength& touch) {
+        const double impulse = rule_.phase == "hit" ? touch.blow : touch.impulse;
+        if (!best_ || impulse > best_->impulse) best_ = {0, 0, name_of(with), impulse};
+    }
+
+    std::string name_of(const Side& side) const {
+        if (side.is_collider) return std::string(side.collider);
+        return side.figure < world_.figures.size() ? world_.figures[side.figure].name : "";
+    }
+    bool is(const std::string& name, const Side& side) const {
+        if (side.is_collider) return name == side.collider;
+        const auto figure = find_figure(world_, name);
+        if (figure) return side.figure == *figure;
+        const auto particle = find_particle(world_, name);
+        return particle && side.particle == particle;
+    }
+
+    Side side_of(const Event& event) const { return {event.figure, event.particle}; }
+    Side other_side_of(const Event& event) const {
+        const auto row = world_.collider_slots.find(event.collider);
+        return row ? collider_in(*row) : Side{event.other, event.other_particle};
+    }
+    Side figure_at(FigureIndex figure, std::uint32_t slot) const {
+        const auto& slots = world_.particles.slots;
+        return {figure, slots.in_use(slot) ? std::optional(slots.id_of(slots.row_at(slot))) : std::nullopt};
+    }
+    Side particle_at(std::uint32_t slot) const {
+        const auto& slots = world_.particles.slots;
+        return figure_at(slots.in_use(slot) ? world_.particles.figure[slots.row_at(slot)] : no_figure, slot);
+    }
+    Side collider_in(Row row) const { return {no_figure, {}, world_.colliders[row].name, true}; }
+    Side collider_at(const ColliderTouch& touch) const {
+        const auto& slots = world_.collider_slots;
+        return slots.in_use(touch.collider) ? collider_in(slots.row_at(touch.collider)) : Side{.is_collider = true};
+    }
+};
+
+} // namespace
+
+void ContactRules::restart(const Scene& scene, AnyWorld& world) {
+    waiting_.clear();
+    for (std::size_t i = 0; i < scene.events.size(); ++i)
+        if (scene.events[i].on) waiting_.push_back({i, 0, scene.events[i].first()});
+    if (!waiting_.empty()) std::visit([](auto& known) { known.contacts.lists_figures = true; }, world);
+}
+
+std::vector<RuleMet> ContactRules::met(const Scene& scene, const AnyWorld& world) {
+    std::vector<RuleMet> all;
+    std::visit(
+        [&]<class WorldT>(const WorldT& known) {
+            for (auto& [index, count, next] : waiting_) {
+                const auto& event = scene.events[index];
+                const bool is_over = event.times > 0 && count >= std::uint64_t(event.times);
+                if (is_over || known.time < next - step_length(scene) * 1e-6) continue;
+                auto found = RuleMatch<WorldT>(known, *event.on).find();
+                if (!found) continue;
+                found->event = index, found->before = count++;
+                next = known.time + event.every;
+                all.push_back(std::move(*found));
+            }
+        },
+        world);
+    return all;
+}
+
+} // namespace sinew
