@@ -54,7 +54,7 @@ template <int D, class Real> class CoupledSweep {
         solve_with_ports(substep, number);
         hold(substep, number);
         contacts.solve();
-        limiter.find_gains(number > 1 && number == substeps_.count);
+        limiter.find_gains();
         for (const auto& tile : plan_.tiles) substep.advance(tile);
         keeper_.restore(bodies);
         limiter.take_gains();
