@@ -1,7 +1,6 @@
 #pragma once
 
 #include "sinew/solver/ports/group_spin.h"
-#include "sinew/solver/ports/port_block.h"
 #include "sinew/solver/project.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
@@ -23,7 +22,7 @@ template <int D, class Real> class EnergyLimiter {
   public:
     EnergyLimiter(World<D, Real>& world, Solver<D, Real>& solver, Real h)
         : world_(world), solver_(solver), scratch_(solver.scratch), swept_(solver.sweep_state), blocks_(solver.blocks),
-          ports_(solver.blocks.ports), h_(h), per_h_(1 / double(h)) {}
+          ports_(solver.blocks.ports), per_h_(1 / double(h)) {}
 
     /// Notes the motion and the stored energy before a substep, which is the `number`-th of its step.
     void begin(int number) {
@@ -35,7 +34,7 @@ template <int D, class Real> class EnergyLimiter {
     }
     /// Measures the gains once all moves are known, before positions advance. A group whose motion would multiply is
     /// slowed down at once.
-    void find_gains(bool last) {
+    void find_gains() {
         constexpr double least = 0.7; // share of the velocity; above it solved positions are kept
         for (auto& group : ports_.groups) {
             const auto motion = motion_of(group);
@@ -47,10 +46,7 @@ template <int D, class Real> class EnergyLimiter {
                 group.spin = due_spin(motion);
                 if (group.lost < 0) stiffen(motion, group.spin), group.share = 1, group.lost = 0;
             }
-            const bool owes = last && !motion.anchors().empty() && group.lost < 0;
-            if (!owes && (group.share >= least || !is_multiplied(group))) continue;
-            slow_down(group);
-            group.share = motion.anchors().empty() ? 1 : share_held_back(group, owed);
+            if (group.share < least && is_multiplied(group)) hold_back(group), group.share = 1;
         }
     }
     /// Removes the gains once positions have advanced.
@@ -73,7 +69,6 @@ template <int D, class Real> class EnergyLimiter {
     SweepState<D, Real>& swept_;
     Blocks<D>& blocks_;
     Ports<D>& ports_;
-    Real h_;
     double per_h_;
 
     /// True if nothing but constraints within and force fields act on what no pin holds.
@@ -134,20 +129,34 @@ template <int D, class Real> class EnergyLimiter {
         return has > times * had && has > most;
     }
 
-    /// Solves the blocks of a group that has been slowed down before positions advance again, with as much less of the
-    /// impulses: the same share of every displacement would take a link that has turned off its length. Returns the
-    /// factor of the velocities that is left to apply.
-    double share_held_back(PortGroup<D>& group, double owed) {
-        for (auto& block : blocks_.attached_trees) {
-            const Row slot = swept_.slot_of[blocks_.nodes[block.first_node].row];
-            if (!std::ranges::binary_search(motion_of(group).members(), slot)) continue;
-            PortBlock<D, Real> solver(world_, solver_, block, h_);
-            for (auto& port : solver.state().ports()) port.impulse = port.impulse * group.share;
-            solver.take();
-            solver.state().store();
+    /// Slows a group down before positions advance. The same share of every displacement takes a link that has turned
+    /// off its length: such a block stays in its place.
+    void hold_back(const PortGroup<D>& group) {
+        slow_down(group);
+        const auto motion = motion_of(group);
+        typename Motion::Frame frame;
+        motion.find_frame(frame);
+        for (const auto& block : blocks_.attached_trees) {
+            const auto nodes = std::span(blocks_.nodes).subspan(block.first_node, block.unknowns);
+            const bool within = std::ranges::binary_search(motion.members(), swept_.slot_of[nodes.front().row]);
+            if (!within || keeps_lengths(motion, block)) continue;
+            for (const auto& node : nodes) {
+                const Row slot = swept_.slot_of[node.row];
+                swept_.set_move(slot, cast<Real>(frame.at(motion.place(slot))));
+            }
         }
-        group.lost = 0;
-        return share_left(group, owed);
+    }
+    bool keeps_lengths(const Motion& motion, const Block& block) const {
+        constexpr double slight = 1e-6;
+        const auto place = [&](std::uint32_t node) {
+            const Row slot = swept_.slot_of[blocks_.nodes[node].row];
+            return motion.place(slot) + motion.move(slot);
+        };
+        const auto links = std::span(blocks_.links).subspan(block.first_link, block.links - block.load_tethers);
+        return std::ranges::all_of(links, [&](const auto& link) {
+            const double length = norm(place(link.b) - place(link.a));
+            return length <= link.high * (1 + slight) && length >= link.low * (1 - slight);
+        });
     }
 
     void slow_down(const PortGroup<D>& group) {

@@ -112,7 +112,7 @@ template <int D, class Real> class GroupFinder {
         ports_.reached.assign(world_.particles.size(), 0);
         for (const auto& port : ports_.list) {
             const Row row = solver_.blocks.nodes[port.node].row;
-            if (ports_.reached[row]) continue;
+            if (ports_.reached[row] || !mobile(row)) continue;
             ports_.groups.push_back({.first = size(ports_.members),
                                      .first_spring = size(ports_.springs),
                                      .first_anchor = size(ports_.anchors)});
@@ -161,6 +161,8 @@ template <int D, class Real> class GroupFinder {
         group.members = size(ports_.members) - group.first;
         group.springs = size(ports_.springs) - group.first_spring;
         group.anchors = size(ports_.anchors) - group.first_anchor;
+        for (const Row slot : std::span(ports_.anchors).subspan(group.first_anchor))
+            ports_.reached[solver_.sweep_state.row_of[slot]] = 0; // a pin may hold several groups
     }
     bool mobile(Row row) const { return world_.particles.mobility[row] > Real(0); }
     /// `from` is one of the mobile members; the first of them lists the constraint.

@@ -55,7 +55,7 @@ template <int D, class Real> class CoupledSweep {
         solve_with_ports(substep, number);
         hold(substep, number);
         contacts.solve();
-        limiter.find_gains(number > 1 && number == substeps_.count);
+        limiter.find_gains();
         if (has_thin_cloth())
             truncate_thin_cloth<D, Real>(world_, solver_.sweep_state, solver_.contacts->thin, span(number));
         for (const auto& tile : plan_.tiles) substep.advance(tile);
