@@ -37,7 +37,7 @@ std::optional<Case> find_case(std::string_view name) {
     const auto size = whole(stem.substr(dash + 1));
     if (!size) return std::nullopt;
     for (const auto& family : families())
-        if (family.name == stem.substr(0, dash) && *size >= 2 && *size <= family.most && (family.has_direct || !direct))
+        if (family.name == stem.substr(0, dash) && *size >= 2 && *size <= family.max && (family.has_direct || !direct))
             return Case{std::string(name), &family, int(*size), direct};
     return std::nullopt;
 }

@@ -15,7 +15,7 @@ struct CaseFamily {
     std::string_view name;          ///< cases are NAME-SIZE: cloth-256
     std::string_view about;         ///< meaning of the size, and the world's contents
     std::vector<std::string> sizes; ///< sizes measured by default
-    double most = 0;                ///< largest size
+    double max = 0;                 ///< largest size
     bool has_direct = false;        ///< true: cases also run with the direct solver
     void (*build_float)(World<3, float>& world, int size) = nullptr;
     void (*build_double)(World<3, double>& world, int size) = nullptr;

@@ -148,7 +148,7 @@ std::optional<ContactCase> find_contact_case(std::string_view name) {
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), size);
     if (error != std::errc() || stop != digits.data() + digits.size()) return std::nullopt;
     for (const auto& family : contact_families())
-        if (family.name == name.substr(0, dash) && size >= 1 && size <= family.most)
+        if (family.name == name.substr(0, dash) && size >= 1 && size <= family.max)
             return ContactCase{std::string(name), &family, size};
     return std::nullopt;
 }

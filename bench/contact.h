@@ -39,7 +39,7 @@ struct ContactWork {
 struct ContactFamily {
     std::string_view name, about;
     std::vector<int> sizes; ///< measured by default
-    int most = 0;
+    int max = 0;
     ContactWork (*build)(int size) = nullptr;
 };
 const std::vector<ContactFamily>& contact_families();

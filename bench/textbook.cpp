@@ -47,7 +47,7 @@ void Textbook::satisfy() {
         b.x -= dx * s * b.inverse_mass, b.y -= dy * s * b.inverse_mass, b.z -= dz * s * b.inverse_mass;
     };
     for (const auto& stick : sticks_) correct(stick.a, stick.b, stick.rest, false);
-    for (const auto& strut : struts_) correct(strut.a, strut.b, strut.least, true);
+    for (const auto& strut : struts_) correct(strut.a, strut.b, strut.min, true);
 }
 
 Found Textbook::place(std::size_t particle) const {

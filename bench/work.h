@@ -18,10 +18,10 @@ struct Stick {
     float rest = 0;
 };
 
-/// A distance of at least `least`: limits the folding of a limb.
+/// A distance of at least `min`: limits the folding of a limb.
 struct Strut {
     std::uint32_t a = 0, b = 0;
-    float least = 0;
+    float min = 0;
 };
 
 struct Work {

@@ -74,7 +74,7 @@ void paint_item(cairo_t* context, Shape shape, Outline outline, double width, do
 
 /// Fills the rectangle between two corners with the paper colour and clips all further painting to the rectangle.
 void begin_pane(cairo_t* context, Outline corners, const Color& paper) {
-    const auto low = [&](int i) { return double(minimum(corners[0][i], corners[1][i])); };
+    const auto low = [&](int i) { return double(min(corners[0][i], corners[1][i])); };
     const auto side = [&](int i) { return double(absolute(corners[1][i] - corners[0][i])); };
     cairo_restore(context); // ends the previous pane
     cairo_save(context);
@@ -145,7 +145,7 @@ void paint(cairo_t* context, const Picture& picture) {
         if (item.shape == Shape::image) images.paint(item);
         if (item.shape == Shape::image || item.color.alpha <= 0) continue;
         // A width that is not a number also becomes one pixel.
-        const double width = item.width >= pixel ? minimum(double(item.width), farthest * pixel) : pixel;
+        const double width = item.width >= pixel ? min(double(item.width), farthest * pixel) : pixel;
         set_color(context, item.color);
         if (item.shape == Shape::text && item.number < picture.texts.size())
             write(context, picture.texts[item.number], outline[0], width, item.color, paper);
@@ -161,7 +161,7 @@ void paint_fitted(cairo_t* context, const Picture& picture, const Region& region
     cairo_clip(context);
     const double width = picture.width > 0 ? picture.width : region.width;
     const double height = picture.height > 0 ? picture.height : region.height;
-    const double scale = minimum(region.width / width, region.height / height);
+    const double scale = min(region.width / width, region.height / height);
     cairo_translate(context, region.x + (region.width - scale * width) / 2,
                     region.y + (region.height - scale * height) / 2);
     cairo_scale(context, scale, scale);

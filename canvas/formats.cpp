@@ -94,8 +94,8 @@ Failure size_problem(const std::string& what, long width, long height, int longe
     if (width < 1 || height < 1) return fmt::format("a size of {}x{} has no pixels", width, height);
     if (width > longest_side || height > longest_side)
         return fmt::format("{}x{} is too large: {} has at most {} pixels a side", width, height, what, longest_side);
-    if (width * height > most_pixels)
-        return fmt::format("{}x{} is too large: a picture has at most {} pixels in all", width, height, most_pixels);
+    if (width * height > max_pixels)
+        return fmt::format("{}x{} is too large: a picture has at most {} pixels in all", width, height, max_pixels);
     return {};
 }
 

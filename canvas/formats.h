@@ -25,7 +25,7 @@ struct Format {
 std::span<const Format> formats();
 
 /// Largest number of pixels of a picture: 8192 x 8192, a quarter of a gigabyte of memory.
-inline constexpr long most_pixels = 1L << 26;
+inline constexpr long max_pixels = 1L << 26;
 
 /// Extension with the dot, in lower case.
 std::string extension_of(const std::filesystem::path& path);

@@ -84,8 +84,8 @@ void paint_facet(cairo_t* context, const Facet& facet, const Grid& grid, const C
 /// True if the grid is a single facet: four corners of a parallelogram.
 bool is_flat(const Grid& grid) {
     if (grid.across != 2 || grid.down != 2) return false;
-    constexpr float least = 0.05F; // pixels
-    return norm(grid.at(1, 1) - grid.at(1, 0) - grid.at(0, 1) + grid.at(0, 0)) < least;
+    constexpr float min = 0.05F; // pixels
+    return norm(grid.at(1, 1) - grid.at(1, 0) - grid.at(0, 1) + grid.at(0, 0)) < min;
 }
 
 void paint_flat(cairo_t* context, const Grid& grid, const Color& over) {
@@ -137,8 +137,8 @@ void paint_bent(cairo_t* context, const Grid& grid, const Color& over) {
     if (!seen_part(context, grid.points, part)) return;
     double scale = 1, unused = 0;
     cairo_user_to_device_distance(context, &scale, &unused);
-    constexpr double finest = 3, most_pixels = 1 << 24;
-    const double fine = scale * std::fmin(finest, std::sqrt(most_pixels / (part.width * part.height * scale * scale)));
+    constexpr double finest = 3, max_pixels = 1 << 24;
+    const double fine = scale * std::fmin(finest, std::sqrt(max_pixels / (part.width * part.height * scale * scale)));
     const int width = std::max(int(std::ceil(part.width * fine)), 1),
               height = std::max(int(std::ceil(part.height * fine)), 1);
     const CairoSurface bent(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));

@@ -27,14 +27,14 @@ struct Close {
 };
 
 /// Reads the whole file into `bytes`. Returns the reason of a failure, or an empty string.
-std::string read_file(const std::filesystem::path& path, std::size_t most, Bytes& bytes) {
+std::string read_file(const std::filesystem::path& path, std::size_t max, Bytes& bytes) {
     struct stat about {};
     if (stat(path.c_str(), &about) != 0) return std::strerror(errno);
     if (!S_ISREG(about.st_mode)) return "it is not a file"; // reading a pipe would block
     const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rbe"));
     if (!file) return std::strerror(errno);
-    if (std::size_t(about.st_size) > most)
-        return fmt::format("it has {} bytes, at most {} are allowed", about.st_size, most);
+    if (std::size_t(about.st_size) > max)
+        return fmt::format("it has {} bytes, at most {} are allowed", about.st_size, max);
     bytes.resize(std::size_t(about.st_size));
     bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
     return std::ferror(file.get()) ? std::strerror(errno) : "";

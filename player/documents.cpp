@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = 256u << 20; // limit of a saved state
+constexpr std::size_t max_bytes = 256u << 20; // limit of a saved state
 constexpr std::size_t most_recent = 8;
 constexpr double draft_every = 5; // seconds
 constexpr std::string_view draft_origin = "// from ";
@@ -45,7 +45,7 @@ void Play::open(const std::string& scene, std::vector<Override> overrides) {
 
 void Play::open_now(const std::string& scene, std::vector<Override> overrides) {
     if (is_file_name(scene))
-        if (const auto text = read_file(scene, most_bytes); text && is_state(*text)) return open_state(scene);
+        if (const auto text = read_file(scene, max_bytes); text && is_state(*text)) return open_state(scene);
     auto fetched = library_.fetch(scene, overrides);
     if (!fetched.opened) return report_problem(std::move(fetched.problem));
     let_go_of_everything();
@@ -112,7 +112,7 @@ void Play::note_recent(const fs::path& path) {
 // --- running states --------------------------------------------------------------------------------------------------
 
 void Play::open_state(const fs::path& path) {
-    const auto text = read_file(path, most_bytes);
+    const auto text = read_file(path, max_bytes);
     Restoration restoration(text.value_or(""), path.string(), library_);
     if (!restoration.problem().empty()) return report_problem(restoration.problem());
     let_go_of_everything();
@@ -291,7 +291,7 @@ void Play::drop_draft() {
 }
 
 void Play::offer_draft() {
-    const auto text = read_file(draft_.path, most_bytes);
+    const auto text = read_file(draft_.path, max_bytes);
     if (!text) return;
     const auto forget = [this] { drop_draft(); };
     const auto open = [this, text = *text] {

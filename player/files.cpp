@@ -47,9 +47,9 @@ fs::path free_path(const fs::path& wanted) {
     return path;
 }
 
-std::optional<std::string> read_file(const fs::path& path, std::size_t most) {
+std::optional<std::string> read_file(const fs::path& path, std::size_t max) {
     std::error_code unknown;
-    if (!fs::is_regular_file(path, unknown) || fs::file_size(path, unknown) > most) return std::nullopt;
+    if (!fs::is_regular_file(path, unknown) || fs::file_size(path, unknown) > max) return std::nullopt;
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();

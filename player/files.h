@@ -21,8 +21,8 @@ void remove_file(const std::filesystem::path& path);
 /// A path without a file yet: ragdoll.png, ragdoll-2.png.
 std::filesystem::path free_path(const std::filesystem::path& wanted);
 
-/// Content of a regular file of at most `most` bytes; nothing if unreadable.
-std::optional<std::string> read_file(const std::filesystem::path& path, std::size_t most);
+/// Content of a regular file of at most `max` bytes; nothing if unreadable.
+std::optional<std::string> read_file(const std::filesystem::path& path, std::size_t max);
 
 /// Absolute path, for messages.
 std::string full_path(const std::filesystem::path& path);

@@ -7,7 +7,7 @@ namespace sinew::play {
 
 namespace fs = std::filesystem;
 
-std::vector<FolderEntry> entries_of(const fs::path& folder, const std::string& ending, std::size_t most) {
+std::vector<FolderEntry> entries_of(const fs::path& folder, const std::string& ending, std::size_t max) {
     std::vector<FolderEntry> entries;
     std::error_code unknown;
     for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, unknown), end; !unknown && at != end;
@@ -21,7 +21,7 @@ std::vector<FolderEntry> entries_of(const fs::path& folder, const std::string& e
     std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
         return std::tuple(!a.is_folder, a.name) < std::tuple(!b.is_folder, b.name);
     });
-    if (entries.size() > most) entries.resize(most);
+    if (entries.size() > max) entries.resize(max);
     if (!unknown && folder.has_parent_path() && folder.has_relative_path())
         entries.insert(entries.begin(), {"..", true});
     return entries;

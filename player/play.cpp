@@ -14,7 +14,7 @@ namespace sinew::play {
 namespace {
 
 constexpr double log_of_a_notch = 0.13976194237515863; // a notch of the wheel magnifies 1.15 times
-constexpr double most_notches = 20;                    // per event
+constexpr double max_notches = 20;                     // per event
 constexpr double look_every = 0.5;                     // seconds between checks of the scene's file
 
 bool follows_pointer(const PinSection& pin) {
@@ -187,7 +187,7 @@ void Play::handle(const Input& input) {
         void operator()(const Pressed& pressed) const { play.pressed(pressed.button); }
         void operator()(const Released& released) const { play.released(released.button); }
         void operator()(const Scrolled& scrolled) const {
-            const double notches = std::clamp(scrolled.notches, -most_notches, most_notches);
+            const double notches = std::clamp(scrolled.notches, -max_notches, max_notches);
             const auto& scene = play.session().scene();
             if (scene.pointer.wheel_time_scale > 0 && scene.solver.mode == "classic")
                 return play.timeline().act(Quicken{notches * scene.pointer.wheel_time_scale});

@@ -19,7 +19,7 @@ Edited read_again(Document document, const Scene& scene) {
         return {nullptr, "no mesh of the scene is of " + in_quotes(name), "open the scene again to read another file"};
     };
     if (auto opened = open_scene(document, {}, model)) return {std::move(opened->scene), "", {}};
-    auto problem = to_text(document.diagnostics, {.color = false, .most = 5});
+    auto problem = to_text(document.diagnostics, {.color = false, .max = 5});
     return {std::nullopt, std::move(problem), std::move(document.diagnostics)};
 }
 

@@ -115,7 +115,7 @@ class Player {
     /// An action of scripts.
     struct Action {
         std::string_view name;
-        std::size_t least, most; ///< number of words after the name
+        std::size_t min, max; ///< number of words after the name
         std::string (Player::*perform)(double at, const std::vector<std::string>& words);
     };
     static std::span<const Action> actions();
@@ -260,8 +260,8 @@ class Player {
 
     std::string paste(double, const Words& words) {
         const auto& path = words[0];
-        constexpr std::size_t most = 64u << 20; // bytes
-        const auto text = read_file(path, most);
+        constexpr std::size_t max = 64u << 20; // bytes
+        const auto text = read_file(path, max);
         if (!text) return path + " cannot be read";
         play_.open_text(*text, path);
         return "";
@@ -338,7 +338,7 @@ std::string read_line(const std::vector<std::string>& words, std::size_t number,
         return "nobody can " + in_quotes(words[1]) + "; " + suggest(words[1], names);
     }
     const auto count = words.size() - 2;
-    if (count < action->least || count > action->most)
+    if (count < action->min || count > action->max)
         return concat(in_quotes(words[1]), " with ", count, count == 1 ? " word" : " words");
     script.lines.push_back({*at, words[1], {words.begin() + 2, words.end()}, number});
     return "";

@@ -12,7 +12,7 @@
 namespace sinew::play {
 namespace {
 
-constexpr std::int64_t most_steps = 100'000'000; // 19 days at 60 per second
+constexpr std::int64_t max_steps = 100'000'000; // 19 days at 60 per second
 
 struct StateFile {
     int version = 1;
@@ -29,7 +29,7 @@ struct StateFile {
         visit(self.steps, Field{.name = "steps",
                                 .help = "Number of steps from the start of the scene",
                                 .low = 0,
-                                .high = double(most_steps),
+                                .high = double(max_steps),
                                 .required = true});
         visit(self.hash, Field{.name = "hash", .help = "Hash of the final state", .required = true});
         visit(self.scene, Field{.name = "scene", .help = "Scene, as in a scene file", .required = true});
@@ -74,7 +74,7 @@ Restoration::Restoration(const std::string& text, const std::string& name, const
     Reading reading{.diagnostics = document.diagnostics, .dimension = dimension_of(document.root)};
     if (document.diagnostics.ok()) read(document.root, file, reading);
     if (!document.diagnostics.ok()) {
-        problem_ = to_text(document.diagnostics, {.color = false, .most = 5});
+        problem_ = to_text(document.diagnostics, {.color = false, .max = 5});
         return;
     }
     from_ = file.from, hash_ = file.hash;

@@ -11,7 +11,7 @@ namespace {
 constexpr double remembered = 60;          // seconds of restorable past
 constexpr double between_marks = 0.25;     // seconds between snapshots, doubled when `memory` is used up
 constexpr std::size_t memory = 256u << 20; // bytes of all snapshots, estimated; beyond, half are dropped
-constexpr std::size_t most_edits = 64;
+constexpr std::size_t max_edits = 64;
 
 /// Estimated bytes of a copied session, and of each of its parts.
 constexpr std::size_t empty = 50'000, a_particle = 200, a_constraint = 100, a_piece = 150;
@@ -129,8 +129,8 @@ void Timeline::mark() {
     const auto kept = steps_in(remembered, session_);
     while (marks_.size() > 1 && marks_[1].step + kept <= now_) marks_.pop_front();
     while (!done_.empty() && done_.front().step < marks_.front().step) done_.pop_front();
-    const auto most = std::max<std::size_t>(memory / bytes_of(session_), 4);
-    if (marks_.size() <= most) return;
+    const auto max = std::max<std::size_t>(memory / bytes_of(session_), 4);
+    if (marks_.size() <= max) return;
     spacing_ *= 2;
     std::deque<Mark> every_second;
     for (std::size_t i = 0; i < marks_.size(); i += 2) every_second.push_back(std::move(marks_[i]));
@@ -155,7 +155,7 @@ void Timeline::edit(Action action, std::string name, bool goes_on) {
     act(std::move(action));
     if (!std::holds_alternative<Become>(edit.again)) edit.again = return_here();
     edits_.push_back(std::move(edit));
-    if (edits_.size() > most_edits) edits_.pop_front();
+    if (edits_.size() > max_edits) edits_.pop_front();
 }
 
 void Timeline::finish_edit() {

@@ -36,8 +36,7 @@ void Touch::move(std::int64_t finger, Vec2<double> to) {
     if (fingers_.size() == 2) {
         const auto& other = fingers_[found == fingers_.begin() ? 1 : 0];
         constexpr double close = 8; // pixels: the distance of touching fingers is too uncertain for a ratio
-        const double before = maximum(distance(found->at, other.at), close),
-                     after = maximum(distance(to, other.at), close);
+        const double before = max(distance(found->at, other.at), close), after = max(distance(to, other.at), close);
         const auto from = middle(found->at, other.at), at = middle(to, other.at);
         play_.handle(Moved{at});
         play_.handle(Pinched{at - from, after / before});

@@ -51,10 +51,10 @@ template <int D, class Real = double> struct Flight {
     /// Angular momentum about the centre.
     Vec3<double> spin() const { return angular_momentum(world) - moment_of(center_of_mass(world), momentum(world)); }
     double size() const {
-        double most = 0;
+        double max = 0;
         for (const auto& place : world.particles.position)
-            most = std::max(most, distance(cast<double>(place), center_of_mass(world)));
-        return most;
+            max = std::max(max, distance(cast<double>(place), center_of_mass(world)));
+        return max;
     }
     void fly(double seconds) {
         for (int i = 0; i < int(seconds * 60); ++i) step(world, Real(1) / 60);

@@ -56,8 +56,8 @@ template <class WorldT> class RandomCalls {
 
     /// Usually what is asked for; among extreme numbers, any.
     Real number(double low, double high) {
-        constexpr auto most = double(std::numeric_limits<float>::max());
-        constexpr std::array extremes = {0.0, 1e-38, 1e-12, 1e-3, 1.0, 1e8, 1e12, 1e30, most};
+        constexpr auto max = double(std::numeric_limits<float>::max());
+        constexpr std::array extremes = {0.0, 1e-38, 1e-12, 1e-3, 1.0, 1e8, 1e12, 1e30, max};
         if (numbers_ == Numbers::usual || one_in(3)) return Real(between_numbers(low, high));
         return Real(one_of(extremes) * (one_in(2) ? 1 : -1));
     }

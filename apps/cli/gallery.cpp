@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double most_width = 320, most_height = 240; // pixels
+constexpr double max_width = 320, max_height = 240; // pixels
 constexpr double film_fps = 10, film_seconds = 5;
 
 std::unique_ptr<canvas::Writer> open(const Scrap& scrap, const Picture& picture) {
@@ -43,7 +43,7 @@ struct Reel {
 /// Picture with the scene's aspect ratio.
 Picture paper_of(const Scene& scene) {
     const double width = scene.view.size[0], height = scene.view.size[1];
-    const double scale = minimum(most_width / width, most_height / height);
+    const double scale = min(max_width / width, max_height / height);
     Picture picture;
     picture.width = std::max(int(width * scale + 0.5), 1);
     picture.height = std::max(int(height * scale + 0.5), 1);

@@ -18,7 +18,7 @@ namespace sinew::cli {
 namespace {
 
 constexpr std::string_view shape = "a line is TIME, X, Y, BUTTON: 30, 320, 240, 1 holds what is there at that time";
-constexpr std::size_t most_bytes = std::size_t(1) << 26U;
+constexpr std::size_t max_bytes = std::size_t(1) << 26U;
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blank = " \t\r";
@@ -66,7 +66,7 @@ double end_of_step(const Session& session) {
 } // namespace
 
 PointerPath PointerPath::read(const std::filesystem::path& path) {
-    const auto file = read_text(path, most_bytes);
+    const auto file = read_text(path, max_bytes);
     const auto text = without_mark(file);
     PointerPath read;
     std::size_t number = 1;

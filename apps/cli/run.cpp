@@ -21,10 +21,10 @@ namespace {
 class StepTimes {
   public:
     void add(double milliseconds) {
-        if (times.size() < most)
+        if (times.size() < max)
             times.push_back(milliseconds);
         else
-            times[count % most] = milliseconds;
+            times[count % max] = milliseconds;
         ++count;
     }
 
@@ -38,7 +38,7 @@ class StepTimes {
     }
 
   private:
-    static constexpr std::size_t most = 1 << 16;
+    static constexpr std::size_t max = 1 << 16;
     std::vector<double> times;
     std::size_t count = 0;
 };
@@ -64,10 +64,10 @@ StepTimes timed(Run& run, std::uint64_t steps, const std::string& label, std::op
 }
 
 json::Array events_json(const Session& session) {
-    constexpr std::size_t most = 100;
+    constexpr std::size_t max = 100;
     json::Array events;
     for (const auto& happening : session.happenings()) {
-        if (events.size() == most) break;
+        if (events.size() == max) break;
         json::Object event{{"seconds", happening.seconds}, {"what", happening.what}, {"where", happening.where}};
         if (happening.islands > 0) event.push_back({"islands", happening.islands});
         if (!happening.with.empty()) event.push_back({"with", happening.with});

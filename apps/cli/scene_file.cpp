@@ -51,22 +51,22 @@ struct ReadText {
     std::string text, problem, help;
 };
 
-/// Reads at most `most` bytes, and one more to detect a longer file.
-ReadText read_bytes(std::FILE* file, std::size_t most) {
+/// Reads at most `max` bytes, and one more to detect a longer file.
+ReadText read_bytes(std::FILE* file, std::size_t max) {
     std::string text;
-    while (text.size() <= most) {
+    while (text.size() <= max) {
         char block[16384];
-        const auto wanted = std::min(sizeof block, most + 1 - text.size());
+        const auto wanted = std::min(sizeof block, max + 1 - text.size());
         const auto read = std::fread(block, 1, wanted, file);
         text.append(block, read);
         if (std::ferror(file)) return {"", std::strerror(errno), ""};
         if (read < wanted) return {std::move(text), "", ""};
     }
-    return {"", fmt::format("more than {} bytes", most), "limits.bytes=N allows more"};
+    return {"", fmt::format("more than {} bytes", max), "limits.bytes=N allows more"};
 }
 
-std::string read_at_most(std::FILE* file, const std::string& name, std::size_t most) {
-    auto [text, problem, help] = read_bytes(file, most);
+std::string read_at_most(std::FILE* file, const std::string& name, std::size_t max) {
+    auto [text, problem, help] = read_bytes(file, max);
     if (!problem.empty()) refuse(name, problem, help);
     return std::move(text);
 }
@@ -92,17 +92,17 @@ ReadModel read_model_at(const fs::path& path, const std::string& name, const Lim
     refuse(path.string(), std::strerror(reason), meant.empty() ? "" : fmt::format("the catalogue has {}", meant));
 }
 
-std::string read_path(const fs::path& path, std::size_t most) {
+std::string read_path(const fs::path& path, std::size_t max) {
     std::error_code unknown;
     if (fs::is_directory(path, unknown)) refuse(path.string(), "a folder, not a scene file");
     const File file(std::fopen(path.c_str(), "rb"));
     if (!file) refuse_path(path, errno);
-    return read_at_most(file.get(), path.string(), most);
+    return read_at_most(file.get(), path.string(), max);
 }
 
 /// Standard input can be read only once: later calls return the same text.
-const std::string& standard_input(std::size_t most) {
-    static const std::string text = read_at_most(stdin, "<stdin>", most);
+const std::string& standard_input(std::size_t max) {
+    static const std::string text = read_at_most(stdin, "<stdin>", max);
     return text;
 }
 
@@ -114,10 +114,10 @@ std::size_t bytes_allowed(std::span<const Override> overrides) {
 } // namespace
 
 Document open_document(const std::string& word, std::span<const Override> overrides) {
-    const auto most = bytes_allowed(overrides);
-    if (word == "-") return load(standard_input(most), "<stdin>", overrides);
+    const auto max = bytes_allowed(overrides);
+    if (word == "-") return load(standard_input(max), "<stdin>", overrides);
     const auto path = path_of(word);
-    return load(read_path(path, most), path.string(), overrides);
+    return load(read_path(path, max), path.string(), overrides);
 }
 
 namespace {
@@ -136,7 +136,7 @@ Opened open_in(const fs::path& folder, Document document, WatchedFiles* read = n
         return read_model_at(folder / name, name, limits);
     };
     if (auto opened = open_scene(document, read_image, read_obj_file)) return std::move(*opened);
-    const PrintStyle style{.color = has_color(stderr), .most = std::size_t(document.limits.errors)};
+    const PrintStyle style{.color = has_color(stderr), .max = std::size_t(document.limits.errors)};
     throw CommandError{bad_input, to_text(document.diagnostics, style)};
 }
 
@@ -155,12 +155,12 @@ fs::path scene_path(const std::string& word) {
     return word == "-" ? fs::path() : path_of(word);
 }
 
-std::string read_text(const fs::path& path, std::size_t most) {
+std::string read_text(const fs::path& path, std::size_t max) {
     std::error_code unknown;
     if (fs::is_directory(path, unknown)) refuse(path.string(), "a folder, not a file");
     const File file(std::fopen(path.c_str(), "rb"));
     if (!file) refuse(path.string(), std::strerror(errno));
-    auto read = read_bytes(file.get(), most);
+    auto read = read_bytes(file.get(), max);
     if (!read.problem.empty()) refuse(path.string(), read.problem);
     return std::move(read.text);
 }

@@ -25,8 +25,8 @@ Document open_document(const std::string& word, std::span<const Override> overri
 /// Path of the scene's file; empty for standard input. Throws CommandError if no scene has the name.
 std::filesystem::path scene_path(const std::string& word);
 
-/// Reads a text file of at most `most` bytes. Throws CommandError.
-std::string read_text(const std::filesystem::path& path, std::size_t most);
+/// Reads a text file of at most `max` bytes. Throws CommandError.
+std::string read_text(const std::filesystem::path& path, std::size_t max);
 
 /// Base name of files made from the scene: "ragdoll", "mine", "scene".
 std::string title_of(const std::string& word);

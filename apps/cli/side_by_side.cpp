@@ -11,7 +11,7 @@ namespace sinew::cli {
 namespace {
 
 /// Each thread has files and a child process to clean up on an interruption (canvas/interrupt.h remembers 32 of each).
-constexpr std::size_t most_at_once = 4;
+constexpr std::size_t max_at_once = 4;
 
 } // namespace
 
@@ -37,7 +37,7 @@ void side_by_side(std::size_t count, const std::function<void(std::size_t)>& wor
     {
         const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
         std::vector<std::jthread> others;
-        for (std::size_t i = 1; i < std::min({processors, most_at_once, count}); ++i) others.emplace_back(take_turns);
+        for (std::size_t i = 1; i < std::min({processors, max_at_once, count}); ++i) others.emplace_back(take_turns);
         take_turns();
     }
     for (const auto& error : thrown)

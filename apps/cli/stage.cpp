@@ -16,7 +16,7 @@
 namespace sinew::cli {
 namespace {
 
-constexpr std::size_t most_variants = 4;
+constexpr std::size_t max_variants = 4;
 
 /// Splits at commas outside brackets, braces and quotes: "world.gravity=[0,1]" stays whole.
 std::vector<std::string> split_at_commas(const std::string& list) {
@@ -65,8 +65,8 @@ std::vector<std::string> variants_in(const std::string& list) {
             usage_error(fmt::format("--beside: {} is neither a mode nor key=value", in_quotes(variant)),
                         suggest(variant, modes));
     }
-    if (variants.size() < 2 || variants.size() > most_variants)
-        usage_error(fmt::format("--beside takes 2 to {} variants, found {}", most_variants, variants.size()),
+    if (variants.size() < 2 || variants.size() > max_variants)
+        usage_error(fmt::format("--beside takes 2 to {} variants, found {}", max_variants, variants.size()),
                     "such as --beside classic,physical");
     return variants;
 }

@@ -28,8 +28,8 @@ struct Arrangement {
         Arrangement layout;
         layout.scene = {0, 0, std::max(width, 1), std::max(height, 1)};
         const float wide = float(width) / scale, high = float(height) / scale; // nominal pixels
-        constexpr float least_width = 330, least_height = 190, dock_width = 860, side_width = 340;
-        if (!panel || wide < least_width || high < least_height) return layout;
+        constexpr float min_width = 330, min_height = 190, dock_width = 860, side_width = 340;
+        if (!panel || wide < min_width || high < min_height) return layout;
         layout.bars = true;
         layout.docked = wide >= dock_width;
         const auto pixels = [&](float nominal) { return int(nominal * scale); };

@@ -90,7 +90,7 @@ bool is_paintable(std::span<const Vec2<float>> outline) {
 std::optional<Vec2<float>> mitre(Vec2<float> a, Vec2<float> b, Vec2<float> c, float wide) {
     const auto along = direction(b - a), next = direction(c - b);
     const float straight = 1 + dot(along, next);
-    const auto out = (perpendicular(along) + perpendicular(next)) * (wide / maximum(straight, 1e-3F));
+    const auto out = (perpendicular(along) + perpendicular(next)) * (wide / max(straight, 1e-3F));
     const float inwards = absolute(dot(out, along)); // length of the corner along its sides
     if (straight < 1.5F || inwards > distance(a, b) / 2 || inwards > distance(b, c) / 2) return std::nullopt;
     return out;
@@ -225,8 +225,8 @@ void GlPainter::use(std::uint32_t texture) {
 void GlPainter::begin_pane(std::span<const Vec2<float>> corners, const Color& paper) {
     if (corners.size() != 2) return;
     constexpr float far = 1e6F; // pixels
-    const auto low = [&](int i) { return clamp(std::floor(minimum(corners[0][i], corners[1][i])), -far, far); };
-    const auto high = [&](int i) { return clamp(std::ceil(maximum(corners[0][i], corners[1][i])), -far, far); };
+    const auto low = [&](int i) { return clamp(std::floor(min(corners[0][i], corners[1][i])), -far, far); };
+    const auto high = [&](int i) { return clamp(std::ceil(max(corners[0][i], corners[1][i])), -far, far); };
     const auto side = [&](int i) { return high(i) - low(i); };
     batches_.push_back({batches_.back().texture,
                         std::uint32_t(indices_.size()),

@@ -32,10 +32,10 @@ template <class WorldT> class Shown {
         double mass = double(inverse_or_zero(p.inverse_mass[row_]));
         window::label("mass", "how heavy it is", look_.faint);
         const auto format = number_format("%.4g", units.text(unit::mass));
-        constexpr double least = 1e-6, most = 1e9;
+        constexpr double min = 1e-6, max = 1e9;
         if (mass <= 0)
             ImGui::TextColored(look_.faint, "nothing moves it");
-        else if (ImGui::DragScalar("##mass", ImGuiDataType_Double, &mass, float(mass * 0.01), &least, &most,
+        else if (ImGui::DragScalar("##mass", ImGuiDataType_Double, &mass, float(mass * 0.01), &min, &max,
                                    format.c_str()))
             tweak.mass = mass;
         return tweak.position || tweak.velocity || tweak.mass ? std::optional(tweak) : std::nullopt;
@@ -57,10 +57,10 @@ template <class WorldT> class Shown {
 
     template <class Table> void of_kind(const Table& table, int kind, int& shown) {
         using Kind = typename Table::Kind;
-        constexpr int most = 6;
+        constexpr int max = 6;
         const auto units = play_.session().scene().measures();
         constexpr Unit measured{.length = Kind::length_power, .angle = Kind::period > 0};
-        for (Row i = 0; i < table.size() && shown < most; ++i) {
+        for (Row i = 0; i < table.size() && shown < max; ++i) {
             const auto members = table.members[i];
             if (std::find(members.begin(), members.end(), row_) == members.end()) continue;
             const auto state = constraint_state(world_, {kind, table.slots.id_of(i)});

@@ -185,8 +185,8 @@ void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
     section(section_layout("solver"), "solver");
     const auto* own = json::find(root, "figures");
     if (const auto* figures = own ? own->value.as<json::Array>() : nullptr) {
-        constexpr std::size_t most = 12; // figures; larger crowds are edited in the file
-        for (std::size_t i = 0; i < std::min(figures->size(), most); ++i) {
+        constexpr std::size_t max = 12; // figures; larger crowds are edited in the file
+        for (std::size_t i = 0; i < std::min(figures->size(), max); ++i) {
             title(std::string(sinew::name_of(play.session().scene().figures[i])));
             form.record(figure_layout(), &(*figures)[i], "figures." + std::to_string(i));
         }

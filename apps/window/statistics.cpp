@@ -12,9 +12,9 @@
 namespace sinew::window {
 namespace {
 
-template <class Deque, class Value> void keep(Deque& deque, Value value, std::size_t most) {
+template <class Deque, class Value> void keep(Deque& deque, Value value, std::size_t max) {
     deque.push_back(value);
-    if (deque.size() > most) deque.pop_front();
+    if (deque.size() > max) deque.pop_front();
 }
 
 /// Draws the background of a graph; returns two corners.
@@ -27,13 +27,13 @@ std::array<ImVec2, 2> graph_frame(const Look& look, float height) {
 }
 
 template <class Values, class ValueOf>
-void plot(const std::array<ImVec2, 2>& frame, const Values& values, float low, float high, std::size_t most,
-          ImU32 color, float thick, ValueOf&& value_of) {
+void plot(const std::array<ImVec2, 2>& frame, const Values& values, float low, float high, std::size_t max, ImU32 color,
+          float thick, ValueOf&& value_of) {
     if (values.size() < 2 || high <= low) return;
     auto& list = *ImGui::GetWindowDrawList();
     const float inset = 4, width = frame[1].x - frame[0].x, height = frame[1].y - frame[0].y - 2 * inset;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const float x = frame[1].x - width * float(values.size() - 1 - i) / float(most - 1);
+        const float x = frame[1].x - width * float(values.size() - 1 - i) / float(max - 1);
         const float share = (value_of(values[i]) - low) / (high - low);
         list.PathLineTo({x, frame[1].y - inset - height * std::clamp(share, 0.0F, 1.0F)});
     }
@@ -105,7 +105,7 @@ void Statistics::steps(double seconds, std::uint64_t count, const PhaseTimes& ph
     for (std::size_t i = 0; i < phases.seconds.size(); ++i)
         times[i] = float(sum += phases.seconds[i] * 1000 / double(phases.steps));
     times.back() = std::max(float(each), times[times.size() - 2]);
-    keep(step_times_, times, most);
+    keep(step_times_, times, max);
 }
 
 void Statistics::sample(play::Play& play) {
@@ -121,7 +121,7 @@ void Statistics::sample(play::Play& play) {
     const double joules = units.per_second * units.per_second / (units.per_metre * units.per_metre);
     keep(energies_,
          Energies{float(report_.kinetic * joules), float(report_.potential * joules), float(report_.stored * joules)},
-         most);
+         max);
 }
 
 void Statistics::show(play::Play& play, const Look& look, const Fonts& fonts, float scale) {
@@ -179,7 +179,7 @@ void Statistics::times(const Look& look, float scale) const {
                 text("to %.2g ms", double(slowest)), legend, look);
     const auto frame = graph_frame(look, 52 * scale);
     for (std::size_t i = 0; i < colors.size(); ++i)
-        plot(frame, step_times_, 0, slowest, most, packed(colors[i]), 1.3F * scale,
+        plot(frame, step_times_, 0, slowest, max, packed(colors[i]), 1.3F * scale,
              [i](const StepTimes& time) { return time[i]; });
 }
 
@@ -194,11 +194,11 @@ void Statistics::energies(const Look& look, float scale) const {
                 text("%.3g to ", double(low)) + text("%.3g J", double(high)),
                 {{"kinetic", look.accent}, {"potential", look.cool}, {"total", look.good}}, look);
     const auto frame = graph_frame(look, 80 * scale);
-    plot(frame, energies_, low, high, most, packed(look.cool), 1.5F * scale,
+    plot(frame, energies_, low, high, max, packed(look.cool), 1.5F * scale,
          [&](const Energies& e) { return e.potential - origin; });
-    plot(frame, energies_, low, high, most, packed(look.accent), 1.5F * scale,
+    plot(frame, energies_, low, high, max, packed(look.accent), 1.5F * scale,
          [](const Energies& e) { return e.kinetic; });
-    plot(frame, energies_, low, high, most, packed(look.good), 2 * scale,
+    plot(frame, energies_, low, high, max, packed(look.good), 2 * scale,
          [&](const Energies& e) { return total(e) - origin; });
 }
 

@@ -28,7 +28,7 @@ class Statistics {
     void times(const Look& look, float scale) const;
     void energies(const Look& look, float scale) const;
 
-    static constexpr std::size_t most = 240;
+    static constexpr std::size_t max = 240;
 
     struct Energies {
         float kinetic, potential, stored; ///< joules

@@ -51,7 +51,7 @@ CaseFamily family::cloth() {
     return {.name = "cloth",
             .about = "the cloth prefab, SIZE particles wide and high, on two corners",
             .sizes = {"64", "256", "1024"},
-            .most = 4096,
+            .max = 4096,
             .build_float = hang<float>,
             .build_double = hang<double>};
 }
@@ -60,7 +60,7 @@ CaseFamily family::swing() {
     return {.name = "swing",
             .about = "the same let go level: it swings down and snaps taut",
             .sizes = {"64", "256"},
-            .most = 4096,
+            .max = 4096,
             .build_float = let_go<float>,
             .build_double = let_go<double>};
 }
@@ -69,7 +69,7 @@ CaseFamily family::scale() {
     return {.name = "scale",
             .about = "the cloth of about SIZE constraints: what one costs when there are many",
             .sizes = {"1e3", "1e4", "1e5", "1e6", "4e6"},
-            .most = 6e7,
+            .max = 6e7,
             .build_float = hang_for<float>,
             .build_double = hang_for<double>};
 }

@@ -19,7 +19,7 @@ CaseFamily family::heavy() {
     return {.name = "heavy",
             .about = "a rope of 100 links that hangs, a weight of SIZE links on its end",
             .sizes = {},
-            .most = 1e9,
+            .max = 1e9,
             .has_direct = true,
             .build_float = hang<float>,
             .build_double = hang<double>};

@@ -66,7 +66,7 @@ CaseFamily family::mesh() {
     return {.name = "mesh",
             .about = "the same cloth as a mesh read from an OBJ file, its points and triangles in no order",
             .sizes = {"64", "256"}, // 1024 takes minutes to build: on request only
-            .most = 2048,
+            .max = 2048,
             .build_float = hang<float>,
             .build_double = hang<double>};
 }

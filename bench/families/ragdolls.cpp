@@ -68,7 +68,7 @@ CaseFamily family::ragdolls() {
     return {.name = "ragdolls",
             .about = "SIZE ragdolls of 15 points, 21 distances and 4 limits, tumbling freely",
             .sizes = {"1000"},
-            .most = 1e6,
+            .max = 1e6,
             .has_direct = true,
             .build_float = tumble<float>,
             .build_double = tumble<double>};

@@ -23,7 +23,7 @@ CaseFamily family::ropes() {
     return {.name = "ropes",
             .about = "SIZE ropes of 20 links, held at one end, released level",
             .sizes = {"10000"},
-            .most = 1e6,
+            .max = 1e6,
             .has_direct = true,
             .build_float = hang<float>,
             .build_double = hang<double>};

@@ -25,7 +25,7 @@ class Box2D final : public Simulation {
             bodies_.back()->SetMassData(&mass);
         }
         for (const auto& stick : work.sticks) tie(stick.a, stick.b, stick.rest, stick.rest);
-        for (const auto& strut : work.struts) tie(strut.a, strut.b, strut.least, b2_maxFloat);
+        for (const auto& strut : work.struts) tie(strut.a, strut.b, strut.min, b2_maxFloat);
     }
 
     void step() override {
@@ -42,14 +42,14 @@ class Box2D final : public Simulation {
     b2World world_;
     std::vector<b2Body*> bodies_;
 
-    void tie(std::uint32_t a, std::uint32_t b, float least, float most) {
+    void tie(std::uint32_t a, std::uint32_t b, float min, float max) {
         b2DistanceJointDef def;
         def.bodyA = bodies_[a];
         def.bodyB = bodies_[b];
         def.collideConnected = true;
-        def.length = least;
-        def.minLength = least;
-        def.maxLength = most;
+        def.length = min;
+        def.minLength = min;
+        def.maxLength = max;
         world_.CreateJoint(&def);
     }
 };

@@ -41,7 +41,7 @@ class Chipmunk final : public Simulation {
             add(joint);
         }
         for (const auto& strut : work.struts)
-            add(cpSlideJointNew(bodies_[strut.a], bodies_[strut.b], cpvzero, cpvzero, strut.least,
+            add(cpSlideJointNew(bodies_[strut.a], bodies_[strut.b], cpvzero, cpvzero, strut.min,
                                 std::numeric_limits<double>::infinity()));
     }
     Chipmunk(const Chipmunk&) = delete;

@@ -33,7 +33,7 @@ json::Value prefabs() {
 
 template <std::size_t count> json::Array kinds_of(const std::array<KindInfo, count>& kinds) {
     json::Array all;
-    for (const auto& kind : kinds) all.push_back(json::Object{{"name", kind.name}, {"particles", kind.least_arity}});
+    for (const auto& kind : kinds) all.push_back(json::Object{{"name", kind.name}, {"particles", kind.min_arity}});
     return all;
 }
 

@@ -45,7 +45,7 @@ bool has_nan(const sinew_constraint_spec& spec) {
 template <int D> bool takes(std::uint32_t kind, std::size_t count) {
     if (kind >= kinds_in<D>.size()) return false;
     const auto& info = kinds_in<D>[kind];
-    return info.any_arity ? count >= std::size_t(info.least_arity) : count == std::size_t(info.least_arity);
+    return info.any_arity ? count >= std::size_t(info.min_arity) : count == std::size_t(info.min_arity);
 }
 
 /// The pixel of a position in the view that the scene asks for, and the pixels of `radius`.

@@ -24,14 +24,14 @@ using Lock = std::scoped_lock<std::mutex>;
 /// Any bits are safe: an unknown handle finds nothing.
 template <class T> class Handles {
   public:
-    static constexpr std::uint32_t most = 1u << 12; ///< open objects
+    static constexpr std::uint32_t max = 1u << 12; ///< open objects
 
     /// Takes the object; 0 if there are too many.
     std::uint32_t add(std::unique_ptr<T> object) {
         const Lock lock(mutex_);
         std::uint32_t slot = 0;
         while (slot < slots_.size() && slots_[slot].object) ++slot;
-        if (slot == most) return 0;
+        if (slot == max) return 0;
         if (slot == slots_.size()) slots_.emplace_back();
         slots_[slot].object = std::move(object);
         return slots_[slot].generation << 12 | slot;
@@ -60,7 +60,7 @@ template <class T> class Handles {
     };
 
     Slot* slot_of(std::uint32_t handle) {
-        const auto slot = handle % most;
+        const auto slot = handle % max;
         const bool known = slot < slots_.size() && slots_[slot].object && slots_[slot].generation == handle >> 12;
         return known ? &slots_[slot] : nullptr;
     }

@@ -12,7 +12,7 @@
 namespace sinew::c {
 namespace {
 
-constexpr std::size_t most_events = 1000;
+constexpr std::size_t max_events = 1000;
 constexpr std::array of_host = {
     std::string_view("new"),          std::string_view("open"),           std::string_view("save"),
     std::string_view("save_as"),      std::string_view("copy"),           std::string_view("paste"),
@@ -82,7 +82,7 @@ bool Player::open(SceneFile next) {
         json::Object object{{"what", told.what}};
         object.insert(object.end(), told.more.begin(), told.more.end());
         events.push_back(json::to_text(object));
-        if (events.size() > most_events) events.pop_front();
+        if (events.size() > max_events) events.pop_front();
     };
     for (const auto simulation : simulations)
         if (auto* known = c::simulations().find(simulation)) known->player = play.get();

@@ -39,7 +39,7 @@ std::uint64_t number_of(std::uint32_t slot, std::uint32_t generation) {
 namespace {
 
 constexpr int kind_bits = 5;
-constexpr std::uint32_t most_slots = 1u << (32 - kind_bits);
+constexpr std::uint32_t max_slots = 1u << (32 - kind_bits);
 
 sinew_status add(Session session, sinew_simulation* handle) {
     auto simulation = std::make_unique<Simulation>();
@@ -53,13 +53,13 @@ sinew_status add(Session session, sinew_simulation* handle) {
 } // namespace
 
 std::uint64_t number_of(const ConstraintId& id) {
-    if (id.kind < 0 || id.id.slot >= most_slots) return SINEW_NO_ID;
-    return number_of(std::uint32_t(id.kind) * most_slots + id.id.slot, id.id.generation);
+    if (id.kind < 0 || id.id.slot >= max_slots) return SINEW_NO_ID;
+    return number_of(std::uint32_t(id.kind) * max_slots + id.id.slot, id.id.generation);
 }
 
 ConstraintId constraint_of(std::uint64_t number) {
     const auto slot = std::uint32_t(number);
-    return {int(slot / most_slots), {slot % most_slots, std::uint32_t(number >> 32)}};
+    return {int(slot / max_slots), {slot % max_slots, std::uint32_t(number >> 32)}};
 }
 
 } // namespace sinew::c

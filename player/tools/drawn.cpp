@@ -12,10 +12,10 @@ class Stroke {
     void begin(const Play& play) { points_.assign(1, play.pointer()); }
 
     void go_on(const Play& play) {
-        const double least = 14 * play.density(); // nominal pixels between points
-        for (double left = distance(points_.back(), play.pointer()); left >= least && points_.size() < most;
+        const double min = 14 * play.density(); // nominal pixels between points
+        for (double left = distance(points_.back(), play.pointer()); left >= min && points_.size() < max;
              left = distance(points_.back(), play.pointer()))
-            points_.push_back(points_.back() + (play.pointer() - points_.back()) * (least / left));
+            points_.push_back(points_.back() + (play.pointer() - points_.back()) * (min / left));
     }
 
     std::size_t size() const { return points_.size(); }
@@ -51,7 +51,7 @@ class Stroke {
     static std::string name(std::size_t i) { return concat("p", i); }
 
   private:
-    static constexpr std::size_t most = 400;
+    static constexpr std::size_t max = 400;
     std::vector<Vec2<double>> points_;
 };
 

@@ -46,12 +46,12 @@ class ClothTool final : public Tool {
 
     void add(Play& play) const {
         constexpr double cell = 14; // nominal pixels
-        constexpr int most = 60;
+        constexpr int max = 60;
         const auto view = play.view();
         const double depth = depth_of_middle(play);
         const auto a = from_, b = play.pointer();
         const auto width = std::abs(b[0] - a[0]), height = std::abs(b[1] - a[1]);
-        const double pixels = std::max({cell * play.density(), width / most, height / most});
+        const double pixels = std::max({cell * play.density(), width / max, height / max});
         const int columns = int(width / pixels) + 1, rows = int(height / pixels) + 1;
         if (columns < 2 || rows < 2) return;
         const double spacing = distance(view.place_of({{0, 0}}, depth).as<3, double>(),

@@ -19,7 +19,7 @@ template <int D, class Real> struct BoundingBox {
     }
 
     void include(const Vector& point) {
-        for (int i = 0; i < D; ++i) low[i] = minimum(low[i], point[i]), high[i] = maximum(high[i], point[i]);
+        for (int i = 0; i < D; ++i) low[i] = min(low[i], point[i]), high[i] = max(high[i], point[i]);
     }
     BoundingBox grown(Real by) const {
         const auto margin = Vector::map([by](int) { return by; });

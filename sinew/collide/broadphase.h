@@ -45,7 +45,7 @@ template <int D, class Real> class Broadphase {
     std::vector<Entry> entries_, sorted_;
     std::vector<Pair> pairs_;
 
-    static constexpr std::int64_t most_cells = D == 2 ? 16 : 64; ///< boxes over more cells are compared with all others
+    static constexpr std::int64_t max_cells = D == 2 ? 16 : 64; ///< boxes over more cells are compared with all others
 
     /// Cells twice as wide as the mean box.
     void choose_cell(std::span<const BoxT> boxes) {
@@ -59,7 +59,7 @@ template <int D, class Real> class Broadphase {
     }
     static Real widest(const BoxT& box) {
         Real size = 0;
-        for (int i = 0; i < D; ++i) size = maximum(size, box.high[i] - box.low[i]);
+        for (int i = 0; i < D; ++i) size = max(size, box.high[i] - box.low[i]);
         return size;
     }
     Cell cell_of(const Vec<D, Real>& point) const {
@@ -100,9 +100,9 @@ template <int D, class Real> class Broadphase {
     void enter(const BoxT& box, std::uint32_t number) {
         const auto low = cell_of(box.low), high = cell_of(box.high);
         std::int64_t cells = 1;
-        for (std::size_t i = 0; i < D; ++i) cells *= std::clamp<std::int64_t>(high[i] - low[i] + 1, 0, most_cells + 1);
+        for (std::size_t i = 0; i < D; ++i) cells *= std::clamp<std::int64_t>(high[i] - low[i] + 1, 0, max_cells + 1);
         if (cells == 0) return; // around nothing
-        if (cells > most_cells) {
+        if (cells > max_cells) {
             large_.push_back(number);
             is_large_[number] = 1;
             return;
@@ -132,7 +132,7 @@ template <int D, class Real> class Broadphase {
     }
     /// Two boxes may share several cells: the pair counts in the lowest one.
     bool is_first_common(const BoxT& a, const BoxT& b, const Cell& cell) const {
-        return cell_of(Vec<D, Real>::map([&](int i) { return maximum(a.low[i], b.low[i]); })) == cell;
+        return cell_of(Vec<D, Real>::map([&](int i) { return max(a.low[i], b.low[i]); })) == cell;
     }
     template <class Wanted> void pair_large(std::span<const BoxT> boxes, std::uint32_t large, Wanted&& wanted) {
         for (std::uint32_t i = 0; i < boxes.size(); ++i)

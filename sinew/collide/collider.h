@@ -56,9 +56,9 @@ template <int D, class Real> BoundingBox<D, Real> bounds_in_step(const Collider<
     for (const auto* pose : {&collider.from, &collider.target}) {
         const auto around = bounds(collider.shape, *pose);
         const auto far = Vec<D, Real>::map([&](int i) {
-            return maximum(absolute(around.low[i] - pose->position[i]), absolute(around.high[i] - pose->position[i]));
+            return max(absolute(around.low[i] - pose->position[i]), absolute(around.high[i] - pose->position[i]));
         });
-        reach = maximum(reach, norm(far));
+        reach = max(reach, norm(far));
     }
     BoundingBox<D, Real> turned;
     turned.include(collider.from.position);
@@ -71,8 +71,8 @@ template <int D, class Real> BoundingBox<D, Real> bounds_in_step(const Collider<
 
 /// A contact of a sphere with a collider, during part of a step.
 template <int D, class Real> struct ColliderContact {
-    SurfacePoint<D, Real> surface{}; ///< at the end
-    Vec<D, Real> surface_move{};     ///< displacement of the surface
+    SurfacePoint<D, Real> surface{};     ///< at the end
+    Vec<D, Real> surface_displacement{}; ///< displacement of the surface
 };
 
 /// Contacts of spheres with one collider that moves between two poses.
@@ -94,7 +94,8 @@ template <int D, class Real> class MovingCollider {
             [&](const auto& shape) {
                 visit_parts(shape, near.grown(radius), [&](const auto& part) {
                     const auto surface = contact_of(part, begun, ended, radius);
-                    if (surface) visit(ColliderContact<D, Real>{to_world(after_, *surface), move_of(surface->point)});
+                    if (surface)
+                        visit(ColliderContact<D, Real>{to_world(after_, *surface), displacement_of(surface->point)});
                 });
             },
             collider_.shape);
@@ -104,7 +105,7 @@ template <int D, class Real> class MovingCollider {
     const Collider<D, Real>& collider_;
     Pose<D, Real> before_, after_;
 
-    Vector move_of(const Vector& local) const {
+    Vector displacement_of(const Vector& local) const {
         return collider_.is_at_rest() ? Vector{} : after_.to_world(local) - before_.to_world(local);
     }
 
@@ -112,35 +113,36 @@ template <int D, class Real> class MovingCollider {
     std::optional<SurfacePoint<D, Real>> contact_of(const Part& part, const Vector& begun, const Vector& ended,
                                                     Real radius) const {
         constexpr Real half = Real(0.5);
-        const auto move = ended - begun;
-        if (one_sided<Part>() && part.nearest(begun).distance < -depth_of(part, begun, move, radius))
+        const auto displacement = ended - begun;
+        if (one_sided<Part>() && part.nearest(begun).distance < -depth_of(part, begun, displacement, radius))
             return std::nullopt;
         std::optional<SurfacePoint<D, Real>> surface;
-        if (dot(move, move) > square(half * radius))
-            if (const auto impact = sweep(part, begun, move, radius)) surface = impact->surface;
+        if (dot(displacement, displacement) > square(half * radius))
+            if (const auto impact = sweep(part, begun, displacement, radius)) surface = impact->surface;
         if (!surface) surface = part.nearest(ended);
         const bool touches = dot(surface->normal, ended - surface->point) < radius;
         if (!touches || !owns(part, *surface) || !collider_.is_solid_along(surface->normal)) return std::nullopt;
-        if (collider_.one_way != Vector{} && !comes_from_outside(part, *surface, begun, move, radius))
+        if (collider_.one_way != Vector{} && !comes_from_outside(part, *surface, begun, displacement, radius))
             return std::nullopt;
         return surface;
     }
 
     /// Depth behind a one-sided part from which a sphere is still pushed out: contacts give a little.
-    template <class Part> static Real depth_of(const Part& part, const Vector& begun, const Vector& move, Real radius) {
+    template <class Part>
+    static Real depth_of(const Part& part, const Vector& begun, const Vector& displacement, Real radius) {
         constexpr Real half = Real(0.5), little = Real(64) * std::numeric_limits<Real>::epsilon(),
                        some = share_behind<Real>;
         Real size = 0;
         if constexpr (one_sided<Part>()) size = norm(part.b - part.a);
-        return half * radius + little * norm(begun) + some * (norm(move) + size);
+        return half * radius + little * norm(begun) + some * (norm(displacement) + size);
     }
     /// True for a sphere that approaches, and began in front.
     template <class Part>
     static bool comes_from_outside(const Part& part, const SurfacePoint<D, Real>& surface, const Vector& begun,
-                                   const Vector& move, Real radius) {
+                                   const Vector& displacement, Real radius) {
         constexpr Real little = Real(64) * std::numeric_limits<Real>::epsilon(), some = Real(0.02);
-        const Real slop = some * (radius + norm(move)) + little * norm(begun);
-        return dot(surface.normal, move) < Real(0) && part.nearest(begun).distance >= radius - slop;
+        const Real slop = some * (radius + norm(displacement)) + little * norm(begun);
+        return dot(surface.normal, displacement) < Real(0) && part.nearest(begun).distance >= radius - slop;
     }
     template <class Part> static constexpr bool one_sided() {
         return requires(const Part& part, SurfacePoint<D, Real> surface) {

@@ -27,23 +27,24 @@ SegmentApproach<D, Real> nearest_to_segment(const Part& part, const Vec<D, Real>
     return low.surface.distance < high.surface.distance ? low : high;
 }
 
-/// First contact of a capsule whose axis a-b moves by move_a, move_b; a sphere for a == b. The plane through the
-/// nearest surface point has the part behind it and the axis before it, hence advancing until the axis meets the plane
-/// never passes the contact (Newton's method from the outside of a convex function).
+/// First contact of a capsule whose axis a-b moves by displacement_a, displacement_b; a sphere for a == b. The plane
+/// through the nearest surface point has the part behind it and the axis before it, hence advancing until the axis
+/// meets the plane never passes the contact (Newton's method from the outside of a convex function).
 template <class Part, int D, class Real>
 std::optional<Impact<D, Real>> sweep(const Part& part, const Vec<D, Real>& a, const Vec<D, Real>& b,
-                                     const Vec<D, Real>& move_a, const Vec<D, Real>& move_b, Real radius) {
-    constexpr int most = 64;
-    const Real scale = norm(a) + norm(b) + norm(move_a) + norm(move_b) + radius;
+                                     const Vec<D, Real>& displacement_a, const Vec<D, Real>& displacement_b,
+                                     Real radius) {
+    constexpr int max = 64;
+    const Real scale = norm(a) + norm(b) + norm(displacement_a) + norm(displacement_b) + radius;
     const Real rounding = Real(16) * std::numeric_limits<Real>::epsilon() * scale;
     Real time = 0;
     for (int i = 0;; ++i) {
-        const auto approach = nearest_to_segment(part, a + move_a * time, b + move_b * time);
+        const auto approach = nearest_to_segment(part, a + displacement_a * time, b + displacement_b * time);
         const auto& n = approach.surface.normal;
-        const Real speed = -minimum(dot(n, move_a), dot(n, move_b));
+        const Real speed = -min(dot(n, displacement_a), dot(n, displacement_b));
         if (!(speed > Real(0))) return std::nullopt;
         const Real gap = approach.surface.distance - radius;
-        if (gap <= rounding || i == most) return Impact<D, Real>{time, approach.surface};
+        if (gap <= rounding || i == max) return Impact<D, Real>{time, approach.surface};
         time += gap / speed;
         if (!(time <= Real(1))) return std::nullopt;
     }
@@ -51,16 +52,16 @@ std::optional<Impact<D, Real>> sweep(const Part& part, const Vec<D, Real>& a, co
 
 /// First contact of a moving sphere; of a ray for radius 0.
 template <class Part, int D, class Real>
-std::optional<Impact<D, Real>> sweep(const Part& part, const Vec<D, Real>& from, const Vec<D, Real>& move,
+std::optional<Impact<D, Real>> sweep(const Part& part, const Vec<D, Real>& from, const Vec<D, Real>& displacement,
                                      Real radius) {
-    constexpr int most = 64;
-    const Real rounding = Real(16) * std::numeric_limits<Real>::epsilon() * (norm(from) + norm(move) + radius);
+    constexpr int max = 64;
+    const Real rounding = Real(16) * std::numeric_limits<Real>::epsilon() * (norm(from) + norm(displacement) + radius);
     Real time = 0;
     for (int i = 0;; ++i) {
-        const auto surface = part.nearest(from + move * time);
-        const Real speed = -dot(surface.normal, move), gap = surface.distance - radius;
+        const auto surface = part.nearest(from + displacement * time);
+        const Real speed = -dot(surface.normal, displacement), gap = surface.distance - radius;
         if (!(speed > Real(0))) return std::nullopt;
-        if (gap <= rounding || i == most) return Impact<D, Real>{time, surface};
+        if (gap <= rounding || i == max) return Impact<D, Real>{time, surface};
         time += gap / speed;
         if (!(time <= Real(1))) return std::nullopt;
     }

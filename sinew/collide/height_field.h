@@ -52,9 +52,9 @@ template <int D, class Real> struct HeightField {
     };
     /// Cells between the grid lines 0 to lines - 1 that [low, high] touches.
     Range cells(Real low, Real high, std::uint32_t lines) const {
-        const Real most = lines > 0 ? Real(lines - 1) : Real(0);
-        const auto first = clamp(std::floor(low / spacing), Real(0), most);
-        const auto last = clamp(std::floor(high / spacing) + Real(1), Real(0), most);
+        const Real max = lines > 0 ? Real(lines - 1) : Real(0);
+        const auto first = clamp(std::floor(low / spacing), Real(0), max);
+        const auto last = clamp(std::floor(high / spacing) + Real(1), Real(0), max);
         return {std::uint32_t(first), std::uint32_t(last)};
     }
 };

@@ -66,10 +66,10 @@ template <int D, class Real> class PointGrid {
         return off == 0;
     }
     Cell cell_at(const Vector& point) const {
-        constexpr Real most = 1e9;
+        constexpr Real max = 1e9;
         Cell cell{};
         for (int i = 0; i < D; ++i) {
-            const Real scaled = clamp(point[i] * per_size_, -most, most);
+            const Real scaled = clamp(point[i] * per_size_, -max, max);
             const auto towards_zero = std::int32_t(scaled);
             cell[std::size_t(i)] = towards_zero - (scaled < Real(towards_zero));
         }

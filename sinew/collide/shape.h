@@ -77,7 +77,7 @@ void contacts_of_sphere(const Shape<D, Real>& shape, const Pose<D, Real>& pose, 
     near.include(local);
     std::visit(
         [&]<class Held>(const Held& held) {
-            visit_parts(held, near.grown(maximum(reach, depth)), [&](const auto& part) {
+            visit_parts(held, near.grown(max(reach, depth)), [&](const auto& part) {
                 const auto surface = part.nearest(local);
                 if (surface.distance > reach || (IsSurface<Held> && surface.distance < -depth)) return;
                 if (owns(part, surface)) visit(to_world(pose, surface));
@@ -119,9 +119,9 @@ std::optional<SegmentApproach<D, Real>> nearest_to_segment(const Shape<D, Real>&
 /// First contact of a moving sphere with a shape; of a ray for radius 0. Surfaces are met from their free side only.
 template <int D, class Real>
 std::optional<Impact<D, Real>> sweep(const Shape<D, Real>& shape, const Pose<D, Real>& pose, const Vec<D, Real>& from,
-                                     const Vec<D, Real>& move, Real radius) {
+                                     const Vec<D, Real>& displacement, Real radius) {
     std::optional<Impact<D, Real>> first;
-    const auto local = pose.to_local(from), along = pose.turn_back(move);
+    const auto local = pose.to_local(from), along = pose.turn_back(displacement);
     BoundingBox<D, Real> near;
     near.include(local);
     near.include(local + along);

@@ -14,7 +14,7 @@ namespace sinew {
 template <int D> struct Area {
     static constexpr auto name = "area";
     static constexpr int arity = any_arity;
-    static constexpr int least_arity = 3;
+    static constexpr int min_arity = 3;
     static constexpr Dimensions dimensions{2, 2};
     static constexpr int length_power = 2;
     static constexpr double period = 0;

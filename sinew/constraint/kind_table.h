@@ -12,8 +12,8 @@ namespace sinew {
 
 struct KindInfo {
     std::string_view name;
-    int least_arity = 0;    ///< least number of particles
-    bool any_arity = false; ///< true if more than least_arity particles are allowed
+    int min_arity = 0;      ///< least number of particles
+    bool any_arity = false; ///< true if more than min_arity particles are allowed
     Dimensions dimensions;
     bool angle = false; ///< true if the measure is an angle: radians in a world, degrees in a file
     DrawnAs drawn_as = DrawnAs::nothing;
@@ -21,16 +21,16 @@ struct KindInfo {
 
 namespace detail {
 
-template <class Kind> constexpr int least_arity() {
+template <class Kind> constexpr int min_arity() {
     if constexpr (Kind::arity == any_arity)
-        return Kind::least_arity;
+        return Kind::min_arity;
     else
         return Kind::arity;
 }
 
 template <class... Kind> constexpr std::array<KindInfo, sizeof...(Kind)> infos_of(TypeList<Kind...>) {
     return {KindInfo{.name = Kind::name,
-                     .least_arity = least_arity<Kind>(),
+                     .min_arity = min_arity<Kind>(),
                      .any_arity = Kind::arity == any_arity,
                      .dimensions = Kind::dimensions,
                      .angle = Kind::length_power == 0,

@@ -14,7 +14,7 @@ namespace sinew {
 template <int D> struct Pulley {
     static constexpr auto name = "pulley";
     static constexpr int arity = any_arity;
-    static constexpr int least_arity = 3;
+    static constexpr int min_arity = 3;
     static constexpr Dimensions dimensions{2, 3};
     static constexpr int length_power = 1;
     static constexpr double period = 0;

@@ -50,7 +50,7 @@ constexpr CubicBezier<D, T> catmull_rom(const Vec<D, T>& a, const Vec<D, T>& b, 
 /// for gently bent curves.
 template <template <int, class> class Curve, int D, class T> T arc_length(const Curve<D, T>& curve, T t = T(1)) {
     struct Node {
-        T place, weight;
+        T position, weight;
     };
     constexpr std::array<Node, 5> nodes = {{{T(0), T(128.0 / 225)},
                                             {T(-0.53846931010568309), T(0.47862867049936647)},
@@ -61,8 +61,8 @@ template <template <int, class> class Curve, int D, class T> T arc_length(const 
     const T half = t / (2 * parts);
     T length = 0;
     for (int part = 0; part < parts; ++part)
-        for (const auto& [place, weight] : nodes)
-            length += weight * half * norm(curve.derivative(half * (T(2 * part + 1) + place)));
+        for (const auto& [position, weight] : nodes)
+            length += weight * half * norm(curve.derivative(half * (T(2 * part + 1) + position)));
     return length;
 }
 

@@ -71,19 +71,19 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-constexpr int most_power = 100'000; ///< beyond any that matters, with any number of digits that is kept
+constexpr int max_power = 100'000; ///< beyond any that matters, with any number of digits that is kept
 
 int exponent_of(std::string_view text) {
     const bool is_negative = text.starts_with('-');
     int power = 0;
     for (const char c : text)
-        if (is_digit(c)) power = std::min(10 * power + (c - '0'), most_power);
+        if (is_digit(c)) power = std::min(10 * power + (c - '0'), max_power);
     return is_negative ? -power : power;
 }
 
 /// Digits beyond the 800th cannot change the nearest number, except that there are any.
 Scanned scan(std::string_view text) {
-    constexpr int most_digits = 800;
+    constexpr int max_digits = 800;
     Scanned scanned;
     scanned.is_negative = text.starts_with('-');
     bool is_behind_point = false, is_more = false;
@@ -95,7 +95,7 @@ Scanned scan(std::string_view text) {
         }
         is_behind_point = is_behind_point || c == '.';
         if (!is_digit(c)) continue;
-        const bool is_kept = scanned.count < most_digits;
+        const bool is_kept = scanned.count < max_digits;
         scanned.power += int(!is_kept) - int(is_behind_point);
         is_more = is_more || (!is_kept && c != '0');
         if (!is_kept || (scanned.count == 0 && c == '0')) continue;

@@ -95,29 +95,29 @@ template <class V> [[gnu::always_inline]] inline V root(V x) {
     return roots;
 }
 
-template <class V> [[gnu::always_inline]] inline V least(V a, V b) {
+template <class V> [[gnu::always_inline]] inline V min(V a, V b) {
     return b < a ? b : a;
 }
-template <class V> [[gnu::always_inline]] inline V most(V a, V b) {
+template <class V> [[gnu::always_inline]] inline V max(V a, V b) {
     return a < b ? b : a;
 }
 #if defined(__AVX2__)
 // g++ 12 emits two instructions for the generic form; min and max have the same meaning, NaN included.
-[[gnu::always_inline]] inline Pack<float, 8> least(Pack<float, 8> a, Pack<float, 8> b) {
+[[gnu::always_inline]] inline Pack<float, 8> min(Pack<float, 8> a, Pack<float, 8> b) {
     return _mm256_min_ps(b, a);
 }
-[[gnu::always_inline]] inline Pack<double, 4> least(Pack<double, 4> a, Pack<double, 4> b) {
+[[gnu::always_inline]] inline Pack<double, 4> min(Pack<double, 4> a, Pack<double, 4> b) {
     return _mm256_min_pd(b, a);
 }
-[[gnu::always_inline]] inline Pack<float, 8> most(Pack<float, 8> a, Pack<float, 8> b) {
+[[gnu::always_inline]] inline Pack<float, 8> max(Pack<float, 8> a, Pack<float, 8> b) {
     return _mm256_max_ps(b, a);
 }
-[[gnu::always_inline]] inline Pack<double, 4> most(Pack<double, 4> a, Pack<double, 4> b) {
+[[gnu::always_inline]] inline Pack<double, 4> max(Pack<double, 4> a, Pack<double, 4> b) {
     return _mm256_max_pd(b, a);
 }
 #endif
 template <class V> [[gnu::always_inline]] inline V within(const V& x, const V& limit) {
-    return least(limit, most(-limit, x));
+    return min(limit, max(-limit, x));
 }
 
 template <class V> [[gnu::always_inline]] inline auto lane_of(const V& pack, int i) {

@@ -21,7 +21,7 @@ inline constexpr std::uint32_t rows = (std::uint32_t(1) << row_bits) - 1; ///< c
 } // namespace limit
 
 /// Cosine between the old and the new gradient of a constraint from which the old one is used (simd/distance.h).
-inline constexpr double least_agreement = 0.99;
+inline constexpr double min_agreement = 0.99;
 
 /// Share of the maximum force from which a constraint slips: the force itself is only reached to within rounding.
 inline constexpr double slipping_share = 0.999;

@@ -19,7 +19,7 @@ template <class T> Vec<3, T> moment(const Vec<3, T>& arm, const Vec<3, T>& force
 
 template <int D> struct Moments {
     double mass = 0;
-    Vec<D, double> place{};       ///< sum of m x
+    Vec<D, double> position{};    ///< sum of m x
     Vec<D, double> momentum{};    ///< sum of m v
     Vec<spins<D>, double> spin{}; ///< sum of x times m v
     double square = 0;            ///< sum of m v^2, twice the kinetic energy
@@ -38,10 +38,10 @@ template <int D> struct CentralMoments {
     Matrix<D, double> second{}; ///< sum of m x x^T
 
     explicit CentralMoments(const Moments<D>& sums)
-        : mass(sums.mass), center(sums.place * inverse_or_zero(mass)), velocity(sums.momentum * inverse_or_zero(mass)),
-          spin(sums.spin - moment(center, sums.momentum)), square(sums.square - dot(velocity, sums.momentum)),
-          second(sums.second) {
-        second -= outer(center, sums.place);
+        : mass(sums.mass), center(sums.position * inverse_or_zero(mass)),
+          velocity(sums.momentum * inverse_or_zero(mass)), spin(sums.spin - moment(center, sums.momentum)),
+          square(sums.square - dot(velocity, sums.momentum)), second(sums.second) {
+        second -= outer(center, sums.position);
     }
 
     /// Inertia times the angular velocity, sum of x times m (rate times x).
@@ -50,7 +50,7 @@ template <int D> struct CentralMoments {
 
     /// Angular velocity of a rigid body with this spin. A body whose particles lie in a line does not turn about it.
     Vec<1, double> rate_of(const Vec<1, double>& wanted) const {
-        return clamp_components(wanted * inverse_or_zero(second.column[0][0] + second.column[1][1]), most);
+        return clamp_components(wanted * inverse_or_zero(second.column[0][0] + second.column[1][1]), max);
     }
     Vec<3, double> rate_of(const Vec<3, double>& wanted) const {
         constexpr double little = 1e-9; // added to the inertia, about a line the only one
@@ -58,13 +58,13 @@ template <int D> struct CentralMoments {
         auto inertia = Matrix<3, double>::diagonal(1 + little);
         for (std::size_t i = 0; i < 3; ++i) inertia.column[i] -= second.column[i] * per_trace;
         const auto inverted = inverse(inertia);
-        const auto scaled = clamp_components(wanted * per_trace, most);
+        const auto scaled = clamp_components(wanted * per_trace, max);
         const auto rate = inverted * scaled;
         return rate + inverted * (scaled - spin_at(rate) * per_trace);
     }
 
   private:
-    static constexpr double most = 1e60; ///< bound of rates, beyond sense: sums of them stay finite
+    static constexpr double max = 1e60; ///< bound of rates, beyond sense: sums of them stay finite
 
     double trace() const {
         double sum = 0;

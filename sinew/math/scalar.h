@@ -14,21 +14,21 @@ template <std::floating_point T> T square_root(T x) {
     return std::sqrt(x);
 }
 
-template <class T> constexpr T minimum(T a, T b) {
+template <class T> constexpr T min(T a, T b) {
     return b < a ? b : a;
 }
 
-template <class T> constexpr T maximum(T a, T b) {
+template <class T> constexpr T max(T a, T b) {
     return a < b ? b : a;
 }
 
 /// x clamped to [low, high]. NaN becomes low, so the result is always finite for finite bounds.
 template <class T> constexpr T clamp(T x, T low, T high) {
-    return minimum(high, maximum(low, x));
+    return min(high, max(low, x));
 }
 
 template <class T> constexpr T absolute(T x) {
-    return maximum(x, -x); // no branch
+    return max(x, -x); // no branch
 }
 
 template <class T> constexpr T square(T x) {

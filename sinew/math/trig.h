@@ -86,7 +86,7 @@ template <std::floating_point T> T cosine(T x) {
 /// Angle of the point (x, y), radians, in (-pi, pi]; 0 at the origin.
 template <std::floating_point T> T arctangent(T y, T x) {
     const T across = absolute(x), up = absolute(y);
-    const T acute = detail::arctangent_of_fraction(minimum(across, up) * inverse_or_zero(maximum(across, up)));
+    const T acute = detail::arctangent_of_fraction(min(across, up) * inverse_or_zero(max(across, up)));
     const T first_quadrant = up > across ? pi<T> / T(2) - acute : acute;
     const T upper_half = x < T(0) ? pi<T> - first_quadrant : first_quadrant;
     return y < T(0) ? -upper_half : upper_half;

@@ -60,8 +60,8 @@ void Annotator::add_arrow(std::string_view what, double scale) {
 void Annotator::write(const std::string& text, Vec2<float> middle, float height) {
     constexpr float letter_width = 0.6F; // as a fraction of the height
     const Vec2<float> half{{float(text.size()) * letter_width * height * unit_ / 2, height * unit_ / 2}};
-    middle[0] = clamp(middle[0], half[0], maximum(half[0], float(picture_.width) - half[0]));
-    middle[1] = clamp(middle[1], half[1], maximum(half[1], float(picture_.height) - half[1]));
+    middle[0] = clamp(middle[0], half[0], max(half[0], float(picture_.width) - half[0]));
+    middle[1] = clamp(middle[1], half[1], max(half[1], float(picture_.height) - half[1]));
     const Box box{middle, half * 2.0F};
     for (const auto& other : taken_) {
         const auto apart = box.middle - other.middle, room = (box.size + other.size) * 0.5F;
@@ -73,7 +73,7 @@ void Annotator::write(const std::string& text, Vec2<float> middle, float height)
 
 void Annotator::draw_arrow(Vec2<float> from, Vec2<float> to, const Color& color) {
     const auto along = to - from;
-    const float length = norm(along), head = minimum(8 * unit_, 0.4F * length);
+    const float length = norm(along), head = min(8 * unit_, 0.4F * length);
     if (length < unit_) return;
     const auto ahead = along * (1 / length);
     const Vec2<float> across{{-ahead[1], ahead[0]}};

@@ -11,8 +11,8 @@ void around(std::span<const Vec2<float>> rectangle, const Color& color, Picture&
     const auto w = float(picture.width), h = float(picture.height);
     float left = w, right = 0, top = h, bottom = 0;
     for (const auto& corner : rectangle) {
-        left = minimum(left, corner[0]), right = maximum(right, corner[0]);
-        top = minimum(top, corner[1]), bottom = maximum(bottom, corner[1]);
+        left = min(left, corner[0]), right = max(right, corner[0]);
+        top = min(top, corner[1]), bottom = max(bottom, corner[1]);
     }
     const auto bar = [&](float x0, float y0, float x1, float y1) {
         const std::array<Vec2<float>, 4> corners = {{{{x0, y0}}, {{x1, y0}}, {{x1, y1}}, {{x0, y1}}}};
@@ -34,7 +34,7 @@ class Pool {
         const auto onto = [&](const Vec3<double>& place) { return place - normal * dot(place - through, normal); };
         const auto below_eye = onto(camera.eye);
         middle_ = onto(camera.target);
-        radius_ = maximum(0.93 * distance(below_eye, middle_), 1.2 * distance(below_eye, camera.eye));
+        radius_ = max(0.93 * distance(below_eye, middle_), 1.2 * distance(below_eye, camera.eye));
         const auto across = direction(cross(normal, view.towards_eye())), along = cross(across, normal);
         for (int i = 0; i < corners; ++i) {
             const double angle = 2 * pi<double> * i / corners;

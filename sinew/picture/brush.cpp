@@ -174,7 +174,7 @@ void PieceRenderer::paint_strip(const ProjectedPiece& piece, const ImageLook& lo
     if (!once) {
         const float usual = thick.width * aspect(number);
         const float one = look.size ? float(absolute((*look.size)[0])) * piece.scale : usual;
-        times = std::size_t(clamp(spine_.length * inverse_or_zero(one), 1.0F, float(most_parts)) + 0.5F);
+        times = std::size_t(clamp(spine_.length * inverse_or_zero(one), 1.0F, float(max_parts)) + 0.5F);
         steps = std::max(steps / times, std::size_t(2));
         lay_out(bends_, steps * times, spine_.length, spine_);
     }
@@ -193,7 +193,7 @@ void PieceRenderer::paint_strip(const ProjectedPiece& piece, const ImageLook& lo
 void PieceRenderer::paint_quad(std::span<const Vec2<float>> corners, std::uint32_t number, const Color& over) {
     constexpr float finest = 16; // nominal pixels
     float side = 0;
-    for (std::size_t i = 0; i < 4; ++i) side = maximum(side, distance(corners[i], corners[(i + 1) % 4]));
+    for (std::size_t i = 0; i < 4; ++i) side = max(side, distance(corners[i], corners[(i + 1) % 4]));
     const bool flat = norm(corners[0] - corners[1] + corners[2] - corners[3]) < 0.01F * side;
     const int parts = flat ? 1 : int(clamp(side / (finest * unit_), 4.0F, 12.0F));
     shape_.clear();
@@ -207,8 +207,8 @@ void PieceRenderer::paint_quad(std::span<const Vec2<float>> corners, std::uint32
 }
 
 bool PieceRenderer::covers(const ProjectedPiece& piece, Vec2<float> pixel) {
-    constexpr float least_reach = 4; // nominal pixels, the radius around thinner pieces
-    const float reach = maximum(piece.width / 2, least_reach * unit_);
+    constexpr float min_reach = 4; // nominal pixels, the radius around thinner pieces
+    const float reach = max(piece.width / 2, min_reach * unit_);
     const auto& points = piece.points;
     if (points.empty()) return false;
     if (piece.mark == Mark::fill || is_cloth(piece.mark)) return is_inside(pixel, points);

@@ -37,12 +37,12 @@ bool is_tube(const Piece& piece) {
 /// Shading of a line at least 8 nominal pixels thick, in space, as a cylinder: dark below, bright towards the light.
 void shade_tube(const ProjectedPiece& tube, const Style& style, const Color& color, const Color& ink, float unit,
                 PieceRenderer& brush) {
-    constexpr float least = 8;
+    constexpr float min_width = 8;
     struct Tile {
         float width, shift; ///< fractions of the tube's width
         Color color;
     };
-    if (minimum(tube.width, tube.end_width) < least * unit) return;
+    if (min(tube.width, tube.end_width) < min_width * unit) return;
     const Color pale{1, 1, 1, 1};
     auto strip = tube;
     for (const auto& band :
@@ -57,10 +57,10 @@ void shade_tube(const ProjectedPiece& tube, const Style& style, const Color& col
 
 /// Highlight on discs at least 18 nominal pixels wide.
 void add_gloss(const ProjectedPiece& disc, const Color& color, float unit, Picture& picture) {
-    constexpr float least = 18, size = 0.3F;
+    constexpr float min = 18, size = 0.3F;
     constexpr Vec2<float> place{{-0.19F, -0.21F}};
     const float width = disc.width;
-    if (width < least * unit) return;
+    if (width < min * unit) return;
     const auto first = disc.mark == Mark::tip ? disc.points.end() - 1 : disc.points.begin();
     for (auto point = first; point != disc.points.end(); ++point) {
         const auto lit = *point + place * width;

@@ -43,7 +43,7 @@ class FacePainter {
     /// Appends a point of the face to shape_; false if the point is on the far side or behind the eye.
     bool see(const Vec2<double>& at) {
         constexpr double edge = 0.12; // least cosine between normal and view direction: grazing points are left out
-        const double out = square_root(maximum(0.0, 1 - ::sinew::dot(at, at)));
+        const double out = square_root(max(0.0, 1 - ::sinew::dot(at, at)));
         const auto way = head_.right * at[0] + head_.above * at[1] + head_.front * out;
         if (::sinew::dot(way, view_.towards_eye()) < edge) return false;
         const auto seen = view_.see(head_.middle + way * head_.radius);

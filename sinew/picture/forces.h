@@ -41,7 +41,7 @@ template <class WorldT> class Forces {
 
     /// Magnitude of a plane's normal force on a particle in resting contact, >= 0: a plane only pushes.
     double of_plane(Row row, const HalfSpace<D, typename WorldT::Real>& plane) const {
-        return maximum(-dot(cast<double>(plane.normal), of_fields(row) + of_constraints(row)), 0.0);
+        return max(-dot(cast<double>(plane.normal), of_fields(row) + of_constraints(row)), 0.0);
     }
 
   private:

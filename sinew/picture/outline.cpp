@@ -33,15 +33,15 @@ void smooth(std::span<const Vec2<float>> points, Pixels& curve) {
     curve.clear();
     if (points.empty()) return;
     constexpr float piece = 4, off = 0.1F; // pixels: shortest useful chord, and largest error of the polyline
-    constexpr int most = 8;
+    constexpr int max_parts = 8;
     const std::size_t last = points.size() - 1;
     for (std::size_t i = 0; i < last; ++i) {
         const auto bend =
             catmull_rom(points[i == 0 ? 0 : i - 1], points[i], points[i + 1], points[i + 2 > last ? last : i + 2]);
         // n chords of a cubic have an error of at most 0.75 bent / n^2, where 6 `bent` bounds the second derivative
-        const float bent = maximum(norm(bend.a - bend.b * 2 + bend.c), norm(bend.b - bend.c * 2 + bend.d));
-        const float needed = minimum(square_root(0.75F * bent / off), distance(points[i], points[i + 1]) / piece);
-        const int parts = 1 + int(minimum(needed, float(most - 1)));
+        const float bent = max(norm(bend.a - bend.b * 2 + bend.c), norm(bend.b - bend.c * 2 + bend.d));
+        const float needed = min(square_root(0.75F * bent / off), distance(points[i], points[i + 1]) / piece);
+        const int parts = 1 + int(min(needed, float(max_parts - 1)));
         for (int part = 0; part < parts; ++part) curve.push_back(bend.at(float(part) / float(parts)));
     }
     curve.push_back(points[last]);
@@ -50,8 +50,7 @@ void smooth(std::span<const Vec2<float>> points, Pixels& curve) {
 void taper(Vec2<float> from, float from_width, Vec2<float> to, float to_width, Pixels& shape) {
     shape.clear();
     const float length = distance(from, to), narrowing = (from_width - to_width) / 2;
-    if (length <= absolute(narrowing))
-        return add_arc(from, maximum(from_width, to_width) / 2, 0, 2 * pi<double>, shape);
+    if (length <= absolute(narrowing)) return add_arc(from, max(from_width, to_width) / 2, 0, 2 * pi<double>, shape);
     // angle between the line of centres and the radii to the points where the common tangents touch both discs
     const double side = arctangent(double(square_root(square(length) - square(narrowing))), double(narrowing));
     const double ahead = heading(from, to);
@@ -61,7 +60,7 @@ void taper(Vec2<float> from, float from_width, Vec2<float> to, float to_width, P
 
 void ring(Vec2<float> from, Vec2<float> to, float width, float wire, Pixels& loop) {
     loop.clear();
-    const float radius = maximum((width - wire) / 2, 0.5F);
+    const float radius = max((width - wire) / 2, 0.5F);
     const auto along = direction(to - from) * (radius - wire / 2); // neighbouring rings interlock
     const double ahead = heading(from, to), quarter = pi<double> / 2;
     add_arc(from + along, radius, ahead + quarter, ahead + 3 * quarter, loop);
@@ -82,7 +81,7 @@ void widen(Pixels& shape, float by) {
         while (next < shape.size() && is_at(shape[next], shape[i])) ++next;
         const auto point = shape[i], after = next < shape.size() ? shape[next] : first;
         const auto to = perpendicular(direction(after - point));
-        const float straight = maximum(1 + dot(from, to), 2 / square(longest));
+        const float straight = max(1 + dot(from, to), 2 / square(longest));
         shape[i] -= (from + to) * (outward / straight);
         if (!is_at(after, point) && next == i + 1)
             before = point, from = to;

@@ -11,9 +11,9 @@ namespace {
 /// Sizes at the nominal height of a picture, nominal pixels; proportional to the height.
 constexpr float casing = 1.8F /* times a line */, pin_size = 11, contact_size = 8;
 
-/// Smallest of 1, 2, 5, 10, 20, 50, ... times `least` not below `value`: a scale that seldom changes.
-double round_up(double value, double least) {
-    double scale = least;
+/// Smallest of 1, 2, 5, 10, 20, 50, ... times `min` not below `value`: a scale that seldom changes.
+double round_up(double value, double min) {
+    double scale = min;
     for (int i = 0; scale < value && i < 300; ++i) scale *= i % 3 == 1 ? 2.5 : 2;
     return scale;
 }
@@ -59,8 +59,8 @@ template <class WorldT> class Overlayer {
             float left = 1e9F, right = -1e9F;
             for (const auto id : figure.particles)
                 if (const auto at = pixel_of(id)) {
-                    top[1] = minimum(top[1], (*at)[1]);
-                    left = minimum(left, (*at)[0]), right = maximum(right, (*at)[0]);
+                    top[1] = min(top[1], (*at)[1]);
+                    left = min(left, (*at)[0]), right = max(right, (*at)[0]);
                 }
             top[0] = (left + right) / 2;
             if (right >= left)
@@ -166,7 +166,7 @@ template <class WorldT> class Overlayer {
         const auto units = scene_.measures();
         const double newtons = square(units.per_second) / units.per_metre;
         double largest = 0;
-        for (const auto& arrow : arrows) largest = maximum(largest, norm(arrow.force) * newtons);
+        for (const auto& arrow : arrows) largest = max(largest, norm(arrow.force) * newtons);
         const double scale = round_up(largest, 0.01);
         for (const auto& arrow : arrows)
             if (const auto from = view_.see(in_space(arrow.from))) {
@@ -180,7 +180,7 @@ template <class WorldT> class Overlayer {
     /// Every distance as a line coloured by value; neutral lines take the pale colour. A one-sided distance that only
     /// keeps particles apart is drawn only while active.
     template <class Value>
-    void color_lines(Value&& value_of, double least, std::string_view what, std::string_view unit) {
+    void color_lines(Value&& value_of, double min_scale, std::string_view what, std::string_view unit) {
         struct Line {
             std::array<Vec2<float>, 2> ends;
             double value;
@@ -195,12 +195,12 @@ template <class WorldT> class Overlayer {
             if (!state || !a || !b) continue;
             if (!ties(table, row) && state->strain == 0 && state->tension == 0) continue;
             lines.push_back({{a->pixel, b->pixel}, value_of(*state)});
-            largest = maximum(largest, absolute(lines.back().value));
+            largest = max(largest, absolute(lines.back().value));
         }
-        const double scale = round_up(largest, least);
+        const double scale = round_up(largest, min_scale);
         // Thinner where lines are dense.
         const auto thick = [&](const auto& ends) {
-            return minimum(Annotator::line * unit_, 0.25F * distance(ends[0], ends[1]));
+            return min(Annotator::line * unit_, 0.25F * distance(ends[0], ends[1]));
         };
         for (const auto& [ends, value] : lines) picture_.add(Shape::polyline, ends, casing * thick(ends), theme_.ink);
         for (const auto& [ends, value] : lines)

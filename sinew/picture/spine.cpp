@@ -14,7 +14,7 @@ constexpr std::size_t chords = 32;
 Vec2<float> way_at(const Arc& bend, float t) {
     constexpr float aside = 0.01F;
     const auto way = bend.derivative(t);
-    const auto nearby = bend.at(minimum(t + aside, 1.0F)) - bend.at(maximum(t - aside, 0.0F));
+    const auto nearby = bend.at(min(t + aside, 1.0F)) - bend.at(max(t - aside, 0.0F));
     return direction(dot(way, way) > 1e-6F ? way : nearby);
 }
 
@@ -52,7 +52,7 @@ void lay_out(std::span<const Arc> bends, std::size_t parts, float longest, Spine
 
     if (!is_finite(spine.length)) return; // overflow: nothing to draw
 
-    const float wanted = minimum(spine.length / longest, float(most_parts - 1));
+    const float wanted = min(spine.length / longest, float(max_parts - 1));
     parts = std::max({parts, std::size_t(1), std::size_t(wanted) + 1});
     std::size_t chord = 0;
     for (std::size_t i = 0; i <= parts; ++i) {

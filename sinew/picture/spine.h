@@ -29,9 +29,9 @@ struct Spine {
 };
 
 /// Resamples the curve into `parts` parts of equal length, or into as many more as keep each at most `longest`, up to
-/// `most_parts`.
+/// `max_parts`.
 void lay_out(std::span<const CubicBezier<2, float>> bends, std::size_t parts, float longest, Spine& spine);
-inline constexpr std::size_t most_parts = 512;
+inline constexpr std::size_t max_parts = 512;
 
 /// Width factor at a fraction of the length: linear interpolation of equally spaced factors; 1 for an empty profile.
 float thickness_at(std::span<const double> profile, float share);

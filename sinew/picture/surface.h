@@ -66,14 +66,14 @@ struct Light {
         const auto n = is_front ? normal : -normal;
         const Color& color = is_front ? front : back;
         const double sky = 0.5 + 0.5 * dot(n, above);
-        const double sun = maximum(0.0, 0.8 * dot(n, towards_light) + 0.2);
+        const double sun = max(0.0, 0.8 * dot(n, towards_light) + 0.2);
         const auto lit = float(0.2 * sky + 1.2 * sun);
-        const double gleam = square(square(square(square(maximum(0.0, dot(n, halfway))))));
+        const double gleam = square(square(square(square(max(0.0, dot(n, halfway))))));
         // deep folds keep their hue
         Color dark = mix({color.red * 0.42F, color.green * 0.36F, color.blue * 0.42F, color.alpha}, ink, 0.12F);
         dark.alpha = color.alpha;
-        const float glow = maximum(0.0F, lit - 1) * 0.5F + float(0.26 * gleam * gleam);
-        return mix(mix(dark, color, minimum(1.0F, lit)), {1, 1, 1, color.alpha}, minimum(1.0F, glow));
+        const float glow = max(0.0F, lit - 1) * 0.5F + float(0.26 * gleam * gleam);
+        return mix(mix(dark, color, min(1.0F, lit)), {1, 1, 1, color.alpha}, min(1.0F, glow));
     }
 };
 

@@ -69,10 +69,9 @@ class TraceDrawer {
         const auto second = view_.see((*trace.box)[1].as<3, double>());
         if (!first || !second) return;
         const auto a = first->pixel, b = second->pixel;
-        const Vec2<float> low{{minimum(a[0], b[0]), maximum(a[1], b[1])}}; // bottom left; y points down
-        const Vec2<float> high{{maximum(a[0], b[0]), minimum(a[1], b[1])}};
-        const double length =
-            trace.seconds > 0 ? trace.seconds : maximum(scene_.seconds, samples.back().seconds - begin);
+        const Vec2<float> low{{min(a[0], b[0]), max(a[1], b[1])}}; // bottom left; y points down
+        const Vec2<float> high{{max(a[0], b[0]), min(a[1], b[1])}};
+        const double length = trace.seconds > 0 ? trace.seconds : max(scene_.seconds, samples.back().seconds - begin);
         const auto range = range_of(trace, samples);
         const auto at = [&](double seconds, double value) {
             const double x = clamp((seconds - begin) * inverse_or_zero(length), 0.0, 1.0);
@@ -86,9 +85,8 @@ class TraceDrawer {
     }
 
     static Range range_of(const TraceSection& trace, std::span<const Sample> samples) {
-        const auto [least, most] =
-            std::ranges::minmax(samples, {}, [](const Sample& sample) { return sample.value[0]; });
-        const double low = trace.low.value_or(least.value[0]), high = trace.high.value_or(most.value[0]);
+        const auto [min, max] = std::ranges::minmax(samples, {}, [](const Sample& sample) { return sample.value[0]; });
+        const double low = trace.low.value_or(min.value[0]), high = trace.high.value_or(max.value[0]);
         if (low < high) return {low, high};
         return {low - 0.5, low + 0.5}; // constant so far
     }
@@ -103,7 +101,7 @@ class TraceDrawer {
     void rule(float left, float right, float y) {
         constexpr float dash = 4, gap = 3;
         for (float x = left; x < right; x += (dash + gap) * unit_) {
-            const std::array<Vec2<float>, 2> ends = {{{{x, y}}, {{minimum(x + dash * unit_, right), y}}}};
+            const std::array<Vec2<float>, 2> ends = {{{{x, y}}, {{min(x + dash * unit_, right), y}}}};
             picture_.add(Shape::polyline, ends, rule_width * unit_, mix(theme_.background, theme_.pen, 0.45F));
         }
     }

@@ -30,13 +30,13 @@ struct Bone {
     std::string_view part;
     double classic_width, width; ///< line width as drawn; 0: a support, drawn only on request
     Rig rig = Rig::both;
-    double least = 1, most = 1; ///< range of the distance between the ends, as shares of the distance in the table
+    double min = 1, max = 1; ///< range of the distance between the ends, as shares of the distance in the table
 };
 
 /// Range of the angle at `at` between the directions from -> at and at -> to, degrees, counter-clockwise on screen.
 struct Bend {
     std::string_view name, from, at, to;
-    double least, most;
+    double min, max;
     Rig rig = Rig::both;
 };
 
@@ -47,7 +47,7 @@ struct Bend {
 struct Fold {
     std::string_view name;
     std::array<std::string_view, 4> between;
-    double least, most;
+    double min, max;
 };
 
 /// Rotation, about a joint, of the joints further along the same limb, applied before the body is built; degrees,
@@ -117,10 +117,10 @@ void build_body(Builder<D, Real>& figure, const Body& body, double scale, double
         const double width = figure.mode() == Mode::classic ? bone.classic_width : bone.width;
         const auto from = figure.named(bone.from), to = figure.named(bone.to);
         const std::array ends{from, to};
-        const double length = bone.least == 1 && bone.most == 1 ? figure.template measure<Distance>(ends)
-                                                                : length_in_table<D>(body, bone, scale);
+        const double length = bone.min == 1 && bone.max == 1 ? figure.template measure<Distance>(ends)
+                                                             : length_in_table<D>(body, bone, scale);
         figure.template constrain<Distance>(bone.name, {from, to},
-                                            {.limits = between(bone.least * length, bone.most * length)});
+                                            {.limits = between(bone.min * length, bone.max * length)});
         figure.draw(Mark::stroke, bone.part, {from, to}, scale * width, width == 0);
     }
     constexpr double degree = pi<double> / 180;
@@ -128,7 +128,7 @@ void build_body(Builder<D, Real>& figure, const Body& body, double scale, double
         if (belongs(bend.rig))
             figure.template constrain<Angle>(bend.name,
                                              {figure.named(bend.from), figure.named(bend.at), figure.named(bend.to)},
-                                             {.limits = between(bend.least * degree, bend.most * degree)});
+                                             {.limits = between(bend.min * degree, bend.max * degree)});
     if constexpr (D == 3)
         for (const auto& fold : body.folds) {
             std::array<ParticleId, 4> members{};
@@ -138,7 +138,7 @@ void build_body(Builder<D, Real>& figure, const Body& body, double scale, double
                 whole *= distance(place_of<D>(joint_of(body, fold.between[0]), scale),
                                   place_of<D>(joint_of(body, fold.between[i]), scale));
             figure.template constrain<Volume>(fold.name, members,
-                                              {.limits = between(fold.least * whole, fold.most * whole)});
+                                              {.limits = between(fold.min * whole, fold.max * whole)});
         }
 }
 

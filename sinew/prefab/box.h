@@ -26,9 +26,9 @@ struct Box {
     double dot = 0.05;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6;
-        visit(self.width, Field{.name = "width", .help = "Width", .unit = unit::length, .low = least, .high = most});
-        visit(self.height, Field{.name = "height", .help = "Height", .unit = unit::length, .low = least, .high = most});
+        constexpr double min = 1e-6, max = 1e6;
+        visit(self.width, Field{.name = "width", .help = "Width", .unit = unit::length, .low = min, .high = max});
+        visit(self.height, Field{.name = "height", .help = "Height", .unit = unit::length, .low = min, .high = max});
         visit(
             self.braces,
             Field{.name = "braces",
@@ -44,12 +44,12 @@ struct Box {
                                     .help = "Thickness of the drawn edges",
                                     .unit = unit::length,
                                     .low = 0,
-                                    .high = most});
+                                    .high = max});
         visit(self.dot, Field{.name = "dot",
                               .help = "Diameter of the corners; collision radius is half",
                               .unit = unit::length,
                               .low = 0,
-                              .high = most});
+                              .high = max});
     }
 
     Sizes sizes() const { return {.particles = 4, .constraints = 6}; }

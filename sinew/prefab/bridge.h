@@ -22,12 +22,10 @@ struct Bridge {
     double thickness = 0.08;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6;
-        visit(self.span, Field{.name = "span",
-                               .help = "Distance between the banks",
-                               .unit = unit::length,
-                               .low = least,
-                               .high = most});
+        constexpr double min = 1e-6, max = 1e6;
+        visit(
+            self.span,
+            Field{.name = "span", .help = "Distance between the banks", .unit = unit::length, .low = min, .high = max});
         visit(self.planks, Field{.name = "planks", .help = "Number of planks", .low = 2, .high = 1e9});
         visit(self.slack, Field{.name = "slack",
                                 .help = "Excess of the length over the distance between the banks: 0.1 is 10 %",
@@ -37,13 +35,13 @@ struct Bridge {
                                .help = "Height of a rope above the planks; 0 for no rope",
                                .unit = unit::length,
                                .low = 0,
-                               .high = most});
+                               .high = max});
         visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of a plank; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
-                                    .high = most});
+                                    .high = max});
     }
 
     Sizes sizes() const;

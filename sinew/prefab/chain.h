@@ -29,17 +29,16 @@ struct Chain {
     double thickness = 0.06;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6, lightest = 1e-6, heaviest = 1e9;
+        constexpr double min = 1e-6, max = 1e6, lightest = 1e-6, heaviest = 1e9;
         visit(self.links, Field{.name = "links", .help = "Number of links", .low = 1, .high = 1e9});
         visit(
             self.loop,
-            Field{
-                .name = "loop", .help = "Length of a link as drawn", .unit = unit::length, .low = least, .high = most});
+            Field{.name = "loop", .help = "Length of a link as drawn", .unit = unit::length, .low = min, .high = max});
         visit(self.gap, Field{.name = "gap",
                               .help = "Gap between consecutive drawn links",
                               .unit = unit::length,
                               .low = 0,
-                              .high = most});
+                              .high = max});
         visit(self.angle, Field{.name = "angle",
                                 .help = "Initial direction: 0 hangs straight down, 90 is level to the right",
                                 .unit = unit::angle,
@@ -75,7 +74,7 @@ struct Chain {
                                     .help = "Width of a link seen from its broad side; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
-                                    .high = most});
+                                    .high = max});
     }
 
     Sizes sizes() const;

@@ -46,14 +46,14 @@ struct Cloth {
     double thickness = 0.01;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6, softest = 1e9;
+        constexpr double min = 1e-6, max = 1e6, softest = 1e9;
         visit(self.columns, Field{.name = "columns", .help = "Particles from left to right", .low = 2, .high = 1e9});
         visit(self.rows, Field{.name = "rows", .help = "Particles from top to bottom", .low = 2, .high = 1e9});
         visit(self.spacing, Field{.name = "spacing",
                                   .help = "Distance between neighbouring particles",
                                   .unit = unit::length,
-                                  .low = least,
-                                  .high = most});
+                                  .low = min,
+                                  .high = max});
         visit(self.plane, Field{.name = "plane",
                                 .help = "Initial plane: vertical hangs from the top row; horizontal (3D) is level, "
                                         "with the top row furthest away",
@@ -96,7 +96,7 @@ struct Cloth {
         visit(self.breaking_strain, Field{.name = "breaking_strain",
                                           .help = "Strain at which a thread tears; 0 for never",
                                           .low = 0,
-                                          .high = most});
+                                          .high = max});
         visit(self.damage_limit, damage_limit_field);
         visit(
             self.uneven,
@@ -114,7 +114,7 @@ struct Cloth {
                                     .help = "Thickness of a drawn thread; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
-                                    .high = most});
+                                    .high = max});
     }
 
     Sizes sizes() const;

@@ -24,14 +24,14 @@ struct Crank {
     double thickness = 0.08;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6;
+        constexpr double min = 1e-6, max = 1e6;
         visit(self.radius, Field{.name = "radius",
                                  .help = "Distance from the hub to the pin on the rim",
                                  .unit = unit::length,
-                                 .low = least,
-                                 .high = most});
+                                 .low = min,
+                                 .high = max});
         visit(self.rod,
-              Field{.name = "rod", .help = "Length of the rod", .unit = unit::length, .low = least, .high = most});
+              Field{.name = "rod", .help = "Length of the rod", .unit = unit::length, .low = min, .high = max});
         visit(self.angle, Field{.name = "angle",
                                 .help = "Initial direction of the rod: 0 to the right, 90 upwards",
                                 .unit = unit::angle,
@@ -43,7 +43,7 @@ struct Crank {
                                     .help = "Thickness of the rod as drawn",
                                     .unit = unit::length,
                                     .low = 0,
-                                    .high = most});
+                                    .high = max});
     }
 
     Sizes sizes() const { return {.particles = 6, .constraints = 5}; }

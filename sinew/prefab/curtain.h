@@ -25,14 +25,14 @@ struct Curtain {
     double rod = 0.1;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6;
+        constexpr double min = 1e-6, max = 1e6;
         visit(self.columns, Field{.name = "columns", .help = "Particles from left to right", .low = 2, .high = 1e9});
         visit(self.rows, Field{.name = "rows", .help = "Particles from top to bottom", .low = 2, .high = 1e9});
         visit(self.spacing, Field{.name = "spacing",
                                   .help = "Distance between neighbouring particles",
                                   .unit = unit::length,
-                                  .low = least,
-                                  .high = most});
+                                  .low = min,
+                                  .high = max});
         visit(self.hook_every,
               Field{.name = "hook_every",
                     .help = "Spacing of the hooks: every n-th particle of the top row, and both ends, hang on the rod",
@@ -47,7 +47,7 @@ struct Curtain {
         visit(self.breaking_strain, Field{.name = "breaking_strain",
                                           .help = "Strain at which a thread tears; 0 for never",
                                           .low = 0,
-                                          .high = most});
+                                          .high = max});
         visit(self.damage_limit, damage_limit_field);
         visit(
             self.uneven,
@@ -62,12 +62,12 @@ struct Curtain {
                                     .help = "Thickness of a drawn thread; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
-                                    .high = most});
+                                    .high = max});
         visit(self.rod, Field{.name = "rod",
                               .help = "Thickness of the rod as drawn; 0 for no rod",
                               .unit = unit::length,
                               .low = 0,
-                              .high = most});
+                              .high = max});
     }
 
     Sizes sizes() const;

@@ -5,10 +5,10 @@
 namespace sinew {
 
 std::optional<std::string> Limb::problem(int) const {
-    if (bend_least <= bend && bend <= bend_most) return std::nullopt;
+    if (bend_min <= bend && bend <= bend_max) return std::nullopt;
     const auto degrees = [](double radians) { return radians * 180 / pi<double>; };
-    return format_text("bend is {:6} degrees, out of its limits {:6} and {:6}", degrees(bend), degrees(bend_least),
-                       degrees(bend_most));
+    return format_text("bend is {:6} degrees, out of its limits {:6} and {:6}", degrees(bend), degrees(bend_min),
+                       degrees(bend_max));
 }
 
 template <int D, class Real> void Limb::build(Builder<D, Real>& figure) const {
@@ -25,7 +25,7 @@ template <int D, class Real> void Limb::build(Builder<D, Real>& figure) const {
     figure.template constrain<Distance>("upper", {root, joint});
     figure.template constrain<Distance>("lower", {joint, end});
     if (figure.mode() == Mode::physical)
-        figure.template constrain<Angle>("bend", {root, joint, end}, {.limits = between(bend_least, bend_most)});
+        figure.template constrain<Angle>("bend", {root, joint, end}, {.limits = between(bend_min, bend_max)});
     if (pinned) figure.hold(root);
 
     if (tip > 0) figure.draw(Mark::tip, "tip", {root, joint, end}, tip);

@@ -19,8 +19,8 @@ struct Limb {
     double lower = 0.4;
     double angle = 0;
     double bend = 0;
-    double bend_least = -150 * pi<double> / 180;
-    double bend_most = 150 * pi<double> / 180;
+    double bend_min = -150 * pi<double> / 180;
+    double bend_max = 150 * pi<double> / 180;
     bool pinned = true;
     double mass = 5;
     double width = 0.14;
@@ -28,17 +28,17 @@ struct Limb {
     double tip = 0.16;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6, turn = 2 * pi<double>, fold = 175 * pi<double> / 180;
+        constexpr double min = 1e-6, max = 1e6, turn = 2 * pi<double>, fold = 175 * pi<double> / 180;
         visit(self.upper, Field{.name = "upper",
                                 .help = "Length of the bone from the root to the joint",
                                 .unit = unit::length,
-                                .low = least,
-                                .high = most});
+                                .low = min,
+                                .high = max});
         visit(self.lower, Field{.name = "lower",
                                 .help = "Length of the bone from the joint to the end",
                                 .unit = unit::length,
-                                .low = least,
-                                .high = most});
+                                .low = min,
+                                .high = max});
         visit(self.angle,
               Field{.name = "angle",
                     .help = "Initial direction of the upper bone: 0 hangs straight down, 90 is level to the right",
@@ -50,30 +50,28 @@ struct Limb {
                                .unit = unit::angle,
                                .low = -fold,
                                .high = fold});
-        visit(self.bend_least, Field{.name = "bend_least",
-                                     .help = "Smallest angle at the joint. Physical mode only",
-                                     .unit = unit::angle,
-                                     .low = -fold,
-                                     .high = 0});
-        visit(self.bend_most, Field{.name = "bend_most",
-                                    .help = "Largest angle at the joint. Physical mode only",
-                                    .unit = unit::angle,
-                                    .low = 0,
-                                    .high = fold});
+        visit(self.bend_min, Field{.name = "bend_min",
+                                   .help = "Smallest angle at the joint. Physical mode only",
+                                   .unit = unit::angle,
+                                   .low = -fold,
+                                   .high = 0});
+        visit(self.bend_max, Field{.name = "bend_max",
+                                   .help = "Largest angle at the joint. Physical mode only",
+                                   .unit = unit::angle,
+                                   .low = 0,
+                                   .high = fold});
         visit(self.pinned, Field{.name = "pinned", .help = "Root held in place"});
         visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
-        visit(
-            self.width,
-            Field{.name = "width", .help = "Thickness at the root", .unit = unit::length, .low = least, .high = most});
+        visit(self.width,
+              Field{.name = "width", .help = "Thickness at the root", .unit = unit::length, .low = min, .high = max});
         visit(
             self.end_width,
-            Field{
-                .name = "end_width", .help = "Thickness at the end", .unit = unit::length, .low = least, .high = most});
+            Field{.name = "end_width", .help = "Thickness at the end", .unit = unit::length, .low = min, .high = max});
         visit(self.tip, Field{.name = "tip",
                               .help = "Diameter of the hand or foot; 0 for none",
                               .unit = unit::length,
                               .low = 0,
-                              .high = most});
+                              .high = max});
     }
 
     Sizes sizes() const { return {.particles = 3, .constraints = 3}; }

@@ -49,7 +49,7 @@ std::vector<bool> repeats_of(const MeshModel& model, bool diagonals) {
         auto operator<=>(const Turn&) const = default;
     };
     const auto points = std::uint32_t(model.points.size());
-    const auto named = count_named(model, diagonals), most = std::max(named / 8, std::size_t(1) << 16);
+    const auto named = count_named(model, diagonals), max = std::max(named / 8, std::size_t(1) << 16);
     std::vector<std::uint32_t> count(points); // pairs of each a; then the number of pairs already in the batch
     each_named(model, diagonals, [&](std::uint32_t a, std::uint32_t) { ++count[a]; });
     std::vector<bool> repeats(named);
@@ -57,7 +57,7 @@ std::vector<bool> repeats_of(const MeshModel& model, bool diagonals) {
     std::vector<std::uint32_t> end; // end of the pairs of each a in the batch
     for (std::uint32_t first = 0, last = 0; first < points; first = last) {
         std::size_t listed = 0;
-        for (end.clear(); last < points && (last == first || listed + count[last] <= most); ++last) {
+        for (end.clear(); last < points && (last == first || listed + count[last] <= max); ++last) {
             end.push_back(std::uint32_t(listed));
             listed += count[last];
         }

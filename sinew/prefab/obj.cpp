@@ -16,7 +16,7 @@ namespace {
 
 /// Largest absolute coordinate accepted.
 constexpr double furthest = 1e6;
-constexpr std::size_t most_shown = 40; ///< bytes of the offending word in a message
+constexpr std::size_t max_shown = 40; ///< bytes of the offending word in a message
 
 constexpr std::array<std::string_view, 12> passed_over = {"vn", "vt", "vp", "o",      "g",      "s",
                                                           "l",  "p",  "mg", "usemtl", "mtllib", "usemap"};
@@ -35,12 +35,12 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
-/// The offending word for a message: printable and cut to `most_shown`.
+/// The offending word for a message: printable and cut to `max_shown`.
 std::string shown(std::string_view word) {
     if (word.empty()) return "nothing";
     std::string text;
-    for (const char c : word.substr(0, most_shown)) text += c >= ' ' && c <= '~' ? c : '?';
-    return format_text("\"{}{}\"", text, word.size() > most_shown ? "..." : "");
+    for (const char c : word.substr(0, max_shown)) text += c >= ' ' && c <= '~' ? c : '?';
+    return format_text("\"{}{}\"", text, word.size() > max_shown ? "..." : "");
 }
 
 template <class Number> std::optional<Number> parsed(std::string_view word) {

@@ -50,7 +50,7 @@ constexpr Link links[] = {
 
 struct Turn {
     std::string_view name, from, at, to;
-    double least, most; // degrees, counter-clockwise
+    double min, max; // degrees, counter-clockwise
 };
 constexpr Turn turns[] = {
     {"nod",         "pelvis",   "shoulder",    "head",        -40,  40},
@@ -88,7 +88,7 @@ template <int D, class Real> void Puppet::build(Builder<D, Real>& figure) const 
         if (!classic)
             figure.template constrain<Angle>(turn.name,
                                              {figure.named(turn.from), figure.named(turn.at), figure.named(turn.to)},
-                                             {.limits = between(turn.least * degree, turn.most * degree)});
+                                             {.limits = between(turn.min * degree, turn.max * degree)});
     figure.draw(Mark::dot, "head", {figure.named("head")}, head_width * unit);
 }
 

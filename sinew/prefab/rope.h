@@ -31,10 +31,9 @@ struct Rope {
     double thickness = 0.03;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6, lightest = 1e-6, heaviest = 1e9;
-        visit(
-            self.length,
-            Field{.name = "length", .help = "Length along the rope", .unit = unit::length, .low = least, .high = most});
+        constexpr double min = 1e-6, max = 1e6, lightest = 1e-6, heaviest = 1e9;
+        visit(self.length,
+              Field{.name = "length", .help = "Length along the rope", .unit = unit::length, .low = min, .high = max});
         visit(self.segments, Field{.name = "segments", .help = "Number of straight pieces", .low = 1, .high = 1e9});
         visit(self.angle, Field{.name = "angle",
                                 .help = "Initial direction: 0 hangs straight down, 90 is level to the right",
@@ -78,7 +77,7 @@ struct Rope {
                                     .help = "Thickness as drawn; collision radius is half",
                                     .unit = unit::length,
                                     .low = 0,
-                                    .high = most});
+                                    .high = max});
     }
 
     Sizes sizes() const;

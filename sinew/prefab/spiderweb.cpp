@@ -22,7 +22,7 @@ template <int D, class Real> void Spiderweb::build(Builder<D, Real>& figure) con
     for (std::size_t i = 0; i + 1 < n; ++i) threads.push_back({spiral[i], spiral[i + 1]});
     threads.push_back({spiral[turn - 1], spiral[0]}); // closes the rim
     for (std::size_t i = 0; i + 1 < n; ++i)
-        if (const auto inner = minimum(i + turn, n - 1); inner != i + 1) across.push_back({spiral[i], spiral[inner]});
+        if (const auto inner = min(i + turn, n - 1); inner != i + 1) across.push_back({spiral[i], spiral[inner]});
     const auto tie = [&](std::string_view called, const std::vector<std::array<ParticleId, 2>>& ties) {
         figure.number_constraints(called, ties.size());
         for (const auto& ends : ties) {

@@ -21,17 +21,17 @@ struct Swing {
     double thickness = 0.03;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double least = 1e-6, most = 1e6;
+        constexpr double min = 1e-6, max = 1e6;
         visit(self.length, Field{.name = "length",
                                  .help = "Length of each rope, from hook to seat",
                                  .unit = unit::length,
-                                 .low = least,
-                                 .high = most});
+                                 .low = min,
+                                 .high = max});
         visit(self.width, Field{.name = "width",
                                 .help = "Width of the seat, from rope to rope",
                                 .unit = unit::length,
-                                .low = least,
-                                .high = most});
+                                .low = min,
+                                .high = max});
         visit(self.segments,
               Field{.name = "segments", .help = "Number of straight pieces of a rope", .low = 1, .high = 1e9});
         visit(self.angle,
@@ -52,7 +52,7 @@ struct Swing {
                                     .help = "Thickness of a rope as drawn; the seat is twice as thick",
                                     .unit = unit::length,
                                     .low = 0,
-                                    .high = most});
+                                    .high = max});
     }
 
     Sizes sizes() const;

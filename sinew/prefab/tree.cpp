@@ -28,7 +28,7 @@ void grow(const Tree& tree, Vec2<double> from, std::size_t below, int level, dou
     const auto self = grown.size();
     grown.push_back({below, level, length, heading, top});
     if (level == tree.depth) return;
-    const double next = maximum(share * share, Tree::least_share);
+    const double next = max(share * share, Tree::min_share);
     grow(tree, top, self, level + 1, next, heading + tree.spread, grown);
     grow(tree, top, self, level + 1, next, heading - tree.spread, grown);
 }

@@ -15,7 +15,7 @@ struct Tree {
     static constexpr std::string_view name = "tree";
     static constexpr std::string_view about = "A swaying tree: branches that fork, and leaves on the last ones.";
     static constexpr Dimensions dimensions{2, 2};
-    static constexpr double least_share = 0.01; ///< shortest length of a branch, as a share of `branch`
+    static constexpr double min_share = 0.01; ///< shortest length of a branch, as a share of `branch`
 
     int depth = 5;
     double branch = 0.7;

@@ -77,9 +77,9 @@ class ValueCheck {
     }
 
     void traces() {
-        if (scene_.traces.size() > most_traces)
+        if (scene_.traces.size() > max_traces)
             document_.error("/traces",
-                            format_text("a scene can have {} traces, found {}", most_traces, scene_.traces.size()));
+                            format_text("a scene can have {} traces, found {}", max_traces, scene_.traces.size()));
         for (std::size_t i = 0; i < scene_.traces.size(); ++i) {
             const auto& trace = scene_.traces[i];
             if (trace.shows == trace_quantities.front()) continue;
@@ -120,12 +120,11 @@ class ValueCheck {
         constexpr std::array<std::array<std::size_t, 2>, mark_names.size()> counts = {
             {{2, 1000}, {2, 1000}, {2, 1000}, {2, 1000}, {3, 1000}, {2, 2}, {1, 1000}, {3, 1000}, {4, 4}, {1, 4}}};
         const auto mark = std::find(mark_names.begin(), mark_names.end(), section.mark) - mark_names.begin();
-        const auto [least, most] = counts[std::size_t(mark)];
+        const auto [min, max] = counts[std::size_t(mark)];
         const auto found = section.through.size();
-        if (found < least || found > most)
-            document_.error(place + "/through",
-                            format_text("a {} goes through {}{} particles, found {}", section.mark,
-                                        least == most ? "" : format_text("{} to ", least), most, found));
+        if (found < min || found > max)
+            document_.error(place + "/through", format_text("a {} goes through {}{} particles, found {}", section.mark,
+                                                            min == max ? "" : format_text("{} to ", min), max, found));
         if (section.end_width > 0 && section.width == 0)
             document_.error(place + "/end_width", "an end_width needs a width to begin with");
     }
@@ -150,7 +149,7 @@ class ValueCheck {
         if (section.low && section.high && *section.low > *section.high)
             document_.error(place + "/low", format_text("low ({}) is above high ({})", *section.low, *section.high));
         const auto kind = *kind_called(section.kind);
-        const auto size = section.between.size(), wanted = std::size_t(kind.least_arity);
+        const auto size = section.between.size(), wanted = std::size_t(kind.min_arity);
         if (kind.any_arity ? size < wanted : size != wanted)
             document_.error(between,
                             format_text("{} {} needs {}{} particle{}, found {}", article(kind.name), kind.name,

@@ -46,9 +46,9 @@ template <int D, class Real> class ReferenceCheck {
     /// Reports an unknown name. `also` lists further valid names that cannot serve as candidates for a suggestion.
     void unknown(std::string_view what, std::string_view name, const std::string& place,
                  std::vector<std::string_view> candidates, const std::string& also = {}) {
-        constexpr std::size_t most_listed = 40;
+        constexpr std::size_t max_listed = 40;
         std::string help;
-        if (candidates.size() > most_listed)
+        if (candidates.size() > max_listed)
             help = format_text("there are {}, such as \"{}\" and \"{}\"", candidates.size(), candidates.front(),
                                candidates.back());
         else if (!candidates.empty() || also.empty())

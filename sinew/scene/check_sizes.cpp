@@ -39,17 +39,17 @@ class SizeCheck {
         std::map<std::string_view, std::size_t> particles; // upper bound on the particles a star can stand for
         for (const auto& figure : scene_.figures)
             particles[name_of(figure)] = std::min(sizes_of(figure).particles, std::size_t(1e12));
-        const auto most = [&](const std::string_view name) {
+        const auto max = [&](const std::string_view name) {
             const auto found = particles.find(name.substr(0, name.find('/')));
             return name.ends_with('*') && found != particles.end() ? found->second : 1;
         };
         for (const auto& constraint : scene_.constraints) {
             std::size_t many = 1;
-            for (const auto& name : constraint.between) many = std::max(many, most(name));
+            for (const auto& name : constraint.between) many = std::max(many, max(name));
             sum.constraints += many;
         }
         for (const auto& pin : scene_.pins)
-            if (pin.particle.ends_with('*')) sum.constraints += most(pin.particle);
+            if (pin.particle.ends_with('*')) sum.constraints += max(pin.particle);
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) {
             const auto sizes = sizes_of(scene_.figures[i]);
             sum.particles += sizes.particles;

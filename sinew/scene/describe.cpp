@@ -32,7 +32,7 @@ std::string type_text(const Layout& shape) {
     case Layout::Type::point:
         return "point";
     case Layout::Type::list:
-        if (shape.least == shape.most) return concat(shape.least, " of ", type_text(shape.parts[0]));
+        if (shape.min == shape.max) return concat(shape.min, " of ", type_text(shape.parts[0]));
         return concat("list of ", type_text(shape.parts[0]));
     case Layout::Type::map:
         return concat("names of ", type_text(shape.parts[0]));

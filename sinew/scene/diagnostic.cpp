@@ -185,7 +185,7 @@ std::string to_text(const Diagnostics& diagnostics, const PrintStyle& style) {
     std::string out;
     LineFinder finder(diagnostics);
     const auto all = diagnostics.in_order();
-    const auto shown = std::min(all.size(), style.most);
+    const auto shown = std::min(all.size(), style.max);
     for (std::size_t i = 0; i < shown; ++i) print(out, diagnostics, all[i], finder, style);
     if (const auto rest = diagnostics.count() - shown; rest > 0)
         out += concat("and ", rest, rest == 1 ? " more error\n" : " more errors\n");
@@ -257,8 +257,8 @@ std::size_t common_stretch(std::string_view a, std::string_view b) {
 } // namespace
 
 std::vector<std::string_view> similar(std::string_view word, std::span<const std::string_view> candidates,
-                                      std::size_t most) {
-    constexpr std::size_t least_stretch = 3;
+                                      std::size_t max) {
+    constexpr std::size_t min_stretch = 3;
     struct Scored {
         std::size_t stretch, edits;
         std::string_view name;
@@ -267,13 +267,13 @@ std::vector<std::string_view> similar(std::string_view word, std::span<const std
     if (word.size() > longest_word) return {};
     for (const auto candidate : candidates)
         if (candidate.size() <= longest_word)
-            if (const auto stretch = common_stretch(word, candidate); stretch >= least_stretch)
+            if (const auto stretch = common_stretch(word, candidate); stretch >= min_stretch)
                 scored.push_back({stretch, edits(word, candidate), candidate});
     sinew::stable_sort(scored.begin(), scored.end(), [](const Scored& a, const Scored& b) {
         return std::tuple(b.stretch, a.edits) < std::tuple(a.stretch, b.edits);
     });
     std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < std::min(most, scored.size()); ++i) names.push_back(scored[i].name);
+    for (std::size_t i = 0; i < std::min(max, scored.size()); ++i) names.push_back(scored[i].name);
     return names;
 }
 
@@ -300,9 +300,9 @@ std::string_view new_name(std::string_view word) {
 
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates) {
     if (candidates.empty()) return "nothing is allowed here";
-    constexpr std::size_t most_listed = 32, few_more = 8; // "and 1 more" would take as much space as the name itself
-    constexpr std::size_t most_sorted = 1000;
-    const auto unsorted = candidates.size() - std::min(candidates.size(), most_sorted);
+    constexpr std::size_t max_listed = 32, few_more = 8; // "and 1 more" would take as much space as the name itself
+    constexpr std::size_t max_sorted = 1000;
+    const auto unsorted = candidates.size() - std::min(candidates.size(), max_sorted);
     std::string help;
     const auto renamed = new_name(word);
     const bool is_renamed = std::ranges::find(candidates, renamed) != candidates.end();
@@ -315,7 +315,7 @@ std::string suggest(std::string_view word, std::vector<std::string_view> candida
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     help += near.empty() ? "allowed here: " : "(allowed here: ";
     const auto all = candidates.size() + unsorted;
-    const auto listed = all <= most_listed + few_more ? all : most_listed;
+    const auto listed = all <= max_listed + few_more ? all : max_listed;
     for (std::size_t i = 0; i < listed; ++i) help += concat(i > 0 ? ", " : "", printable(candidates[i]));
     if (all > listed) help += concat(" and ", all - listed, " more");
     if (!near.empty()) help += ")";

@@ -37,7 +37,7 @@ struct Diagnostic {
 class Diagnostics {
   public:
     /// Errors beyond this number are counted but not stored.
-    static constexpr std::size_t most_kept = 200;
+    static constexpr std::size_t max_kept = 200;
 
     std::uint32_t add_source(std::string name, std::string text);
     const Source& source(std::uint32_t id) const { return sources_[id]; }
@@ -46,7 +46,7 @@ class Diagnostics {
 
     void error(Span span, std::string path, std::string message, std::string help = {});
     /// True if no further error is stored; callers can then skip composing the message and call count_one_more().
-    bool full() const { return kept_.size() >= most_kept; }
+    bool full() const { return kept_.size() >= max_kept; }
     void count_one_more() { ++uncounted_; }
 
     bool ok() const { return kept_.empty() && uncounted_ == 0; }
@@ -68,7 +68,7 @@ Place place_of(const Diagnostics& diagnostics, Span span);
 
 struct PrintStyle {
     bool color = false;
-    std::size_t most = 100;  ///< then "and N more errors"
+    std::size_t max = 100;   ///< then "and N more errors"
     std::size_t width = 100; ///< characters of a long source line to print
 };
 
@@ -85,9 +85,9 @@ std::string to_text(const Diagnostics& diagnostics, const PrintStyle& style = {}
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// The candidates most similar to `word`, best first: candidates that share a substring of at least three letters with
-/// the word, sorted by decreasing length of the substring, then by edit distance. At most `most` of them.
+/// the word, sorted by decreasing length of the substring, then by edit distance. At most `max` of them.
 std::vector<std::string_view> similar(std::string_view word, std::span<const std::string_view> candidates,
-                                      std::size_t most);
+                                      std::size_t max);
 
 /// Present name of a property that a former version of the format called `word`; empty for all others.
 std::string_view new_name(std::string_view word);

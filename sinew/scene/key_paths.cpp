@@ -10,7 +10,7 @@ namespace {
 using json::Value;
 
 /// Limits of the search: more elements or paths do not help in a message.
-constexpr std::size_t most_elements = 100, most_paths = 100;
+constexpr std::size_t max_elements = 100, max_paths = 100;
 
 const Value* member(const Value* object, std::string_view key) {
     const auto* members = object ? object->as<json::Object>() : nullptr;
@@ -59,7 +59,7 @@ class Walk {
 
     void meet(std::string_view name, const std::string& prefix) {
         names.push_back(name);
-        if (name == key_ && paths.size() < most_paths) paths.push_back(concat(prefix, name));
+        if (name == key_ && paths.size() < max_paths) paths.push_back(concat(prefix, name));
     }
 
     /// Visits the alternative the object chose, or the default.
@@ -82,14 +82,14 @@ class Walk {
     void list(const Layout& shape, const Value* value, const std::string& prefix) {
         const auto* items = value ? value->as<json::Array>() : nullptr;
         if (!items || shape.parts[0].type != Layout::Type::record) return;
-        for (std::size_t i = 0; i < std::min(items->size(), most_elements); ++i)
+        for (std::size_t i = 0; i < std::min(items->size(), max_elements); ++i)
             record(shape.parts[0], &(*items)[i], concat(prefix, element_name(*items, i), "."));
     }
 
     void map(const Layout& shape, const Value* value, const std::string& prefix) {
         const auto* members = value ? value->as<json::Object>() : nullptr;
         if (!members || members->empty()) return inside(shape.parts[0], nullptr, concat(prefix, "NAME."));
-        for (std::size_t i = 0; i < std::min(members->size(), most_elements); ++i)
+        for (std::size_t i = 0; i < std::min(members->size(), max_elements); ++i)
             inside(shape.parts[0], &(*members)[i].value, concat(prefix, (*members)[i].key, "."));
     }
 };

@@ -18,11 +18,11 @@ struct Layout {
     enum class Type { truth, integer, number, text, point, list, map, record, choice, any };
 
     Type type = Type::any;
-    Field field;                            ///< as declared, with ranges in SI units and radians
-    json::Value usual;                      ///< the default as a file in SI units states it; null if there is none
-    std::size_t least = 0, most = no_limit; ///< range of the number of elements of a list
-    std::string_view name;                  ///< name of an alternative of a choice
-    std::string_view about;                 ///< a sentence about an alternative, may be empty
+    Field field;                         ///< as declared, with ranges in SI units and radians
+    json::Value usual;                   ///< the default as a file in SI units states it; null if there is none
+    std::size_t min = 0, max = no_limit; ///< range of the number of elements of a list
+    std::string_view name;               ///< name of an alternative of a choice
+    std::string_view about;              ///< a sentence about an alternative, may be empty
     /// Fields of a record; the one element type of a list or map; the alternatives (records) of a choice.
     std::vector<Layout> parts;
     bool optional = false; ///< may be absent, and no default takes its place
@@ -61,7 +61,7 @@ template <class T> void describe_value(const T& value, const Field& field, Layou
         shape.type = Type::point;
     } else if constexpr (array_size<T> > 0) {
         shape.type = Type::list;
-        shape.least = shape.most = array_size<T>;
+        shape.min = shape.max = array_size<T>;
         shape.parts = {layout_of(elements(value)[0], element_of(field))};
     } else if constexpr (is_map<T>) {
         shape.type = Type::map;

@@ -174,7 +174,7 @@ const Layout& figure_layout() {
     return section_layout("figures").parts[0];
 }
 
-json::Array parameters_of(const Scene& scene, std::size_t most_figures) {
+json::Array parameters_of(const Scene& scene, std::size_t max_figures) {
     const auto document = to_json(scene);
     const auto units = scene.measures();
     json::Array found;
@@ -183,7 +183,7 @@ json::Array parameters_of(const Scene& scene, std::size_t most_figures) {
         collector.record(section_layout(section), stated_in(&document, section), section);
     const auto* own = stated_in(&document, "figures");
     if (const auto* figures = own ? own->as<json::Array>() : nullptr)
-        for (std::size_t i = 0; i < std::min(figures->size(), most_figures); ++i)
+        for (std::size_t i = 0; i < std::min(figures->size(), max_figures); ++i)
             collector.record(figure_layout(), &(*figures)[i], "figures." + std::to_string(i));
     return found;
 }

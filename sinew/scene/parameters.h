@@ -16,9 +16,9 @@ bool acts_in(std::string_view mode, const std::string& path);
 std::string unit_text(const Layout& field, const std::string& path, const Units& units, std::string_view mode);
 
 /// Values of a scene: an array of {path, name, value, type, unit, low, high, choices, help}. Paths are those of
-/// overrides; low, high and choices are absent where there are none. Figures beyond the first `most_figures` are left
+/// overrides; low, high and choices are absent where there are none. Figures beyond the first `max_figures` are left
 /// out, and so are optional values that the scene does not state.
-json::Array parameters_of(const Scene& scene, std::size_t most_figures = 12);
+json::Array parameters_of(const Scene& scene, std::size_t max_figures = 12);
 
 /// Parameters of a prefab with their defaults in metres, kilograms and seconds; paths are names.
 json::Array parameters_of(const Layout& prefab);

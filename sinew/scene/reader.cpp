@@ -30,8 +30,8 @@ std::string expected_number(std::string_view noun, const Range& range, const Fie
 
 /// `"a", "b" or "c"`, or only the number of words where there are many; the help line lists them.
 std::string one_of(std::span<const std::string_view> words) {
-    constexpr std::size_t most = 4;
-    if (words.size() > most) return concat("one of ", words.size(), " words");
+    constexpr std::size_t max = 4;
+    if (words.size() > max) return concat("one of ", words.size(), " words");
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i)
         text += concat(i == 0 ? "" : i + 1 < words.size() ? ", " : " or ", in_quotes(words[i]));
@@ -136,7 +136,7 @@ void report_missing(const json::Value& object, const Field& field, const Path& p
 /// Help for an unknown key. An override has no surrounding file to look at, so its author gets full paths.
 std::string help_with(const json::Member& member, const std::vector<std::string_view>& allowed, const Reading& in) {
     constexpr std::uint32_t file = 0;
-    constexpr std::size_t most_told = 4;
+    constexpr std::size_t max_told = 4;
     const auto renamed = new_name(member.key);
     const auto word = renamed.empty() ? std::string_view(member.key) : renamed;
     const bool is_near = std::ranges::find(allowed, word) != allowed.end() || !nearest(word, allowed).empty();
@@ -144,9 +144,9 @@ std::string help_with(const json::Member& member, const std::vector<std::string_
     const auto paths = in.elsewhere(word);
     if (paths.empty()) return suggest(member.key, allowed);
     std::string help = "did you mean ";
-    for (std::size_t i = 0; i < std::min(paths.size(), most_told); ++i)
+    for (std::size_t i = 0; i < std::min(paths.size(), max_told); ++i)
         help += concat(i == 0 ? "" : " or ", in_quotes(paths[i]));
-    if (paths.size() > most_told) help += concat(", or at ", paths.size() - most_told, " more places");
+    if (paths.size() > max_told) help += concat(", or at ", paths.size() - max_told, " more places");
     return help + "?";
 }
 

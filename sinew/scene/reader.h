@@ -134,8 +134,8 @@ bool read_whole(const json::Value& value, T& target, const Field& field, const P
     static_assert(sizeof(T) < 8 || std::signed_integral<T>, "numbers of JSON are read as 64 bits with a sign");
     Range range = range_in_file(field, in.units);
     if constexpr (sizeof(T) < 8) {
-        range.low = maximum(range.low, double(std::numeric_limits<T>::min()));
-        range.high = minimum(range.high, double(std::numeric_limits<T>::max()));
+        range.low = max(range.low, double(std::numeric_limits<T>::min()));
+        range.high = min(range.high, double(std::numeric_limits<T>::max()));
     }
     std::int64_t number = 0;
     if (!read_integer(value, number, range, field, path, in)) return false;

@@ -46,8 +46,8 @@ Object number(std::string_view type, const Layout& shape) {
 
 Object list(const Layout& shape) {
     Object schema{{"type", "array"}, {"items", by_type(shape.parts[0])}};
-    if (shape.least > 0) schema.push_back({"minItems", shape.least});
-    if (shape.most != Layout::no_limit) schema.push_back({"maxItems", shape.most});
+    if (shape.min > 0) schema.push_back({"minItems", shape.min});
+    if (shape.max != Layout::no_limit) schema.push_back({"maxItems", shape.max});
     return schema;
 }
 

@@ -11,15 +11,15 @@
 
 namespace sinew {
 
-std::string in_quotes(std::string_view text, std::size_t most_characters) {
-    return concat("\"", printable(text, most_characters), "\"");
+std::string in_quotes(std::string_view text, std::size_t max_characters) {
+    return concat("\"", printable(text, max_characters), "\"");
 }
 
-std::string printable(std::string_view text, std::size_t most_characters) {
+std::string printable(std::string_view text, std::size_t max_characters) {
     constexpr std::string_view digits = "0123456789abcdef";
     std::string out;
     for (std::size_t at = 0, count = 0; at < text.size(); ++count) {
-        if (count == most_characters) {
+        if (count == max_characters) {
             out += "...";
             break;
         }

@@ -26,8 +26,8 @@ template <class... Part> std::string concat(const Part&... part) {
 }
 
 /// The text made safe for a terminal: control characters are escaped and long texts cut.
-std::string printable(std::string_view text, std::size_t most_characters = 60);
+std::string printable(std::string_view text, std::size_t max_characters = 60);
 /// The printable text in double quotes.
-std::string in_quotes(std::string_view text, std::size_t most_characters = 60);
+std::string in_quotes(std::string_view text, std::size_t max_characters = 60);
 
 } // namespace sinew

@@ -15,7 +15,7 @@ namespace sinew {
 inline constexpr std::array<std::string_view, 5> trace_quantities = {"path", "energy", "kinetic", "potential", "speed"};
 
 /// Maximum number of traces in a scene; each stores a bounded number of samples.
-inline constexpr std::size_t most_traces = 64;
+inline constexpr std::size_t max_traces = 64;
 
 struct TraceSection {
     std::string of;

@@ -26,7 +26,7 @@ template <class WorldT> ParticleId add_handle(WorldT& world, std::span<const Par
     Real mass = limit::mass<Real>;
     for (const auto id : members)
         if (const Real w = world.particles.inverse_mass[*row_of(world, id)]; w > Real(0))
-            mass = minimum(mass, lightness / w);
+            mass = min(mass, lightness / w);
     const auto handle = add_particle(world, {.position = place.as<D, Real>(), .mass = mass});
     for (const auto id : members) add<Distance>(world, {handle, id});
     return handle;

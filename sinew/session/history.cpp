@@ -67,7 +67,7 @@ void History::restart(const Scene& scene, const AnyWorld& world) {
     series_.clear();
     for (const auto& trace : scene.traces) {
         series_.push_back({trace.of, trace.shows, 1, {}});
-        series_.back().samples.reserve(most_samples + 1);
+        series_.back().samples.reserve(max_samples + 1);
     }
     record(scene, world);
 }
@@ -89,7 +89,7 @@ void History::record(const Scene& scene, const AnyWorld& world) {
                 if (between) samples.pop_back(); // kept only while the latest
                 const auto value = measured(known, of, shows);
                 if (value) samples.push_back({known.steps, seconds, *value});
-                if (samples.size() > most_samples) thin_out(samples, spacing);
+                if (samples.size() > max_samples) thin_out(samples, spacing);
             }
         },
         world);

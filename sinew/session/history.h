@@ -20,7 +20,7 @@ struct Sample {
 /// Samples of a scene's traces. Memory is bounded: a full trace drops every second sample.
 class History {
   public:
-    static constexpr std::size_t most_samples = 1024; ///< per trace
+    static constexpr std::size_t max_samples = 1024; ///< per trace
 
     /// Clears all samples and records the present state.
     void restart(const Scene& scene, const AnyWorld& world);

@@ -88,7 +88,7 @@ template <class WorldT> class Picker {
             clamp(dot(pixel_ - seen_[*a]->pixel, along) * inverse_or_zero(dot(along, along)), 0.0F, 1.0F);
         const float away = distance(pixel_, seen_[*a]->pixel + along * share);
         const float half_width = float(piece.width) * 0.5F * seen_[*a]->scale;
-        if (away > maximum(radius_ * 0.5F, half_width)) return;
+        if (away > max(radius_ * 0.5F, half_width)) return;
         const auto start = in_space(world_.particles.position[*a]), end = in_space(world_.particles.position[*b]);
         offer(away, at({from, to}, start + (end - start) * double(share), figure));
     }

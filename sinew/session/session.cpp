@@ -322,7 +322,7 @@ void Session::note(std::string what, std::string where, std::size_t islands) {
 
 void Session::note(SessionEvent event) {
     event.seconds = seconds();
-    if (happening_count_++ < most_happenings) happenings_.push_back(std::move(event));
+    if (happening_count_++ < max_happenings) happenings_.push_back(std::move(event));
 }
 
 /// Notes every figure whose number of islands has grown.

@@ -106,10 +106,10 @@ class Session {
     std::size_t cut(const std::array<Point, 2>& line, std::optional<double> within, const View& view);
 
     Report report() const;
-    /// Log of the session, at most `most_happenings` entries; later ones are only counted.
+    /// Log of the session, at most `max_happenings` entries; later ones are only counted.
     const std::vector<SessionEvent>& happenings() const { return happenings_; }
     std::size_t happening_count() const { return happening_count_; }
-    static constexpr std::size_t most_happenings = 10000;
+    static constexpr std::size_t max_happenings = 10000;
 
     /// Position of a pixel of a `width` x `height` picture in a 2D scene.
     Vec2<double> place_of(Vec2<double> pixel, int width, int height) const;

@@ -48,7 +48,7 @@ template <class Real> class BatchParameters {
         quarter_per_square_.resize(size());
         for (std::size_t i = 0; i < size(); ++i) {
             const Real low = limits_.low(i);
-            quarter_per_square_[i] = Real(0.25) * minimum(Real(1) / (low * low), most_per_square<Real>);
+            quarter_per_square_[i] = Real(0.25) * min(Real(1) / (low * low), max_per_square<Real>);
         }
     }
 

@@ -28,14 +28,15 @@ template <int D> struct BlockNode {
     std::uint32_t slot = 0; ///< slot of the particle, stable while rows move (direct/look_up_rows.h)
     double mass = 0;
     Vec<D, double> start{};    ///< position at the start of the substep, m
-    Vec<D, double> place{};    ///< position at the end of the substep, m
+    Vec<D, double> position{}; ///< position at the end of the substep, m
     Vec<D, double> velocity{}; ///< at the start of the substep, drag taken off; in the end the new velocity, m/s
     Vec<D, double> push{};     ///< acceleration by all force fields, m/s^2
-    Vec<D, double> aim{}; ///< position without constraints, m; in project_block_velocities the velocity before, m/s
-    double inertia = 0;   ///< stiffness towards `aim`: mass / h^2, twice as much in a midpoint step, kg/s^2
+    Vec<D, double>
+        predicted{};    ///< position without constraints, m; in project_block_velocities the velocity before, m/s
+    double inertia = 0; ///< stiffness towards `predicted`: mass / h^2, twice as much in a midpoint step, kg/s^2
     double behind = 0, rest = 0; ///< masses on both sides of the link to the next node, kg (direct/light_trees.h)
     Matrix<D, double> diagonal{};
-    Vec<D, double> residual{}, move{};
+    Vec<D, double> residual{}, displacement{};
 };
 
 /// A measure constrained to [low, high], and the multiplier while a solve runs.
@@ -56,7 +57,7 @@ struct BlockLimit {
     /// Distance of a measure from the limits, signed.
     double error_of(double measure) const { return measure - clamp(measure, low, high); }
     /// Stiffness of a compliant limit, at most `hardest`.
-    double spring_stiffness(double hardest = 1e300) const { return minimum(1 / compliance, hardest); }
+    double spring_stiffness(double hardest = 1e300) const { return min(1 / compliance, hardest); }
     /// Energy of a compliant limit, J.
     double spring_energy(double measure) const { return 0.5 * square(error_of(measure)) / compliance; }
     void activate(double above, double below, double margin) {
@@ -67,13 +68,13 @@ struct BlockLimit {
     /// Violation of the active limit, given the measure's excess `above` the high limit and over the low one (`below`).
     /// Without an active limit: the larger violation, negative inside the limits.
     double outside(double above, double below) const {
-        return side > 0 ? absolute(above) : side < 0 ? absolute(below) : maximum(above, -below);
+        return side > 0 ? absolute(above) : side < 0 ? absolute(below) : max(above, -below);
     }
 };
 
 /// Further parts of a limit that is driven or has a maximum force.
 struct BlockDrive {
-    double most = 1e300;                      ///< maximum force, N; of an angle, torque, N m
+    double max = 1e300;                       ///< maximum force, N; of an angle, torque, N m
     double damping_time = 0, motor_speed = 0; ///< damping time, s; rate of change of the limits, per second
     double low_begun = 0, high_begun = 0;     ///< limits at the start of the step
     bool motorized = false;
@@ -82,17 +83,17 @@ struct BlockDrive {
 
     bool gives() const {
         static_assert(limit::measure<double> <= double(limit::measure<float>), "one limit serves both precisions");
-        return most < limit::measure<double>;
+        return max < limit::measure<double>;
     }
     /// Force to apply in an iteration, clamped to [-most, most]. A saturated force that would change sign keeps the
     /// last `tension` instead: the solve does not jump from one bound straight to the other.
     double held(double force, double tension, bool pulls_only) {
-        const bool turns = (pulls_only && force < 0) || (force * tension < 0 && absolute(tension) >= most);
-        const bool should = !turns && absolute(force) > most;
-        constexpr int most_doubts = 4; // from then on `slips` stays fixed for the substep
-        if (should != slips && doubts++ < most_doubts) slips = should;
+        const bool turns = (pulls_only && force < 0) || (force * tension < 0 && absolute(tension) >= max);
+        const bool should = !turns && absolute(force) > max;
+        constexpr int max_doubts = 4; // from then on `slips` stays fixed for the substep
+        if (should != slips && doubts++ < max_doubts) slips = should;
         if (!slips) return force;
-        return absolute(force) > most && !turns ? clamp(force, -most, most) : clamp(tension, -most, most);
+        return absolute(force) > max && !turns ? clamp(force, -max, max) : clamp(tension, -max, max);
     }
 };
 
@@ -128,7 +129,7 @@ template <int D> struct DistanceRow : BlockLimit {
 /// A limit of a joint: the angle at the middle one of three nodes, or in 3D a fold: the volume of a tetrahedron as a
 /// fraction of the largest volume allowed.
 template <int D> struct AngleRow : BlockLimit, BlockDrive {
-    static constexpr std::size_t most_nodes = D == 2 ? 3 : 4, most_pairs = most_nodes * (most_nodes - 1) / 2;
+    static constexpr std::size_t max_nodes = D == 2 ? 3 : 4, max_pairs = max_nodes * (max_nodes - 1) / 2;
 
     double unit = 1;  ///< volume of a fold that counts as 1, m^3
     double begun = 0; ///< angle at the start of the substep, rad; of a fold, volume as a fraction of `unit`
@@ -138,10 +139,10 @@ template <int D> struct AngleRow : BlockLimit, BlockDrive {
     std::array<double, 2> arms{}; ///< squared lengths at which the arms are taut, m^2; 0 for an arm that is never slack
     bool replaces_link = false;   ///< volume zero of a flat square, `constraint` a distance (direct/flat_squares.h)
     std::size_t arity = 3;
-    std::array<std::uint32_t, most_nodes> nodes{};
-    std::array<std::uint32_t, most_pairs> entries{}; ///< matrix entries of the pairs 0 1, 0 2, .. 1 2, ..
-    std::array<Vec<D, double>, most_nodes> gradient{};
-    std::array<Vec<D, double>, most_nodes> along{}; ///< direction of the force
+    std::array<std::uint32_t, max_nodes> nodes{};
+    std::array<std::uint32_t, max_pairs> entries{}; ///< matrix entries of the pairs 0 1, 0 2, .. 1 2, ..
+    std::array<Vec<D, double>, max_nodes> gradient{};
+    std::array<Vec<D, double>, max_nodes> along{}; ///< direction of the force
 
     bool is_fold() const { return arity == 4; }
 };
@@ -313,21 +314,21 @@ template <int D> struct Blocks {
     /// Reserves for every state that so many particles and constraints can reach by tearing.
     void reserve(std::size_t particle_count, std::size_t distance_count, std::size_t angle_count) {
         for (auto* blocks : {&list, &attached_trees}) blocks->reserve(particle_count / 2 + 1);
-        const auto most_nodes = 2 * (3 * particle_count + distance_count + 2 * angle_count);
-        const auto most_entries = 8 * distance_count + 16 * angle_count + 1024;
-        nodes.reserve(most_nodes);
+        const auto max_nodes = 2 * (3 * particle_count + distance_count + 2 * angle_count);
+        const auto max_entries = 8 * distance_count + 16 * angle_count + 1024;
+        nodes.reserve(max_nodes);
         links.reserve(2 * distance_count + 4 * particle_count);
         bends.reserve(2 * angle_count);
-        for (auto* column : {&first_entry, &first_pair}) column->reserve(most_nodes + 1);
-        entries.reserve(most_entries);
-        pairs.reserve(2 * most_entries);
+        for (auto* column : {&first_entry, &first_pair}) column->reserve(max_nodes + 1);
+        entries.reserve(max_entries);
+        pairs.reserve(2 * max_entries);
         runs.reserve(2 * (distance_count + angle_count) + particle_count);
         elimination.reserve(particle_count, 2 * distance_count + 6 * angle_count);
         ports.reserve(particle_count, distance_count + angle_count);
         chains.reserve(particle_count, distance_count);
-        programs.reserve(particle_count, 2 * distance_count + 4 * particle_count + 2 * angle_count, most_entries);
+        programs.reserve(particle_count, 2 * distance_count + 4 * particle_count + 2 * angle_count, max_entries);
         room.reserve(particle_count);
-        room.sides.reserve(most_entries);
+        room.sides.reserve(max_entries);
     }
 
     /// True if each column has room for `more` elements: changed blocks are appended behind all others.

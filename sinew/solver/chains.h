@@ -32,7 +32,7 @@ struct ChainTurn {
 /// Work space of a thread.
 template <int D> struct ChainSpace {
     /// Longer chains are solved one by one: in lanes they would not stay in the cache.
-    static constexpr std::uint32_t most_links_in_lanes = 256;
+    static constexpr std::uint32_t max_links_in_lanes = 256;
 
     ChainPack<D> pack;
     std::vector<double> numbers;     ///< of the nodes of a pack
@@ -40,7 +40,7 @@ template <int D> struct ChainSpace {
 
     void make_room(std::size_t links) {
         constexpr std::size_t line = 64 / sizeof(double), per_node = sizeof(ChainNode<D, double>) / sizeof(double);
-        const auto in_lanes = std::min<std::size_t>(links, most_links_in_lanes) + 1;
+        const auto in_lanes = std::min<std::size_t>(links, max_links_in_lanes) + 1;
         const auto needed =
             std::max((links + 1) * per_node * min_block_lanes, in_lanes * per_node * max_block_lanes) + line;
         if (numbers.size() < needed) numbers.resize(needed), rows.resize(needed / per_node);

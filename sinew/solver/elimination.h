@@ -23,9 +23,9 @@ class Elimination {
     }
     /// Reserves memory for a graph of so many rows and neighbours.
     void reserve(std::size_t rows, std::size_t neighbours) {
-        pool_.reserve(most_pool(neighbours) + most_neighbours);
+        pool_.reserve(max_pool(neighbours) + max_neighbours);
         order_.reserve(rows);
-        merged_.reserve(most_of_hub + most_neighbours);
+        merged_.reserve(most_of_hub + max_neighbours);
     }
 
     /// Defines the graph row by row: begin_row, neighbours, end_row.
@@ -44,16 +44,16 @@ class Elimination {
 
     /// Computes the order. False if the matrix would not stay sparse.
     bool run(std::span<const Row> rows) {
-        const auto most = most_pool(pool_.size());
+        const auto max = max_pool(pool_.size());
         order_.clear();
         waiting_ = {};
         for (const Row row : rows)
             if (!wait(row)) return false;
         while (order_.size() < rows.size()) {
-            const Row next = least_degree();
+            const Row next = min_degree();
             if (next == no_row) return false;
             stop_waiting(next);
-            SINEW_ASSERT(size_[next] <= most_neighbours, "a row with few neighbours is eliminated");
+            SINEW_ASSERT(size_[next] <= max_neighbours, "a row with few neighbours is eliminated");
             position_[next] = Row(order_.size());
             order_.push_back(next);
             for (std::uint32_t i = 0; i < size_[next]; ++i) {
@@ -62,7 +62,7 @@ class Elimination {
                 merge(neighbour, next);
                 if (!wait(neighbour)) return false;
             }
-            if (pool_.size() > most) return false;
+            if (pool_.size() > max) return false;
         }
         return true;
     }
@@ -80,10 +80,10 @@ class Elimination {
     std::span<const Row> neighbours(Row row) const { return std::span(pool_).subspan(begin_[row], size_[row]); }
 
   private:
-    static constexpr std::size_t most_neighbours = 15; ///< largest degree of an eliminated row
+    static constexpr std::size_t max_neighbours = 15; ///< largest degree of an eliminated row
     /// Largest degree before: a hub is eliminated after most of its neighbours, at no more cost than a neighbour.
     static constexpr std::size_t most_of_hub = 500;
-    static std::size_t most_pool(std::size_t neighbours) { return 8 * neighbours + 1024; }
+    static std::size_t max_pool(std::size_t neighbours) { return 8 * neighbours + 1024; }
 
     std::vector<std::size_t> begin_;
     std::vector<std::uint32_t> size_;
@@ -93,11 +93,11 @@ class Elimination {
     struct Queue {
         Row first = no_row, last = no_row;
     };
-    std::array<Queue, most_neighbours + 1> waiting_{};
+    std::array<Queue, max_neighbours + 1> waiting_{};
     std::vector<Row> before_, after_;
 
     bool wait(Row row) {
-        if (size_[row] > most_neighbours) return size_[row] <= most_of_hub;
+        if (size_[row] > max_neighbours) return size_[row] <= most_of_hub;
         auto& queue = waiting_[size_[row]];
         before_[row] = queue.last, after_[row] = no_row;
         (queue.last == no_row ? queue.first : after_[queue.last]) = row;
@@ -105,7 +105,7 @@ class Elimination {
         return true;
     }
     void stop_waiting(Row row) {
-        if (size_[row] > most_neighbours) return;
+        if (size_[row] > max_neighbours) return;
         auto& queue = waiting_[size_[row]];
         (before_[row] == no_row ? queue.first : after_[before_[row]]) = after_[row];
         (after_[row] == no_row ? queue.last : before_[after_[row]]) = before_[row];
@@ -113,7 +113,7 @@ class Elimination {
 
     /// Row of least degree, first in first out: a chain is eliminated from both ends in turn, two independent
     /// recurrences for the processor.
-    Row least_degree() {
+    Row min_degree() {
         for (auto& queue : waiting_)
             if (queue.first != no_row) return queue.first;
         return no_row;

@@ -15,9 +15,9 @@ constexpr std::uint32_t unknown = ~std::uint32_t(0);
 void LevelStructure::find(const RowLists<std::uint32_t>& near) {
     near_ = &near;
     const auto count = near.size();
-    place_.assign(count, unknown);
+    position_.assign(count, unknown);
     pull_.assign(count, 0);
-    edge_.assign(1, least_joined());
+    edge_.assign(1, min_joined());
     spread_from_edge();
     follow_edge();
     spread_from_edge();
@@ -25,7 +25,7 @@ void LevelStructure::find(const RowLists<std::uint32_t>& near) {
 }
 
 /// Particle with the fewest neighbours: a corner, if there is one.
-std::uint32_t LevelStructure::least_joined() const {
+std::uint32_t LevelStructure::min_joined() const {
     std::uint32_t found = 0;
     for (std::uint32_t i = 1; i < near_->size(); ++i)
         if (near(i).size() < near(found).size()) found = i;
@@ -54,11 +54,10 @@ template <class Visit> void LevelStructure::along_edge(std::uint32_t side, Visit
 }
 
 std::uint32_t LevelStructure::next_along(std::uint32_t from) const {
-    auto least = std::pair(near_->entries(), unknown);
+    auto min = std::pair(near_->entries(), unknown);
     for (const auto other : near(from))
-        if (level_[other] > level_[from] && on_edge(other))
-            least = std::min(least, std::pair(near(other).size(), other));
-    return least.second;
+        if (level_[other] > level_[from] && on_edge(other)) min = std::min(min, std::pair(near(other).size(), other));
+    return min.second;
 }
 
 /// True for a particle with fewer neighbours than average.
@@ -88,15 +87,15 @@ void LevelStructure::arrange(std::span<std::uint32_t> level) {
     for (const auto i : level) {
         double sum = 0, count = 0;
         for (const auto other : near(i))
-            if (level_[other] < level_[i]) sum += place_[other], ++count;
+            if (level_[other] < level_[i]) sum += position_[other], ++count;
         pull_[i] = count > 0 ? sum / count : 0;
     }
     sinew::sort(level.begin(), level.end(),
                 [&](auto a, auto b) { return std::pair(pull_[a], a) < std::pair(pull_[b], b); });
     along_.clear();
-    for (const std::uint32_t most : {1U, unknown})
+    for (const std::uint32_t max : {1U, unknown})
         for (const auto i : level)
-            if (place_[i] == unknown && ways_on(i) <= most) follow(i);
+            if (position_[i] == unknown && ways_on(i) <= max) follow(i);
     std::copy(along_.begin(), along_.end(), level.begin());
 }
 
@@ -105,14 +104,14 @@ void LevelStructure::arrange(std::span<std::uint32_t> level) {
 void LevelStructure::follow(std::uint32_t from) {
     for (auto next = from; next != unknown;) {
         const auto at = next;
-        place_[at] = std::uint32_t(along_.size());
+        position_[at] = std::uint32_t(along_.size());
         along_.push_back(at);
         next = unknown;
-        auto least = std::tuple(unknown, 0.0, unknown);
+        auto min = std::tuple(unknown, 0.0, unknown);
         for (const auto other : near(at)) {
-            if (level_[other] != level_[at] || place_[other] != unknown) continue;
+            if (level_[other] != level_[at] || position_[other] != unknown) continue;
             const auto key = std::tuple(ways_on(other), pull_[other], other);
-            if (key < least) least = key, next = other;
+            if (key < min) min = key, next = other;
         }
     }
 }
@@ -120,7 +119,7 @@ void LevelStructure::follow(std::uint32_t from) {
 /// Number of unplaced neighbours in the same level.
 std::uint32_t LevelStructure::ways_on(std::uint32_t from) const {
     std::uint32_t ways = 0;
-    for (const auto other : near(from)) ways += level_[other] == level_[from] && place_[other] == unknown;
+    for (const auto other : near(from)) ways += level_[other] == level_[from] && position_[other] == unknown;
     return ways;
 }
 

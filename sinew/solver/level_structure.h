@@ -19,7 +19,7 @@ class LevelStructure {
     void find(const RowLists<std::uint32_t>& near);
 
     void reserve(std::size_t particles) {
-        for (auto* column : {&order_, &begin_, &level_, &along_, &place_, &edge_}) column->reserve(particles + 1);
+        for (auto* column : {&order_, &begin_, &level_, &along_, &position_, &edge_}) column->reserve(particles + 1);
         pull_.reserve(particles);
     }
 
@@ -32,12 +32,12 @@ class LevelStructure {
   private:
     const RowLists<std::uint32_t>* near_ = nullptr;
     std::vector<std::uint32_t> order_, begin_, level_, along_;
-    std::vector<std::uint32_t> edge_;  ///< the first level
-    std::vector<std::uint32_t> place_; ///< position in the level; `unknown` before placement
-    std::vector<double> pull_;         ///< mean position of the neighbours in the level before
+    std::vector<std::uint32_t> edge_;     ///< the first level
+    std::vector<std::uint32_t> position_; ///< position in the level; `unknown` before placement
+    std::vector<double> pull_;            ///< mean position of the neighbours in the level before
 
     std::span<const std::uint32_t> near(std::uint32_t i) const { return (*near_)[i]; }
-    std::uint32_t least_joined() const;
+    std::uint32_t min_joined() const;
     void spread_from_edge();
     void follow_edge();
     template <class Visit> void along_edge(std::uint32_t side, Visit&& visit) const;

@@ -14,7 +14,7 @@ template <int D, class Real> struct Push {
     Vec<D, Real> acceleration{};
     Real drag_rate = 0;
 };
-template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& place);
+template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& position);
 template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row) {
     return push_on(world, row, world.particles.position[row]);
 }

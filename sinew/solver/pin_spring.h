@@ -14,13 +14,13 @@ namespace sinew::detail {
 
 /// gamma, limited; `T` is the precision of the solution.
 template <int D, class Real, class T> T pin_gamma(const Pin<D, Real>& pin, T w, T per_h) {
-    return minimum(T(2) * T(pin.damping) * square_root(T(pin.compliance)) * square_root(inverse_or_zero(w)) * per_h,
-                   T(limit::measure<Real>));
+    return min(T(2) * T(pin.damping) * square_root(T(pin.compliance)) * square_root(inverse_or_zero(w)) * per_h,
+               T(limit::measure<Real>));
 }
 
 /// k, at most `hardest`: the penalty stiffness for a rigid pin with a maximum force.
 template <int D, class Real> double pin_stiffness(const Pin<D, Real>& pin, double hardest) {
-    return pin.compliance > Real(0) ? minimum(1 / double(pin.compliance), hardest) : hardest;
+    return pin.compliance > Real(0) ? min(1 / double(pin.compliance), hardest) : hardest;
 }
 
 /// c, of a pin with stiffness k on a mass.

@@ -71,7 +71,7 @@ struct PinnedSlot {
 };
 
 /// Largest number of tethers of a component.
-inline constexpr std::size_t most_tethers = 4;
+inline constexpr std::size_t max_tethers = 4;
 
 /// Long-range attachments of a component to a pin: no particle is further from the pin than along the shortest path of
 /// rigid links (Kim, Chentanez and Mueller 2012).

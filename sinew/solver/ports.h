@@ -66,9 +66,9 @@ template <int D> struct Ports {
     std::vector<char> reached;          ///< 1 for each particle in or at a group
 
     // Room for a substep.
-    std::vector<Vec<D, double>> last_moves; ///< per slot of the sweep: the displacements of the last substep
-    std::vector<Vec<D, double>> free_moves; ///< per slot of the sweep: the displacements before constraints act
-    std::vector<double> mobilities;         ///< per slot of the sweep
+    std::vector<Vec<D, double>> last_displacements; ///< per slot of the sweep: the displacements of the last substep
+    std::vector<Vec<D, double>> free_moves;         ///< per slot of the sweep: the displacements before constraints act
+    std::vector<double> mobilities;                 ///< per slot of the sweep
 
     void clear() {
         list.clear();
@@ -89,7 +89,7 @@ template <int D> struct Ports {
         springs.reserve(constraints);
         for (auto* column : {&at, &members, &anchors}) column->reserve(particles);
         for (auto* column : {&is_port, &reached}) column->reserve(particles);
-        for (auto* column : {&free_moves, &last_moves}) column->reserve(particles);
+        for (auto* column : {&free_moves, &last_displacements}) column->reserve(particles);
         mobilities.reserve(particles);
     }
 };

@@ -44,7 +44,7 @@ template <int D> struct ProgramSpace {
 
 template <int D> struct Programs {
     /// Larger blocks are solved one by one: in lanes they would not stay in the cache.
-    static constexpr std::uint32_t most_nodes = 64, most_entries = 4 * most_nodes, most_rows = 4 * most_nodes;
+    static constexpr std::uint32_t max_nodes = 64, max_entries = 4 * max_nodes, max_rows = 4 * max_nodes;
 
     std::vector<ProgramNumbers> list;
     std::vector<std::uint32_t> numbers;

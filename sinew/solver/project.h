@@ -18,7 +18,7 @@ namespace sinew::detail {
 template <class Real> Real limited_multiplier(Real lambda, Real below, Real above, Real alpha, Real per_resistance) {
     const Real pushing = lambda - (below + alpha * lambda) * per_resistance;
     const Real pulling = lambda - (above + alpha * lambda) * per_resistance;
-    return maximum(pushing, Real(0)) + minimum(pulling, Real(0));
+    return max(pushing, Real(0)) + min(pulling, Real(0));
 }
 
 /// A unit vector that belongs to one member of one constraint.
@@ -38,11 +38,11 @@ template <class Mover, class Real>
     Real extent = 0, lightest = 0;
     Vec<Mover::dimension, Real> mean{};
     for (std::size_t i = 0; i < members.size(); ++i) {
-        extent = maximum(extent, distance(mover.point(members[i]), mover.point(members[0])));
-        lightest = maximum(lightest, mover.weight(members[i]));
+        extent = max(extent, distance(mover.point(members[i]), mover.point(members[0])));
+        lightest = max(lightest, mover.weight(members[i]));
         mean += own_direction<Mover::dimension, Real>(constraint, i) * (Real(1) / Real(members.size()));
     }
-    const Real size = share * (extent > Real(0) ? extent : minimum(absolute(rest), limit::coordinate<Real>));
+    const Real size = share * (extent > Real(0) ? extent : min(absolute(rest), limit::coordinate<Real>));
     for (std::size_t i = 0; i < members.size(); ++i) {
         const Real agility = mover.weight(members[i]) * inverse_or_zero(lightest);
         mover.push(members[i], (own_direction<Mover::dimension, Real>(constraint, i) - mean) * (size * agility));
@@ -115,7 +115,7 @@ bool correct_row(std::span<Vec<D, Real>> scratch, Table& table, Row row, Mover& 
 
     const Real alpha = mover.alpha(table.compliance[row]);
     const Real lambda = mover.first_iteration ? Real(0) : table.multiplier[row];
-    const Real most = mover.most(table.max_force[row]);
+    const Real max = mover.max_multiplier(table.max_force[row]);
     Real ahead = 0; // predicted change of a damped measure
     if (table.damping_time[row] > Real(0) && alpha > Real(0)) {
         ahead = mover.ahead(stencil, members, table.damping_time[row], table.motor_speed[row]);
@@ -123,7 +123,7 @@ bool correct_row(std::span<Vec<D, Real>> scratch, Table& table, Row row, Mover& 
     }
     const Real solved = clamp(limited_multiplier(lambda, measure - low + ahead, measure - high + ahead, alpha,
                                                  inverse_or_zero(resistance + alpha)),
-                              -most, most);
+                              -max, max);
     const Real change = table.relaxation[row] * (solved - lambda);
     const Real next = lambda + trusted(mover, stencil, members, split, change);
     table.multiplier[row] = next;

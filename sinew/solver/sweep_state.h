@@ -17,10 +17,10 @@ namespace sinew {
 template <int D, class Real> struct SweepState {
     static constexpr Row none = ~Row(0);
 
-    std::vector<Row> row_of;                          ///< by slot
-    std::vector<Row> slot_of;                         ///< by row; `none` for particles in direct blocks
-    std::array<Real*, D> place{}, move{}, residual{}; ///< move: displacement to the end of the substep
-    Real* mobility = nullptr;                         ///< inverse mass, scaled by drag; 0: immovable
+    std::vector<Row> row_of;                                     ///< by slot
+    std::vector<Row> slot_of;                                    ///< by row; `none` for particles in direct blocks
+    std::array<Real*, D> position{}, displacement{}, residual{}; ///< move: displacement to the end of the substep
+    Real* mobility = nullptr;                                    ///< inverse mass, scaled by drag; 0: immovable
     Real per_h = 0;
     bool any_force = false;      ///< some swept particle has an external force in this step
     bool everyone_alike = false; ///< only gravity acts in this step, equally on all
@@ -61,21 +61,21 @@ template <int D, class Real> struct SweepState {
         columns_.assign(stride_ * columns + line / sizeof(Real), Real(0));
         Real* next =
             columns_.data() + (line - reinterpret_cast<std::uintptr_t>(columns_.data()) % line) % line / sizeof(Real);
-        for (auto* kind : {&place, &move, &residual})
+        for (auto* kind : {&position, &displacement, &residual})
             for (auto& column : *kind) column = next, next += stride_;
         mobility = next;
     }
 
     /// Stride between the components of a column.
     std::size_t stride() const {
-        SINEW_ASSERT(std::size_t(place[1] - place[0]) >= row_of.size(), "a column has room for every slot");
-        return std::size_t(place[1] - place[0]);
+        SINEW_ASSERT(std::size_t(position[1] - position[0]) >= row_of.size(), "a column has room for every slot");
+        return std::size_t(position[1] - position[0]);
     }
 
-    Vec<D, Real> place_at(Row slot) const { return get(place, slot); }
-    Vec<D, Real> move_at(Row slot) const { return get(move, slot); }
-    Vec<D, Real> velocity_at(Row slot) const { return get(move, slot) * per_h; }
-    void set_move(Row slot, const Vec<D, Real>& to) { put(move, slot, to); }
+    Vec<D, Real> position_at(Row slot) const { return get(position, slot); }
+    Vec<D, Real> displacement_at(Row slot) const { return get(displacement, slot); }
+    Vec<D, Real> velocity_at(Row slot) const { return get(displacement, slot) * per_h; }
+    void set_displacement(Row slot, const Vec<D, Real>& to) { put(displacement, slot, to); }
     Vec<D, Real> residual_at(Row slot) const { return get(residual, slot); }
 
     static Vec<D, Real> get(const std::array<Real*, D>& columns, Row slot) {
@@ -87,7 +87,7 @@ template <int D, class Real> struct SweepState {
 
     DistanceColumns<D, Real> link_columns(Real* multiplier) const {
         DistanceColumns<D, Real> columns{};
-        columns.place = place[0], columns.move = move[0], columns.stride = stride();
+        columns.position = position[0], columns.displacement = displacement[0], columns.stride = stride();
         columns.mobility = mobility;
         columns.low = plan.parameters.low();
         columns.high = plan.parameters.high();
@@ -115,7 +115,7 @@ template <int D, class Real> struct SweepState {
         const auto clear = [&](Real* column) {
             std::fill(column + std::min(row_of.size(), used_), column + used_, Real(0));
         };
-        for (auto* kind : {&place, &move, &residual}) std::for_each(kind->begin(), kind->end(), clear);
+        for (auto* kind : {&position, &displacement, &residual}) std::for_each(kind->begin(), kind->end(), clear);
         clear(mobility);
         used_ = row_of.size();
         return true;

@@ -85,9 +85,9 @@ struct Corner {
 /// Points with sign * coordinate >= least.
 struct HalfPlane {
     double Corner::*coordinate;
-    double sign = 1, least = 0;
+    double sign = 1, min = 0;
 
-    double depth(const Corner& corner) const { return sign * corner.*coordinate - least; }
+    double depth(const Corner& corner) const { return sign * corner.*coordinate - min; }
 };
 
 /// A blade's view of a cell.
@@ -106,9 +106,9 @@ template <int D> struct BladeView {
     /// Intersection of an edge with the boundary of a half plane, by regula falsi: bilinear maps and perspective are
     /// not quite linear.
     Corner entry(Corner out, Corner in, const HalfPlane& half) const {
-        constexpr int most = 4;
+        constexpr int max = 4;
         Corner met = in;
-        for (int i = 0; i < most; ++i) {
+        for (int i = 0; i < max; ++i) {
             const double a = half.depth(out), b = half.depth(in);
             if (!(b > a)) return met;
             met = at(out.uv + (in.uv - out.uv) * float(-a / (b - a)));
@@ -207,7 +207,7 @@ template <int D, class Real> bool Slicer<D, Real>::runs_through(const Figure& fi
 
 template <int D, class Real>
 void Slicer<D, Real>::slice(const Figure& figure, const Piece& piece, PiecesLeft& left) const {
-    constexpr double least_area = 1e-6; // relative to the cell
+    constexpr double min_area = 1e-6; // relative to the cell
     const auto cell = cell_of(world_, figure, piece);
     const BladeView<D> view{cell.place, blade_, see_, along_};
     std::vector<Corner> polygon, clipped;
@@ -221,7 +221,7 @@ void Slicer<D, Real>::slice(const Figure& figure, const Piece& piece, PiecesLeft
                 view.clip(polygon, half, clipped);
                 std::swap(polygon, clipped);
             }
-            if (!(area_of(polygon) > least_area)) return;
+            if (!(area_of(polygon) > min_area)) return;
             tile.clear();
             for (const auto& corner : polygon) tile.push_back(corner.uv);
             part.add_tile(tile);

@@ -39,10 +39,10 @@ Piece part_of(const Piece& whole, std::size_t first, std::size_t count) {
 /// Adds the remaining parts of a closed piece with gaps.
 void open_up(const Piece& piece, std::span<const std::size_t> gaps, std::vector<Piece>& left) {
     if (piece.mark == Mark::fill && gaps.size() == 1) return left.push_back(piece);
-    const std::size_t least = piece.mark == Mark::fill ? 3 : 2, size = piece.particles.size();
+    const std::size_t min = piece.mark == Mark::fill ? 3 : 2, size = piece.particles.size();
     for (std::size_t i = 0; i < gaps.size(); ++i) {
         const std::size_t next = i + 1 < gaps.size() ? gaps[i + 1] : gaps[0] + size;
-        if (next - gaps[i] < least) continue;
+        if (next - gaps[i] < min) continue;
         left.push_back(part_of(piece, gaps[i] + 1, next - gaps[i]));
         if (piece.mark == Mark::loop) left.back().mark = Mark::stroke;
     }

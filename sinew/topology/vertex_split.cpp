@@ -151,8 +151,8 @@ template <int D, class Real> class Splitter {
 
     void lighten(Row row, Real share) {
         auto& p = world_.particles;
-        p.inverse_mass[row] = minimum(p.inverse_mass[row] / share, limit::mass<Real>);
-        p.mobility[row] = minimum(p.mobility[row] / share, limit::mass<Real>);
+        p.inverse_mass[row] = min(p.inverse_mass[row] / share, limit::mass<Real>);
+        p.mobility[row] = min(p.mobility[row] / share, limit::mass<Real>);
     }
 };
 

@@ -72,7 +72,7 @@ template <int D, class Real> class NodeBinder {
     }
 
     VirtualNode bound(ParticleId base, const Vec3<double>& at, IdList<ParticleId>& particles) const {
-        constexpr double least_quality = 0.1, furthest = 4; // times the axes
+        constexpr double min_quality = 0.1, furthest = 4; // times the axes
         VirtualNode node{.count = 1, .at = at};
         const auto row = row_of(world_, base);
         if (!row) return node;
@@ -84,7 +84,7 @@ template <int D, class Real> class NodeBinder {
             node.count = std::uint8_t(number + 1);
             particles.push_back(world_.particles.slots.id_of(other));
         };
-        if (const auto axes = axes_at(*row, near); axes.quality > least_quality) {
+        if (const auto axes = axes_at(*row, near); axes.quality > min_quality) {
             const auto b = place(axes.b) - place(*row), c = place(axes.c) - place(*row), n = cross(b, c);
             const double scale = 1 / dot(n, n);
             const Vec3<double> shares{

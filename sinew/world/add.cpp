@@ -18,19 +18,19 @@ template <class WorldT> FigureIndex known(const WorldT& world, FigureIndex figur
 template <class Table, class Real>
 void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& spec, Interval<Real> limits,
                  FigureIndex figure) {
-    constexpr auto most = limit::measure<Real>;
-    const Real low = clamp(limits.low, -most, most);
-    table.limits.append(count, low, clamp(limits.high, low, most));
+    constexpr auto max = limit::measure<Real>;
+    const Real low = clamp(limits.low, -max, max);
+    table.limits.append(count, low, clamp(limits.high, low, max));
     table.multiplier.resize(table.multiplier.size() + count);
-    table.compliance.append(count, clamp(spec.compliance, Real(0), most));
+    table.compliance.append(count, clamp(spec.compliance, Real(0), max));
     table.relaxation.append(count, clamp(spec.relaxation, Real(0), Real(1)));
     table.split.append(count, clamp(spec.split, Real(0), Real(1)));
-    table.max_force.append(count, clamp(spec.max_force, Real(0), most));
+    table.max_force.append(count, clamp(spec.max_force, Real(0), max));
     table.damping_time.append(count, clamp(spec.damping_time, Real(0), limit::step<Real>));
     table.motor_speed.append(count, Real(0));
     table.motorized.append(count, 0);
-    table.breaking_strain.append(count, clamp(spec.breaking_strain, Real(0), most));
-    table.damage_limit.append(count, clamp(spec.damage_limit, Real(0), most));
+    table.breaking_strain.append(count, clamp(spec.breaking_strain, Real(0), max));
+    table.damage_limit.append(count, clamp(spec.damage_limit, Real(0), max));
     table.damage.append(count, Real(0));
     table.figure.append(count, figure);
 }
@@ -68,8 +68,8 @@ void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& s
         const ConstraintId id{kind, table.slots.append()};
         for (const Row member : std::as_const(table).members[row]) detail::note_member(world, table, kind, row, member);
         if (!spec.limits) {
-            constexpr double most = limit::measure<double>;
-            const auto measure = Real(clamp(constraint_state(world, id)->measure, -most, most));
+            constexpr double max = limit::measure<double>;
+            const auto measure = Real(clamp(constraint_state(world, id)->measure, -max, max));
             table.limits.set(row, measure, measure);
         }
         named(id);
@@ -82,7 +82,7 @@ void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& s
 /// Velocity of the spec, or the one implied by the position a frame ago.
 template <int D, class Real> Vec<D, Real> velocity_of(const World<D, Real>& world, const ParticleSpec<D, Real>& spec) {
     if (!spec.previous) return spec.velocity;
-    const auto within = [](const Vec<D, Real>& place) { return clamp_finite(place, limit::coordinate<Real>); };
+    const auto within = [](const Vec<D, Real>& position) { return clamp_finite(position, limit::coordinate<Real>); };
     const Real frame = world.settings.frame;
     const Real per_frame = frame > limit::shortest_step<Real> ? inverse_or_zero(frame) : Real(0);
     return (within(spec.position) - within(*spec.previous)) * per_frame;
@@ -142,7 +142,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
     visit_table(world, kind, [&](auto& table) {
         using Kind = typename std::decay_t<decltype(table)>::Kind;
         if constexpr (Kind::arity == any_arity) {
-            if (int(rows.size()) < Kind::least_arity) return;
+            if (int(rows.size()) < Kind::min_arity) return;
         } else if (rows.size() != std::size_t(Kind::arity)) {
             return;
         }

@@ -36,11 +36,11 @@ class ConstraintAdjacency {
 
     /// False if the search would take too long.
     bool remove(std::uint32_t particle, int kind, std::uint32_t constraint) {
-        constexpr int most = 256;
+        constexpr int max = 256;
         SINEW_ASSERT(last_[particle] != none, "the particle's list holds the constraint");
         auto& last = last_[particle];
         auto before = last;
-        for (int i = 0; i < most; ++i, before = all_[before].next) {
+        for (int i = 0; i < max; ++i, before = all_[before].next) {
             const auto at = all_[before].next;
             if (all_[at].constraint != packed(kind, constraint)) continue;
             all_[before].next = all_[at].next;

@@ -77,17 +77,17 @@ template <class Real> class CrossingCounter {
     const World<3, Real>& world_;
     ClothFaces faces_;
 
-    Point3 place(Row row) const { return cast<double>(world_.particles.position[row]); }
+    Point3 position(Row row) const { return cast<double>(world_.particles.position[row]); }
     template <class Rows> collide::BoundingBox<3, double> box_of(const Rows& rows) const {
         collide::BoundingBox<3, double> box;
-        for (const Row row : rows) box.include(place(row));
+        for (const Row row : rows) box.include(position(row));
         return box;
     }
     bool cross(const std::array<Row, 3>& triangle, const std::array<Row, 2>& edge) const {
         for (const Row corner : triangle)
             if (corner == edge[0] || corner == edge[1]) return false;
-        const auto a = place(triangle[0]), b = place(triangle[1]), c = place(triangle[2]);
-        const auto p = place(edge[0]), q = place(edge[1]);
+        const auto a = position(triangle[0]), b = position(triangle[1]), c = position(triangle[2]);
+        const auto p = position(edge[0]), q = position(edge[1]);
         if (!have_one_sign(volume(a, b, c, p), -volume(a, b, c, q))) return false;
         const double ab = volume(p, q, a, b), bc = volume(p, q, b, c), ca = volume(p, q, c, a);
         return have_one_sign(ab, bc) && have_one_sign(bc, ca);

@@ -114,10 +114,10 @@ template <int D, class Real> bool set_position(World<D, Real>& world, ParticleId
     if (!row) return false;
     auto& p = world.particles;
     constexpr auto furthest = limit::coordinate<Real>;
-    const auto place = clamp_finite(position, furthest);
-    const auto previous = place + (p.previous[*row] - p.position[*row]); // keeps the velocity of classic mode
+    const auto clamped = clamp_finite(position, furthest);
+    const auto previous = clamped + (p.previous[*row] - p.position[*row]); // keeps the velocity of classic mode
     p.previous[*row] = clamp_finite(previous, furthest);
-    p.position[*row] = place;
+    p.position[*row] = clamped;
     p.residual[*row] = {};
     return true;
 }
@@ -144,9 +144,9 @@ template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id,
 template <int D, class Real> bool apply_force(World<D, Real>& world, ParticleId id, const Vec<D, Real>& force) {
     const auto row = world.particles.slots.find(id);
     if (!row) return false;
-    constexpr auto most = limit::force<Real>;
+    constexpr auto max = limit::force<Real>;
     auto& sum = world.particles.force[*row];
-    sum = clamp_finite(sum + clamp_finite(force, most), most);
+    sum = clamp_finite(sum + clamp_finite(force, max), max);
     return world.particles.any_force = true;
 }
 
@@ -155,8 +155,8 @@ template <int D, class Real> bool apply_impulse(World<D, Real>& world, ParticleI
     if (!row) return false;
     const auto& p = world.particles;
     const Real per_mass = p.mobility[*row] > Real(0) ? p.inverse_mass[*row] : Real(0);
-    const Real most = Real(2) * limit::speed<Real> * inverse_or_zero(per_mass); // reverses the largest speed
-    return set_velocity(world, id, p.velocity[*row] + clamp_finite(impulse, most) * per_mass);
+    const Real max = Real(2) * limit::speed<Real> * inverse_or_zero(per_mass); // reverses the largest speed
+    return set_velocity(world, id, p.velocity[*row] + clamp_finite(impulse, max) * per_mass);
 }
 
 template <int D, class Real>
@@ -164,16 +164,16 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
     const auto row = world.particles.slots.find(particle);
     if (!row) return std::nullopt;
     const auto position = world.particles.position[*row];
-    constexpr auto most = limit::measure<Real>;
+    constexpr auto max = limit::measure<Real>;
     world.pins.push_back({.particle = particle,
                           .from = position,
                           .target = clamp_finite(spec.target.value_or(position), limit::coordinate<Real>),
-                          .compliance = clamp(spec.compliance, Real(0), most),
-                          .damping = clamp(spec.damping, Real(0), most),
-                          .max_force = clamp(spec.max_force, Real(0), most),
+                          .compliance = clamp(spec.compliance, Real(0), max),
+                          .damping = clamp(spec.damping, Real(0), max),
+                          .max_force = clamp(spec.max_force, Real(0), max),
                           .hold = spec.hold,
-                          .steer = clamp_components(spec.steer, most),
-                          .steer_damping = clamp(spec.steer_damping, Real(0), most)});
+                          .steer = clamp_components(spec.steer, max),
+                          .steer_damping = clamp(spec.steer_damping, Real(0), max)});
     if (world.pins.back().hard() && world.particles.mobility[*row] > Real(0)) {
         world.particles.mobility[*row] = Real(0);
         detail::note_mobility(world, *row);

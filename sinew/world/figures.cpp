@@ -33,18 +33,18 @@ template <int D, class Real> std::vector<ConstraintId> constraints_of(const Worl
 template <int D, class Real>
 FigureIndex add_figure(World<D, Real>& world, std::string_view name, std::string_view prefab) {
     auto& figures = world.figures;
-    auto place = figures.end();
+    auto position = figures.end();
     if (world.unused_figures > 0)
-        place = std::ranges::find_if(figures, [](const Figure& figure) { return !figure.in_use(); });
-    SINEW_ASSERT(world.unused_figures == 0 || place != figures.end(), "as many entries are unused as are counted");
-    if (place == figures.end())
-        place = figures.emplace(place);
+        position = std::ranges::find_if(figures, [](const Figure& figure) { return !figure.in_use(); });
+    SINEW_ASSERT(world.unused_figures == 0 || position != figures.end(), "as many entries are unused as are counted");
+    if (position == figures.end())
+        position = figures.emplace(position);
     else
         --world.unused_figures;
-    place->name = name;
-    place->prefab = prefab;
-    place->generation = world.figure_stamp.get();
-    const auto index = FigureIndex(place - figures.begin());
+    position->name = name;
+    position->prefab = prefab;
+    position->generation = world.figure_stamp.get();
+    const auto index = FigureIndex(position - figures.begin());
     world.figure_names.emplace_back(name, index);
     return index;
 }
@@ -79,7 +79,7 @@ bool teleport(World<D, Real>& world, FigureIndex figure, const Vec<D, Real>& off
     if (!has_figure(world, figure)) return false;
     constexpr auto furthest = limit::coordinate<Real>;
     const auto by = clamp_finite(offset, Real(2) * furthest);
-    const auto move = [&](Vec<D, Real>& place) { place = clamp_finite(place + by, furthest); };
+    const auto move = [&](Vec<D, Real>& position) { position = clamp_finite(position + by, furthest); };
     auto& p = world.particles;
     for (const auto id : world.figures[figure].particles) {
         const auto row = p.slots.find(id);

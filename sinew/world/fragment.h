@@ -44,13 +44,13 @@ struct Fragment {
 };
 
 /// Position of a corner in 3D, where place(i) is the position of the piece's particle i.
-template <class Place> Vec3<double> place_of(const VirtualNode& node, Place&& place, bool flat) {
+template <class Place> Vec3<double> place_of(const VirtualNode& node, Place&& position, bool flat) {
     if (node.count == 0) return node.at;
-    const Vec3<double> a = place(node.of[0]);
+    const Vec3<double> a = position(node.of[0]);
     if (node.count == 1) return a + node.at;
-    const Vec3<double> b = place(node.of[1]) - a;
+    const Vec3<double> b = position(node.of[1]) - a;
     if (node.count == 2) return a + b * node.at[0] + Vec3<double>{{-b[1], b[0], 0}} * node.at[1];
-    const Vec3<double> c = place(node.of[2]) - a;
+    const Vec3<double> c = position(node.of[2]) - a;
     const auto even = a + b * node.at[0] + c * node.at[1];
     return flat ? even : even + direction(cross(b, c)) * node.at[2];
 }

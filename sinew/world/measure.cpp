@@ -11,15 +11,15 @@ namespace {
 
 /// Position for a particle's velocity: in the middle of the last substep; at the end for direct blocks and for classic
 /// integrators other than Verlet.
-template <int D, class Real> Vec<D, double> place_of_velocity(const World<D, Real>& world, Row row) {
+template <int D, class Real> Vec<D, double> position_of_velocity(const World<D, Real>& world, Row row) {
     const auto& p = world.particles;
-    const auto place = cast<double>(p.position[row]);
+    const auto position = cast<double>(p.position[row]);
     if (world.settings.mode == Mode::classic) {
-        if (!has_mean_velocity(integrator_of(world, row))) return place;
-        return (place + cast<double>(p.previous[row])) * 0.5;
+        if (!has_mean_velocity(integrator_of(world, row))) return position;
+        return (position + cast<double>(p.previous[row])) * 0.5;
     }
-    if (p.at_end[row]) return place;
-    return place - cast<double>(p.velocity[row]) * (0.5 * double(world.last_substep));
+    if (p.at_end[row]) return position;
+    return position - cast<double>(p.velocity[row]) * (0.5 * double(world.last_substep));
 }
 
 /// True if a particle of a direct block is among the members.
@@ -33,14 +33,14 @@ template <int D, class Real> double mass_of(const Particles<D, Real>& p, Row row
 
 template <int D, class Real> struct PotentialOf {
     double mass;
-    Vec<D, double> place;
+    Vec<D, double> position;
     FigureIndex figure;
     double operator()(const Gravity<D, Real>& gravity) const {
-        return -mass * dot(cast<double>(gravity.acceleration), place);
+        return -mass * dot(cast<double>(gravity.acceleration), position);
     }
     double operator()(const Attractor<D, Real>& attractor) const {
         if (!pulls(attractor, figure)) return 0;
-        const auto offset = place - cast<double>(attractor.center);
+        const auto offset = position - cast<double>(attractor.center);
         return -mass * double(attractor.strength) *
                inverse_or_zero(square_root(dot(offset, offset) + square(double(attractor.softness))));
     }
@@ -101,7 +101,7 @@ class SlackLinks {
                                  [](const auto& e, const Link& link) { return e < std::pair(link.a, link.b); });
             if (after == links_.begin() || (after - 1)->a != ends.first || (after - 1)->b != ends.second) continue;
             const auto arm = point(ends.second) - point(ends.first);
-            share *= minimum(dot(arm, arm) / square((after - 1)->length), 1.0);
+            share *= min(dot(arm, arm) / square((after - 1)->length), 1.0);
         }
         return share;
     }
@@ -122,8 +122,8 @@ std::optional<ConstraintState> constraint_state(const World<D, Real>& world, con
     visit_table(world, id.kind, [&](const auto& table) {
         const auto row = table.slots.find(id.id);
         if (!row) return;
-        const auto place = [&](Row particle) { return cast<double>(world.particles.position[particle]); };
-        state = state_of(table, *row, measure_row(table, *row, place), world.last_substep);
+        const auto position = [&](Row particle) { return cast<double>(world.particles.position[particle]); };
+        state = state_of(table, *row, measure_row(table, *row, position), world.last_substep);
     });
     return state;
 }
@@ -137,7 +137,7 @@ template <int D, class Real> void add_particle_energy(const World<D, Real>& worl
     const auto velocity = cast<double>(p.velocity[row]);
     sum.kinetic += 0.5 * mass * dot(velocity, velocity);
     for (const auto& force : world.forces)
-        sum.potential += std::visit(PotentialOf<D, Real>{mass, place_of_velocity(world, row), p.figure[row]}, force);
+        sum.potential += std::visit(PotentialOf<D, Real>{mass, position_of_velocity(world, row), p.figure[row]}, force);
 }
 
 /// Energy of the figures for which `counts` is true.
@@ -151,7 +151,7 @@ template <int D, class Real, class Counts> Energy energy_where(const World<D, Re
         using Kind = typename std::decay_t<decltype(table)>::Kind;
         for (Row row = 0; row < table.size(); ++row) {
             if (table.is_rigid(row) || !counts(table.figure[row])) continue;
-            const auto middle = [&](Row particle) { return place_of_velocity(world, particle); };
+            const auto middle = [&](Row particle) { return position_of_velocity(world, particle); };
             const auto state = state_of(table, row, measure_row(table, row, middle), world.last_substep);
             double stored = table.spring_energy(row, state.error);
             if constexpr (std::is_same_v<Kind, Angle<D>>)
@@ -165,7 +165,7 @@ template <int D, class Real, class Counts> Energy energy_where(const World<D, Re
     for (const auto& pin : world.pins) {
         const auto row = p.slots.find(pin.particle);
         if (!row || !(pin.compliance > Real(0)) || !counts(p.figure[*row])) continue;
-        const auto offset = place_of_velocity(world, *row) - cast<double>(pin.target);
+        const auto offset = position_of_velocity(world, *row) - cast<double>(pin.target);
         sum.stored += 0.5 * dot(offset, offset) / double(pin.compliance);
     }
     return sum;
@@ -202,7 +202,7 @@ template <int D, class Real> Vec3<double> angular_momentum(const World<D, Real>&
     for (Row row = 0; row < p.size(); ++row) {
         Vec3<double> arm{}, impulse{};
         for (int i = 0; i < D; ++i) {
-            arm[i] = place_of_velocity(world, row)[i];
+            arm[i] = position_of_velocity(world, row)[i];
             impulse[i] = double(p.velocity[row][i]) * mass_of(p, row);
         }
         sum += cross(arm, impulse);
@@ -233,9 +233,9 @@ template <int D, class Real> Stretch stretch(const World<D, Real>& world) {
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     Stretch result{.count = distances.size()};
     for (Row row = 0; row < distances.size(); ++row) {
-        const auto place = [&](Row particle) { return cast<double>(world.particles.position[particle]); };
+        const auto position = [&](Row particle) { return cast<double>(world.particles.position[particle]); };
         const double strain =
-            absolute(state_of(distances, row, measure_row(distances, row, place), world.last_substep).strain);
+            absolute(state_of(distances, row, measure_row(distances, row, position), world.last_substep).strain);
         result.max = std::max(result.max, strain);
         result.mean += strain;
     }

@@ -8,10 +8,10 @@ template <int D> constexpr int link_kind = kind_number<Distance, D>;
 /// Calls visit(row, a, b) for the links of a world, with the places of their ends.
 template <int D, class Real, class Visit> void each_link(const World<D, Real>& world, Visit&& visit) {
     const auto& table = std::get<std::size_t(link_kind<D>)>(world.constraints);
-    const auto& place = world.particles.position;
+    const auto& position = world.particles.position;
     for (Row row = 0; row < table.size(); ++row) {
         const auto ends = table.members[row];
-        if (ties(table, row)) visit(table.slots.id_of(row), place[ends[0]], place[ends[1]]);
+        if (ties(table, row)) visit(table.slots.id_of(row), position[ends[0]], position[ends[1]]);
     }
 }
 
@@ -50,14 +50,14 @@ std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>& world, const
 }
 
 template <int D, class Real>
-std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D, Real>& from, const Vec<D, Real>& move,
-                                        Real radius, collide::Filter filter) {
+std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D, Real>& from,
+                                        const Vec<D, Real>& displacement, Real radius, collide::Filter filter) {
     std::optional<RayHit<D, Real>> first;
     const auto& p = world.particles;
     for (Row row = 0; row < p.size(); ++row) {
         if (!(p.radius[row] > Real(0)) || !touch(filter, layers_of(world, row))) continue;
         const collide::Sphere<D, Real> sphere{p.radius[row]};
-        if (const auto impact = collide::sweep(sphere, from - p.position[row], move, radius))
+        if (const auto impact = collide::sweep(sphere, from - p.position[row], displacement, radius))
             keep_first(first, {.time = impact->time,
                                .point = p.position[row] + impact->surface.point,
                                .normal = impact->surface.normal,
@@ -66,7 +66,7 @@ std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D
     for (Row row = 0; row < world.colliders.size(); ++row) {
         const auto& collider = world.colliders[row];
         if (collider.is_sensor || !touch(filter, collider.filter)) continue;
-        if (const auto impact = collide::sweep(collider.shape, collider.target, from, move, radius))
+        if (const auto impact = collide::sweep(collider.shape, collider.target, from, displacement, radius))
             keep_first(first, {.time = impact->time,
                                .point = impact->surface.point,
                                .normal = impact->surface.normal,

@@ -37,8 +37,8 @@ template <int D, class Real> struct RayHit {
 /// First particle with a radius, or collider other than a sensor, that a sphere meets on its way from a point; radius 0
 /// is a ray. Only what `filter` touches counts.
 template <int D, class Real>
-std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D, Real>& from, const Vec<D, Real>& move,
-                                        Real radius = 0, collide::Filter filter = {});
+std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D, Real>& from,
+                                        const Vec<D, Real>& displacement, Real radius = 0, collide::Filter filter = {});
 
 /// Particles that touch a shape, in the order of their rows.
 template <int D, class Real>

@@ -13,7 +13,7 @@ namespace {
 
 template <int D, class Real> class Inspector {
   public:
-    Inspector(const World<D, Real>& world, std::size_t most) : world_(world), most_(most) {}
+    Inspector(const World<D, Real>& world, std::size_t max) : world_(world), max_(max) {}
 
     std::vector<RigFault> inspect() {
         int kind = 0;
@@ -25,16 +25,16 @@ template <int D, class Real> class Inspector {
 
   private:
     static constexpr int link_kind = kind_number<Distance, D>;
-    static constexpr double least_strain = 1e-3;
+    static constexpr double min_strain = 1e-3;
 
     const World<D, Real>& world_;
-    std::size_t most_;
+    std::size_t max_;
     std::vector<RigFault> faults_;
 
     const auto& distances() const { return std::get<link_kind>(world_.constraints); }
 
     void report(std::string what, std::string where) {
-        if (faults_.size() < most_) faults_.push_back({std::move(what), std::move(where)});
+        if (faults_.size() < max_) faults_.push_back({std::move(what), std::move(where)});
     }
 
     // --- names -------------------------------------------------------------------------------------------------------
@@ -77,7 +77,7 @@ template <int D, class Real> class Inspector {
     template <class Table> void limits(const Table& table, int kind) {
         using Kind = typename Table::Kind;
         constexpr double to_shown = Kind::length_power == 0 ? 180 / pi<double> : 1; // angles are shown in degrees
-        for (Row row = 0; row < table.size() && faults_.size() < most_; ++row) {
+        for (Row row = 0; row < table.size() && faults_.size() < max_; ++row) {
             const double low = double(table.low(row)), high = double(table.high(row));
             if (const auto why = impossible<Kind>(low, high); !why.empty()) {
                 report(format_text("{}: its limits are {}", why, range(low * to_shown, high * to_shown)),
@@ -86,7 +86,7 @@ template <int D, class Real> class Inspector {
             }
             if (!table.is_rigid(row)) continue;
             const auto state = constraint_state(world_, ConstraintId{kind, table.slots.id_of(row)});
-            if (!state || !(absolute(state->strain) > least_strain)) continue;
+            if (!state || !(absolute(state->strain) > min_strain)) continue;
             const auto members = table.members[row];
             const bool stuck = std::all_of(members.begin(), members.end(),
                                            [&](Row member) { return world_.particles.mobility[member] == Real(0); });
@@ -118,7 +118,7 @@ template <int D, class Real> class Inspector {
     void massless_loops() {
         UnionFind joined(world_.particles.size());
         const auto& inverse_mass = world_.particles.inverse_mass;
-        for (Row row = 0; row < distances().size() && faults_.size() < most_; ++row) {
+        for (Row row = 0; row < distances().size() && faults_.size() < max_; ++row) {
             const auto [a, b] = distances().members.rows[row];
             if (inverse_mass[a] > Real(0) || inverse_mass[b] > Real(0) || joined.join(a, b)) continue;
             report("closes a loop of particles without mass: nothing moves it",
@@ -129,15 +129,15 @@ template <int D, class Real> class Inspector {
     // --- lengths -----------------------------------------------------------------------------------------------------
 
     /// True if a path is shorter than needed, by more than the strain allowed.
-    static bool too_short(double way, double needed) { return way < needed * (1 - least_strain); }
+    static bool too_short(double way, double needed) { return way < needed * (1 - min_strain); }
 
     void lengths() {
-        ShortestPaths ways(world_, most_ways);
-        for (Row row = 0; row < distances().size() && faults_.size() < most_; ++row) {
+        ShortestPaths ways(world_, max_ways);
+        for (Row row = 0; row < distances().size() && faults_.size() < max_; ++row) {
             const double low = double(distances().low(row));
             if (!(low > 0) || !distances().is_rigid(row)) continue;
             const auto [a, b] = distances().members.rows[row];
-            const auto way = ways.between(a, b, low * (1 - least_strain), row);
+            const auto way = ways.between(a, b, low * (1 - min_strain), row);
             if (way)
                 report(format_text("is at least {:4}, but other links join its ends within {:4}", low, *way),
                        name_of_constraint(distances(), link_kind, row));
@@ -147,7 +147,7 @@ template <int D, class Real> class Inspector {
             if (const auto row = row_of(world_, pin.particle); row && pin.hard()) held.push_back(*row);
         sinew::sort(held.begin(), held.end());
         held.erase(std::unique(held.begin(), held.end()), held.end());
-        for (std::size_t i = 0; i + 1 < held.size() && faults_.size() < most_; ++i)
+        for (std::size_t i = 0; i + 1 < held.size() && faults_.size() < max_; ++i)
             for (const auto& [other, way] : ways.from(held[i], held)) {
                 const double apart =
                     double(distance(world_.particles.position[held[i]], world_.particles.position[other]));
@@ -161,8 +161,8 @@ template <int D, class Real> class Inspector {
 
 } // namespace
 
-template <int D, class Real> std::vector<RigFault> rig_faults(const World<D, Real>& world, std::size_t most) {
-    return Inspector<D, Real>(world, most).inspect();
+template <int D, class Real> std::vector<RigFault> rig_faults(const World<D, Real>& world, std::size_t max) {
+    return Inspector<D, Real>(world, max).inspect();
 }
 
 #define SINEW_RIG(D, Real) template std::vector<RigFault> rig_faults(const World<D, Real>&, std::size_t);

@@ -11,18 +11,18 @@
 namespace sinew {
 
 /// Shortest paths along rigid links, a link as long as its upper limit (Dijkstra 1959). All queries together follow at
-/// most `most_links` links; beyond the budget nothing is found.
+/// most `max_links` links; beyond the budget nothing is found.
 class ShortestPaths {
   public:
     template <int D, class Real>
-    explicit ShortestPaths(const World<D, Real>& world, std::size_t most_links)
-        : length_to_(world.particles.size(), unknown), left_(most_links) {
+    explicit ShortestPaths(const World<D, Real>& world, std::size_t max_links)
+        : length_to_(world.particles.size(), unknown), left_(max_links) {
         const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
         links_.fill(world.particles.size(), [&](auto&& visit) {
             for (Row row = 0; row < distances.size(); ++row) {
                 if (!distances.is_rigid(row) || !ties(distances, row)) continue;
                 const auto& [a, b] = distances.members.rows[row];
-                const double length = maximum(double(distances.high(row)), 0.0);
+                const double length = max(double(distances.high(row)), 0.0);
                 visit(a, Link{row, b, length}), visit(b, Link{row, a, length});
             }
         });

@@ -34,8 +34,8 @@ template <int D, class Real> constexpr Vec<D, Real> clamp_finite(const Vec<D, Re
 }
 
 /// Largest displacement in a substep of length h: at most the width of the world.
-template <class Real> constexpr Real furthest_move(Real h) {
-    return minimum(limit::speed<Real> * h, Real(2) * limit::coordinate<Real>);
+template <class Real> constexpr Real max_displacement(Real h) {
+    return min(limit::speed<Real> * h, Real(2) * limit::coordinate<Real>);
 }
 
 template <int D, class Real> struct Particles {
@@ -387,7 +387,7 @@ template <class Real> constexpr Real inverse_of_mass(Real mass) {
 
 /// Time between `previous` and `position`: the last step, or a frame before the first step.
 template <int D, class Real> Real verlet_interval(const World<D, Real>& world) {
-    return minimum(world.last_step > Real(0) ? world.last_step : world.settings.frame, limit::step<Real>);
+    return min(world.last_step > Real(0) ? world.last_step : world.settings.frame, limit::step<Real>);
 }
 
 /// Integrator of a particle in classic mode: the figure's, or else the one of the rules.

@@ -235,13 +235,13 @@ struct Reached {
 template <class World> Reached reached(World& world, double seconds, double scale) {
     using Real = typename World::Real;
     const double begun = energy(world).total();
-    Reached most;
+    Reached max;
     for (int i = 0; i < int((sanitized ? 0.2 : seconds) * 60); ++i) {
         step(world, Real(1.0 / 60));
-        most.energy = std::max(most.energy, std::abs(energy(world).total() - begun) / scale);
-        most.stretch = std::max(most.stretch, stretch(world).max);
+        max.energy = std::max(max.energy, std::abs(energy(world).total() - begun) / scale);
+        max.stretch = std::max(max.stretch, stretch(world).max);
     }
-    return most;
+    return max;
 }
 
 TYPED_TEST(AccuracyOf, TheEnergyOfRodsThatSwing) {

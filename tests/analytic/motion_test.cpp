@@ -127,16 +127,16 @@ TYPED_TEST(Motion, AFrictionlessSwingKeepsItsEnergyForAMinute) {
     const auto bob = add_particle(world, {.position = at<Vector>(std::sin(0.9), -std::cos(0.9))});
     add<Distance>(world, {pivot, bob});
     const double lowest = -10, start = -10 * std::cos(0.9);
-    double most = -1e9, least = 1e9;
+    double max = -1e9, min = 1e9;
     for (int i = 0; i < 3600; ++i) {
         step(world, Real(1.0 / 60));
         if (i < 2) continue; // the first substep's velocity is a half one
-        most = std::max(most, energy(world).total());
-        least = std::min(least, energy(world).total());
+        max = std::max(max, energy(world).total());
+        min = std::min(min, energy(world).total());
     }
     // of the swing's own energy, m g L (1 - cos 0.9) = 3.78 J
-    EXPECT_NEAR(most, start, 1e-4 * (start - lowest));
-    EXPECT_NEAR(least, start, 1e-4 * (start - lowest));
+    EXPECT_NEAR(max, start, 1e-4 * (start - lowest));
+    EXPECT_NEAR(min, start, 1e-4 * (start - lowest));
 }
 
 // m g / k, whatever the number of substeps and iterations, with the damping that brings it to rest.
@@ -261,13 +261,13 @@ TYPED_TEST(Motion, WindCarriesAtItsOwnSpeedAndGustsStayInRange) {
                                                      .gust = at<Vector>(2, 1),
                                                      .gust_period = Real(0.5),
                                                      .gust_size = 4}};
-    double least = 9, most = 0;
+    double min = 9, max = 0;
     for (int i = 0; i < 1200; ++i) {
         step(world, Real(1.0 / 60));
-        least = std::min(least, double((*velocity_of(world, leaf))[0]));
-        most = std::max(most, double((*velocity_of(world, leaf))[0]));
+        min = std::min(min, double((*velocity_of(world, leaf))[0]));
+        max = std::max(max, double((*velocity_of(world, leaf))[0]));
     }
-    EXPECT_TRUE(least >= 1 && least < 2.2 && most <= 5 && most > 3.8) << least << ' ' << most;
+    EXPECT_TRUE(min >= 1 && min < 2.2 && max <= 5 && max > 3.8) << min << ' ' << max;
 }
 
 // A circle about a soft centre: v^2 = s r^2 / (r^2 + soft^2)^(3/2).

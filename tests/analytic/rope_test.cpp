@@ -44,9 +44,9 @@ TEST(Truth, ARopeHangsInACatenary) {
     if (sanitized) return;
     const double a = catenary_parameter(span, length);
     for (int i = 0; i <= links; ++i) {
-        const auto place = world.particles.position[std::size_t(i)];
-        const double expected = a * (std::cosh((place[0] - span / 2) / a) - std::cosh(span / 2 / a));
-        EXPECT_NEAR(place[1], expected, 1e-3 * length) << i;
+        const auto position = world.particles.position[std::size_t(i)];
+        const double expected = a * (std::cosh((position[0] - span / 2) / a) - std::cosh(span / 2 / a));
+        EXPECT_NEAR(position[1], expected, 1e-3 * length) << i;
     }
 }
 
@@ -131,12 +131,12 @@ template <class Build> void expect_energy_kept(std::string_view name, double sca
     put(world);
     const double begun = energy(world).total();
     const int frames = sanitized ? 60 : few_or_many(30, 600) * 60;
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < frames; ++i) {
         step(world, 1.0 / 60);
-        most = std::max(most, std::abs(energy(world).total() - begun) / scale);
+        max = std::max(max, std::abs(energy(world).total() - begun) / scale);
     }
-    EXPECT_LT(most, 1e-4) << name;
+    EXPECT_LT(max, 1e-4) << name;
     EXPECT_LT(stretch(world).max, 1e-5) << name;
 }
 

@@ -115,14 +115,14 @@ TYPED_TEST(Shapes, TurningAndMovingTheWorldChangesNothingButThat) {
 template <class Build> double spread(Build&& build) {
     auto reference = build();
     run(reference, 5, 60);
-    double most = 0;
+    double max = 0;
     for (const double rate : {30.0, 144.0}) {
         auto world = build();
         run(world, 5, rate);
         for (Row row = 0; row < world.particles.size(); ++row)
-            most = std::max(most, double(distance(world.particles.position[row], reference.particles.position[row])));
+            max = std::max(max, double(distance(world.particles.position[row], reference.particles.position[row])));
     }
-    return most;
+    return max;
 }
 
 // The scheme is of second order: the phase of a swing of w = 3.16 / s after 5 s differs by about w t (w h)^2 / 24,

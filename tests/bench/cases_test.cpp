@@ -78,7 +78,7 @@ TEST(Cases, RagdollsAreFifteenPointsTwentyOneSticksAndLimits) {
     EXPECT_EQ(work.sticks.size(), 3U * 21);
     EXPECT_EQ(work.struts.size(), 3U * 4);
     EXPECT_LT(strain_at_first(work), 1e-5);
-    for (const auto& strut : work.struts) EXPECT_GT(distance(work.places[strut.a], work.places[strut.b]), strut.least);
+    for (const auto& strut : work.struts) EXPECT_GT(distance(work.places[strut.a], work.places[strut.b]), strut.min);
 }
 
 TEST(Cases, AreSweptAsTheTextbookDoesUnlessTheyAreDirect) {

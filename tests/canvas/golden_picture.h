@@ -25,20 +25,20 @@ inline void take_few_shades(Image& image) {
 }
 
 /// With SINEW_RENEW_GOLDEN in the environment a file that looks otherwise is written anew.
-inline void expect_looks_like(const std::filesystem::path& file, const Image& now, double least_ssim) {
+inline void expect_looks_like(const std::filesystem::path& file, const Image& now, double min_ssim) {
     const auto name = file.stem().string();
     if (std::getenv("SINEW_RENEW_GOLDEN")) {
         // What looks the same keeps its file, whatever cairo rounds otherwise.
         const auto old = canvas::read_png(file, name, {});
-        if (!old.image || ssim(*old.image, now) < least_ssim) write_png(now, file);
+        if (!old.image || ssim(*old.image, now) < min_ssim) write_png(now, file);
     }
     const auto golden = canvas::read_png(file, name, {});
     ASSERT_TRUE(golden.image) << golden.problem << "\nSee " << file.parent_path() / "README.md";
     const double found = ssim(*golden.image, now);
     const auto seen = std::filesystem::temp_directory_path() / ("sinew_" + name + ".png");
-    if (found < least_ssim) write_png(now, seen);
-    EXPECT_GE(found, least_ssim) << seen << " is what it looks like now, " << file
-                                 << " what it did.\nIf it is meant to, see README.md beside it";
+    if (found < min_ssim) write_png(now, seen);
+    EXPECT_GE(found, min_ssim) << seen << " is what it looks like now, " << file
+                               << " what it did.\nIf it is meant to, see README.md beside it";
 }
 
 } // namespace sinew

@@ -71,8 +71,8 @@ void set_environment(const Setting& setting) {
     set_environment(setting);
     std::signal(SIGPIPE, SIG_DFL);
     if (!setting.folder.empty() && chdir(setting.folder.c_str()) != 0) _exit(126);
-    if (setting.most_memory > 0 && !sanitized) {
-        const rlimit limit{setting.most_memory, setting.most_memory};
+    if (setting.max_memory > 0 && !sanitized) {
+        const rlimit limit{setting.max_memory, setting.max_memory};
         setrlimit(RLIMIT_AS, &limit);
     }
     if (setting.largest_file > 0) {

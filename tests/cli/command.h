@@ -23,7 +23,7 @@ struct Setting {
     std::map<std::string, std::string> environment = {}; ///< besides a catalogue of its own; empty values are unset
     std::filesystem::path folder = {};                   ///< to be in; where the tests are, if empty
     std::filesystem::path command = test::command_path();
-    std::size_t most_memory = 0;  ///< bytes of address space; 0: as much as it likes
+    std::size_t max_memory = 0;   ///< bytes of address space; 0: as much as it likes
     std::size_t largest_file = 0; ///< bytes it can write into one; 0: as many as it likes
     bool reader_leaves = false;   ///< standard output is a pipe that nobody reads
     std::string output = {};      ///< a file for standard output: "/dev/full"

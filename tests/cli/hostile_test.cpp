@@ -25,7 +25,7 @@ TEST_P(HostileScene, IsRefusedByEveryCommand) {
     const auto file = GetParam() + ".json";
     for (const auto* command : {"check", "run", "info", "render"}) {
         const auto outcome =
-            sinew({command, file}, {.folder = test::source_dir() + "/tests/hostile", .most_memory = 200'000'000});
+            sinew({command, file}, {.folder = test::source_dir() + "/tests/hostile", .max_memory = 200'000'000});
         EXPECT_EQ(outcome.code, 1) << command;
         EXPECT_TRUE(begins(outcome.err, file + ":"));
         EXPECT_TRUE(has(outcome.err, ": error: "));
@@ -43,7 +43,7 @@ TEST(Memory, WhereItIsShortIsSaid) {
     if (sanitized) GTEST_SKIP() << "sanitizers need more memory than the limit allows";
     const auto outcome =
         sinew({"run", "-"}, {.input = R"({"sinew": 1, "figures": [{"prefab": "rope", "segments": 900000}]})",
-                             .most_memory = 100'000'000});
+                             .max_memory = 100'000'000});
     EXPECT_EQ(outcome.code, 1);
     EXPECT_EQ(outcome.err, "sinew: error: out of memory\n");
 }

@@ -47,7 +47,7 @@ TEST(SceneFile, WhatIsNoneIsRefused) {
     expect_refused(sinew({"run", "tests"}, {.folder = test::source_dir()}), "tests: error: a folder, not a scene file");
     expect_refused(sinew({"run", "/dev/null"}), "/dev/null:1:1: error: the file is empty");
     expect_refused(sinew({"run", "-"}), "<stdin>:1:1: error: the file is empty");
-    expect_refused(sinew({"run", "/dev/zero"}, {.most_memory = 200'000'000}),
+    expect_refused(sinew({"run", "/dev/zero"}, {.max_memory = 200'000'000}),
                    "/dev/zero: error: more than 16000000 bytes", "limits.bytes=N");
     expect_refused(sinew({"run", "/proc/self/mem"}), "/proc/self/mem: error: ");
 }

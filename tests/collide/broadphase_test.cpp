@@ -46,13 +46,13 @@ template <int D> void expect_nearest_segments() {
         const auto b = i % 10 ? dice.point<D>(1) : a, d = i % 7 ? dice.point<D>(1) : c + (b - a) * 1.5;
         const auto [s, t] = nearest_parameters(a, b, c, d);
         const double found = distance(a + (b - a) * s, c + (d - c) * t);
-        double least = 1e9;
+        double min = 1e9;
         for (int k = 0; k <= 1000; ++k) {
             const auto p = a + (b - a) * (k / 1000.0);
-            least = std::min(least, distance(p, c + (d - c) * nearest_parameter(c, d, p)));
+            min = std::min(min, distance(p, c + (d - c) * nearest_parameter(c, d, p)));
         }
-        EXPECT_LE(found, least + 1e-9);
-        EXPECT_GE(found, least - 2e-3);
+        EXPECT_LE(found, min + 1e-9);
+        EXPECT_GE(found, min - 2e-3);
     }
 }
 

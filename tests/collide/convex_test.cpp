@@ -82,11 +82,11 @@ TYPED_TEST(Convex, TheNearestApproachOfASegmentIsTheLeastOverItsPoints) {
     each_convex_placement<D>(60, [](const auto& sample, const auto& pose, Dice& dice) {
         const auto a = dice.point<D>(3), b = dice.point<D>(3);
         const auto found = *nearest_to_segment(sample.shape, pose, a, b, 1e6);
-        double least = 1e9;
+        double min = 1e9;
         for (int i = 0; i <= 2000; ++i)
-            least = std::min(least, nearest_of(sample.shape, pose, a + (b - a) * (i / 2000.0)).distance);
-        EXPECT_LE(found.surface.distance, least + 1e-9);
-        EXPECT_GE(found.surface.distance, least - 5e-3);
+            min = std::min(min, nearest_of(sample.shape, pose, a + (b - a) * (i / 2000.0)).distance);
+        EXPECT_LE(found.surface.distance, min + 1e-9);
+        EXPECT_GE(found.surface.distance, min - 5e-3);
         EXPECT_NEAR(nearest_of(sample.shape, pose, a + (b - a) * found.t).distance, found.surface.distance, 1e-12);
     });
 }
@@ -95,17 +95,17 @@ TYPED_TEST(Convex, ASweptSphereMeetsTheShapeAtTheFirstTouch) {
     constexpr int D = TypeParam::value;
     int met = 0;
     each_convex_placement<D>(200, [&](const auto& sample, const auto& pose, Dice& dice) {
-        const auto from = dice.point<D>(4), move = (pose.position + dice.point<D>(1.5) - from) * 1.5;
+        const auto from = dice.point<D>(4), displacement = (pose.position + dice.point<D>(1.5) - from) * 1.5;
         const double radius = dice.between(0, 0.5);
         if (nearest_of(sample.shape, pose, from).distance < radius) return;
-        const auto impact = sweep(sample.shape, pose, from, move, radius);
+        const auto impact = sweep(sample.shape, pose, from, displacement, radius);
         const double end = impact ? impact->time : 1;
         for (int i = 0; i <= 500; ++i)
-            EXPECT_GE(nearest_of(sample.shape, pose, from + move * (end * i / 500)).distance, radius - 1e-9);
+            EXPECT_GE(nearest_of(sample.shape, pose, from + displacement * (end * i / 500)).distance, radius - 1e-9);
         if (!impact) return;
         ++met;
-        EXPECT_NEAR(nearest_of(sample.shape, pose, from + move * end).distance, radius, 1e-9);
-        EXPECT_LT(dot(impact->surface.normal, move), 0);
+        EXPECT_NEAR(nearest_of(sample.shape, pose, from + displacement * end).distance, radius, 1e-9);
+        EXPECT_LT(dot(impact->surface.normal, displacement), 0);
     });
     EXPECT_GT(met, 100);
 }
@@ -115,7 +115,8 @@ TYPED_TEST(Convex, ASweptCapsuleMeetsTheShapeAtTheFirstTouch) {
     int met = 0;
     each_convex_placement<D>(40, [&](const auto& sample, const auto& pose, Dice& dice) {
         const auto a = dice.point<D>(4), b = a + dice.point<D>(1);
-        const auto move_a = (pose.position + dice.point<D>(1.5) - a) * 1.5, move_b = move_a + dice.point<D>(1);
+        const auto displacement_a = (pose.position + dice.point<D>(1.5) - a) * 1.5,
+                   displacement_b = displacement_a + dice.point<D>(1);
         const double radius = dice.between(0, 0.3);
         const auto apart = [&](double time) {
             return std::visit(
@@ -123,8 +124,8 @@ TYPED_TEST(Convex, ASweptCapsuleMeetsTheShapeAtTheFirstTouch) {
                     if constexpr (IsSurface<std::remove_cvref_t<decltype(shape)>>)
                         return 0.0;
                     else
-                        return nearest_to_segment(shape, pose.to_local(a + move_a * time),
-                                                  pose.to_local(b + move_b * time))
+                        return nearest_to_segment(shape, pose.to_local(a + displacement_a * time),
+                                                  pose.to_local(b + displacement_b * time))
                             .surface.distance;
                 },
                 sample.shape);
@@ -133,8 +134,8 @@ TYPED_TEST(Convex, ASweptCapsuleMeetsTheShapeAtTheFirstTouch) {
         std::visit(
             [&](const auto& shape) {
                 if constexpr (!IsSurface<std::remove_cvref_t<decltype(shape)>>) {
-                    const auto impact = sweep(shape, pose.to_local(a), pose.to_local(b), pose.turn_back(move_a),
-                                              pose.turn_back(move_b), radius);
+                    const auto impact = sweep(shape, pose.to_local(a), pose.to_local(b), pose.turn_back(displacement_a),
+                                              pose.turn_back(displacement_b), radius);
                     const double end = impact ? impact->time : 1;
                     for (int i = 0; i <= 200; ++i) EXPECT_GE(apart(end * i / 200), radius - 1e-7);
                     if (!impact) return;

@@ -98,9 +98,10 @@ TEST(MeshShape, IsMetByWhatFallsOnIt) {
     int met = 0;
     for (int i = 0; i < 2000; ++i) {
         const auto pose = dice.pose<3>();
-        const auto from = dice.point<3>(5), move = (pose.position + dice.point<3>(1) - from) * 1.5;
+        const auto from = dice.point<3>(5), displacement = (pose.position + dice.point<3>(1) - from) * 1.5;
         if (nearest(box, pose, from, 1e6)->distance < 0.2) continue;
-        const auto expected = sweep(box, pose, from, move, 0.2), found = sweep(mesh, pose, from, move, 0.2);
+        const auto expected = sweep(box, pose, from, displacement, 0.2),
+                   found = sweep(mesh, pose, from, displacement, 0.2);
         ASSERT_EQ(bool(expected), bool(found)) << i;
         if (!found) continue;
         ++met;

@@ -52,9 +52,9 @@ template <class Kind> double difference(double a, double b) {
 }
 
 template <int D> double steepest(const Measured<D>& m) {
-    double most = 0;
-    for (const auto& g : m.gradient) most = std::max(most, norm(g));
-    return most;
+    double max = 0;
+    for (const auto& g : m.gradient) max = std::max(max, norm(g));
+    return max;
 }
 
 /// Far enough from where the measure has a corner (coincident points, a straight 3D angle) for finite differences.
@@ -270,7 +270,7 @@ TEST(Kinds, AreNumberedByTheirDimensionAsTheTablesOfAWorld) {
         EXPECT_EQ(info.any_arity, Kind::arity == any_arity);
         EXPECT_EQ(info.angle, Kind::length_power == 0);
         EXPECT_EQ(kind_index<D>(Kind::name), (Kinds<D>::template index_of<Kind>)) << Kind::name;
-        EXPECT_EQ(kind_called(Kind::name)->least_arity, info.least_arity);
+        EXPECT_EQ(kind_called(Kind::name)->min_arity, info.min_arity);
     });
     EXPECT_EQ(kind_index<2>("volume"), -1);
     EXPECT_EQ(kind_index<3>("rail"), -1);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const fs::path folder = test::source_dir() + "/tests/golden/images";
 constexpr int width = 160, height = 120;
-constexpr double least_ssim = 0.995;
+constexpr double min_ssim = 0.995;
 
 struct Shot {
     std::string scene, mode;
@@ -75,7 +75,7 @@ class GoldenImage : public testing::TestWithParam<Shot> {};
 
 TEST_P(GoldenImage, LooksAsItDid) {
     const auto& shot = GetParam();
-    expect_looks_like(shot.golden(), taken(shot), least_ssim);
+    expect_looks_like(shot.golden(), taken(shot), min_ssim);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, GoldenImage, testing::ValuesIn(shots()),

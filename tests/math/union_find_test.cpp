@@ -16,9 +16,9 @@ std::vector<std::uint32_t> labels(std::uint32_t elements,
     for (bool changed = true; changed;) {
         changed = false;
         for (const auto& [a, b] : pairs) {
-            const auto least = std::min(label[a], label[b]);
-            changed = changed || label[a] != least || label[b] != least;
-            label[a] = label[b] = least;
+            const auto min = std::min(label[a], label[b]);
+            changed = changed || label[a] != min || label[b] != min;
+            label[a] = label[b] = min;
         }
     }
     return label;

@@ -117,8 +117,8 @@ TEST(Trace, HistoriesAreBounded) {
     auto session = session_with(curve + R"("speed"})", view);
     session.run_until(100);
     const auto line = lines_of(drawn(session)).at(0);
-    EXPECT_LE(line.size(), History::most_samples);
-    EXPECT_GT(line.size(), History::most_samples / 4);
+    EXPECT_LE(line.size(), History::max_samples);
+    EXPECT_GT(line.size(), History::max_samples / 4);
     EXPECT_NEAR(line.front()[0], 270, 0.01) << "the first stays";
     EXPECT_NEAR(line.back()[0], 370, 0.1);
     for (std::size_t i = 1; i < line.size(); ++i) EXPECT_LT(line[i - 1][0], line[i][0]) << i;
@@ -147,7 +147,7 @@ TEST(Trace, SaysWhatIsWrongWithIt) {
     expect(errors_of(curve + R"("enrgy"})"), "did you mean \"energy\"?");
     expect(errors_of(curve + R"("energy", "low": 2, "high": 1})"), "low is not below high");
     std::string many = curve + R"("speed"})";
-    for (std::size_t i = 0; i < most_traces; ++i) many += ", " + curve + R"("speed"})";
+    for (std::size_t i = 0; i < max_traces; ++i) many += ", " + curve + R"("speed"})";
     expect(errors_of(many), "a scene can have 64 traces, found 65");
     EXPECT_EQ(errors_of(R"({"of": "x"})"), "");
 }

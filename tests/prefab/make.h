@@ -50,8 +50,8 @@ template <class WorldT> double whole_mass(const WorldT& world) {
 /// Any value that a field allows, but of a size that a test has time for.
 struct AnyValue {
     void operator()(int& value, const Field& field) const {
-        constexpr double most = 30;
-        value = *rc::gen::inRange(int(field.low), int(std::min(field.high, most)) + 1);
+        constexpr double max = 30;
+        value = *rc::gen::inRange(int(field.low), int(std::min(field.high, max)) + 1);
     }
     void operator()(double& value, const Field& field) const {
         const double low = std::max(field.low, -1e3), high = std::min(field.high, 1e3);

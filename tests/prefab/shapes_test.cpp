@@ -136,7 +136,7 @@ TEST(Limb, IsThreeParticlesDrawnAsOneBandWithATip) {
 }
 
 TEST(Limb, IsRefusedWhereItsBendIsOutOfItsLimits) {
-    EXPECT_EQ(problem_of(Limb{.bend = -pi<double> / 6, .bend_least = 0}, 2),
+    EXPECT_EQ(problem_of(Limb{.bend = -pi<double> / 6, .bend_min = 0}, 2),
               "bend is -30 degrees, out of its limits 0 and 150");
 }
 

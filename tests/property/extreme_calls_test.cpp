@@ -13,8 +13,8 @@ TYPED_TEST_SUITE(ExtremeCalls, Everywhere, Names);
 template <class World>::testing::AssertionResult is_within_limits(const World& world) {
     using Real = typename World::Real;
     using Vector = typename World::Vector;
-    const auto within = [](const Vector& vector, Real most) {
-        return std::ranges::all_of(vector.component, [&](Real x) { return absolute(x) <= most; });
+    const auto within = [](const Vector& vector, Real max) {
+        return std::ranges::all_of(vector.component, [&](Real x) { return absolute(x) <= max; });
     };
     const auto& p = world.particles;
     constexpr auto furthest = limit::coordinate<Real>;
@@ -62,7 +62,7 @@ TEST(ExtremeRounds, WallsThatAreGoneLeaveNoRebounds) {
 TYPED_TEST(ExtremeCalls, AnImpulseAndTwoLeapsBeyondAllLimitsAreHeldAtThem) {
     using Real = typename TypeParam::Real;
     using Vector = typename TypeParam::Vector;
-    constexpr auto most = std::numeric_limits<Real>::max();
+    constexpr auto max = std::numeric_limits<Real>::max();
     for (const Mode mode : {Mode::physical, Mode::classic}) {
         typename TypeParam::World world;
         world.settings.mode = mode;
@@ -75,8 +75,8 @@ TYPED_TEST(ExtremeCalls, AnImpulseAndTwoLeapsBeyondAllLimitsAreHeldAtThem) {
         for (int i = 0; i < 3; ++i) {
             EXPECT_TRUE(apply_impulse(world, light, at<Vector>(1e30, -1e30)));
             EXPECT_EQ((*velocity_of(world, light))[0], limit::speed<Real>);
-            EXPECT_TRUE(apply_force(world, light, Vector::axis(0) * most));
-            EXPECT_TRUE(teleport(world, figure, Vector::axis(0) * most));
+            EXPECT_TRUE(apply_force(world, light, Vector::axis(0) * max));
+            EXPECT_TRUE(teleport(world, figure, Vector::axis(0) * max));
             EXPECT_EQ((*position_of(world, heavy))[0], limit::coordinate<Real>);
             ASSERT_TRUE(is_within_limits(world));
             step(world, Real(1.0 / 60));

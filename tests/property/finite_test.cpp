@@ -31,7 +31,7 @@ template <class Real> Real any_number() {
     return Real(sign * *rc::gen::inRange(1, 5)) / 2;
 }
 
-template <class Vector> Vector any_place() {
+template <class Vector> Vector any_position() {
     return Vector::map([](int) { return any_number<std::decay_t<decltype(Vector{}[0])>>(); });
 }
 
@@ -57,11 +57,11 @@ template <class World> World any_soup() {
     const int forces = *rc::gen::inRange(0, 4);
     for (int i = 0; i < forces; ++i) {
         const Force<D, Real> fields[] = {
-            Gravity<D, Real>{any_place<Vector>()}, Drag<D, Real>{any_number<Real>()},
-            Wind<D, Real>{any_place<Vector>(), any_number<Real>(), any_place<Vector>(), any_number<Real>(),
+            Gravity<D, Real>{any_position<Vector>()}, Drag<D, Real>{any_number<Real>()},
+            Wind<D, Real>{any_position<Vector>(), any_number<Real>(), any_position<Vector>(), any_number<Real>(),
                           any_number<Real>(), 3},
-            Attractor<D, Real>{any_place<Vector>(), any_number<Real>(), any_number<Real>()},
-            RandomPush<D, Real>{any_place<Vector>(), any_place<Vector>(), 5}};
+            Attractor<D, Real>{any_position<Vector>(), any_number<Real>(), any_number<Real>()},
+            RandomPush<D, Real>{any_position<Vector>(), any_position<Vector>(), 5}};
         world.forces.push_back(fields[*rc::gen::inRange(0, 5)]);
     }
     const int planes = *rc::gen::inRange(0, 3);
@@ -71,8 +71,8 @@ template <class World> World any_soup() {
     std::vector<ParticleId> p;
     const int n = *rc::gen::inRange(2, 8);
     for (int i = 0; i < n; ++i)
-        p.push_back(add_particle(world, {.position = any_place<Vector>(),
-                                         .velocity = any_place<Vector>(),
+        p.push_back(add_particle(world, {.position = any_position<Vector>(),
+                                         .velocity = any_position<Vector>(),
                                          .mass = any_number<Real>(),
                                          .radius = any_number<Real>()}));
     const int constraints = *rc::gen::inRange(0, 10);
@@ -97,11 +97,11 @@ template <class World> World any_soup() {
     const int pins = *rc::gen::inRange(0, 3);
     for (int i = 0; i < pins; ++i)
         pin(world, p[std::size_t(i)],
-            {.target = any_place<Vector>(),
+            {.target = any_position<Vector>(),
              .compliance = any_number<Real>(),
              .damping = any_number<Real>(),
              .max_force = any_number<Real>()});
-    apply_force(world, p[0], any_place<Vector>());
+    apply_force(world, p[0], any_position<Vector>());
     return world;
 }
 

@@ -12,11 +12,10 @@ using namespace test;
 
 template <int D> double parted(const World<D, double>& one, const World<D, double>& other) {
     const auto from = center_of_mass(one), other_from = center_of_mass(other);
-    double most = 0;
+    double max = 0;
     for (Row row = 0; row < one.particles.size(); ++row)
-        most =
-            std::max(most, norm((one.particles.position[row] - from) - (other.particles.position[row] - other_from)));
-    return most;
+        max = std::max(max, norm((one.particles.position[row] - from) - (other.particles.position[row] - other_from)));
+    return max;
 }
 
 // The equations of the places about the centre do not contain its velocity: neither does a damping that slows every

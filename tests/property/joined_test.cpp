@@ -52,19 +52,19 @@ template <int D> struct Joined {
 
     /// Another figure, a little beside the particle that it is joined to.
     void add_any() {
-        Vector place{};
+        Vector position{};
         const bool first = figures.empty();
         const auto to = first ? ParticleId{} : any_particle();
-        for (int i = 0; i < D; ++i) place[i] = (first ? 0 : (*position_of(world, to))[i]) + dice.between(-0.1, 0.1);
-        place[1] -= 0.1;
+        for (int i = 0; i < D; ++i) position[i] = (first ? 0 : (*position_of(world, to))[i]) + dice.between(-0.1, 0.1);
+        position[1] -= 0.1;
         const auto before = world.particles.size();
-        build_any("figure_" + std::to_string(figures.size()), place);
+        build_any("figure_" + std::to_string(figures.size()), position);
         auto& ids = figures.emplace_back();
         for (auto row = Row(before); row < world.particles.size(); ++row)
             ids.push_back(world.particles.slots.id_of(row));
         if (first) return;
         const auto from = ids[std::size_t(dice.below(int(ids.size())))];
-        const auto shift = place - *position_of(world, from);
+        const auto shift = position - *position_of(world, from);
         for (const auto id : ids) set_position(world, id, *position_of(world, id) + shift);
         const double length = distance(*position_of(world, from), *position_of(world, to));
         add<Distance>(world, {to, from}, {.limits = dice.below(2) ? at_most(length) : exactly(length)});
@@ -152,7 +152,7 @@ class Law {
 };
 
 /// The most energy it gains in so many seconds, as a part of its weight times its size.
-template <int D> double most_gain(Joined<D>& joined, double seconds) {
+template <int D> double max_gain(Joined<D>& joined, double seconds) {
     const double before = energy(joined.world).total();
     double worst = 0;
     for (int frame = 0; frame < int(60 * seconds); ++frame) {
@@ -184,9 +184,9 @@ TYPED_TEST(JoinedThings, HungThrownAndReleasedGainNoEnergy) {
         Joined<TypeParam::dimension> joined(seed);
         if (!joined.has_ports()) continue;
         hang_and_throw(joined);
-        hung.hold(most_gain(joined, 1), seed);
+        hung.hold(max_gain(joined, 1), seed);
         joined.let_go();
-        released.hold(most_gain(joined, 0.5), seed);
+        released.hold(max_gain(joined, 0.5), seed);
     }
 }
 
@@ -198,7 +198,7 @@ TYPED_TEST(JoinedThings, DrawnOutByALoadTheyGainNothingWhenLetGo) {
         hang_and_throw(joined);
         run(joined.world, 1);
         joined.let_go();
-        EXPECT_LE(most_gain(joined, 0.5), 1e-3) << "seed " << seed;
+        EXPECT_LE(max_gain(joined, 0.5), 1e-3) << "seed " << seed;
     }
 }
 
@@ -263,7 +263,7 @@ TYPED_TEST(JoinedThings, DraggedGainNothingOnceTheyAreHeld) {
             ASSERT_TRUE(joined.is_finite_everywhere()) << "seed " << seed << ", frame " << frame;
         }
         step(joined.world, 1.0 / 60);
-        law.hold(most_gain(joined, 0.5), seed);
+        law.hold(max_gain(joined, 0.5), seed);
     }
 }
 

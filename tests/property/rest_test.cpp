@@ -26,8 +26,8 @@ template <class In> struct Lying {
     template <class Prefab> explicit Lying(const Prefab& prefab, double turn) {
         build(world, prefab, "it", Placement<D, Real>{.turn = turn});
         while (!world.pins.empty()) unpin_all(world, world.pins[0].particle);
-        for (const auto& place : world.particles.position)
-            size = std::max(size, double(norm(place - center_of_mass_now())));
+        for (const auto& position : world.particles.position)
+            size = std::max(size, double(norm(position - center_of_mass_now())));
         mass = total_mass(world);
         test::fall(world, g);
         for (int i = 0; i < D; ++i)
@@ -53,7 +53,7 @@ template <class In> struct Lying {
     }
 
     /// A place in the room that is so far away in one of sixteen directions.
-    Vector aim(Row row, int direction) const {
+    Vector predicted(Row row, int direction) const {
         const double angle = 2 * pi<double> * direction / 16;
         Spot way = on_screen<D>(std::cos(angle), std::sin(angle));
         if (D == 3) way[D - 1] = 0.5 * std::cos(3 * angle);
@@ -91,9 +91,9 @@ TYPED_TEST(Rest, WhatLiesComesWhenItIsPulled) {
             for (int direction = 0; direction < 16; ++direction) {
                 if (number++ % every != 0) continue;
                 auto world = lying.world;
-                const auto goal = lying.aim(row, direction);
-                const Real most = Real(strength * g * lying.mass);
-                move_pin(world, *pin(world, lying.id(row), {.max_force = most}), goal);
+                const auto goal = lying.predicted(row, direction);
+                const Real max = Real(strength * g * lying.mass);
+                move_pin(world, *pin(world, lying.id(row), {.max_force = max}), goal);
                 bool stands = true;
                 for (int i = 0; i < 30; ++i) {
                     const auto before = world.particles.position;
@@ -102,9 +102,9 @@ TYPED_TEST(Rest, WhatLiesComesWhenItIsPulled) {
                 }
                 const double left = double(distance(world.particles.position[row], goal));
                 const double force = double(norm(world.pins.back().multiplier)) / square(double(world.last_substep));
-                EXPECT_TRUE(left <= 1e-2 * lying.size || (force >= 0.99 * double(most) && !stands))
+                EXPECT_TRUE(left <= 1e-2 * lying.size || (force >= 0.99 * double(max) && !stands))
                     << lying.where(prefab.name, row) << ", direction " << direction << ": " << left / lying.size
-                    << " sizes away, force " << force / double(most) << (stands ? ", stands still" : "");
+                    << " sizes away, force " << force / double(max) << (stands ? ", stands still" : "");
             }
     });
 }

@@ -48,7 +48,7 @@ TEST_P(CatalogueRun, RunsItsTimeWhole) {
     EXPECT_FALSE(session->scene().source.empty());
     EXPECT_GT(items_on_screen(*session), 0U);
 
-    const double size = least_size(*session, mode);
+    const double size = min_size(*session, mode);
     double outside = 0;
     const double whole = session->scene().seconds, end = test::sanitized ? std::min(0.3, whole) : whole;
     while (session->seconds() < end) {

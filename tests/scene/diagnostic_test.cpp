@@ -90,9 +90,9 @@ TEST(Diagnostic, BeyondTheMostShownTheRestIsCounted) {
     Diagnostics diagnostics;
     const auto source = diagnostics.add_source("a.json", std::string(1000, ' '));
     for (std::uint32_t at = 0; at < 1000; ++at) diagnostics.error({source, at, at + 1}, "", "wrong");
-    const auto text = to_text(diagnostics, {.most = 100});
+    const auto text = to_text(diagnostics, {.max = 100});
     EXPECT_TRUE(text.ends_with("\nand 900 more errors\n"));
-    EXPECT_EQ(to_text(diagnostics, {.most = 999}).find("more error\n"), std::string::npos);
+    EXPECT_EQ(to_text(diagnostics, {.max = 999}).find("more error\n"), std::string::npos);
 }
 
 TEST(Diagnostic, NothingOfAFileReachesTheTerminalAsAControl) {

@@ -104,7 +104,7 @@ inline std::string name_of_run(const testing::TestParamInfo<SceneRun>& test) {
 
 /// How far outside something may be that is smaller. An original's sweep comes after its walls, so that a stick pushes
 /// a point out again for a frame.
-inline double least_size(const Session& session, const std::string& mode) {
+inline double min_size(const Session& session, const std::string& mode) {
     return (mode == "classic" ? 0.5 : 0.01) * session.scene().measures().per_metre;
 }
 

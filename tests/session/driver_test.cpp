@@ -112,15 +112,15 @@ TEST(Driver, SteersTowardsThePointerAndOvershoots) {
     auto session = driven_session(
         R"("steer": [0.05, 0.05], "steer_damping": 0.1, "driver": "pointer", "keys": [{"at": 0, "to": [550, 100]}])",
         "classic");
-    double x = 450, before = 450, most = 0;
+    double x = 450, before = 450, max = 0;
     for (int frame = 1; frame <= 200; ++frame) {
         session.step();
         const double next = x + (x - before) * 0.9 + 0.05 * (550 - x);
         before = x, x = next;
         EXPECT_NEAR(place(session, "f/b")[0], x, 1e-9);
-        most = std::max(most, x);
+        max = std::max(max, x);
     }
-    EXPECT_GT(most, 570);
+    EXPECT_GT(max, 570);
     EXPECT_NEAR(x, 550, 0.1);
 }
 
@@ -130,13 +130,13 @@ TEST(Driver, AKickReachesWhatSteers) {
         auto session = driven_session(
             R"("steer": [0.05, 0.05], "steer_damping": 0.9, "driver": "pointer", "keys": [{"at": 0, "to": [450, 100]}])",
             "classic", kick);
-        double most = 0;
+        double max = 0;
         for (int frame = 0; frame < 200; ++frame) {
             session.step();
-            most = std::max(most, std::abs(place(session, "f/b")[0] - 450));
+            max = std::max(max, std::abs(place(session, "f/b")[0] - 450));
         }
         EXPECT_NEAR(place(session, "f/b")[0], 450, 0.1);
-        return most;
+        return max;
     };
     EXPECT_EQ(far(""), 0);
     EXPECT_GT(far(R"(, "events": [{"at": 3, "kick": "f/b", "by": [16, 16], "seed": 1}])"), 1);

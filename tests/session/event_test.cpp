@@ -80,14 +80,14 @@ TEST(Kick, IsRandomWithinItsBoundsAndTheSameForTheSameSeed) {
     const auto first = kicked("1"), again = kicked("1"), other = kicked("2");
     EXPECT_EQ(first, again);
     EXPECT_NE(first, other);
-    double most_x = 0, most_y = 0, sum = 0;
+    double max_x = 0, max_y = 0, sum = 0;
     for (const auto& change : first) {
-        most_x = std::max(most_x, std::abs(change[0]));
-        most_y = std::max(most_y, std::abs(change[1]));
+        max_x = std::max(max_x, std::abs(change[0]));
+        max_y = std::max(max_y, std::abs(change[1]));
         sum += change[0];
     }
-    EXPECT_TRUE(most_x > 14 && most_x <= 16 + 1e-9) << most_x;
-    EXPECT_TRUE(most_y > 3.5 && most_y <= 4 + 1e-9) << most_y;
+    EXPECT_TRUE(max_x > 14 && max_x <= 16 + 1e-9) << max_x;
+    EXPECT_TRUE(max_y > 3.5 && max_y <= 4 + 1e-9) << max_y;
     EXPECT_LT(std::abs(sum) / double(first.size()), 16 / std::sqrt(3.0) / 10 * 3)
         << "three deviations of the mean of 100";
     EXPECT_NE(first[0], first[1]) << "each particle its own";

@@ -36,15 +36,15 @@ struct Extremes {
 template <class World> Extremes extremes(World& world, double seconds, double scale) {
     using Real = typename World::Real;
     const double begun = energy(world).total();
-    Extremes most;
+    Extremes max;
     for (int i = 0; i < int(seconds * 60); ++i) {
         step(world, Real(1.0 / 60));
         const double change = (energy(world).total() - begun) / scale;
-        most.stretch = std::max(most.stretch, stretch(world).max);
-        most.gain = std::max(most.gain, change);
-        most.loss = std::max(most.loss, -change);
+        max.stretch = std::max(max.stretch, stretch(world).max);
+        max.gain = std::max(max.gain, change);
+        max.loss = std::max(max.loss, -change);
     }
-    return most;
+    return max;
 }
 
 template <class Real> void expect_no_stretch(double bound) {
@@ -52,9 +52,9 @@ template <class Real> void expect_no_stretch(double bound) {
         for (const double weight : {1.0, 100.0, 1000.0, 100000.0})
             for (const double angle : {0.0, pi<double> / 2, 2.5}) {
                 auto world = rope_world<Real>(links, weight, angle);
-                const auto most = extremes(world, sanitized ? 0.07 : 1.5, (links + weight) * gravity * 10);
-                EXPECT_LT(most.stretch, bound) << links << " links, weight " << weight << ", from " << angle;
-                EXPECT_LT(most.gain, 1e-4) << links << " links, weight " << weight << ", from " << angle;
+                const auto max = extremes(world, sanitized ? 0.07 : 1.5, (links + weight) * gravity * 10);
+                EXPECT_LT(max.stretch, bound) << links << " links, weight " << weight << ", from " << angle;
+                EXPECT_LT(max.gain, 1e-4) << links << " links, weight " << weight << ", from " << angle;
             }
 }
 
@@ -68,9 +68,9 @@ TEST(Block, ASwingKeepsItsEnergy) {
     for (const int links : {2, 3, 20})
         for (const double weight : {0.0, 100.0}) {
             auto world = rope_world<double>(links, weight, 0.9, true);
-            const auto most = extremes(world, sanitized ? 2 : 30, (links + weight) * gravity * 10);
-            EXPECT_LT(most.gain, 1e-6) << links;
-            EXPECT_LT(most.loss, 1e-6) << links;
+            const auto max = extremes(world, sanitized ? 2 : 30, (links + weight) * gravity * 10);
+            EXPECT_LT(max.gain, 1e-6) << links;
+            EXPECT_LT(max.loss, 1e-6) << links;
         }
 }
 
@@ -78,9 +78,9 @@ TEST(Block, ASwingKeepsItsEnergy) {
 TEST(Block, AWhipKeepsItsEnergyToo) {
     constexpr int links = 20;
     auto world = rope_world<double>(links, 0, 0.9, true);
-    const auto most = extremes(world, sanitized ? 2 : 600, links * gravity * 10);
-    EXPECT_LT(most.gain, 1e-4); // measured 4e-6
-    EXPECT_LT(most.loss, 1e-4);
+    const auto max = extremes(world, sanitized ? 2 : 600, links * gravity * 10);
+    EXPECT_LT(max.gain, 1e-4); // measured 4e-6
+    EXPECT_LT(max.loss, 1e-4);
 }
 
 // A rope with room between its links is dropped, snaps taut and is drawn along: what it has and what it gave up is what
@@ -245,9 +245,9 @@ TEST(Block, AHubThatManyHangOnIsSolvedAtOnce) {
             world, {.position = at<Vec2<double>>(2 * std::cos(angle), -2 * std::sin(angle)), .mass = 1000});
         add<Distance>(world, {hub, weight}, {.limits = at_most(2.0)});
     }
-    const auto most = extremes(world, sanitized ? 0.3 : 3, 40000 * gravity * 3);
-    EXPECT_LT(most.stretch, 1e-4);
-    EXPECT_LT(most.gain, 1e-4);
+    const auto max = extremes(world, sanitized ? 0.3 : 3, 40000 * gravity * 3);
+    EXPECT_LT(max.stretch, 1e-4);
+    EXPECT_LT(max.gain, 1e-4);
 }
 
 // A figure that swings, falls apart into two and goes on.
@@ -278,8 +278,8 @@ TEST(Block, AHeapOfStiffRopeComesToRest) {
               "rope", {.at = {{0, 0.2}}});
         run(world, sanitized ? 1 : 2);
         double highest = 0, fastest = 0;
-        for (const auto& place : world.particles.position) highest = maximum(highest, place[1]);
-        for (const auto& velocity : world.particles.velocity) fastest = maximum(fastest, norm(velocity));
+        for (const auto& position : world.particles.position) highest = max(highest, position[1]);
+        for (const auto& velocity : world.particles.velocity) fastest = max(fastest, norm(velocity));
         EXPECT_LT(highest, 0.5) << "it stood two metres high; stiffness " << stiffness;
         EXPECT_LT(fastest, 0.5);
         EXPECT_LT(stretch(world).max, 1e-3);
@@ -291,8 +291,9 @@ TEST(Block, BracesDoNotPullAgainstEachOther) {
     test::Stepped<3, float> world;
     fall(world, gravity);
     std::vector<ParticleId> corners;
-    for (const Vec<3, float> place : {Vec<3, float>{{0, 0, 0}}, {{0.4F, 0, 0}}, {{0.4F, 0.2F, 0}}, {{0, 0.2F, 0}}})
-        corners.push_back(add_particle(world, {.position = place, .velocity = {{place[1], -place[0], place[0]}}}));
+    for (const Vec<3, float> position : {Vec<3, float>{{0, 0, 0}}, {{0.4F, 0, 0}}, {{0.4F, 0.2F, 0}}, {{0, 0.2F, 0}}})
+        corners.push_back(
+            add_particle(world, {.position = position, .velocity = {{position[1], -position[0], position[0]}}}));
     for (std::size_t i = 0; i < corners.size(); ++i)
         for (std::size_t j = i + 1; j < corners.size(); ++j) add<Distance>(world, {corners[i], corners[j]});
     run(world, 2);
@@ -334,21 +335,21 @@ template <int D> test::Stepped<D, double> any_tree(double& scale) {
     const int count = *rc::gen::inRange(3, 40), pose = *rc::gen::inRange(0, 4);
     const bool loops = *rc::gen::arbitrary<bool>();
     std::vector<ParticleId> ids;
-    std::vector<Vector> places;
+    std::vector<Vector> positions;
     double mass = 0;
     for (int i = 0; i < count; ++i) {
         const double own = std::pow(10, *rc::gen::inRange(-2, 4));
         const auto parent = std::size_t(i == 0 ? 0 : *rc::gen::inRange(std::max(0, i - 4), i));
-        Vector place{};
+        Vector position{};
         if (i > 0) {
             Vector way{};
             for (int axis = 0; axis < D; ++axis) way[axis] = *rc::gen::inRange(-100, 101) / 100.0;
             if (pose == 0) way = at<Vector>(0, -1);
             if (pose == 1) way = at<Vector>(i % 2 ? 0.5 : -0.5, 0);
-            place = places[parent] + (norm(way) > 0.01 ? direction(way) : at<Vector>(1, 0)) * 0.5;
+            position = positions[parent] + (norm(way) > 0.01 ? direction(way) : at<Vector>(1, 0)) * 0.5;
         }
-        places.push_back(place);
-        ids.push_back(add_particle(world, {.position = pose == 3 ? place * 0.3 : place, .mass = own}));
+        positions.push_back(position);
+        ids.push_back(add_particle(world, {.position = pose == 3 ? position * 0.3 : position, .mass = own}));
         mass += own;
         if (i == 0) continue;
         const bool rope = *rc::gen::arbitrary<bool>();
@@ -356,7 +357,7 @@ template <int D> test::Stepped<D, double> any_tree(double& scale) {
     }
     if (loops && count > 6) // its own length: it can always be met
         add<Distance>(world, {ids[1], ids[std::size_t(count) - 1]},
-                      {.limits = at_most(distance(places[1], places[std::size_t(count) - 1]) + 0.1)});
+                      {.limits = at_most(distance(positions[1], positions[std::size_t(count) - 1]) + 0.1)});
     pin(world, ids[0]);
     scale = mass * gravity * 0.5 * count;
     return world;
@@ -376,7 +377,7 @@ template <int D> void expect_trees_stand() {
                 step(world, dt);
                 RC_ASSERT(energy(world).total() - begun < 1e-2 * scale);
             }
-            for (const auto& place : world.particles.position) RC_ASSERT(is_finite(place));
+            for (const auto& position : world.particles.position) RC_ASSERT(is_finite(position));
             RC_ASSERT(stretch(world).max < 1e-3);
         })) << i;
     }

@@ -29,10 +29,10 @@ struct Polygons : ::testing::Test {
         world.figures[figure].pieces.push_back(inside);
         return ids;
     }
-    void expect(const std::vector<ParticleId>& ids, const Points& places) const {
+    void expect(const std::vector<ParticleId>& ids, const Points& positions) const {
         for (std::size_t i = 0; i < ids.size(); ++i)
             for (int axis = 0; axis < 2; ++axis)
-                EXPECT_NEAR((*position_of(world, ids[i]))[axis], places[i][axis], 1e-12) << i;
+                EXPECT_NEAR((*position_of(world, ids[i]))[axis], positions[i][axis], 1e-12) << i;
     }
 };
 

@@ -17,13 +17,13 @@ test::Stepped<2, double> classic(ClassicRules<double> rules) {
     return world;
 }
 
-Vec2<double> place(const World<2, double>& world, ParticleId id) {
+Vec2<double> position(const World<2, double>& world, ParticleId id) {
     return *position_of(world, id);
 }
 
 void expect_at(const World<2, double>& world, ParticleId id, double x, double y) {
-    EXPECT_NEAR(place(world, id)[0], x, tight);
-    EXPECT_NEAR(place(world, id)[1], y, tight);
+    EXPECT_NEAR(position(world, id)[0], x, tight);
+    EXPECT_NEAR(position(world, id)[1], y, tight);
 }
 
 /// y down: the floor at `bottom` pushes up, towards smaller y.
@@ -180,7 +180,7 @@ TEST(Classic, GameMakerRelaxesInThreePasses) {
     const auto a = add_particle(world, {}), b = add_particle(world, {.position = {140, 0}});
     add<Distance>(world, {a, b}, {.limits = exactly(40.0), .relaxation = 0.6});
     step(world, 1.0);
-    EXPECT_NEAR(distance(place(world, a), place(world, b)), 40 + 100 * 0.064, 1e-10);
+    EXPECT_NEAR(distance(position(world, a), position(world, b)), 40 + 100 * 0.064, 1e-10);
 }
 
 // GameMaker's step at time scale 2: acceleration 0.5 grows by 2^2, inertia (1 px) does not grow: 1 + 2 = 3.
@@ -326,7 +326,7 @@ TEST(Classic, WallsTurnEvenAnInwardSpeedRound) {
     const auto b = add_particle(world, {.position = {120, 0}, .previous = Vec2<double>{128, 0}});
     add<Distance>(world, {a, b}, {.limits = exactly(10.0)});
     step(world, 1.0); // a 96, b 106
-    EXPECT_NEAR(place(world, b)[0], 100, tight);
+    EXPECT_NEAR(position(world, b)[0], 100, tight);
     EXPECT_NEAR(world.particles.previous[1][0], 100 - 7, tight);
 }
 
@@ -355,8 +355,8 @@ TEST(Classic, HoldsAPointByEachRule) {
                                                         {Hold::displaced, 32.5, 132.5, 40.0},
                                                         {Hold::frozen, 10.0, 110.0, 6.0}}) {
         const HeldStick held(hold);
-        EXPECT_NEAR(place(held.world, held.first)[0], first, tight) << int(hold);
-        EXPECT_NEAR(place(held.world, held.second)[0], second, tight) << int(hold);
+        EXPECT_NEAR(position(held.world, held.first)[0], first, tight) << int(hold);
+        EXPECT_NEAR(position(held.world, held.second)[0], second, tight) << int(hold);
         EXPECT_NEAR(held.world.particles.previous[0][0], previous, tight) << int(hold);
     }
 }
@@ -426,11 +426,11 @@ TEST(Classic, TearableClothDropsWhatIsLeftOfAFrameWhenAskedTo) {
     auto world = classic({.dropped_leftover = true});
     const auto p = add_particle(world, {.velocity = {1, 0}});
     for (int frame = 0; frame < 10; ++frame) step(world, 1.0);
-    EXPECT_NEAR(place(world, p)[0], 9.6, tight);
+    EXPECT_NEAR(position(world, p)[0], 9.6, tight);
     for (int half_frame = 0; half_frame < 10; ++half_frame) step(world, 0.5);
-    EXPECT_NEAR(place(world, p)[0], 9.6, tight);
+    EXPECT_NEAR(position(world, p)[0], 9.6, tight);
     step(world, 2.0); // two steps of 0.96 and 0.08 that are lost
-    EXPECT_NEAR(place(world, p)[0], 9.6 + 1.92, tight);
+    EXPECT_NEAR(position(world, p)[0], 9.6 + 1.92, tight);
 }
 
 // The OpenGL article's projectile: x_prev = (0, 0), x = (1, 1), a = (0, -10): x = 1 + n, y = 1 + n - 10 n (n + 1) / 2.
@@ -440,7 +440,7 @@ TEST(Classic, ProjectileLeavesAtFortyFiveDegreesOnAParabola) {
     const auto p = add_particle(world, {.position = {1, 1}, .previous = Vec2<double>{0, 0}});
     for (int n = 1; n <= 100; ++n) {
         step(world, 1.0);
-        EXPECT_EQ(place(world, p), (Vec2<double>{1.0 + n, 1 + n - 5.0 * n * (n + 1)}));
+        EXPECT_EQ(position(world, p), (Vec2<double>{1.0 + n, 1 + n - 5.0 * n * (n + 1)}));
     }
 }
 
@@ -452,11 +452,11 @@ TEST(Classic, ModesHandOverWithoutAJolt) {
     const auto p = add_particle(world, {.velocity = {3, 4}});
     for (int i = 1; i <= 60; ++i) {
         world.settings.mode = i % 7 > 4 ? Mode::classic : Mode::physical;
-        const auto before = place(world, p);
+        const auto before = position(world, p);
         step(world, 1.0 / 60);
         const double t = i / 60.0;
-        ASSERT_NEAR(place(world, p)[0], 3 * t, 1e-12);
-        ASSERT_NEAR(place(world, p)[1], 4 * t - gravity * t * t / 2, 1e-12);
+        ASSERT_NEAR(position(world, p)[0], 3 * t, 1e-12);
+        ASSERT_NEAR(position(world, p)[1], 4 * t - gravity * t * t / 2, 1e-12);
         EXPECT_EQ(world.particles.previous[0], before);
     }
 }

@@ -22,15 +22,15 @@ template <class World> collide::Rotation<World::dimension, typename World::Real>
         return collide::Rotation<3, Real>::of({{0, 0, 1}}, Real(angle));
 }
 
-/// A box about `place`, turned about the z axis.
+/// A box about `position`, turned about the z axis.
 template <class World>
-ColliderId add_box(World& world, double width, double height, typename World::Vector place, double angle = 0,
+ColliderId add_box(World& world, double width, double height, typename World::Vector position, double angle = 0,
                    ColliderOf<World> like = {}) {
     using Real = typename World::Real;
     like.shape = BoxOf<World>{World::Vector::map([&](int i) {
         return Real(i == 0 ? width / 2 : i == 1 ? height / 2 : 5);
     })};
-    like.target = {place, turned<World>(angle)};
+    like.target = {position, turned<World>(angle)};
     return add_collider(world, like);
 }
 
@@ -122,14 +122,14 @@ TYPED_TEST(Colliders, NothingTunnelsAtAThousandMetresASecond) {
                     wall.target.position = Vector::map([](int k) { return Real(k == 1 ? 0 : -60); });
                 add_collider(world, wall);
                 const double slant = 1.5 * random::symmetric(1, 2, std::uint64_t(i));
-                const auto aim = at<Vector>(0.3 * random::symmetric(1, 3, std::uint64_t(i)), 0);
+                const auto predicted = at<Vector>(0.3 * random::symmetric(1, 3, std::uint64_t(i)), 0);
                 const auto way = direction(at<Vector>(slant, -1));
-                const auto bullet =
-                    add_particle(world, {.position = aim - way * Real(1 + 3 * random::uniform(1, 4, std::uint64_t(i))),
-                                         .velocity = way * Real(1000),
-                                         .radius = Real(radius)});
+                const auto bullet = add_particle(
+                    world, {.position = predicted - way * Real(1 + 3 * random::uniform(1, 4, std::uint64_t(i))),
+                            .velocity = way * Real(1000),
+                            .radius = Real(radius)});
                 // a rod of two particles, solved directly, beside it
-                const auto rod = chain(world, 3, aim - way * Real(2), at<Vector>(0.1, 0.05));
+                const auto rod = chain(world, 3, predicted - way * Real(2), at<Vector>(0.1, 0.05));
                 for (const auto id : rod) set_velocity(world, id, way * Real(1000));
                 for (int k = 0; k < 3; ++k) step(world, Real(1.0 / 60));
                 EXPECT_GT(height_of(world, bullet), -1e-3) << shape.index() << " " << radius << " " << i;

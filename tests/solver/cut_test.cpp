@@ -37,8 +37,8 @@ TYPED_TEST(Cutting, TakesTheLinksThatCrossTheBladeAndNoOther) {
 TEST(Cut, IsWhereTheBladeIsSeenAndNotOutOfSight) {
     test::Stepped<3, double> world;
     chain(world, 4, {{0, 0, -5}}, {{1, 0, 0}});
-    const Projection<3> see = [](const Vec3<double>& place) {
-        return Place{{place[0] < 0.5 ? std::numeric_limits<double>::infinity() : place[0] + 100, place[1]}};
+    const Projection<3> see = [](const Vec3<double>& position) {
+        return Place{{position[0] < 0.5 ? std::numeric_limits<double>::infinity() : position[0] + 100, position[1]}};
     };
     EXPECT_EQ(cut(world, Blade{{{100.5, 1}}, {{100.5, -1}}, 0.3}, see).links, 0U);
     EXPECT_EQ(cut(world, Blade{{{101.5, 1}}, {{101.5, -1}}}, see).links, 1U);
@@ -50,8 +50,8 @@ TEST(Cut, TakesWhatHangsOnALinkAndTellsWhose) {
     Plane world;
     const auto figure = add_figure(world, "square");
     std::vector<ParticleId> p;
-    for (const auto& place : {Place{{0, 0}}, Place{{1, 0}}, Place{{1, 1}}, Place{{0, 1}}})
-        p.push_back(add_particle(world, {.position = place, .figure = figure}));
+    for (const auto& position : {Place{{0, 0}}, Place{{1, 0}}, Place{{1, 1}}, Place{{0, 1}}})
+        p.push_back(add_particle(world, {.position = position, .figure = figure}));
     for (std::size_t i = 0; i < 4; ++i) add<Distance>(world, {p[i], p[(i + 1) % 4]}, {.figure = figure});
     add<Area>(world, {p[0], p[1], p[2], p[3]}, {.figure = figure});
     const auto bent = add<Angle>(world, {p[3], p[0], p[1]}, {.figure = figure});

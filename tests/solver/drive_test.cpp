@@ -75,14 +75,14 @@ TEST(Winch, LiftsAWeightAtItsSpeed) {
 // has.
 TEST(Winch, StallsAtItsForceLimit) {
     for (const auto& [direct, accuracy] : ways) {
-        for (const double most : {4900.0, 8000.0}) {
-            Hoist hoist(direct, 500, most);
+        for (const double max : {4900.0, 8000.0}) {
+            Hoist hoist(direct, 500, max);
             hoist.world.bounds.push_back({at<Place>(0, 1), 2.0});
             drive(hoist.world, hoist.winch, -0.5);
             run(hoist.world, 3);
-            if (most < 4905) {
+            if (max < 4905) {
                 EXPECT_NEAR(height_of(hoist.world, hoist.load), 2, 1e-3);
-                EXPECT_NEAR(constraint_state(hoist.world, hoist.winch)->tension / most, 1, 1e-3);
+                EXPECT_NEAR(constraint_state(hoist.world, hoist.winch)->tension / max, 1, 1e-3);
             } else {
                 EXPECT_NEAR((*velocity_of(hoist.world, hoist.load))[1], 0.5, 0.05);
             }

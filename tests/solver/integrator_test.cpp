@@ -114,7 +114,7 @@ struct Orbit {
     static constexpr double eccentricity = 0.3;
 
     /// Exactly where it is at a time, by Kepler's equation; farthest from the sun at time 0.
-    static Vec2<double> place(double time) {
+    static Vec2<double> position(double time) {
         double anomaly = time;
         for (int i = 0; i < 50; ++i) anomaly = time - eccentricity * std::sin(anomaly); // E + e sin E = t
         const double minor = std::sqrt(1 - eccentricity * eccentricity);
@@ -126,9 +126,9 @@ struct Orbit {
         auto world = world_of(integrator, h);
         world.forces = {Attractor<2, double>{.strength = 1, .softness = 1e-9}};
         if (integrator == Integrator::verlet)
-            add_particle(world, {.position = place(0), .previous = place(-h)});
+            add_particle(world, {.position = position(0), .previous = position(-h)});
         else
-            add_particle(world, {.position = place(0), .velocity = velocity()});
+            add_particle(world, {.position = position(0), .velocity = velocity()});
         return world;
     }
 
@@ -137,7 +137,7 @@ struct Orbit {
         const double h = std::numbers::pi / steps;
         auto world = begun(integrator, h);
         for (int i = 0; i < steps; ++i) step(world, h);
-        return distance(world.particles.position[0], place(std::numbers::pi));
+        return distance(world.particles.position[0], position(std::numbers::pi));
     }
 };
 

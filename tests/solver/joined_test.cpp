@@ -23,9 +23,9 @@ template <int D> struct Scene {
         world.settings.substeps = 16;
     }
     ParticleId id(const std::string& name) const { return *find_particle(world, name); }
-    Vector place(ParticleId particle) const { return *position_of(world, particle); }
+    Vector position(ParticleId particle) const { return *position_of(world, particle); }
     void join(ParticleId a, ParticleId b) {
-        add<Distance>(world, {a, b}, {.limits = at_most(distance(place(a), place(b)))});
+        add<Distance>(world, {a, b}, {.limits = at_most(distance(position(a), position(b)))});
     }
     /// Returns its end.
     ParticleId rope(double length, int pieces) {
@@ -38,7 +38,7 @@ template <int D> struct Scene {
     }
     /// A bead of so much, so far below a particle.
     ParticleId hang(ParticleId on, double mass, double length) {
-        const auto bead = add_particle(world, {.position = place(on) - at<Vector>(0, length), .mass = mass});
+        const auto bead = add_particle(world, {.position = position(on) - at<Vector>(0, length), .mass = mass});
         join(on, bead);
         return bead;
     }
@@ -75,7 +75,7 @@ TEST(JoinedFigures, AJellyRestsOnARope) {
         Scene<2> scene;
         const auto end = scene.rope(1.1, pieces);
         const Polygon jelly{.sides = 9, .radius = 0.2, .braced = "area", .mass = mass};
-        build(scene.world, jelly, "jelly", {.at = scene.place(end) - at<Vec<2, double>>(0, 0.25)});
+        build(scene.world, jelly, "jelly", {.at = scene.position(end) - at<Vec<2, double>>(0, 0.25)});
         scene.join(end, scene.id("jelly/corner_4"));
         expect(watch(scene, lasting(5), 1.5), 4e-3, 0.2, "jelly");
     }
@@ -103,7 +103,7 @@ TEST(JoinedFigures, ALoadThatIsDroppedOrThrownAddsNothing) {
         Scene<3> dropped, thrown;
         for (auto* scene : {&dropped, &thrown}) scene->cloth("corners", 1);
         const auto raised = dropped.hang(dropped.id("cloth/bottom_right"), mass, 0.3);
-        set_position(dropped.world, raised, dropped.place(raised) + at<Vec<3, double>>(0, 0.3));
+        set_position(dropped.world, raised, dropped.position(raised) + at<Vec<3, double>>(0, 0.3));
         expect(watch(dropped, lasting(3), 1.3), 3e-3, 0.1, "dropped");
         const auto flung = thrown.hang(thrown.id("cloth/bottom_right"), mass, 0.1);
         set_velocity(thrown.world, flung, Vec<3, double>{{0, 0, 3}});
@@ -117,8 +117,8 @@ TEST(JoinedFigures, ARagdollOnAClothAndAClothInItsHand) {
     const auto hem = attached_trees.id("cloth/particle_8_15");
     build(attached_trees.world, Ragdoll{.pose = "hands_up"}, "doll", {});
     const auto hand = attached_trees.id("doll/left_hand");
-    const auto below = attached_trees.place(hem) - at<Vec<3, double>>(0, 0.03);
-    teleport(attached_trees.world, *find_figure(attached_trees.world, "doll"), below - attached_trees.place(hand));
+    const auto below = attached_trees.position(hem) - at<Vec<3, double>>(0, 0.03);
+    teleport(attached_trees.world, *find_figure(attached_trees.world, "doll"), below - attached_trees.position(hand));
     attached_trees.join(hem, hand);
     expect(watch(attached_trees, lasting(3), 3), 0.15, any, "on a cloth");
 
@@ -126,21 +126,21 @@ TEST(JoinedFigures, ARagdollOnAClothAndAClothInItsHand) {
     build(holding.world, Ragdoll{}, "doll", {});
     pin(holding.world, holding.id("doll/left_hand"));
     const auto free = holding.id("doll/right_hand");
-    holding.cloth("none", 1, {.at = holding.place(free) + at<Vec<3, double>>(0.5, -0.02)});
+    holding.cloth("none", 1, {.at = holding.position(free) + at<Vec<3, double>>(0.5, -0.02)});
     holding.join(free, holding.id("cloth/top_left"));
     expect(watch(holding, lasting(3), 3), 0.6, any, "in its hand");
 }
 
 /// The particle of a level cloth that is nearest to being right below, or above, another.
-ParticleId beside(const Scene<3>& scene, const Vec<3, double>& place, int columns, int rows) {
+ParticleId beside(const Scene<3>& scene, const Vec<3, double>& position, int columns, int rows) {
     ParticleId nearest{};
-    double least = 1e9;
+    double min = 1e9;
     for (int i = 0; i < columns * rows; ++i) {
         const auto thread =
             scene.id("cloth/particle_" + std::to_string(i % columns) + "_" + std::to_string(i / columns));
-        const auto offset = scene.place(thread) - place;
+        const auto offset = scene.position(thread) - position;
         const double away = square(offset[0]) + square(offset[2]);
-        if (away < least) least = away, nearest = thread;
+        if (away < min) min = away, nearest = thread;
     }
     return nearest;
 }
@@ -160,7 +160,7 @@ TEST(JoinedFigures, ARagdollInAHammockOfClothGainsNothing) {
         for (const char* name :
              {"head", "left_shoulder", "right_shoulder", "left_hip", "right_hip", "left_foot", "right_foot"}) {
             const auto joint = scene.id(std::string("doll/") + name);
-            scene.join(beside(scene, scene.place(joint), columns, rows), joint);
+            scene.join(beside(scene, scene.position(joint), columns, rows), joint);
         }
         expect(watch(scene, lasting(1), 2), 0.2, any, "hammock");
     }
@@ -173,7 +173,7 @@ TEST(JoinedFigures, MoreIterationsLeaveLess) {
         scene.world.settings.iterations = iterations;
         const auto end = scene.rope(1.5, 14);
         const Polygon jelly{.sides = 9, .radius = 0.2, .braced = "area", .mass = 20};
-        build(scene.world, jelly, "jelly", {.at = scene.place(end) - at<Vec<2, double>>(0, 0.3)});
+        build(scene.world, jelly, "jelly", {.at = scene.position(end) - at<Vec<2, double>>(0, 0.3)});
         scene.join(end, scene.id("jelly/corner_4"));
         const auto worst = watch(scene, 2, 1.5);
         EXPECT_LT(worst.stretch, before);

@@ -61,9 +61,9 @@ template <int D, class Real> void expect_turned(Simd simd) {
             turning.rows = rows.data(), turning.columns = columns.data(), turning.stride = stride;
             turning.row_of = row_of.data();
             turning.slot_of_last = std::uint32_t(std::find(row_of.begin(), row_of.end(), size - 1) - row_of.begin());
-            turning.by = 2, turning.most = 60;
+            turning.by = 2, turning.max = 60;
             kernels<D, Real>(simd).to_columns(turning, first, last);
-            turning.rows = back.data(), turning.by = Real(0.5), turning.most = 0;
+            turning.rows = back.data(), turning.by = Real(0.5), turning.max = 0;
             kernels<D, Real>(simd).to_rows(turning, first, last);
             for (std::uint32_t slot = 0; slot < size; ++slot)
                 for (unsigned k = 0; k < D; ++k) {

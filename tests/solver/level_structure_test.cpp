@@ -16,18 +16,18 @@ using Number = std::uint32_t;
 
 /// Who is whose neighbour, under numbers in no order but for those that keep theirs.
 struct Joined {
-    std::vector<Number> number; ///< of a place
-    std::vector<Number> place;  ///< of a number
+    std::vector<Number> number;   ///< of a place
+    std::vector<Number> position; ///< of a number
     RowLists<Number> near;
 
-    Joined(Number places, Number kept, const std::set<std::pair<Number, Number>>& links) : number(places) {
+    Joined(Number positions, Number kept, const std::set<std::pair<Number, Number>>& links) : number(positions) {
         std::iota(number.begin(), number.end(), Number(0));
         std::vector<Number> others(number.begin() + kept, number.end());
         bench::shuffle(others, 7);
         std::copy(others.begin(), others.end(), number.begin() + kept);
-        place.resize(places);
-        for (Number i = 0; i < places; ++i) place[number[i]] = i;
-        near.fill(places, [&](auto&& visit) {
+        position.resize(positions);
+        for (Number i = 0; i < positions; ++i) position[number[i]] = i;
+        near.fill(positions, [&](auto&& visit) {
             for (const auto& [a, b] : links) visit(number[a], number[b]), visit(number[b], number[a]);
         });
     }
@@ -38,7 +38,7 @@ struct Joined {
         levels.find(near);
         std::vector<std::vector<Number>> rows(levels.size());
         for (std::size_t i = 0; i < rows.size(); ++i)
-            for (const Number at : levels[i]) rows[i].push_back(place[at]);
+            for (const Number at : levels[i]) rows[i].push_back(position[at]);
         return rows;
     }
 };
@@ -82,15 +82,15 @@ INSTANTIATE_TEST_SUITE_P(LevelStructure, GridsInNoOrder,
 /// Each once, and never further from its neighbours than a row.
 void expect_rows_of_neighbours(const Joined& joined) {
     const auto rows = joined.rows();
-    std::vector<Number> row_of(joined.place.size(), ~Number(0));
+    std::vector<Number> row_of(joined.position.size(), ~Number(0));
     for (Number r = 0; r < rows.size(); ++r)
-        for (const Number place : rows[r]) {
-            EXPECT_EQ(row_of[place], ~Number(0)) << place;
-            row_of[place] = r;
+        for (const Number position : rows[r]) {
+            EXPECT_EQ(row_of[position], ~Number(0)) << position;
+            row_of[position] = r;
         }
-    for (Number i = 0; i < joined.place.size(); ++i)
+    for (Number i = 0; i < joined.position.size(); ++i)
         for (const Number near : joined.near[i]) {
-            const auto a = row_of[joined.place[i]], b = row_of[joined.place[near]];
+            const auto a = row_of[joined.position[i]], b = row_of[joined.position[near]];
             EXPECT_LE(std::max(a, b) - std::min(a, b), 1U);
         }
 }
@@ -110,15 +110,15 @@ TEST(LevelStructure, BeginAtOneParticleOfWhatHasNoEdge) {
 
 TEST(LevelStructure, HoldAnyHeapOfLinks) {
     for (Number seed = 1; seed <= 20; ++seed) {
-        constexpr Number places = 60;
+        constexpr Number positions = 60;
         std::set<std::pair<Number, Number>> links; // a tree and some more
-        for (Number i = 1; i < places; ++i) links.insert({Number(random::whole(0, i - 1, seed, 0, i)), i});
+        for (Number i = 1; i < positions; ++i) links.insert({Number(random::whole(0, i - 1, seed, 0, i)), i});
         for (Number i = 0; i < 2 * seed; ++i) {
-            const auto a = Number(random::whole(0, places - 1, seed, 1, i));
-            const auto b = Number(random::whole(0, places - 1, seed, 2, i));
+            const auto a = Number(random::whole(0, positions - 1, seed, 1, i));
+            const auto b = Number(random::whole(0, positions - 1, seed, 2, i));
             if (a < b) links.insert({a, b});
         }
-        expect_rows_of_neighbours(Joined(places, 0, links));
+        expect_rows_of_neighbours(Joined(positions, 0, links));
     }
 }
 

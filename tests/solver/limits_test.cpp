@@ -271,14 +271,14 @@ TYPED_TEST(Limited, AToughLinkTearsAfterStrainTimesTime) {
     Pair<TypeParam> pair;
     using Real = typename TypeParam::Real;
     const auto tough = pair.linked(1, {.compliance = 1, .breaking_strain = Real(0.4), .damage_limit = Real(0.295)});
-    const auto place = position_of(pair.world, pair.a).value();
+    const auto position = position_of(pair.world, pair.a).value();
     pin(pair.world, pair.a);
-    const auto hand = pin(pair.world, pair.b, {.target = place + at<typename TypeParam::Vector>(2, 0)}).value();
+    const auto hand = pin(pair.world, pair.b, {.target = position + at<typename TypeParam::Vector>(2, 0)}).value();
     run(pair.world, 0.25);
     EXPECT_TRUE(constraint_state(pair.world, tough));
-    move_pin(pair.world, hand, place + at<typename TypeParam::Vector>(1.3, 0)); // it rests, and is not mended
+    move_pin(pair.world, hand, position + at<typename TypeParam::Vector>(1.3, 0)); // it rests, and is not mended
     run(pair.world, 2);
-    move_pin(pair.world, hand, place + at<typename TypeParam::Vector>(2, 0));
+    move_pin(pair.world, hand, position + at<typename TypeParam::Vector>(2, 0));
     run(pair.world, 0.2);
     EXPECT_TRUE(constraint_state(pair.world, tough));
     run(pair.world, 0.1);

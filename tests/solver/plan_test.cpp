@@ -48,13 +48,13 @@ template <class World> void add_cloth(World& world, const ClothSpec& cloth) {
     std::vector<ParticleId> id(n);
     for (const int i : order) {
         const double across = cloth.spacing * (i % cloth.columns), down = cloth.spacing * (i / cloth.columns);
-        Vec<D, Real> place{};
-        place[0] = Real(across);
-        place[1] = Real(cloth.level ? 0 : -down);
+        Vec<D, Real> position{};
+        position[0] = Real(across);
+        position[1] = Real(cloth.level ? 0 : -down);
         if constexpr (D == 3)
-            place[2] = Real(cloth.level ? down : 1e-4 * random::symmetric<double>(3, std::uint64_t(i), 0));
-        id[std::size_t(i)] =
-            add_particle(world, {.position = place, .mass = Real(cloth.equal_mass ? 1 : 1 + i % 3), .figure = figure});
+            position[2] = Real(cloth.level ? down : 1e-4 * random::symmetric<double>(3, std::uint64_t(i), 0));
+        id[std::size_t(i)] = add_particle(
+            world, {.position = position, .mass = Real(cloth.equal_mass ? 1 : 1 + i % 3), .figure = figure});
     }
     std::vector<std::pair<int, int>> threads;
     const auto weave = [&](int across, int down) {
@@ -203,9 +203,9 @@ TYPED_TEST(Planned, LinksOfNoLengthFallAsOne) {
         add_cloth(world, {.columns = 20, .equal_mass = equal_mass, .free = true});
         auto& links = std::get<kind_number<Distance, World::dimension>>(world.constraints);
         for (Row row = 0; row < links.size(); ++row) links.limits.set(row, -limit::measure<Real>, Real(0));
-        for (auto& place : world.particles.position) place = {};
+        for (auto& position : world.particles.position) position = {};
         for (int i = 0; i < 3; ++i) step(world, Real(1.0 / 60));
-        for (const auto& place : world.particles.position) EXPECT_LT(norm(place), 0.1);
+        for (const auto& position : world.particles.position) EXPECT_LT(norm(position), 0.1);
         EXPECT_TRUE(std::ranges::any_of(world.solver.sweep_state.plan.runs,
                                         [](const auto& run) { return run.kind >= LinkKind::inequality; }));
     }
@@ -231,7 +231,7 @@ TYPED_TEST(Planned, LinksOfAnyKindStayFinite) {
             step(world, Real(1.0 / 60));
             EXPECT_TRUE(world.events.empty());
         }
-        for (const auto& place : world.particles.position) EXPECT_TRUE(is_finite(place));
+        for (const auto& position : world.particles.position) EXPECT_TRUE(is_finite(position));
     }
 }
 
@@ -276,16 +276,16 @@ TEST(Planned, NoOrderGainsEnergyInTenThousandSubsteps) {
         world.settings.substeps = 10;
         add(world);
         const double begun = energy(world).total(), deepest = gravity * total_mass(world) * 0.6;
-        double most = begun;
+        double max = begun;
         int repair_window = 0;
         const int steps = sanitized ? 100 : 1000;
         for (int i = 0; i < steps; ++i) {
             step(world, 1.0F / 60);
-            most = std::max(most, energy(world).total());
+            max = std::max(max, energy(world).total());
             repair_window += world.repair_window > 0;
         }
         EXPECT_GE(repair_window, name == std::string("swept again") ? steps / 10 : 0) << name;
-        EXPECT_LT(most - begun, 0.01 * deepest) << name;
+        EXPECT_LT(max - begun, 0.01 * deepest) << name;
         EXPECT_LT(max_speed(world), 10) << name;
     }
 }

@@ -30,10 +30,10 @@ template <class World> void add_star(World& world, int figure) {
     const auto named = add_figure(world, "star_" + std::to_string(figure));
     std::vector<ParticleId> ids;
     const auto add_at = [&](double angle, double radius) {
-        VectorOf<World> place{};
-        place[0] = Real(3 * figure + radius * std::cos(angle)), place[1] = Real(radius * std::sin(angle));
+        VectorOf<World> position{};
+        position[0] = Real(3 * figure + radius * std::cos(angle)), position[1] = Real(radius * std::sin(angle));
         const auto seed = std::uint64_t(100 * figure) + ids.size();
-        ids.push_back(add_particle(world, {.position = place,
+        ids.push_back(add_particle(world, {.position = position,
                                            .velocity = random_vector<World>(seed, 2),
                                            .mass = Real(1 + figure % 3),
                                            .figure = named}));
@@ -130,13 +130,13 @@ template <class World> World thrown_square() {
     using Real = typename World::Real;
     World world;
     std::vector<ParticleId> ids;
-    const double places[5][2] = {{0, 0}, {1, 0}, {1, 0.7}, {0, 0.7}, {1.5, 1}};
-    for (const auto& place : places)
-        ids.push_back(add_particle(world, {.position = at<VectorOf<World>>(place[0], place[1]),
+    const double positions[5][2] = {{0, 0}, {1, 0}, {1, 0.7}, {0, 0.7}, {1.5, 1}};
+    for (const auto& position : positions)
+        ids.push_back(add_particle(world, {.position = at<VectorOf<World>>(position[0], position[1]),
                                            .velocity = random_vector<World>(ids.size(), 3)}));
     const std::size_t pairs[7][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}, {1, 3}, {2, 4}};
     for (const auto& pair : pairs) {
-        const auto &a = places[pair[0]], &b = places[pair[1]];
+        const auto &a = positions[pair[0]], &b = positions[pair[1]];
         add<Distance>(world, {ids[pair[0]], ids[pair[1]]},
                       {.limits = exactly(Real(std::hypot(a[0] - b[0], a[1] - b[1])))});
     }
@@ -168,9 +168,9 @@ TEST(FlatSquare, StaysFlatAndLosesNothingOnceThrown) {
 TEST(FlatSquare, IsNoTetrahedron) {
     Stepped<3, double> world;
     std::vector<ParticleId> ids;
-    for (const auto& place : {Vec<3, double>{{0, 0, 0}}, Vec<3, double>{{1, 0, 0}}, Vec<3, double>{{0, 1, 0}},
-                              Vec<3, double>{{0.3, 0.3, 0.01}}})
-        ids.push_back(add_particle(world, {.position = place}));
+    for (const auto& position : {Vec<3, double>{{0, 0, 0}}, Vec<3, double>{{1, 0, 0}}, Vec<3, double>{{0, 1, 0}},
+                                 Vec<3, double>{{0.3, 0.3, 0.01}}})
+        ids.push_back(add_particle(world, {.position = position}));
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < i; ++j) add<Distance>(world, {ids[i], ids[j]});
     prepare(world);

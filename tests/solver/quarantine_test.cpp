@@ -74,10 +74,10 @@ TYPED_TEST(Quarantine, ReleasedItMovesAgain) {
     const auto ends = world.figures[0].particles;
     set_velocity(world, ends[0], at<Vector>(std::numeric_limits<Real>::quiet_NaN(), 0));
     run(world, 0.5);
-    const auto place = *position_of(world, ends[0]);
+    const auto position = *position_of(world, ends[0]);
     release_quarantine(world, 0);
     step(world, Real(1.0 / 60));
-    EXPECT_LT((*position_of(world, ends[0]))[1], place[1]);
+    EXPECT_LT((*position_of(world, ends[0]))[1], position[1]);
     EXPECT_FALSE(world.figures[0].quarantined);
 }
 

@@ -109,8 +109,8 @@ template <class Vector> double tried_distance(const Vector& a, const Vector& b, 
     const auto distance_at = [&](double share) {
         double sum = 0;
         for (int axis = 0; axis < int(a.component.size()); ++axis) {
-            const double place = double(a[axis]) + (double(b[axis]) - double(a[axis])) * share;
-            sum += (place - double(point[axis])) * (place - double(point[axis]));
+            const double position = double(a[axis]) + (double(b[axis]) - double(a[axis])) * share;
+            sum += (position - double(point[axis])) * (position - double(point[axis]));
         }
         return std::sqrt(sum);
     };
@@ -127,13 +127,14 @@ TYPED_TEST(Queries, TheNearestOfManyIsThatOfASearchByHand) {
     using Real = typename TypeParam::Real;
     typename TypeParam::World world;
     const auto ids = scatter(world, 7, 40);
-    const auto& place = world.particles.position;
+    const auto& position = world.particles.position;
     for (std::uint64_t i = 0; i < 100; ++i) {
         const auto point = anywhere<Vector>(3, i);
         double nearest = 1e9, nearest_on_link = 1e9;
         for (std::size_t k = 0; k < ids.size(); ++k) {
-            nearest = std::min(nearest, tried_distance(place[k], place[k], point) - double(world.particles.radius[k]));
-            if (k > 0) nearest_on_link = std::min(nearest_on_link, tried_distance(place[k - 1], place[k], point));
+            nearest =
+                std::min(nearest, tried_distance(position[k], position[k], point) - double(world.particles.radius[k]));
+            if (k > 0) nearest_on_link = std::min(nearest_on_link, tried_distance(position[k - 1], position[k], point));
         }
         for (const double reach : {0.3, 10.0}) {
             const auto particle = nearest_particle(world, point, Real(reach));
@@ -217,8 +218,8 @@ TYPED_TEST(Queries, ARegionHoldsWhatIsWithinIt) {
     constexpr int D = World::dimension;
     World world;
     const auto ids = scatter(world, 13, 60);
-    const auto& place = world.particles.position;
-    std::size_t most = 0;
+    const auto& position = world.particles.position;
+    std::size_t max = 0;
     for (std::uint64_t i = 0; i < 60; ++i) {
         const auto pose = turned<TypeParam>(i);
         const auto half = at<Vector>(0.6, 0.3) + Vector::axis(D - 1) * Real(0.2);
@@ -226,25 +227,27 @@ TYPED_TEST(Queries, ARegionHoldsWhatIsWithinIt) {
         const auto in_ball =
             overlapping_particles(world, collide::Shape<D, Real>{collide::Sphere<D, Real>{Real(0.7)}}, pose);
         const auto links = overlapping_links(world, collide::Shape<D, Real>{collide::Sphere<D, Real>{Real(0.7)}}, pose);
-        most = std::max(most, in_box.size());
+        max = std::max(max, in_box.size());
         for (Row row = 0; row < world.particles.size(); ++row) {
             const double radius = double(world.particles.radius[row]);
-            const double from_box = distance_from_box(pose, half, place[row]) - radius;
-            const double from_ball = double(distance(pose.position, place[row])) - 0.7 - radius;
-            if (std::abs(from_box) > 1e-5)
+            const double from_box = distance_from_box(pose, half, position[row]) - radius;
+            const double from_ball = double(distance(pose.position, position[row])) - 0.7 - radius;
+            if (std::abs(from_box) > 1e-5) {
                 EXPECT_EQ(std::count(in_box.begin(), in_box.end(), ids[row]), from_box < 0) << i << " " << row;
-            if (std::abs(from_ball) > 1e-5)
+            }
+            if (std::abs(from_ball) > 1e-5) {
                 EXPECT_EQ(std::count(in_ball.begin(), in_ball.end(), ids[row]), from_ball < 0) << i << " " << row;
+            }
         }
         std::size_t crossing = 0, close = 0;
         for (std::size_t k = 0; k + 1 < ids.size(); ++k) {
-            const double apart = tried_distance(place[k], place[k + 1], pose.position) - 0.7;
+            const double apart = tried_distance(position[k], position[k + 1], pose.position) - 0.7;
             crossing += apart < 0;
             close += std::abs(apart) < 1e-3;
         }
         EXPECT_NEAR(double(links.size()), double(crossing), double(close)) << i;
     }
-    EXPECT_GT(most, 0U);
+    EXPECT_GT(max, 0U);
 }
 
 } // namespace

@@ -15,10 +15,10 @@ struct Rig {
     Plane world;
     std::vector<ParticleId> p;
 
-    explicit Rig(std::initializer_list<Vec2<double>> places) {
+    explicit Rig(std::initializer_list<Vec2<double>> positions) {
         add_figure(world, "rig");
-        for (const auto& place : places) {
-            p.push_back(add_particle(world, {.position = place, .figure = 0}));
+        for (const auto& position : positions) {
+            p.push_back(add_particle(world, {.position = position, .figure = 0}));
             world.figures[0].particles.push_back(p.back());
             world.figures[0].particle_names.emplace_back(std::string(1, char('a' + p.size() - 1)), p.back());
         }
@@ -110,7 +110,7 @@ TEST(RigCheck, FindsNothingInTheEnginesOwnFiguresAndNoMoreThanAsked) {
     EXPECT_TRUE((rig_faults(make<3, float>(Cloth{}).world).empty()));
     auto cloth = make(Cloth{.columns = 60, .rows = 60, .bend = true, .bend_compliance = 0});
     EXPECT_TRUE(rig_faults(cloth.world).empty());
-    for (auto& place : cloth.world.particles.position) place *= 2;
+    for (auto& position : cloth.world.particles.position) position *= 2;
     EXPECT_EQ(rig_faults(cloth.world, 7).size(), 7U);
 }
 

@@ -36,13 +36,13 @@ template <class WorldT> std::vector<std::vector<Vec3<double>>> polygons_of(const
     std::vector<std::vector<Vec3<double>>> polygons;
     for (const auto& figure : world.figures)
         for (const auto& piece : figure.pieces) {
-            const auto place = [&](std::size_t i) { return in_space(world, piece.particles[i]); };
-            if (piece.mark == Mark::surface) polygons.push_back({place(0), place(1), place(2), place(3)});
+            const auto position = [&](std::size_t i) { return in_space(world, piece.particles[i]); };
+            if (piece.mark == Mark::surface) polygons.push_back({position(0), position(1), position(2), position(3)});
             if (piece.mark != Mark::fragment) continue;
             const auto& fragment = figure.fragments[piece.fragment];
             std::array<Vec3<double>, 4> corner{};
             for (std::size_t i = 0; i < 4; ++i)
-                corner[i] = place_of(fragment.corners[i], place, WorldT::dimension == 2);
+                corner[i] = place_of(fragment.corners[i], position, WorldT::dimension == 2);
             fragment.each_tile([&](std::span<const Vec2<float>> tile) {
                 polygons.emplace_back();
                 for (const auto& uv : tile) polygons.back().push_back(bilinear(corner, double(uv[0]), double(uv[1])));
@@ -135,9 +135,9 @@ TEST(Slice, FragmentsFollowTheirSide) {
     const auto moved = [](const Vec3<double>& p) {
         return Vec3<double>{{0.3 + 0.8 * p[0] - 0.5 * p[1], -0.2 + 0.5 * p[0] + 0.8 * p[1], 0}};
     };
-    for (auto& place : made.world.particles.position) {
-        const auto to = moved({{place[0], place[1], 0}});
-        place = {{to[0], to[1]}};
+    for (auto& position : made.world.particles.position) {
+        const auto to = moved({{position[0], position[1], 0}});
+        position = {{to[0], to[1]}};
     }
     const auto after = polygons_of(made.world);
     ASSERT_EQ(after.size(), before.size());
@@ -151,8 +151,8 @@ TEST(Slice, AWholeSideMovesAwayWithItsEdge) {
     const double before = area_drawn(made.world);
     cut(made.world, askew);
     const auto along = direction(askew.to - askew.from);
-    for (auto& place : made.world.particles.position)
-        if (cross(along, place - askew.from) < 0) place += Vec2<double>{{0.1, -1}};
+    for (auto& position : made.world.particles.position)
+        if (cross(along, position - askew.from) < 0) position += Vec2<double>{{0.1, -1}};
     EXPECT_NEAR(area_drawn(made.world), before, 1e-6 * before);
     Blade both = askew; // the lower edge is where it went
     both.from += Vec2<double>{{0.1, -1}}, both.to += Vec2<double>{{0.1, -1}};

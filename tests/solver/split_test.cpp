@@ -90,9 +90,9 @@ TEST(Split, NothingComesApartThatIsPinnedOrStillHeldRound) {
 TEST(Split, AHingeThatWasBuiltStaysOne) {
     Plane world;
     std::vector<ParticleId> p;
-    for (const auto& place : {Vec2<double>{{0, 0}}, Vec2<double>{{-1, 1}}, Vec2<double>{{-1, -1}}, Vec2<double>{{1, 1}},
-                              Vec2<double>{{1, -1}}, Vec2<double>{{2, 0}}})
-        p.push_back(add_particle(world, {.position = place}));
+    for (const auto& position : {Vec2<double>{{0, 0}}, Vec2<double>{{-1, 1}}, Vec2<double>{{-1, -1}},
+                                 Vec2<double>{{1, 1}}, Vec2<double>{{1, -1}}, Vec2<double>{{2, 0}}})
+        p.push_back(add_particle(world, {.position = position}));
     for (const auto& [a, b] : {std::pair(0, 1), {1, 2}, {2, 0}, {0, 3}, {3, 4}, {4, 0}, {3, 5}, {4, 5}})
         add<Distance>(world, {p[std::size_t(a)], p[std::size_t(b)]});
     const auto done = cut(world, Blade{{{1.5, 2}}, {{1.5, 0.2}}}); // from 3 to 5
@@ -140,7 +140,7 @@ TEST(Split, RandomSnippetsLoseNothingElse) {
             EXPECT_EQ(find_particle(world, "it/bottom_left"), corner);
         }
         test::run(world, 1);
-        for (const auto& place : world.particles.position) ASSERT_TRUE(is_finite(place));
+        for (const auto& position : world.particles.position) ASSERT_TRUE(is_finite(position));
         EXPECT_LT(stretch(world).max, 0.05) << seed;
     }
     EXPECT_TRUE(test::sanitized || new_particles > 5) << new_particles;

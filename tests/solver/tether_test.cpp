@@ -61,11 +61,11 @@ TEST(Tethers, HoldWhenAStepIsOver) {
         double furthest = 0; // as a part of the shortest way along the links
         for (int i = 0; i < 30; ++i) {
             step(world, 1.0F / 60);
-            const auto& place = world.particles.position;
-            for (Row row = 1; row < place.size(); ++row) {
+            const auto& position = world.particles.position;
+            for (Row row = 1; row < position.size(); ++row) {
                 const double right = row % side, down = row / side;
                 const double way = std::max(right, down) + (std::sqrt(2.0) - 1) * std::min(right, down);
-                furthest = std::max(furthest, double(norm(place[row] - place[0])) / (cell * way));
+                furthest = std::max(furthest, double(norm(position[row] - position[0])) / (cell * way));
             }
         }
         EXPECT_LT(furthest, 1.00002) << substeps << " substeps";
@@ -81,16 +81,16 @@ TEST(Tethers, KeepShortWhatHangsFromTwoCorners) {
     build(world, Cloth{.columns = 64, .rows = 64, .spacing = 0.03, .plane = "vertical", .pins = "corners"}, "cloth");
     auto& particles = world.particles;
     for (Row row = 0; row < particles.size(); ++row) { // so that it can leave its plane
-        auto place = particles.position[row];
-        if (particles.mobility[row] > 0) place[2] = 3e-5F * random::symmetric<float>(1, 0, row);
-        set_position(world, particles.slots.id_of(row), place);
+        auto position = particles.position[row];
+        if (particles.mobility[row] > 0) position[2] = 3e-5F * random::symmetric<float>(1, 0, row);
+        set_position(world, particles.slots.id_of(row), position);
     }
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < few_or_many(60, 300); ++i) {
         step(world, 1.0F / 60);
-        most = std::max(most, stretch(world).max);
+        max = std::max(max, stretch(world).max);
     }
-    EXPECT_LT(most, 0.01);
+    EXPECT_LT(max, 0.01);
 }
 
 // It swings down, its hem cracks after 0.7 s, and a wave of stretch runs up again (15 % where nothing is swept again).
@@ -99,17 +99,17 @@ TEST(Tethers, KeepShortWhatSwingsDownAndSnapsTaut) {
     fall(world, gravity);
     world.settings.substeps = 10;
     build(world, Cloth{.columns = 64, .rows = 64, .spacing = 0.03, .plane = "horizontal", .pins = "corners"}, "cloth");
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < few_or_many(54, 300); ++i) {
         step(world, 1.0F / 60);
         const auto& links = std::get<kind_number<Distance, 3>>(world.constraints);
         for (Row row = 0; row < links.size(); ++row) {
             const auto ends = links.members[row];
             const auto apart = world.particles.position[ends[1]] - world.particles.position[ends[0]];
-            most = std::max(most, double(norm(apart) / links.high(row) - 1)); // what folds is squeezed a little more
+            max = std::max(max, double(norm(apart) / links.high(row) - 1)); // what folds is squeezed a little more
         }
     }
-    EXPECT_LT(most, 0.05);
+    EXPECT_LT(max, 0.05);
 }
 
 } // namespace

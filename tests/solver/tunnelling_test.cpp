@@ -38,16 +38,16 @@ std::vector<ParticleId> add_line(Stepped<D, Real>& world, int links, const Vec<D
 
 template <int D, class Real>
 double gap_of_links(const World<D, Real>& world, const std::vector<ParticleId>& a, const std::vector<ParticleId>& b) {
-    double least = 1e9;
+    double min = 1e9;
     for (std::size_t i = 1; i < a.size(); ++i)
         for (std::size_t k = 1; k < b.size(); ++k) {
             const auto p = *position_of(world, a[i - 1]), q = *position_of(world, a[i]);
             const auto r = *position_of(world, b[k - 1]), s = *position_of(world, b[k]);
             const auto nearest = collide::nearest_parameters(p, q, r, s);
             const Real t = nearest.s, u = nearest.t;
-            least = std::min(least, double(distance(p + (q - p) * t, r + (s - r) * u)));
+            min = std::min(min, double(distance(p + (q - p) * t, r + (s - r) * u)));
         }
-    return least;
+    return min;
 }
 
 // The middle of a long link lies on an edge of a collider, as a capsule: no particle is near.

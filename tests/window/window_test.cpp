@@ -154,13 +154,13 @@ class WindowTest : public testing::Test {
 TEST_F(WindowTest, LooksAsItDid) {
     if (!std::filesystem::exists("/usr/share/fonts/truetype/inter-vf/Inter-roman.var.ttf"))
         GTEST_SKIP() << "the panel's font is not installed (packages.apt, window)";
-    constexpr double least_ssim = 0.97;
+    constexpr double min_ssim = 0.97;
     const std::filesystem::path kept = test::source_dir() + "/tests/golden/window";
     look("light");
     if (IsSkipped()) return;
-    expect_looks_like(kept / "light.png", shot, least_ssim);
+    expect_looks_like(kept / "light.png", shot, min_ssim);
     look("dark");
-    expect_looks_like(kept / "dark.png", shot, least_ssim);
+    expect_looks_like(kept / "dark.png", shot, min_ssim);
     panel = false;
     look("light");
     const auto light = canvas::read_png(kept / "light.png", "light", {});
@@ -172,7 +172,7 @@ TEST_F(WindowTest, LooksAsItDid) {
 TEST_F(WindowTest, LooksWellInSmallWindowsAndOnDenseDisplays) {
     if (!std::filesystem::exists("/usr/share/fonts/truetype/inter-vf/Inter-roman.var.ttf"))
         GTEST_SKIP() << "the panel's font is not installed (packages.apt, window)";
-    constexpr double least_ssim = 0.97;
+    constexpr double min_ssim = 0.97;
     const std::filesystem::path kept = test::source_dir() + "/tests/golden/window";
     struct Size {
         const char* name;
@@ -188,7 +188,7 @@ TEST_F(WindowTest, LooksWellInSmallWindowsAndOnDenseDisplays) {
         look(size.theme);
         unsetenv("SINEW_SCALE");
         if (IsSkipped()) return;
-        expect_looks_like(kept / size.name, shot, least_ssim);
+        expect_looks_like(kept / size.name, shot, min_ssim);
     }
 }
 

@@ -56,7 +56,7 @@ template <int D, class Real> class Adjacency {
     std::size_t number_of(const Spoke& spoke) const { return std::size_t(&spoke - all_.data()); }
     double longest() const {
         double longest = 0;
-        for (const auto& spoke : all_) longest = maximum(longest, double(spoke.length));
+        for (const auto& spoke : all_) longest = max(longest, double(spoke.length));
         return longest;
     }
 

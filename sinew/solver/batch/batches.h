@@ -35,13 +35,13 @@ template <int D, class Real> class RunWriter {
     /// Adds the next link of the color: continues the run if possible.
     void add(Row link, Row a, Row b) {
         links_.include(link);
-        constexpr std::uint32_t most_lanes = 32; // in two packs
+        constexpr std::uint32_t max_lanes = 32; // in two packs
         if (!fresh_) {
             auto& run = plan_.runs.back();
             const auto offset = run.a < run.b ? run.b - run.a : run.a - run.b;
             const bool follows = a == run.a + run.count && b == run.b + run.count && !run.scattered &&
                                  is_at_port(link) == is_at_port(plan_.row_of(run, 0)) &&
-                                 (offset >= most_lanes || run.count < offset) &&
+                                 (offset >= max_lanes || run.count < offset) &&
                                  (run.count == 1 ? link > run.row : link == run.row + run.count * run.row_step);
             if (follows) {
                 if (run.count == 1) run.row_step = link - run.row;
@@ -127,11 +127,11 @@ template <int D, class Real> class RunWriter {
     }
     /// Lower limit, m. A link at a port stays in the plan, because tethers lead over the link, but is inactive: the
     /// port solves the link after all others (ports/port_mover.h).
-    Real low(Row link) const { return is_at_port(link) ? Real(0) : maximum(distances_.low(link), Real(0)); }
+    Real low(Row link) const { return is_at_port(link) ? Real(0) : max(distances_.low(link), Real(0)); }
     /// Upper limit, m, small enough for finite squares and products.
     Real high(Row link) const {
-        constexpr Real most = limit::coordinate<Real> * Real(100);
-        return is_at_port(link) ? most : minimum(distances_.high(link), most);
+        constexpr Real max = limit::coordinate<Real> * Real(100);
+        return is_at_port(link) ? max : min(distances_.high(link), max);
     }
     bool is_at_port(Row link) const {
         const auto& ports = solver_.blocks.ports;

@@ -54,8 +54,8 @@ class BucketQueue {
     std::vector<std::vector<Item>> later_;
 
     std::uint64_t bucket_of(const Item& item) const {
-        constexpr double most = 1e15;
-        return std::uint64_t(std::min(item.length * per_length_, most));
+        constexpr double max = 1e15;
+        return std::uint64_t(std::min(item.length * per_length_, max));
     }
     /// Makes the next bucket the heap; items of later rounds stay in the bucket.
     void open_next() {

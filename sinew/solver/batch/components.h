@@ -17,7 +17,7 @@ template <int D, class Real> class ComponentBuilder {
           mesh_(solver, parts, runs_), particle_ids_(world.particles.slots),
           link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {}
 
-    static constexpr std::size_t most_in_copies = 1024; ///< particles
+    static constexpr std::size_t max_in_copies = 1024; ///< particles
 
     /// Lays out `parts` parts; those of the same shape share components where they are many and small.
     void lay_out(std::size_t part, std::size_t parts) {
@@ -40,7 +40,7 @@ template <int D, class Real> class ComponentBuilder {
 
     std::size_t lay_out_alike(std::size_t part, std::size_t alike) {
         constexpr std::size_t many = 8;
-        if (alike >= many && members(part).size() <= most_in_copies)
+        if (alike >= many && members(part).size() <= max_in_copies)
             lay_out_copies(part, alike);
         else
             for (std::size_t i = part; i < part + alike; ++i) lay_out(i);
@@ -61,9 +61,9 @@ template <int D, class Real> class ComponentBuilder {
 
     /// Interleaves copies, particle i of all before i + 1: as many copies in a component as fit the fastest cache.
     void lay_out_copies(std::size_t part, std::size_t copies) {
-        constexpr std::size_t cached = 1024, least = 64, lanes = 16;
+        constexpr std::size_t cached = 1024, min = 64, lanes = 16;
         const auto fitting = cached / members(part).size() / lanes * lanes;
-        const auto each = std::max(least, fitting);
+        const auto each = std::max(min, fitting);
         for (std::size_t first = 0; first < copies; first += each) {
             const auto count = std::min(each, copies - first);
             const auto begin = Row(swept_.row_of.size());
@@ -104,7 +104,7 @@ template <int D, class Real> class ComponentBuilder {
         plan_.components.push_back({.first_tile = begin.tile,
                                     .first_color = begin.color,
                                     .begin = begin,
-                                    .small = members(part).size() <= most_in_copies});
+                                    .small = members(part).size() <= max_in_copies});
     }
 
     void end_sheet() {

@@ -17,7 +17,7 @@ template <int D, class Real> class GridBuilder {
     /// Lists the directions, steps from one end's rank to the other's, in order of appearance. False if there are too
     /// many.
     bool find(std::size_t part) {
-        constexpr std::size_t most = 24, least_each = 16;
+        constexpr std::size_t max = 24, min_each = 16;
         auto& directions = room_.directions;
         directions.clear();
         const auto all = parts_.links(part);
@@ -27,11 +27,11 @@ template <int D, class Real> class GridBuilder {
             if (at == directions.end() || at->step != step) {
                 at = std::find_if(directions.begin(), directions.end(), [&](const auto& d) { return d.step == step; });
                 if (at == directions.end()) at = directions.insert(at, {.step = step, .first = i});
-                if (directions.size() > most) return false;
+                if (directions.size() > max) return false;
             }
             at->last = i + 1;
         }
-        return !directions.empty() && all.size() / directions.size() >= least_each;
+        return !directions.empty() && all.size() / directions.size() >= min_each;
     }
 
     /// Neighbours in a row share links with each other; every second particle (or fourth, with longer links) does not.
@@ -49,13 +49,13 @@ template <int D, class Real> class GridBuilder {
         }
         const auto begin = Row(swept_.row_of.size());
         Row tile = begin;
-        constexpr Row least_in_band = 128;
+        constexpr Row min_in_band = 128;
         for (std::size_t first = 0, last; first < all.size(); first = last) {
             last = first + 1;
             while (last < all.size() && chained[last - 1]) ++last;
             for (std::size_t c = 0; c < classes; ++c)
                 for (std::size_t i = first + c; i < last; i += classes) swept_.give_slot(all[i]);
-            if (Row(swept_.row_of.size()) - tile < least_in_band && last < all.size()) continue;
+            if (Row(swept_.row_of.size()) - tile < min_in_band && last < all.size()) continue;
             plan_.tiles.push_back({tile, Row(swept_.row_of.size())});
             tile = Row(swept_.row_of.size());
         }
@@ -90,9 +90,9 @@ template <int D, class Real> class GridBuilder {
             at.assign(parts_.members(part).size(), none);
             std::size_t kept = 0;
             for (const Row link : left) {
-                Row& place = at[lower_slot(link) - begin];
-                if (place == none)
-                    place = link;
+                Row& position = at[lower_slot(link) - begin];
+                if (position == none)
+                    position = link;
                 else
                     left[kept++] = link;
             }

@@ -31,9 +31,9 @@ template <class Real> struct IncrementalPlan {
             run.parameters += to.parameter - first.parameter;
         });
         for (auto i = first.parameter; i < last.parameter; ++i) plan.parameters.add_copy(from.plan.parameters, i);
-        const auto move = [&](std::uint32_t& slot) { slot += slots; };
-        copy(from.plan.ends_a, first.scattered, last.scattered, plan.ends_a, move);
-        copy(from.plan.ends_b, first.scattered, last.scattered, plan.ends_b, move);
+        const auto displacement = [&](std::uint32_t& slot) { slot += slots; };
+        copy(from.plan.ends_a, first.scattered, last.scattered, plan.ends_a, displacement);
+        copy(from.plan.ends_b, first.scattered, last.scattered, plan.ends_b, displacement);
         copy(from.plan.rows, first.listed, last.listed, plan.rows);
         SINEW_ASSERT(row_of.size() == plan.end().slot, "the tiles hold every slot");
         component.begin = to;

@@ -14,7 +14,7 @@ namespace sinew::detail {
 template <int D, class Real> class SequenceFinder {
     using Links = MeshLinks<D, Real>;
     using Link = PlanRoom::Link;
-    static constexpr auto most_colors = Links::most_colors;
+    static constexpr auto max_colors = Links::max_colors;
 
   public:
     SequenceFinder(Solver<D, Real>& solver, Links& links, const ComponentFinder<D, Real>& parts)
@@ -29,14 +29,14 @@ template <int D, class Real> class SequenceFinder {
     }
 
   private:
-    static constexpr std::uint32_t least_in_sequence = 6; ///< shorter sequences are faster as scattered links
+    static constexpr std::uint32_t min_in_sequence = 6; ///< shorter sequences are faster as scattered links
 
     Plan<Real>& plan_;
     PlanRoom& room_;
     Links& links_;
     const ComponentFinder<D, Real>& parts_;
     std::uint32_t colors_ = 0;
-    std::array<std::uint32_t, most_colors> reaches_{}; ///< reach of each colour, in tiles
+    std::array<std::uint32_t, max_colors> reaches_{}; ///< reach of each colour, in tiles
 
     std::uint32_t first_tile() const { return plan_.components.back().first_tile; }
 
@@ -80,8 +80,8 @@ template <int D, class Real> class SequenceFinder {
         for (std::size_t i = 0, end; i < links.size(); i = end) {
             end = sequence_end(tile, i);
             const auto sequence = std::span(links).subspan(i, end - i);
-            const auto color = sequence.size() < least_in_sequence ? most_colors : color_for(tile, sequence);
-            if (color == most_colors) {
+            const auto color = sequence.size() < min_in_sequence ? max_colors : color_for(tile, sequence);
+            if (color == max_colors) {
                 left.insert(left.end(), sequence.begin(), sequence.end());
                 continue;
             }
@@ -97,13 +97,13 @@ template <int D, class Real> class SequenceFinder {
     }
 
     std::size_t sequence_end(std::uint32_t tile, std::size_t first) const {
-        constexpr std::uint32_t most_lanes = 32; // in two packs
+        constexpr std::uint32_t max_lanes = 32; // in two packs
         const auto& links = room_.of_tile;
         const auto& begun = links[first];
-        const auto most = begun.offset < most_lanes ? begun.offset : std::uint32_t(links.size());
+        const auto max = begun.offset < max_lanes ? begun.offset : std::uint32_t(links.size());
         const auto into = plan_.tiles[plan_.tile_of(tile, Links::upper(begun))].last;
         auto end = first + 1;
-        while (end < links.size() && end - first < most && links[end].offset == begun.offset &&
+        while (end < links.size() && end - first < max && links[end].offset == begun.offset &&
                links[end].lower == links[end - 1].lower + 1 && Links::upper(links[end]) < into)
             ++end;
         return end;
@@ -119,7 +119,7 @@ template <int D, class Real> class SequenceFinder {
             for (const auto& link : sequence) taken += links_.used(link) >> color & 1;
             if (reaches_[color] == reach && taken * shared <= sequence.size()) return color;
         }
-        if (colors_ < most_colors) reaches_[colors_] = reach;
+        if (colors_ < max_colors) reaches_[colors_] = reach;
         return colors_;
     }
 };

@@ -30,7 +30,7 @@ template <int D, class Real> class MeshBuilder {
   private:
     using Links = MeshLinks<D, Real>;
     using Link = PlanRoom::Link;
-    static constexpr auto most_colors = Links::most_colors;
+    static constexpr auto max_colors = Links::max_colors;
 
     SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
@@ -45,7 +45,7 @@ template <int D, class Real> class MeshBuilder {
     /// Slots of a level: every second particle, then the others, since neighbours share a link.
     void lie_in_rows(std::size_t part, Row begin) {
         const auto all = parts_.members(part);
-        constexpr Row least_in_band = 128;
+        constexpr Row min_in_band = 128;
         parts_.list_neighbours(part);
         auto& levels = room_.levels;
         levels.find(room_.near);
@@ -53,7 +53,7 @@ template <int D, class Real> class MeshBuilder {
         for (std::size_t i = 0; i < levels.size(); ++i) {
             for (std::size_t c = 0; c < 2; ++c)
                 for (std::size_t k = c; k < levels[i].size(); k += 2) swept_.give_slot(all[levels[i][k]]);
-            if (swept_.size() - tile < least_in_band && i + 1 < levels.size()) continue;
+            if (swept_.size() - tile < min_in_band && i + 1 < levels.size()) continue;
             plan_.tiles.push_back({tile, swept_.size()});
             tile = swept_.size();
         }
@@ -79,7 +79,7 @@ template <int D, class Real> class MeshBuilder {
     void colour() {
         const auto& left = room_.left_over;
         if (left.empty()) return;
-        constexpr auto last_colour = most_colors; // links beyond the last colour are solved one by one
+        constexpr auto last_colour = max_colors; // links beyond the last colour are solved one by one
         std::uint32_t colours = 0;
         bool any_last = false;
         room_.colour.clear();
@@ -112,7 +112,7 @@ template <int D, class Real> class MeshBuilder {
                 for (auto i = begin; i < end; ++i) {
                     if (room_.colour[i] != colour) continue;
                     const auto link = links_.at(left[i]);
-                    if (colour == most_colors)
+                    if (colour == max_colors)
                         runs_.begin_run(link.row, link.lower, Links::upper(link));
                     else
                         runs_.add_scattered(link.row, link.lower, Links::upper(link));

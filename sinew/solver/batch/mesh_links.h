@@ -10,7 +10,7 @@ namespace sinew::detail {
 template <int D, class Real> class MeshLinks {
   public:
     using Link = PlanRoom::Link;
-    static constexpr std::uint32_t most_colors = 63;
+    static constexpr std::uint32_t max_colors = 63;
 
     MeshLinks(Solver<D, Real>& solver, const ComponentFinder<D, Real>& parts)
         : swept_(solver.sweep_state), used_(solver.sweep_state.room.used), parts_(parts) {}

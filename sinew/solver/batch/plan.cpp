@@ -88,7 +88,7 @@ template <int D, class Real> class PlanBuilder {
     bool regroups() {
         const auto is_small = [&](const PlanRoom::Piece& piece) {
             if (piece.stays) return plan_.components[piece.number].small && plan_.components[piece.number].has_links();
-            return !parts_.links(piece.number).empty() && parts_.members(piece.number).size() <= sheets_.most_in_copies;
+            return !parts_.links(piece.number).empty() && parts_.members(piece.number).size() <= sheets_.max_in_copies;
         };
         bool any_stays = false, changed = false;
         for (std::size_t i = 0; i < keeper_.count(); ++i)

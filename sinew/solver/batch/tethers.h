@@ -57,7 +57,7 @@ template <int D, class Real> class TetherBuilder {
         return figure < world_.figures.size() && world_.figures[figure].tethers;
     }
 
-    /// Anchors of a component: the component's hard pins, at most `most_tethers`, evenly spaced in slot order.
+    /// Anchors of a component: the component's hard pins, at most `max_tethers`, evenly spaced in slot order.
     std::span<const PinnedSlot> anchors(const Component& component) const {
         auto& all = room_.anchors;
         all.clear();
@@ -70,9 +70,9 @@ template <int D, class Real> class TetherBuilder {
             if (!all.empty() && all.back().slot == pinned.slot) all.pop_back();
             all.push_back(pinned);
         }
-        if (all.size() > most_tethers) {
-            for (std::size_t i = 0; i < most_tethers; ++i) all[i] = all[i * (all.size() - 1) / (most_tethers - 1)];
-            all.resize(most_tethers);
+        if (all.size() > max_tethers) {
+            for (std::size_t i = 0; i < max_tethers; ++i) all[i] = all[i * (all.size() - 1) / (max_tethers - 1)];
+            all.resize(max_tethers);
         }
         return all;
     }
@@ -212,7 +212,7 @@ template <int D, class Real> class TetherBuilder {
             }
             for (std::size_t i = 0; i < near.size(); ++i) shorten(s + near[i].offset, lengths[i]);
         }
-        for (auto& length : way) length = half_per_square_of(minimum(double(absolute(length)) * slack, far));
+        for (auto& length : way) length = half_per_square_of(min(double(absolute(length)) * slack, far));
     }
     static Real half_per_square_of(double reach) { return reach > 0 ? Real(0.5 / square(reach)) : Real(0); }
 };

@@ -12,7 +12,7 @@ struct Beside {
 
     static Beside of(double to_a, double to_b, double length) {
         const double along = (to_a * to_a - to_b * to_b + length * length) / (2 * length);
-        return {along, square_root(maximum(to_a * to_a - along * along, 0.0))};
+        return {along, square_root(max(to_a * to_a - along * along, 0.0))};
     }
     /// Distance to a point on the other side of the edge, in the plane; huge if the line misses the edge.
     double across(const Beside& other, double length) const {
@@ -28,7 +28,7 @@ template <int D, class Real> class UnfoldedTriangles {
   public:
     struct Corner {
         std::uint32_t spoke; ///< index of the spoke to the corner, at the edge's first end
-        Beside place;
+        Beside position;
     };
 
     explicit UnfoldedTriangles(const Adjacency<D, Real>& spokes) : spokes_(spokes) {}
@@ -36,7 +36,7 @@ template <int D, class Real> class UnfoldedTriangles {
     /// Starts over; call after listing the spokes.
     void begin() {
         known_.clear();
-        first_.assign(std::min(spokes_.size(), most), none);
+        first_.assign(std::min(spokes_.size(), max), none);
         shared_.clear();
     }
     /// UnfoldedTriangles beyond the edge from particle s along spoke number `spoke`. Valid until the next call.
@@ -53,7 +53,7 @@ template <int D, class Real> class UnfoldedTriangles {
             if (const auto* third = Adjacency<D, Real>::find(near, near[spoke].offset + further))
                 found_.push_back({std::uint32_t(third - near.data()),
                                   Beside::of(double(third->length), double(side), double(near[spoke].length))});
-        if (at >= first_.size() || shared_.size() + found_.size() > most) return found_;
+        if (at >= first_.size() || shared_.size() + found_.size() > max) return found_;
         known_.push_back({.other = other,
                           .next = first_[at],
                           .first = std::uint32_t(shared_.size()),
@@ -65,7 +65,7 @@ template <int D, class Real> class UnfoldedTriangles {
 
   private:
     static constexpr auto none = ~std::uint32_t(0);
-    static constexpr std::size_t most = 1 << 12;
+    static constexpr std::size_t max = 1 << 12;
 
     struct Known {
         std::uint32_t other; ///< list of the edge's second end

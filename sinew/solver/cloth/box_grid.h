@@ -19,14 +19,14 @@ template <class Real> class BoxGrid {
 
     void reserve(std::size_t boxes) {
         constexpr std::size_t cells_each = 12;
-        start_.reserve(4 * boxes + least_buckets + 1);
+        start_.reserve(4 * boxes + min_buckets + 1);
         entries_.reserve(cells_each * boxes);
     }
     /// Sorts the boxes of these numbers.
     void fill(std::span<const Box> boxes, std::span<const std::uint32_t> numbers, Real cell) {
         per_cell_ = inverse_or_zero(cell);
         large_.clear();
-        std::size_t buckets = least_buckets;
+        std::size_t buckets = min_buckets;
         while (buckets < 2 * numbers.size()) buckets *= 2;
         mask_ = std::uint32_t(buckets - 1);
         start_.assign(buckets + 1, 0);
@@ -74,8 +74,8 @@ template <class Real> class BoxGrid {
     }
 
   private:
-    static constexpr std::size_t least_buckets = 64;
-    static constexpr Real most_cells = 1024; ///< of a box; larger ones are compared with all
+    static constexpr std::size_t min_buckets = 64;
+    static constexpr Real max_cells = 1024; ///< of a box; larger ones are compared with all
 
     struct Entry {
         std::uint32_t number = 0;
@@ -100,7 +100,7 @@ template <class Real> class BoxGrid {
     bool is_large(const Box& box) const {
         Real cells = 1;
         for (int axis = 0; axis < 3; ++axis) cells *= (box.high[axis] - box.low[axis]) * per_cell_ + Real(1);
-        return !(cells < most_cells);
+        return !(cells < max_cells);
     }
     /// Calls visit(bucket, key, lowest) for the cells of a box.
     template <class Visit> void each_cell(const Box& box, Visit&& visit) const {

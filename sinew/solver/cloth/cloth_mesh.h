@@ -151,13 +151,13 @@ template <int D, class Real> class ClothMeshBuilder {
         mesh_.half_thickness.assign(mesh_.size(), limit::coordinate<Real>);
         for (const auto& ends : mesh_.edges) {
             const auto known = length.find(ends);
-            const Real edge = known != length.end() ? known->second : distance(place(ends[0]), place(ends[1]));
+            const Real edge = known != length.end() ? known->second : distance(position(ends[0]), position(ends[1]));
             for (const auto end : ends)
-                mesh_.half_thickness[end] = minimum(mesh_.half_thickness[end], Real(0.5) * thickness * edge);
+                mesh_.half_thickness[end] = min(mesh_.half_thickness[end], Real(0.5) * thickness * edge);
         }
     }
     std::uint32_t number_at(Row row) const { return is_swept(row) ? number_[state_.slot_of[row]] : none; }
-    Vec<D, Real> place(std::uint32_t vertex) const {
+    Vec<D, Real> position(std::uint32_t vertex) const {
         return world_.particles.position[state_.row_of[mesh_.slots[vertex]]];
     }
 

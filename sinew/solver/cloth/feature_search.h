@@ -11,8 +11,8 @@ namespace sinew::detail {
 
 template <class Real> Real pair_thickness(const ClothMesh<3, Real>& mesh, const PairVertices& v, std::size_t side) {
     const auto half = [&](std::size_t i) { return mesh.half_thickness[v[i]]; };
-    if (side == 1) return half(0) + minimum(half(1), minimum(half(2), half(3)));
-    return Real(0.5) * (minimum(half(0), half(1)) + minimum(half(2), half(3))); // layers lie on vertices
+    if (side == 1) return half(0) + min(half(1), min(half(2), half(3)));
+    return Real(0.5) * (min(half(0), half(1)) + min(half(2), half(3))); // layers lie on vertices
 }
 
 template <class Real> class FeatureSearch {
@@ -29,7 +29,7 @@ template <class Real> class FeatureSearch {
         room_.is_listed = true;
         room_.last_substep = last;
         room_.drift = {};
-        room_.mean_move = is_static ? Vector{} : mean_move();
+        room_.mean_displacement = is_static ? Vector{} : mean_displacement();
         room_.is_dirty.assign(mesh_.size(), 1);
         forecast_dirty();
         is_whole_ = true;
@@ -67,9 +67,9 @@ template <class Real> class FeatureSearch {
 
     // --- forecast ----------------------------------------------------------------------------------------------------
 
-    Vector mean_move() const {
+    Vector mean_displacement() const {
         Vector sum{};
-        for (const auto& vertex : room_.vertices) sum += vertex.last_move;
+        for (const auto& vertex : room_.vertices) sum += vertex.last_displacement;
         return sum * (Real(1) / Real(room_.vertices.size()));
     }
     /// Mean of the last displacements of a vertex and its neighbours: motion shared with them lasts, its own is gone
@@ -81,7 +81,7 @@ template <class Real> class FeatureSearch {
         for (auto i = mesh_.first_cell_at[vertex]; i < mesh_.first_cell_at[vertex + 1]; ++i) {
             const auto corners = mesh_.corner_range[mesh_.cells_at[i]];
             for (auto k = corners.first; k < corners.last; ++k)
-                sum += room_.vertices[mesh_.corners[k]].last_move, count += 1;
+                sum += room_.vertices[mesh_.corners[k]].last_displacement, count += 1;
         }
         return sum * inverse_or_zero(count);
     }
@@ -93,7 +93,7 @@ template <class Real> class FeatureSearch {
             auto& vertex = room_.vertices[i];
             vertex.listed_at = vertex.travel;
             auto& forecast = room_.forecast[i];
-            forecast = {vertex.place, expected_move(i), room_.skin, substep_ - 1};
+            forecast = {vertex.position, expected_move(i), room_.skin, substep_ - 1};
             forecast.tolerance += Real(2) * Real(off(i));
         }
     }
@@ -102,7 +102,7 @@ template <class Real> class FeatureSearch {
         const auto& vertex = room_.vertices[i];
         if (room_.is_static) return vertex.ahead - vertex.listed_at;
         const auto& forecast = room_.forecast[i];
-        return double(norm((vertex.place - forecast.place) + vertex.move -
+        return double(norm((vertex.position - forecast.position) + vertex.displacement -
                            forecast.per_substep * Real(substep_ - forecast.since)));
     }
     bool mark_dirty() {
@@ -148,8 +148,8 @@ template <class Real> class FeatureSearch {
         const auto& forecast = room_.forecast[i];
         collide::BoundingBox<3, Real> box;
         const auto include = [&](int substep) {
-            const auto frame = room_.is_static ? room_.drift : room_.mean_move * Real(substep);
-            box.include(forecast.place + forecast.per_substep * Real(substep - forecast.since) - frame);
+            const auto frame = room_.is_static ? room_.drift : room_.mean_displacement * Real(substep);
+            box.include(forecast.position + forecast.per_substep * Real(substep - forecast.since) - frame);
         };
         include(forecast.since);
         if (!room_.is_static) include(room_.last_substep);
@@ -276,7 +276,7 @@ template <class Real> class FeatureSearch {
     void offer(FeaturePairs<Real>& pairs, const PairVertices& v) {
         if (!is_whole_ && !is_any_dirty(v)) return;
         FeatureCorners<Real> corner;
-        for (std::size_t i = 0; i < 4; ++i) corner[i] = room_.vertices[v[i]].place;
+        for (std::size_t i = 0; i < 4; ++i) corner[i] = room_.vertices[v[i]].position;
         const auto near = pairs.first_side == 1 ? nearest_vertex_face(corner) : nearest_edge_edge(corner);
         const Real thickness = pair_thickness(mesh_, v, pairs.first_side);
         const Real beyond = near.distance - thickness;
@@ -286,22 +286,22 @@ template <class Real> class FeatureSearch {
     /// Largest displacement of a corner relative to one of the other side, by their forecasts, until the list ends.
     Real approach(const PairVertices& v, std::size_t first_side) const {
         if (room_.is_static) return 0;
-        Real most = 0;
+        Real fastest2 = 0;
         for (std::size_t i = 0; i < first_side; ++i)
             for (std::size_t k = first_side; k < 4; ++k) {
                 const auto rate = room_.forecast[v[i]].per_substep - room_.forecast[v[k]].per_substep;
-                most = maximum(most, dot(rate, rate));
+                fastest2 = max(fastest2, dot(rate, rate));
             }
-        return square_root(most) * Real(room_.last_substep - substep_ + 1);
+        return square_root(fastest2) * Real(room_.last_substep - substep_ + 1);
     }
     /// Both sides may leave their forecast; a vertex listed before is off already.
     Real tolerance(const PairVertices& v, std::size_t first_side) const {
-        std::array<Real, 2> most{};
+        std::array<Real, 2> largest{};
         for (std::size_t i = 0; i < 4; ++i) {
-            auto& side = most[i < first_side ? 0 : 1];
-            side = maximum(side, room_.forecast[v[i]].tolerance * Real(room_.is_dirty[v[i]] ? 1 : 2));
+            auto& side = largest[i < first_side ? 0 : 1];
+            side = max(side, room_.forecast[v[i]].tolerance * Real(room_.is_dirty[v[i]] ? 1 : 2));
         }
-        return most[0] + most[1];
+        return largest[0] + largest[1];
     }
     double travel_of(const PairVertices& v) const {
         double sum = 0;

@@ -45,7 +45,7 @@ template <class Real> TriangleShares<Real> nearest_on_outline(const TriangleProd
     const Real square = of.square_first - Real(2) * of.both + of.square_second;
     const Real third = share(along, square);
     const Real by_third = of.square_first - Real(2) * of.along_first + third * (third * square - Real(2) * along);
-    if (by_third < minimum(by_first, by_second)) return {Real(1) - third, third, false};
+    if (by_third < min(by_first, by_second)) return {Real(1) - third, third, false};
     return by_first <= by_second ? TriangleShares<Real>{first, 0, false} : TriangleShares<Real>{0, second, false};
 }
 
@@ -87,9 +87,8 @@ template <class Real>
 Real clearance(const FeatureCorners<Real>& corner, std::size_t first_side, const Vec3<Real>& direction) {
     std::array<Real, 4> height;
     for (std::size_t i = 0; i < 4; ++i) height[i] = dot(direction, corner[i] - corner[0]);
-    const Real low = first_side == 2 ? minimum(height[0], height[1]) : height[0];
-    const Real high =
-        first_side == 2 ? maximum(height[2], height[3]) : maximum(height[1], maximum(height[2], height[3]));
+    const Real low = first_side == 2 ? min(height[0], height[1]) : height[0];
+    const Real high = first_side == 2 ? max(height[2], height[3]) : max(height[1], max(height[2], height[3]));
     return low - high;
 }
 
@@ -115,7 +114,7 @@ class PartingDirection {
     const FeatureCorners<double>& corner_;
     std::size_t first_side_;
     Vec3<double> best_{};
-    double most_ = -1;
+    double max_ = -1;
 
     void offer_from(std::size_t i) {
         for (std::size_t a = first_side_; a < 4; ++a) {
@@ -131,7 +130,7 @@ class PartingDirection {
     void offer(const Vec3<double>& way) {
         for (const auto& unit : {direction(way), -direction(way)}) {
             const double gap = clearance(corner_, first_side_, unit);
-            if (gap > most_) most_ = gap, best_ = unit;
+            if (gap > max_) max_ = gap, best_ = unit;
         }
     }
 };

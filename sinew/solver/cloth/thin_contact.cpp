@@ -52,35 +52,37 @@ template <class Real> class ThinContact {
         Vector shift{};
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             const Row slot = room_.mesh.slots[i];
-            shift += state_.place_at(slot) - vertices[i].place;
+            shift += state_.position_at(slot) - vertices[i].position;
         }
         const Real share = Real(1) / Real(vertices.size());
         shift *= share;
         room_.drift += shift;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             auto& vertex = vertices[i];
-            const auto place = state_.place_at(room_.mesh.slots[i]), move = state_.move_at(room_.mesh.slots[i]);
-            vertex.travel += double(norm(place - vertex.place - shift));
-            vertex.last_move = place == vertex.place ? move : place - vertex.place;
-            vertex.place = place, vertex.move = move, vertex.mobility = state_.mobility[room_.mesh.slots[i]];
+            const auto position = state_.position_at(room_.mesh.slots[i]),
+                       displacement = state_.displacement_at(room_.mesh.slots[i]);
+            vertex.travel += double(norm(position - vertex.position - shift));
+            vertex.last_displacement = position == vertex.position ? displacement : position - vertex.position;
+            vertex.position = position, vertex.displacement = displacement,
+            vertex.mobility = state_.mobility[room_.mesh.slots[i]];
         }
         look_ahead();
     }
     /// Travel until the end of the substep, by the displacements as they are now.
     void look_ahead() {
         Vector mean{};
-        for (const auto& vertex : room_.vertices) mean += vertex.move;
+        for (const auto& vertex : room_.vertices) mean += vertex.displacement;
         mean *= Real(1) / Real(room_.vertices.size());
         largest_move_ = 0;
         for (auto& vertex : room_.vertices) {
-            const Real ahead = norm(vertex.move - mean);
+            const Real ahead = norm(vertex.displacement - mean);
             vertex.ahead = vertex.travel + double(ahead);
-            largest_move_ = maximum(largest_move_, ahead);
+            largest_move_ = max(largest_move_, ahead);
         }
     }
     void write() {
         for (std::size_t i = 0; i < room_.vertices.size(); ++i)
-            state_.set_move(room_.mesh.slots[i], room_.vertices[i].move);
+            state_.set_displacement(room_.mesh.slots[i], room_.vertices[i].displacement);
     }
     Real largest_move_ = 0; ///< relative to the mean
     bool any_truncated_ = false;
@@ -90,17 +92,16 @@ template <class Real> class ThinContact {
 
     void begin_step() {
         room_.thickest = 0;
-        for (const Real half : room_.mesh.half_thickness) room_.thickest = maximum(room_.thickest, Real(2) * half);
+        for (const Real half : room_.mesh.half_thickness) room_.thickest = max(room_.thickest, Real(2) * half);
         room_.skin = skin * room_.thickest;
         Real furthest = 0;
         for (const auto& vertex : room_.vertices)
-            for (int axis = 0; axis < 3; ++axis) furthest = maximum(furthest, absolute(vertex.place[axis]));
-        room_.least_gap =
-            maximum(least_gap * room_.thickest, Real(16) * std::numeric_limits<Real>::epsilon() * furthest);
+            for (int axis = 0; axis < 3; ++axis) furthest = max(furthest, absolute(vertex.position[axis]));
+        room_.min_gap = max(min_gap * room_.thickest, Real(16) * std::numeric_limits<Real>::epsilon() * furthest);
         for (std::size_t i = 0; i < room_.vertices.size(); ++i) {
             auto& vertex = room_.vertices[i];
             vertex.step_began_at = vertex.travel;
-            vertex.last_move = world_.particles.velocity[state_.row_of[room_.mesh.slots[i]]] * span_.h;
+            vertex.last_displacement = world_.particles.velocity[state_.row_of[room_.mesh.slots[i]]] * span_.h;
         }
         room_.is_calm = is_slow();
     }
@@ -128,7 +129,7 @@ template <class Real> class ThinContact {
     /// the 0.7 cells between vertices without a face in common.
     static constexpr Real skin = Real(0.2);
     /// Floor under gaps, as a share of the thickness: else each substep takes its share of the rest, down to rounding.
-    static constexpr Real least_gap = Real(0.004);
+    static constexpr Real min_gap = Real(0.004);
 
     /// In a calm step a list of an earlier step serves, renewed for the few vertices that have travelled: any such list
     /// has the same pairs that touch. In others all follows from the beginning of the step.
@@ -183,7 +184,7 @@ template <class Real> class ThinContact {
         const double ahead = travel_ahead(pair.vertex);
         if (!(ahead > pair.due)) return;
         FeatureCorners<Real> corner;
-        for (std::size_t i = 0; i < 4; ++i) corner[i] = room_.vertices[pair.vertex[i]].place;
+        for (std::size_t i = 0; i < 4; ++i) corner[i] = room_.vertices[pair.vertex[i]].position;
         const auto found = pairs.first_side == 1 ? nearest_vertex_face(corner) : nearest_edge_edge(corner);
         const Real thickness = pair_thickness(room_.mesh, pair.vertex, pairs.first_side);
         double travel = 0;
@@ -219,18 +220,17 @@ template <class Real> class ThinContact {
     }
     bool is_touching(const NearPair<Real>& near, bool is_inside, std::size_t first_side) const {
         if (!is_inside && (first_side == 2 || near.distance >= near.thickness)) return false;
-        return near.distance + dot(near.normal, relative_move(near)) < near.thickness;
+        return near.distance + dot(near.normal, relative_displacement(near)) < near.thickness;
     }
     static Real gap(const std::array<Real, 4>& height, std::size_t first_side) {
-        const Real low = first_side == 2 ? minimum(height[0], height[1]) : height[0];
-        const Real high =
-            first_side == 2 ? maximum(height[2], height[3]) : maximum(height[1], maximum(height[2], height[3]));
+        const Real low = first_side == 2 ? min(height[0], height[1]) : height[0];
+        const Real high = first_side == 2 ? max(height[2], height[3]) : max(height[1], max(height[2], height[3]));
         return low - high;
     }
     static Real gap(const NearPair<Real>& near, std::size_t first_side) { return gap(near.height, first_side); }
-    Vector relative_move(const NearPair<Real>& near) const {
+    Vector relative_displacement(const NearPair<Real>& near) const {
         Vector sum{};
-        for (std::size_t i = 0; i < 4; ++i) sum += room_.vertices[near.vertex[i]].move * near.weight[i];
+        for (std::size_t i = 0; i < 4; ++i) sum += room_.vertices[near.vertex[i]].displacement * near.weight[i];
         return sum;
     }
 
@@ -240,21 +240,21 @@ template <class Real> class ThinContact {
     static constexpr Real push_out = Real(0.25);
 
     void part(const NearPair<Real>& pair) {
-        const auto moved = relative_move(pair);
+        const auto moved = relative_displacement(pair);
         const Real along = dot(pair.normal, moved), overlap = pair.thickness - pair.distance - along;
         Real mobility = 0;
         for (std::size_t i = 0; i < 4; ++i)
             mobility += square(pair.weight[i]) * room_.vertices[pair.vertex[i]].mobility;
         if (!(overlap > Real(0)) || mobility == Real(0)) return;
-        const Real approach = maximum(-along, Real(0));
-        const Real pushed = minimum(overlap, approach) + push_out * maximum(overlap - approach, Real(0));
+        const Real approach = max(-along, Real(0));
+        const Real pushed = min(overlap, approach) + push_out * max(overlap - approach, Real(0));
         const auto across = moved - pair.normal * along;
-        const Real friction = minimum(room_.mesh.friction[pair.vertex[0]], room_.mesh.friction[pair.vertex[3]]);
-        const Real slowed = minimum(Real(1), friction * pushed * inverse_or_zero(norm(across)));
+        const Real friction = min(room_.mesh.friction[pair.vertex[0]], room_.mesh.friction[pair.vertex[3]]);
+        const Real slowed = min(Real(1), friction * pushed * inverse_or_zero(norm(across)));
         const auto change = (pair.normal * pushed - across * slowed) * inverse_or_zero(mobility);
         for (std::size_t i = 0; i < 4; ++i) {
             auto& vertex = room_.vertices[pair.vertex[i]];
-            vertex.move += change * (pair.weight[i] * vertex.mobility);
+            vertex.displacement += change * (pair.weight[i] * vertex.mobility);
         }
     }
 
@@ -271,7 +271,7 @@ template <class Real> class ThinContact {
     /// Gap that a pair keeps.
     Real kept_gap(Real distance) const {
         constexpr Real share = Real(0.2);
-        return minimum(maximum(share * distance, room_.least_gap), distance);
+        return min(max(share * distance, room_.min_gap), distance);
     }
     /// Truncates the moves of pairs that their normal would not part at the end of the substep; false if there are
     /// none. A plane that parts both ends of a linear motion parts everything between.
@@ -291,29 +291,29 @@ template <class Real> class ThinContact {
     }
     Real gap_ahead(const NearPair<Real>& pair, std::size_t first_side) const {
         auto height = pair.height;
-        for (std::size_t i = 0; i < 4; ++i) height[i] += dot(pair.normal, room_.vertices[pair.vertex[i]].move);
+        for (std::size_t i = 0; i < 4; ++i) height[i] += dot(pair.normal, room_.vertices[pair.vertex[i]].displacement);
         return gap(height, first_side);
     }
     /// From now on the plane in the middle stays: each side stops before it.
     void fix(NearPair<Real>& pair, std::size_t first_side) {
         if (!pair.is_parted || gap(pair, first_side) < Real(0.5) * pair.distance) find_direction(pair, first_side);
         const Real distance = gap(pair, first_side);
-        if (distance < Real(1e-3) * room_.least_gap) return; // in touch from the beginning: no side to stay on
+        if (distance < Real(1e-3) * room_.min_gap) return; // in touch from the beginning: no side to stay on
         const Real half = Real(0.5) * kept_gap(distance);
-        const Real low = first_side == 2 ? minimum(pair.height[0], pair.height[1]) : pair.height[0];
+        const Real low = first_side == 2 ? min(pair.height[0], pair.height[1]) : pair.height[0];
         const Real middle = low - Real(0.5) * distance;
         for (std::size_t i = 0; i < 4; ++i) {
             const Real side = i < first_side ? Real(1) : Real(-1);
-            auto& move = room_.vertices[pair.vertex[i]].move;
-            const Real room = side * (pair.height[i] - middle) - half, along = side * dot(pair.normal, move);
+            auto& displacement = room_.vertices[pair.vertex[i]].displacement;
+            const Real room = side * (pair.height[i] - middle) - half, along = side * dot(pair.normal, displacement);
             if (along >= Real(0) || room + along >= Real(0)) continue;
-            move *= clamp(Real(-0.99) * room / along, Real(0), Real(1));
+            displacement *= clamp(Real(-0.99) * room / along, Real(0), Real(1));
             any_truncated_ = true;
         }
     }
     void find_direction(NearPair<Real>& pair, std::size_t first_side) const {
         FeatureCorners<double> corner;
-        for (std::size_t i = 0; i < 4; ++i) corner[i] = cast<double>(room_.vertices[pair.vertex[i]].place);
+        for (std::size_t i = 0; i < 4; ++i) corner[i] = cast<double>(room_.vertices[pair.vertex[i]].position);
         const auto direction = PartingDirection(corner, first_side).find();
         pair.normal = cast<Real>(direction);
         for (std::size_t i = 0; i < 4; ++i) pair.height[i] = Real(dot(direction, corner[i] - corner[0]));

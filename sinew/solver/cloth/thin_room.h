@@ -45,8 +45,8 @@ template <class Real> struct FeaturePairs {
 
 /// Vertex in a substep.
 template <class Real> struct ThinVertex {
-    Vec3<Real> place{}, move{}; ///< start of the substep, displacement in it
-    Vec3<Real> last_move{};     ///< displacement in the last substep
+    Vec3<Real> position{}, displacement{}; ///< start of the substep, displacement in it
+    Vec3<Real> last_displacement{};        ///< displacement in the last substep
     Real mobility = 0;
     // Travel: sum of displacements relative to the mean, metres.
     double travel = 0, ahead = 0; ///< at the start and at the end of the substep
@@ -56,7 +56,7 @@ template <class Real> struct ThinVertex {
 
 /// Forecast of a vertex: place + per_substep (substep - since), off by a tolerance at most.
 template <class Real> struct ClothForecast {
-    Vec3<Real> place{}, per_substep{};
+    Vec3<Real> position{}, per_substep{};
     Real tolerance = 0; ///< metres; of a static list, of the travel
     int since = 0;
 };
@@ -77,14 +77,14 @@ template <int D, class Real> struct ThinRoom {
     std::vector<char> is_dirty_cell, is_moved_cell;
     std::vector<std::uint32_t> first;        ///< scratch: first pair of a vertex
     std::vector<std::uint32_t> tail, merged; ///< scratch
-    Vec3<Real> mean_move{};                  ///< of a list that looks ahead: frame of the boxes, per substep
+    Vec3<Real> mean_displacement{};          ///< of a list that looks ahead: frame of the boxes, per substep
     int last_substep = 0;                    ///< until which the list looks ahead
     Vec3<Real> drift{};                      ///< of a static list: mean displacement since; frame of the boxes
 
-    bool is_listed = false;                     ///< there is a list
-    bool is_static = false;                     ///< it holds while vertices travel within the skin
-    bool is_calm = false;                       ///< in this step a static list serves
-    Real skin = 0, least_gap = 0, thickest = 0; ///< metres
+    bool is_listed = false;                   ///< there is a list
+    bool is_static = false;                   ///< it holds while vertices travel within the skin
+    bool is_calm = false;                     ///< in this step a static list serves
+    Real skin = 0, min_gap = 0, thickest = 0; ///< metres
 
     bool empty() const { return mesh.empty(); }
     /// Reserves for layers in contact with two others everywhere.

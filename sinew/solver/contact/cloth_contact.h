@@ -41,15 +41,15 @@ template <int D, class Real> class ClothContact {
         room_.spheres.resize(room_.size());
         for (std::size_t i = 0; i < room_.size(); ++i) {
             const Row slot = room_.slots[i];
-            const auto place = state_.place_at(slot), move = state_.move_at(slot);
-            room_.particles[i] = {place, move, state_.mobility[slot], room_.friction[i]};
-            room_.spheres[i] = {place + move, room_.radius[i]};
+            const auto position = state_.position_at(slot), displacement = state_.displacement_at(slot);
+            room_.particles[i] = {position, displacement, state_.mobility[slot], room_.friction[i]};
+            room_.spheres[i] = {position + displacement, room_.radius[i]};
         }
     }
     void write() {
-        const Real furthest = furthest_move(h_);
+        const Real furthest = max_displacement(h_);
         for (std::size_t i = 0; i < room_.size(); ++i)
-            state_.set_move(room_.slots[i], clamp_components(room_.particles[i].move, furthest));
+            state_.set_displacement(room_.slots[i], clamp_components(room_.particles[i].displacement, furthest));
     }
 
     // --- candidates --------------------------------------------------------------------------------------------------
@@ -68,28 +68,29 @@ template <int D, class Real> class ClothContact {
             return room_.is_calm && room_.listed.size() == room_.size() && deviation(room_.listed) <= Real(0.5) * half;
         }
         if (room_.is_calm) return room_.is_calm = deviation(room_.step_at) <= Real(0.5) * half;
-        const int least = std::max(1, substeps_ / 2);
-        return number_ - room_.listed_in < least || deviation(room_.listed) <= half;
+        const int min = std::max(1, substeps_ / 2);
+        return number_ - room_.listed_in < min || deviation(room_.listed) <= half;
     }
     void begin_step(Real half) {
         Real fastest = 0;
-        for (const auto& particle : room_.particles) fastest = maximum(fastest, dot(particle.move, particle.move));
+        for (const auto& particle : room_.particles)
+            fastest = max(fastest, dot(particle.displacement, particle.displacement));
         room_.is_calm = square_root(fastest) * Real(substeps_) <= Real(0.25) * half;
         note(room_.step_at);
     }
-    void note(std::vector<Vector>& places) const {
-        places.clear();
-        for (const auto& sphere : room_.spheres) places.push_back(sphere.center);
+    void note(std::vector<Vector>& positions) const {
+        positions.clear();
+        for (const auto& sphere : room_.spheres) positions.push_back(sphere.center);
     }
     /// Largest distance from the places, apart from a common translation.
-    Real deviation(const std::vector<Vector>& places) const {
+    Real deviation(const std::vector<Vector>& positions) const {
         Vector mean{};
-        for (std::size_t i = 0; i < places.size(); ++i) mean += room_.spheres[i].center - places[i];
-        mean *= Real(1) / Real(places.size());
+        for (std::size_t i = 0; i < positions.size(); ++i) mean += room_.spheres[i].center - positions[i];
+        mean *= Real(1) / Real(positions.size());
         Real furthest = 0;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const auto off = room_.spheres[i].center - places[i] - mean;
-            furthest = maximum(furthest, dot(off, off));
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const auto off = room_.spheres[i].center - positions[i] - mean;
+            furthest = max(furthest, dot(off, off));
         }
         return square_root(furthest);
     }
@@ -161,21 +162,21 @@ template <int D, class Real> class ClothContact {
     /// there was before, each by its share of mobility; friction takes back the slip.
     void part(const ClothPair& pair) {
         auto &a = room_.particles[pair.first], &b = room_.particles[pair.second];
-        const auto away = (a.place - b.place) + (a.move - b.move);
+        const auto away = (a.position - b.position) + (a.displacement - b.displacement);
         const Real apart = room_.radius[pair.first] + room_.radius[pair.second], length = norm(away);
         const Real mobility = a.mobility + b.mobility;
         if (!(length < apart) || mobility == Real(0)) return;
         const auto normal = length > Real(0) ? away * inverse_or_zero(length) : Vector::axis(D - 1);
-        const auto slip = a.move - b.move;
+        const auto slip = a.displacement - b.displacement;
         const Real along = dot(slip, normal);
-        const Real approach = maximum(-along, Real(0)), overlap = apart - length;
-        const Real pushed = minimum(overlap, approach) + push_out * maximum(overlap - approach, Real(0));
+        const Real approach = max(-along, Real(0)), overlap = apart - length;
+        const Real pushed = min(overlap, approach) + push_out * max(overlap - approach, Real(0));
         const auto across = slip - normal * along;
-        const Real most = minimum(a.friction, b.friction) * pushed;
-        const auto change = (normal * pushed - across * minimum(Real(1), most * inverse_or_zero(norm(across)))) *
-                            inverse_or_zero(mobility);
-        a.move += change * a.mobility;
-        b.move -= change * b.mobility;
+        const Real max = min(a.friction, b.friction) * pushed;
+        const auto change =
+            (normal * pushed - across * min(Real(1), max * inverse_or_zero(norm(across)))) * inverse_or_zero(mobility);
+        a.displacement += change * a.mobility;
+        b.displacement -= change * b.mobility;
     }
 };
 

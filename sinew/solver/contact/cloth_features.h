@@ -33,9 +33,8 @@ template <int D, class Real> class ClothFeatures {
 
   private:
     static constexpr std::uint32_t none = ~std::uint32_t(0);
-    static constexpr double cells_apart = 1.5; ///< distance of layers, in cells
-    static constexpr double least_near_way =
-        1.25; ///< shortest way through the sheet to a layer, in distances of layers
+    static constexpr double cells_apart = 1.5;   ///< distance of layers, in cells
+    static constexpr double min_near_way = 1.25; ///< shortest way through the sheet to a layer, in distances of layers
 
     struct Link {
         std::uint32_t to = 0;
@@ -138,7 +137,7 @@ template <int D, class Real> class ClothFeatures {
         for (std::uint32_t i = 0; i < room_.size(); ++i) {
             const auto& all = edges[room_.figure[i]];
             const Real half = Real(cells_apart / 2 * all.sum * inverse_or_zero(all.count));
-            room_.radius.push_back(maximum(half, p_.radius[row_of(i)]));
+            room_.radius.push_back(max(half, p_.radius[row_of(i)]));
             room_.friction.push_back(Real(world_.figures[room_.figure[i]].friction));
             room_.cover[row_of(i)] = room_.radius.back();
         }
@@ -156,7 +155,7 @@ template <int D, class Real> class ClothFeatures {
         room_.first_near.assign(1, 0);
         room_.near.clear();
         for (std::uint32_t i = 0; i < room_.size(); ++i) {
-            walk_from(i, least_near_way * 2 * double(room_.radius[i]));
+            walk_from(i, min_near_way * 2 * double(room_.radius[i]));
             auto& all = of_face[i];
             for (const auto& [particle, way] : reached_)
                 if (particle > i) all.push_back(particle);
@@ -167,13 +166,13 @@ template <int D, class Real> class ClothFeatures {
         }
     }
     /// Lists particles within a way along links, improved until nothing changes (Bellman 1958).
-    void walk_from(std::uint32_t start, double most) {
+    void walk_from(std::uint32_t start, double max) {
         reached_.assign(1, {start, 0});
         for (std::size_t i = 0; i < reached_.size(); ++i) {
             const auto from = reached_[i];
             for (const auto& link : links_of(from.particle)) {
                 const double way = from.way + link.length;
-                if (way < most && !is_known(link.to, way)) reached_.push_back({link.to, way});
+                if (way < max && !is_known(link.to, way)) reached_.push_back({link.to, way});
             }
         }
     }

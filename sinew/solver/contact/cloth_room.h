@@ -17,7 +17,7 @@ struct ClothPair {
 
 /// Particle of cloth in a substep.
 template <int D, class Real> struct ClothParticle {
-    Vec<D, Real> place{}, move{}; ///< start of the substep, displacement in it
+    Vec<D, Real> position{}, displacement{}; ///< start of the substep, displacement in it
     Real mobility = 0;
     Real friction = 0;
 };

@@ -37,7 +37,7 @@ template <int D, class Real> class ColliderSweep {
     Real from_, to_; ///< fractions of the step at the ends of the substep
 
     void include(BoxT& box, Row slot) const {
-        box.include(sweep_state_.place_at(slot));
+        box.include(sweep_state_.position_at(slot));
         box.include(mover_.point_at(slot));
     }
 
@@ -52,7 +52,7 @@ template <int D, class Real> class ColliderSweep {
             if (sweep_state_.mobility[slot] == Real(0) || !touches_.boxes[index].overlaps(near.grown(radius)) ||
                 !touch(collider.filter, filter_of(world_, row)))
                 continue;
-            moving.contacts(sweep_state_.place_at(slot), mover_.point_at(slot), radius,
+            moving.contacts(sweep_state_.position_at(slot), mover_.point_at(slot), radius,
                             [&](const auto& contact) { resolve(index, slot, contact); });
         }
     }
@@ -64,7 +64,7 @@ template <int D, class Real> class ColliderSweep {
         if (!collider.is_sensor)
             stopped = contact_.keep_in(
                 {surface.normal, dot(surface.normal, surface.point), collider.restitution, collider.friction}, slot,
-                contact.surface_move);
+                contact.surface_displacement);
         touches_.add(sweep_state_.row_of[slot], index,
                      stopped * inverse_or_zero(sweep_state_.mobility[slot]) * mover_.per_h);
     }

@@ -18,7 +18,7 @@ template <int D, class Real> class CandidateFinder {
 
     bool holds() {
         list_.age += h_;
-        return list_.is_valid && list_.h == h_ && list_.place.size() == room_.particles.size() && have_same_size() &&
+        return list_.is_valid && list_.h == h_ && list_.position.size() == room_.particles.size() && have_same_size() &&
                move_as_expected();
     }
 
@@ -26,7 +26,7 @@ template <int D, class Real> class CandidateFinder {
         set_aside();
         note_motion();
         find_reaches();
-        list_.particles.fill(list_.place, std::span(list_.reach).first(room_.particles.size()), list_.velocity,
+        list_.particles.fill(list_.position, std::span(list_.reach).first(room_.particles.size()), list_.velocity,
                              list_.size, list_.figure);
         if constexpr (D == 3) list_.segments.fill(list_.middle, list_.segment_ball);
         search();
@@ -57,13 +57,13 @@ template <int D, class Real> class CandidateFinder {
     /// True if nothing deviates by more than the margin from its expected place, nor its displacement in this substep
     /// by more than a quarter of that: a blow hands on speed.
     bool move_as_expected() const {
-        const Real time = minimum(list_.age, list_.horizon), next = list_.age < list_.horizon ? h_ : Real(0);
+        const Real time = min(list_.age, list_.horizon), next = list_.age < list_.horizon ? h_ : Real(0);
         const Real off = square(list_.margin), change = square(Real(0.25) * list_.margin);
         for (std::size_t i = 0; i < room_.particles.size(); ++i) {
             const Row slot = room_.particles[i].slot;
             const auto& v = list_.velocity[i];
-            if (!(squared(state_.place_at(slot) - list_.place[i] - v * time) <= off) ||
-                !(squared(state_.move_at(slot) - v * next) <= change))
+            if (!(squared(state_.position_at(slot) - list_.position[i] - v * time) <= off) ||
+                !(squared(state_.displacement_at(slot) - v * next) <= change))
                 return false;
         }
         return true;
@@ -78,22 +78,22 @@ template <int D, class Real> class CandidateFinder {
     // --- search ------------------------------------------------------------------------------------------------------
 
     void note_motion() {
-        list_.place.clear(), list_.velocity.clear();
+        list_.position.clear(), list_.velocity.clear();
         list_.radius.clear(), list_.cover.clear(), list_.figure.clear(), list_.size.clear();
         list_.horizon = horizon();
         list_.age = 0, list_.h = h_;
         for (const auto& particle : room_.particles) {
-            list_.place.push_back(state_.place_at(particle.slot));
-            list_.velocity.push_back(state_.move_at(particle.slot) * (Real(1) / h_));
+            list_.position.push_back(state_.position_at(particle.slot));
+            list_.velocity.push_back(state_.displacement_at(particle.slot) * (Real(1) / h_));
             list_.radius.push_back(particle.radius), list_.cover.push_back(particle.cover);
-            list_.figure.push_back(particle.figure), list_.size.push_back(maximum(particle.radius, particle.cover));
+            list_.figure.push_back(particle.figure), list_.size.push_back(max(particle.radius, particle.cover));
         }
     }
     /// Twice the time for which the last list was valid, between a substep and the rest of the step: among blows a list
     /// that looks far ahead is long, and does not last.
     Real horizon() const {
         const Real last = list_.is_valid ? Real(2) * list_.age : left_;
-        return minimum(left_, maximum(last, h_));
+        return min(left_, max(last, h_));
     }
     /// Time for which a relative speed brings features nearer to each other: rows look two substeps ahead.
     Real time_ahead() const { return list_.horizon + Real(2) * h_; }
@@ -107,20 +107,20 @@ template <int D, class Real> class CandidateFinder {
         for (std::uint32_t i = 0; i < room_.particles.size(); ++i)
             list_.reach.push_back(size_of(i) + Real(2) * list_.margin + list_.near_by + way(i));
         for (const auto& s : room_.segments) {
-            const auto &a = list_.place[s.number_a], &b = list_.place[s.number_b];
+            const auto &a = list_.position[s.number_a], &b = list_.position[s.number_b];
             list_.reach.push_back(size_of(s) + Real(2) * list_.margin + list_.near_by +
-                                  maximum(way(s.number_a), way(s.number_b)));
+                                  max(way(s.number_a), way(s.number_b)));
             if constexpr (D == 2) continue;
             list_.middle.push_back((a + b) * Real(0.5));
             list_.segment_ball.push_back(Real(0.5) * distance(a, b) + list_.reach.back());
         }
     }
     Real size_of(std::uint32_t particle) const {
-        return maximum(room_.particles[particle].radius, room_.particles[particle].cover);
+        return max(room_.particles[particle].radius, room_.particles[particle].cover);
     }
     /// A filled area pushes out what is in its skin.
     Real size_of(const ContactSegment& s) const {
-        const Real radius = minimum(room_.particles[s.number_a].radius, room_.particles[s.number_b].radius);
+        const Real radius = min(room_.particles[s.number_a].radius, room_.particles[s.number_b].radius);
         return s.side != 0 ? radius + Real(2) * list_.widest : radius;
     }
 
@@ -152,7 +152,7 @@ template <int D, class Real> class CandidateFinder {
             return;
         }
         const auto& segment = room_.segments[feature - count];
-        const auto &a = list_.place[segment.number_a], &b = list_.place[segment.number_b];
+        const auto &a = list_.position[segment.number_a], &b = list_.position[segment.number_b];
         const auto number_a = segment.number_a, number_b = segment.number_b;
         list_.particles.each_near(seeker(feature, number_a, number_b, size_of(segment)), [&](auto other) {
             if (are_near(segment, feature, other) && may_touch(other, segment)) found.push_back({feature, other});
@@ -166,8 +166,8 @@ template <int D, class Real> class CandidateFinder {
     }
 
     auto seeker(std::uint32_t feature, std::uint32_t a, std::uint32_t b, Real size) const {
-        return typename detail::FeatureGrid<D, Real>::Seeker{.a = list_.place[a],
-                                                             .b = list_.place[b],
+        return typename detail::FeatureGrid<D, Real>::Seeker{.a = list_.position[a],
+                                                             .b = list_.position[b],
                                                              .velocity_a = list_.velocity[a],
                                                              .velocity_b = list_.velocity[b],
                                                              .reach = list_.reach[feature],
@@ -191,26 +191,26 @@ template <int D, class Real> class CandidateFinder {
     Real slack() const { return Real(4) * list_.margin + Real(2) * list_.near_by; }
     /// Largest distance at which features that close in at a relative speed may touch while the list holds.
     bool is_within(Real squared_distance, Real sizes, Real squared_speed) const {
-        const Real most = sizes + slack() + square_root(squared_speed) * time_ahead();
-        return squared_distance <= square(most);
+        const Real max = sizes + slack() + square_root(squared_speed) * time_ahead();
+        return squared_distance <= square(max);
     }
     bool are_near(std::uint32_t a, std::uint32_t b) const {
-        const Real far = squared(list_.place[a] - list_.place[b]);
+        const Real far = squared(list_.position[a] - list_.position[b]);
         return far <= square(list_.reach[a] + list_.reach[b]) &&
                is_within(far, size_of(a) + size_of(b), squared(list_.velocity[a] - list_.velocity[b]));
     }
     bool are_near(const ContactSegment& s, std::uint32_t feature, std::uint32_t p) const {
-        const auto &a = list_.place[s.number_a], &b = list_.place[s.number_b], &x = list_.place[p];
+        const auto &a = list_.position[s.number_a], &b = list_.position[s.number_b], &x = list_.position[p];
         const auto far = squared(x - (a + (b - a) * collide::nearest_parameter(a, b, x)));
         if (!(far <= square(list_.reach[feature] + list_.reach[p]))) return false;
         const auto& v = list_.velocity[p];
-        const Real speed = maximum(squared(v - list_.velocity[s.number_a]), squared(v - list_.velocity[s.number_b]));
+        const Real speed = max(squared(v - list_.velocity[s.number_a]), squared(v - list_.velocity[s.number_b]));
         return is_within(far, size_of(p) + size_of(s), speed);
     }
     bool are_near(const ContactSegment& s, std::uint32_t feature_s, const ContactSegment& t,
                   std::uint32_t feature_t) const {
-        const auto &a = list_.place[s.number_a], &b = list_.place[s.number_b];
-        const auto &c = list_.place[t.number_a], &d = list_.place[t.number_b];
+        const auto &a = list_.position[s.number_a], &b = list_.position[s.number_b];
+        const auto &c = list_.position[t.number_a], &d = list_.position[t.number_b];
         const auto at = collide::nearest_parameters(a, b, c, d);
         const auto far = squared(a + (b - a) * at.s - (c + (d - c) * at.t));
         return far <= square(list_.reach[feature_s] + list_.reach[feature_t]);

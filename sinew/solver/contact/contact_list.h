@@ -15,13 +15,13 @@ template <int D, class Real> struct ContactList {
     std::vector<ContactCandidate> candidates; ///< by parts, each in ascending order
 
     bool is_valid = false;
-    Real margin = 0;                     ///< deviation for which the list is valid, metres
-    Real near_by = 0;                    ///< gap at which rows begin, apart from the approach, metres
-    Real h = 0, horizon = 0, age = 0;    ///< substep; duration of the expected motion, and since the list was made
-    Real widest = 0;                     ///< largest radius or cover
-    std::vector<Vector> place, velocity; ///< per particle, when listed
-    std::vector<Real> radius, cover;     ///< per particle, when listed
-    std::vector<std::uint32_t> strip;    ///< per particle, when listed
+    Real margin = 0;                        ///< deviation for which the list is valid, metres
+    Real near_by = 0;                       ///< gap at which rows begin, apart from the approach, metres
+    Real h = 0, horizon = 0, age = 0;       ///< substep; duration of the expected motion, and since the list was made
+    Real widest = 0;                        ///< largest radius or cover
+    std::vector<Vector> position, velocity; ///< per particle, when listed
+    std::vector<Real> radius, cover;        ///< per particle, when listed
+    std::vector<std::uint32_t> strip;       ///< per particle, when listed
 
     // Scratch of the search.
     std::vector<std::uint32_t> figure; ///< per particle

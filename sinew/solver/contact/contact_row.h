@@ -8,7 +8,7 @@ namespace sinew {
 
 /// A row of contact between features of figures, or of a figure and a wall, in one substep:
 ///
-///     gap + sum of weight_i dot(normal, displacement_i) - dot(normal, surface_move)  >=  0
+///     gap + sum of weight_i dot(normal, displacement_i) - dot(normal, surface_displacement)  >=  0
 template <int D, class Real> struct ContactRow {
     using Vector = Vec<D, Real>;
     std::array<Row, 4> slot{};    ///< slots of the sweep
@@ -17,14 +17,14 @@ template <int D, class Real> struct ContactRow {
     bool keeps = true; ///< the multiplier outlasts the substep
     int side = 0;      ///< 2D: of the segment on which the particle is, 1: left of a-b
     Vector normal{};
-    Vector surface_move{};                        ///< displacement of a wall in the substep
+    Vector surface_displacement{};                ///< displacement of a wall in the substep
     Real gap = 0;                                 ///< at the start of the substep, metres; negative for an overlap
     Real mass = 0;                                ///< 1 / sum of weight^2 inverse mass
     Real deep = std::numeric_limits<Real>::max(); ///< depth from which the row is held as the figures answer
     Real friction = 0;
     Real multiplier = 0;                        ///< h newton seconds, >= 0
     Vector tangent{};                           ///< multiplier of friction
-    Real most = 0;                              ///< largest multiplier in this substep
+    Real max = 0;                               ///< largest multiplier in this substep
     std::uint32_t source = 0;                   ///< index of the candidate, or of the key of a wall
     std::uint32_t collider = ~std::uint32_t(0); ///< index of a collider, if there is one
     Real restitution = 0;

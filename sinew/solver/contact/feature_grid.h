@@ -79,10 +79,10 @@ template <int D, class Real> class FeatureGrid {
     static constexpr std::uint32_t width = lane::widest<Real>;
     using Flags = std::array<Real, width>;
 
-    Real per_size_ = 1, widest_ = 0;         ///< largest radius of the usual points
-    std::array<std::uint32_t, D> cells_{};   ///< along each axis, a power of two
-    std::vector<std::uint32_t> start_;       ///< first point of each cell, and the end
-    std::array<std::vector<Real>, D> place_; ///< by cells, with room for a pack at the end
+    Real per_size_ = 1, widest_ = 0;            ///< largest radius of the usual points
+    std::array<std::uint32_t, D> cells_{};      ///< along each axis, a power of two
+    std::vector<std::uint32_t> start_;          ///< first point of each cell, and the end
+    std::array<std::vector<Real>, D> position_; ///< by cells, with room for a pack at the end
     std::array<std::vector<Real>, D> velocity_;
     std::vector<Real> radius_, size_; ///< likewise
     std::vector<std::uint32_t> number_, group_, cell_of_, usual_, large_;
@@ -99,7 +99,7 @@ template <int D, class Real> class FeatureGrid {
             if (radii[i] > far_more * mean)
                 large_.push_back(i);
             else
-                usual_.push_back(i), widest_ = maximum(widest_, radii[i]);
+                usual_.push_back(i), widest_ = max(widest_, radii[i]);
     }
 
     /// About two cells a point, more of them along the axes along which the points are spread out; a stray point among
@@ -130,20 +130,20 @@ template <int D, class Real> class FeatureGrid {
             ++start_[cell_of_.back() + 2];
         }
         for (std::size_t i = 2; i < start_.size(); ++i) start_[i] += start_[i - 1];
-        for (auto& column : place_) column.resize(usual_.size() + width);
+        for (auto& column : position_) column.resize(usual_.size() + width);
         radius_.resize(usual_.size() + width), number_.resize(usual_.size());
         for (std::size_t i = 0; i < usual_.size(); ++i) {
             const auto number = usual_[i], at = start_[cell_of_[i] + 1]++;
-            for (int k = 0; k < D; ++k) place_[std::size_t(k)][at] = points[number][k];
+            for (int k = 0; k < D; ++k) position_[std::size_t(k)][at] = points[number][k];
             radius_[at] = radii[number], number_[at] = number;
         }
     }
 
     Cell cell_at(const Vector& point) const {
-        constexpr Real most = 1e9;
+        constexpr Real max = 1e9;
         Cell cell{};
         for (int i = 0; i < D; ++i) {
-            const Real scaled = clamp(point[i] * per_size_, -most, most);
+            const Real scaled = clamp(point[i] * per_size_, -max, max);
             const auto towards_zero = std::int64_t(scaled);
             cell[std::size_t(i)] = towards_zero - (scaled < Real(towards_zero));
         }
@@ -188,7 +188,7 @@ template <int D, class Real> class FeatureGrid {
         const Pack zero{}, one = lane::spread<Pack>(Real(1));
         Pack from[D], part{}, far{};
         for (int k = 0; k < D; ++k) {
-            from[k] = load(place_[std::size_t(k)], first) - seeker.a[k];
+            from[k] = load(position_[std::size_t(k)], first) - seeker.a[k];
             part = part + from[k] * along[k];
         }
         part = part * per_square;
@@ -198,9 +198,9 @@ template <int D, class Real> class FeatureGrid {
             from[k] = from[k] - part * along[k];
             far = far + from[k] * from[k];
         }
-        const Pack most = load(radius_, first) + seeker.reach;
+        const Pack max = load(radius_, first) + seeker.reach;
         Flags flags;
-        lane::store(flags.data(), Pack(far <= most * most ? one : zero));
+        lane::store(flags.data(), Pack(far <= max * max ? one : zero));
         if (any(flags)) find_near(flags, first, seeker, far);
         return flags;
     }
@@ -213,9 +213,9 @@ template <int D, class Real> class FeatureGrid {
             const Pack off_a = velocity - seeker.velocity_a[k], off_b = velocity - seeker.velocity_b[k];
             square_a = square_a + off_a * off_a, square_b = square_b + off_b * off_b;
         }
-        const Pack speed = lane::root(lane::most(square_a, square_b));
-        const Pack most = load(size_, first) + (speed * seeker.ahead + seeker.near);
-        const Pack near = far <= most * most ? one : zero;
+        const Pack speed = lane::root(lane::max(square_a, square_b));
+        const Pack max = load(size_, first) + (speed * seeker.ahead + seeker.near);
+        const Pack near = far <= max * max ? one : zero;
         lane::store(flags.data(), Pack(near * lane::load<Pack>(flags.data())));
     }
     static bool any(const Flags& flags) {

@@ -73,7 +73,7 @@ template <int D, class Real> class FigureContact {
     SweepState<D, Real>& state_;
     bool is_active_;
     Real h_, from_, to_, left_; ///< substep; shares of the step at its ends; rest of the step
-    Real furthest_ = furthest_move(h_);
+    Real furthest_ = max_displacement(h_);
     bool is_first_, is_last_, drag_changes_;
     int threads_;
 
@@ -100,11 +100,9 @@ template <int D, class Real> class FigureContact {
         constexpr Real share_of_radius = Real(0.1);
         auto& list = room().list;
         Real widest = 0;
-        for (const auto& particle : room().particles)
-            widest = maximum(widest, maximum(particle.radius, particle.cover));
+        for (const auto& particle : room().particles) widest = max(widest, max(particle.radius, particle.cover));
         const Real gravity = norm(state_.gravity);
-        const Real margin =
-            maximum(share_of_radius * widest, gravity * square(left_)) + std::numeric_limits<Real>::min();
+        const Real margin = max(share_of_radius * widest, gravity * square(left_)) + std::numeric_limits<Real>::min();
         const Real near_by = gravity * square(h_) * Real(4);
         list.is_valid = list.is_valid && list.margin == margin && list.near_by == near_by && list.widest == widest;
         list.margin = margin, list.near_by = near_by, list.widest = widest;
@@ -115,30 +113,30 @@ template <int D, class Real> class FigureContact {
             const auto slot = row.slot[std::size_t(i)];
             const Real share = row.weight[std::size_t(i)] * state_.mobility[slot];
             if (share == Real(0)) continue; // another part may read an immovable particle
-            state_.set_move(slot, clamp_components(state_.move_at(slot) + impulse * share, furthest_));
+            state_.set_displacement(slot, clamp_components(state_.displacement_at(slot) + impulse * share, furthest_));
         }
     }
-    Vector relative_move(const RowT& row) const {
-        Vector sum = -row.surface_move;
+    Vector relative_displacement(const RowT& row) const {
+        Vector sum = -row.surface_displacement;
         for (int i = 0; i < row.members; ++i)
-            sum += state_.move_at(row.slot[std::size_t(i)]) * row.weight[std::size_t(i)];
+            sum += state_.displacement_at(row.slot[std::size_t(i)]) * row.weight[std::size_t(i)];
         return sum;
     }
-    Real change(const RowT& row) const { return dot(row.normal, relative_move(row)); }
+    Real change(const RowT& row) const { return dot(row.normal, relative_displacement(row)); }
 
     void solve(RowT& row, const Soft& soft) {
-        const auto moved = relative_move(row);
+        const auto moved = relative_displacement(row);
         const Real along = dot(row.normal, moved);
         const Real next =
-            minimum(one_sided_multiplier(row.multiplier, row.mass, along, row.gap, soft), limit::multiplier<Real>);
+            min(one_sided_multiplier(row.multiplier, row.mass, along, row.gap, soft), limit::multiplier<Real>);
         const auto slip = moved - row.normal * along;
         auto tangent = row.tangent - slip * row.mass;
-        const Real size = norm(tangent), most = row.friction * next;
-        if (size > most) tangent *= most * inverse_or_zero(size);
+        const Real size = norm(tangent), max_friction = row.friction * next;
+        if (size > max_friction) tangent *= max_friction * inverse_or_zero(size);
         push(row, row.normal * (next - row.multiplier) + (tangent - row.tangent));
         row.multiplier = next;
         row.tangent = tangent;
-        row.most = maximum(row.most, next);
+        row.max = max(row.max, next);
     }
 
     /// A soft row of a light limb gives way where whole figures are pressed against each other or a wall. Beyond half
@@ -163,9 +161,9 @@ template <int D, class Real> class FigureContact {
         for (std::size_t i = 0; i < members; ++i) push_of[i] = cast<double>(row.normal * row.weight[i]);
         const std::span slots(row.slot.data(), members);
         const double response = room().projector.response(state_).along(slots, std::span(push_of).first(members));
-        const Real impulse = minimum(missing(row) * Real(inverse_or_zero(response)), limit::multiplier<Real>);
+        const Real impulse = min(missing(row) * Real(inverse_or_zero(response)), limit::multiplier<Real>);
         push(row, row.normal * impulse);
-        row.most = maximum(row.most, row.multiplier + impulse);
+        row.max = max(row.max, row.multiplier + impulse);
         for (const Row slot : slots) room().projector.project_velocities(state_, slot);
         return impulse > Real(0);
     }
@@ -173,7 +171,7 @@ template <int D, class Real> class FigureContact {
     /// A blow faster than resting contact leaves with its share of the approach.
     bool rebound(RowT& row) {
         const Real resting = Real(4) * square(h_) * norm(state_.gravity);
-        if (row.restitution == Real(0) || row.most == Real(0) || row.approach <= resting) return false;
+        if (row.restitution == Real(0) || row.max == Real(0) || row.approach <= resting) return false;
         const Real missing = row.restitution * row.approach - change(row);
         if (!(missing > Real(0))) return false;
         push(row, row.normal * (missing * row.mass));
@@ -196,7 +194,7 @@ template <int D, class Real> class FigureContact {
         KeptContacts<D, Real> kept(world_, solver_);
         for (const auto& part : room().parts.list)
             for (auto i = part.first_wall; i < part.rows.size(); ++i)
-                if (const auto& row = part.rows[i]; row.most > Real(0) && row.collider != ~std::uint32_t(0)) note(row);
+                if (const auto& row = part.rows[i]; row.max > Real(0) && row.collider != ~std::uint32_t(0)) note(row);
         kept.keep();
         if (is_last_) kept.give_to_world();
         room().joints.store(world_);
@@ -207,7 +205,7 @@ template <int D, class Real> class FigureContact {
         const Real near = Real(0.01) * room().list.widest;
         for (const auto& part : room().parts.list)
             for (std::size_t i = 0; i < part.first_wall; ++i)
-                if (const auto& row = part.rows[i]; row.most > Real(0) || row.gap <= near)
+                if (const auto& row = part.rows[i]; row.max > Real(0) || row.gap <= near)
                     solver_.touches.figures.push_back(touch_of(row, room().list.candidates[row.source]));
         merge_touches(solver_.touches.figures);
     }
@@ -215,7 +213,7 @@ template <int D, class Real> class FigureContact {
         auto [first, one] = side_of(pair.first);
         auto [second, other] = side_of(pair.second);
         if (second < first) std::swap(first, second), std::swap(one, other);
-        const double impulse = double(row.most / h_);
+        const double impulse = double(row.max / h_);
         return {first, second, {one, other}, impulse, {.impulse = impulse}};
     }
     /// Figure of a feature, and slot of its particle or of its first end.
@@ -225,7 +223,7 @@ template <int D, class Real> class FigureContact {
         const Row row = is_particle ? room().particles[feature].row : room().segments[feature - count].a;
         return {world_.particles.figure[row], world_.particles.slots.slot_of(row)};
     }
-    void note(const RowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.most / h_); }
+    void note(const RowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.max / h_); }
 };
 
 } // namespace sinew::detail

@@ -18,10 +18,10 @@ struct JointSource {
 
 /// Row of a limit in a substep: low <= measure + sum of dot(gradient_i, displacement_i) <= high.
 template <int D, class Real> struct JointRow {
-    static constexpr std::size_t most_members = 4;
+    static constexpr std::size_t max_members = 4;
     JointSource source{};
-    std::array<Row, most_members> slot{};
-    std::array<Vec<D, Real>, most_members> gradient{};
+    std::array<Row, max_members> slot{};
+    std::array<Vec<D, Real>, max_members> gradient{};
     std::size_t members = 0;
     bool is_equality = false;
     Real mass = 0;       ///< 1 / sum of inverse mass gradient^2
@@ -104,7 +104,7 @@ template <int D, class Real> class JointRows {
         using Kind = typename Table::Kind;
         const auto members = table.members[source.row];
         Stencil<Kind, D, Real> stencil({}, members.size());
-        stencil.each([&](std::size_t i) { stencil.points[i] = state.place_at(state.slot_of[members[i]]); });
+        stencil.each([&](std::size_t i) { stencil.points[i] = state.position_at(state.slot_of[members[i]]); });
         const Real low = table.low(source.row), high = table.high(source.row);
         const Real measure = unwrap<Kind>(stencil.evaluate(stencil.points, stencil.gradient), low, high);
         RowT row{.source = source,
@@ -125,21 +125,21 @@ template <int D, class Real> class JointRows {
     }
 
     static void push(SweepState<D, Real>& state, const RowT& row, Real multiplier) {
-        const Real furthest = furthest_move(Real(1) / state.per_h);
+        const Real furthest = max_displacement(Real(1) / state.per_h);
         for (std::size_t i = 0; i < row.members; ++i) {
             const auto moved = row.gradient[i] * (multiplier * state.mobility[row.slot[i]]);
-            state.set_move(row.slot[i], clamp_components(state.move_at(row.slot[i]) + moved, furthest));
+            state.set_displacement(row.slot[i], clamp_components(state.displacement_at(row.slot[i]) + moved, furthest));
         }
     }
     static Real change_of(const SweepState<D, Real>& state, const RowT& row) {
         Real sum = 0;
-        for (std::size_t i = 0; i < row.members; ++i) sum += dot(row.gradient[i], state.move_at(row.slot[i]));
+        for (std::size_t i = 0; i < row.members; ++i) sum += dot(row.gradient[i], state.displacement_at(row.slot[i]));
         return sum;
     }
     static Real next_multiplier(const RowT& row, Real change, const Softness<Real>& soft) {
         if (row.is_equality) return two_sided_multiplier(row.multiplier, row.mass, change, row.above_low, soft);
-        return one_sided_multiplier(maximum(row.multiplier, Real(0)), row.mass, change, row.above_low, soft) -
-               one_sided_multiplier(maximum(-row.multiplier, Real(0)), row.mass, -change, row.below_high, soft);
+        return one_sided_multiplier(max(row.multiplier, Real(0)), row.mass, change, row.above_low, soft) -
+               one_sided_multiplier(max(-row.multiplier, Real(0)), row.mass, -change, row.below_high, soft);
     }
     static void solve(SweepState<D, Real>& state, RowT& row, const Softness<Real>& soft) {
         const Real next =

@@ -76,7 +76,7 @@ template <int D> class LinkFactor {
             pivot -= row[m - link.first] * scaled;
             row[m - link.first] = scaled;
         }
-        pivots_[k] = link.is_active ? inverse_or_zero(maximum(pivot, 0.0)) : 0;
+        pivots_[k] = link.is_active ? inverse_or_zero(max(pivot, 0.0)) : 0;
     }
 };
 

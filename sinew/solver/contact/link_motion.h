@@ -18,9 +18,9 @@ template <int D, class Real> class LinkMotion {
         Vector momentum{};
         double mass = 0;
         for (const Row slot : slots_) {
-            if (state_.mobility[slot] == Real(0)) return move(slot);
+            if (state_.mobility[slot] == Real(0)) return displacement(slot);
             const double m = 1 / double(state_.mobility[slot]);
-            mass += m, momentum += move(slot) * m;
+            mass += m, momentum += displacement(slot) * m;
         }
         return momentum * inverse_or_zero(mass);
     }
@@ -28,26 +28,27 @@ template <int D, class Real> class LinkMotion {
     double energy(const Vector& frame) const {
         double sum = 0;
         for (const Row slot : slots_) {
-            const auto own = move(slot) - frame;
+            const auto own = displacement(slot) - frame;
             sum += inverse_or_zero(double(state_.mobility[slot])) * dot(own, own);
         }
         return sum;
     }
     void slow_down(const Vector& frame, double share) const {
-        for (const Row slot : slots_) state_.set_move(slot, cast<Real>(frame + (move(slot) - frame) * share));
+        for (const Row slot : slots_)
+            state_.set_displacement(slot, cast<Real>(frame + (displacement(slot) - frame) * share));
     }
     void save(std::span<Vector> moves) const {
-        for (std::size_t i = 0; i < slots_.size(); ++i) moves[i] = move(slots_[i]);
+        for (std::size_t i = 0; i < slots_.size(); ++i) moves[i] = displacement(slots_[i]);
     }
     void restore(std::span<const Vector> moves) const {
-        for (std::size_t i = 0; i < slots_.size(); ++i) state_.set_move(slots_[i], cast<Real>(moves[i]));
+        for (std::size_t i = 0; i < slots_.size(); ++i) state_.set_displacement(slots_[i], cast<Real>(moves[i]));
     }
 
   private:
     SweepState<D, Real>& state_;
     std::span<const Row> slots_;
 
-    Vector move(Row slot) const { return cast<double>(state_.move_at(slot)); }
+    Vector displacement(Row slot) const { return cast<double>(state_.displacement_at(slot)); }
 };
 
 } // namespace sinew::detail

@@ -79,7 +79,9 @@ template <int D, class Real> class LinkProjector {
     std::vector<Vector> change_; ///< per slot: room
     bool is_current_ = false;    ///< factorised at the present places
 
-    static Vector move(const SweepState<D, Real>& state, Row slot) { return cast<double>(state.move_at(slot)); }
+    static Vector displacement(const SweepState<D, Real>& state, Row slot) {
+        return cast<double>(state.displacement_at(slot));
+    }
     std::span<const Row> slots_of(const Component& component) const {
         return std::span(links_.slots).subspan(component.first_slot, component.last_slot - component.first_slot);
     }
@@ -90,17 +92,18 @@ template <int D, class Real> class LinkProjector {
     // --- projections -------------------------------------------------------------------------------------------------
 
     void project_velocities(SweepState<D, Real>& state, const Component& component) {
-        for (int i = 0; i < most_rounds; ++i) {
+        for (int i = 0; i < max_rounds; ++i) {
             each(component, [&](auto& link, double& right) {
-                right = link.is_active ? dot(link.along, move(state, link.b) - move(state, link.a)) : 0;
+                right = link.is_active ? dot(link.along, displacement(state, link.b) - displacement(state, link.a)) : 0;
             });
             factor_.solve(links_.list, component, right_);
             if (!component.has_ropes) return apply(state, component, 1);
-            if (i + 1 < most_rounds && release(component)) continue;
+            if (i + 1 < max_rounds && release(component)) continue;
             apply(state, component, 1);
             if (!activate_taut(component, [&](const Link& link) {
                     return norm(link.edge) >= taut * link.length &&
-                           dot(link.along, move(state, link.b) - move(state, link.a)) > slight * link.length;
+                           dot(link.along, displacement(state, link.b) - displacement(state, link.a)) >
+                               slight * link.length;
                 }))
                 return;
         }
@@ -110,30 +113,30 @@ template <int D, class Real> class LinkProjector {
     /// suffice, the gradients are those at the end: they always correct. Steps far beyond the linear model are cut
     /// short.
     void project_lengths(SweepState<D, Real>& state, const Component& component) {
-        constexpr double exact = std::is_same_v<Real, float> ? 1e-6 : 1e-9, most_change = 0.2;
+        constexpr double exact = std::is_same_v<Real, float> ? 1e-6 : 1e-9, max_change = 0.2;
         constexpr int usual_rounds = 4, all_rounds = 24;
         for (int i = 0; i < all_rounds; ++i) {
             if (i >= usual_rounds) turn_gradients(state, component);
             const auto excess = [&](const Link& link) {
-                return norm(link.edge + move(state, link.b) - move(state, link.a)) - link.length;
+                return norm(link.edge + displacement(state, link.b) - displacement(state, link.a)) - link.length;
             };
             activate_taut(component, [&](const Link& link) { return excess(link) > exact * link.length; });
             double worst = 0;
             each(component, [&](auto& link, double& right) {
                 right = link.is_active ? excess(link) : 0;
-                worst = maximum(worst, absolute(right) * inverse_or_zero(link.length));
+                worst = max(worst, absolute(right) * inverse_or_zero(link.length));
             });
             if (!(worst > exact)) return;
             factor_.solve(links_.list, component, right_);
             if (i + 1 < all_rounds && release(component)) continue;
             const double change = largest_change(component);
-            apply(state, component, change > most_change ? most_change / change : 1);
+            apply(state, component, change > max_change ? max_change / change : 1);
         }
     }
 
     // --- ropes -------------------------------------------------------------------------------------------------------
 
-    static constexpr int most_rounds = 8;
+    static constexpr int max_rounds = 8;
     static constexpr double taut = 1 - 1e-4; ///< share of its length at which a rope may begin to pull
     static constexpr double slight = 1e-9;   ///< change of a link that counts as none, as a share of its length
 
@@ -161,7 +164,7 @@ template <int D, class Real> class LinkProjector {
 
     void turn_gradients(const SweepState<D, Real>& state, const Component& component) {
         each(component, [&](auto& link, double&) {
-            link.along = direction(link.edge + move(state, link.b) - move(state, link.a));
+            link.along = direction(link.edge + displacement(state, link.b) - displacement(state, link.a));
         });
         factor_.factorise(links_.list, component);
     }
@@ -173,19 +176,21 @@ template <int D, class Real> class LinkProjector {
             change_[link.a] += link.along * (right * link.weight_a);
             change_[link.b] -= link.along * (right * link.weight_b);
         });
-        double most = 0;
+        double largest = 0;
         each(component, [&](auto& link, double&) {
-            most = maximum(most, norm(change_[link.b] - change_[link.a]) * inverse_or_zero(link.length));
+            largest = max(largest, norm(change_[link.b] - change_[link.a]) * inverse_or_zero(link.length));
         });
-        return most;
+        return largest;
     }
 
     void apply(SweepState<D, Real>& state, const Component& component, double share) {
         each(component, [&](auto& link, double& right) {
             const auto push = link.along * (right * share);
             link.tension += right * share;
-            if (link.weight_a > 0) state.set_move(link.a, cast<Real>(move(state, link.a) + push * link.weight_a));
-            if (link.weight_b > 0) state.set_move(link.b, cast<Real>(move(state, link.b) - push * link.weight_b));
+            if (link.weight_a > 0)
+                state.set_displacement(link.a, cast<Real>(displacement(state, link.a) + push * link.weight_a));
+            if (link.weight_b > 0)
+                state.set_displacement(link.b, cast<Real>(displacement(state, link.b) - push * link.weight_b));
         });
     }
 

@@ -41,7 +41,7 @@ template <int D, class Real> class LinkResponse {
                                              [&](Row slot) { return links_.component_of[slot] == component; });
             if (component != none && is_new) sum -= held_back(links_.components[component], slots, pushes);
         }
-        return maximum(sum, 0.0);
+        return max(sum, 0.0);
     }
 
   private:

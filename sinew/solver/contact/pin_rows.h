@@ -42,34 +42,35 @@ template <int D, class Real> class PinRows {
         const double alpha = double(pin.compliance) / square(h_);
         const double gamma = pin_gamma(pin, mean, 1.0) / h_;
         const auto goal = cast<double>(pin.target_at(to_)), last_goal = cast<double>(pin.target_at(from_));
-        const auto place = cast<double>(state_.place_at(slot)), move = cast<double>(state_.move_at(slot));
-        const auto error = place + move - goal, drift = error - (place - last_goal);
+        const auto position = cast<double>(state_.position_at(slot)),
+                   displacement = cast<double>(state_.displacement_at(slot));
+        const auto error = position + displacement - goal, drift = error - (position - last_goal);
         for (auto& column : response.column) column *= 1 + gamma;
         response += Matrix<D, double>::diagonal(alpha);
         const auto multiplier =
             bounded_solution(response, -(error + drift * gamma), double(pin.max_force) * square(h_));
         pin.multiplier = cast<Real>(clamp_components(multiplier, double(limit::multiplier<Real>)));
-        const auto pushed = state_.move_at(slot) + pin.multiplier * state_.mobility[slot];
-        state_.set_move(slot, clamp_components(pushed, furthest_move(Real(h_))));
+        const auto pushed = state_.displacement_at(slot) + pin.multiplier * state_.mobility[slot];
+        state_.set_displacement(slot, clamp_components(pushed, max_displacement(Real(h_))));
         projector.project_velocities(state_, slot);
     }
-    /// R^-1 e; where that is larger than `most`, (R + mu)^-1 e with the mu at which it is as large: a weak hand pulls
-    /// towards its target.
-    static Vector bounded_solution(const Matrix<D, double>& response, const Vector& error, double most) {
+    /// R^-1 e; where that is larger than `max_size`, (R + mu)^-1 e with the mu at which it is as large: a weak hand
+    /// pulls towards its target.
+    static Vector bounded_solution(const Matrix<D, double>& response, const Vector& error, double max_size) {
         const auto solution = [&](double mu) {
             auto raised = response;
             raised += Matrix<D, double>::diagonal(mu);
             return inverse(raised) * error;
         };
         const auto whole = solution(0);
-        if (most <= 0 || norm(whole) <= most) return whole;
+        if (max_size <= 0 || norm(whole) <= max_size) return whole;
         constexpr int halvings = 30;
-        double trace = 0, high = norm(error) / most;
+        double trace = 0, high = norm(error) / max_size;
         for (int i = 0; i < D; ++i) trace += response.column[std::size_t(i)][i];
-        double low = maximum(high - trace, 0.0);
+        double low = max(high - trace, 0.0);
         for (int i = 0; i < halvings; ++i) {
             const double middle = 0.5 * (low + high);
-            (norm(solution(middle)) > most ? low : high) = middle;
+            (norm(solution(middle)) > max_size ? low : high) = middle;
         }
         return solution(high);
     }

@@ -16,24 +16,23 @@ template <int D, class Real> class PlaneContact {
     /// Non-penetration, and Coulomb friction, which shortens the tangential displacement relative to the surface by
     /// friction times the normal correction. Approaches too fast for resting contact are recorded for rebound().
     /// Returns the normal correction.
-    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_move = {}) const {
+    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_displacement = {}) const {
         if (swept_.mobility[slot] == Real(0) || (by_rows_ && by_rows_[slot])) return 0;
         const Row row = swept_.row_of[slot];
         const Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[row]);
         if (!(depth > Real(0))) return 0;
         if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
-        const auto move = swept_.move_at(slot) - surface_move;
-        const Real approach = -dot(plane.normal, move);
-        const auto along = move + plane.normal * approach;
-        const Real stopped = minimum(depth, mover_.furthest);
-        const Real slowed = minimum(Real(1), plane.friction * stopped * inverse_or_zero(norm(along)));
+        const auto displacement = swept_.displacement_at(slot) - surface_displacement;
+        const Real approach = -dot(plane.normal, displacement);
+        const auto along = displacement + plane.normal * approach;
+        const Real stopped = min(depth, mover_.furthest);
+        const Real slowed = min(Real(1), plane.friction * stopped * inverse_or_zero(norm(along)));
         mover_.push_at(slot, plane.normal * stopped - along * slowed);
         if (!mover_.first_iteration) return stopped;
-        const Real resting = Real(4) * mover_.h * norm(push_on(world_, row, swept_.place_at(slot)).acceleration);
-        const Real carried = dot(plane.normal, surface_move) * mover_.per_h;
+        const Real resting = Real(4) * mover_.h * norm(push_on(world_, row, swept_.position_at(slot)).acceleration);
+        const Real carried = dot(plane.normal, surface_displacement) * mover_.per_h;
         if (approach * mover_.per_h > resting)
-            swept_.rebound[slot] +=
-                plane.normal * maximum(Real(0), plane.restitution * approach * mover_.per_h + carried);
+            swept_.rebound[slot] += plane.normal * max(Real(0), plane.restitution * approach * mover_.per_h + carried);
         return stopped;
     }
 

@@ -64,7 +64,7 @@ template <int D, class Real> struct RigidLinks {
         bool changed = false;
         for (auto k = component.first_link; k < component.last_link; ++k) {
             auto& link = list[k];
-            link.edge = cast<double>(state.place_at(link.b)) - cast<double>(state.place_at(link.a));
+            link.edge = cast<double>(state.position_at(link.b)) - cast<double>(state.position_at(link.a));
             const double length = norm(link.edge);
             const auto off = link.edge - link.along * length;
             changed = changed || dot(off, off) > square(slight * length);
@@ -145,7 +145,7 @@ template <int D, class Real> struct RigidLinks {
     }
 
     void keep_narrow(const World<D, Real>& world, const SweepState<D, Real>& state, std::vector<char>& is_exact) {
-        constexpr std::size_t most_per_link = 100;
+        constexpr std::size_t max_per_link = 100;
         first_at_.assign(state.size(), none);
         components.clear();
         std::size_t kept = 0;
@@ -159,7 +159,7 @@ template <int D, class Real> struct RigidLinks {
                 list[kept].start = entries + size;
                 size += width_of(world, state, std::uint32_t(kept));
             }
-            if (size > most_per_link * (end - begin)) {
+            if (size > max_per_link * (end - begin)) {
                 for (auto i = kept_before; i < kept; ++i) leave_to_sweep(list[i], is_exact);
                 kept = kept_before;
                 continue;

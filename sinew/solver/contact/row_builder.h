@@ -43,8 +43,8 @@ template <int D, class Real> class RowBuilder {
     std::uint32_t source_ = 0;                       ///< the candidate
     static constexpr Real share_of_deep = Real(0.5); ///< of the radii
 
-    Vector place(Row row) const { return state_.place_at(state_.slot_of[row]); }
-    Vector move(Row row) const { return state_.move_at(state_.slot_of[row]); }
+    Vector position(Row row) const { return state_.position_at(state_.slot_of[row]); }
+    Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
     std::uint32_t id(Row row) const { return p_.slots.slot_of(row); }
 
     void add(const ContactCandidate& pair) {
@@ -67,11 +67,11 @@ template <int D, class Real> class RowBuilder {
     }
 
     bool add(const Particle& a, const Particle& b) {
-        const auto away = state_.place_at(a.slot) - state_.place_at(b.slot);
+        const auto away = state_.position_at(a.slot) - state_.position_at(b.slot);
         ContactRowT row;
         row.normal = normal_of(away, Vector::axis(1));
-        const Real distance = norm(away), cover = maximum(a.cover, b.cover);
-        row.gap = minimum(distance - a.radius - b.radius, distance - cover);
+        const Real distance = norm(away), cover = max(a.cover, b.cover);
+        row.gap = min(distance - a.radius - b.radius, distance - cover);
         row.deep = share_of_deep * (a.radius + b.radius);
         take(row, a.slot, Real(1));
         take(row, b.slot, Real(-1));
@@ -80,10 +80,11 @@ template <int D, class Real> class RowBuilder {
 
     bool add(const Particle& p, const ContactSegment& s) {
         const auto &end_a = room_.particles[s.number_a], &end_b = room_.particles[s.number_b];
-        const auto a = state_.place_at(end_a.slot), b = state_.place_at(end_b.slot), x = state_.place_at(p.slot);
+        const auto a = state_.position_at(end_a.slot), b = state_.position_at(end_b.slot),
+                   x = state_.position_at(p.slot);
         const Real t = collide::nearest_parameter(a, b, x);
         const auto away = x - (a + (b - a) * t);
-        const Real radius = minimum(end_a.radius, end_b.radius);
+        const Real radius = min(end_a.radius, end_b.radius);
         ContactRowT row;
         Real distance = norm(away);
         const Real per = inverse_or_zero(distance);
@@ -96,7 +97,7 @@ template <int D, class Real> class RowBuilder {
         }
         if constexpr (D == 2)
             if (s.side == 0) remember_side(row, a, b, away, t, distance);
-        row.gap = minimum(distance - p.radius - radius, distance - p.cover);
+        row.gap = min(distance - p.radius - radius, distance - p.cover);
         row.deep = share_of_deep * (p.radius + radius);
         take(row, p.slot, Real(1));
         if (t < Real(1)) take(row, end_a.slot, t - Real(1));
@@ -106,14 +107,14 @@ template <int D, class Real> class RowBuilder {
 
     bool add(const ContactSegment& s, const ContactSegment& t) {
         const auto &from = room_.particles[s.number_a], &other = room_.particles[t.number_a];
-        const auto a = place(s.a), b = place(s.b), c = place(t.a), d = place(t.b);
+        const auto a = position(s.a), b = position(s.b), c = position(t.a), d = position(t.b);
         const auto at = collide::nearest_parameters(a, b, c, d);
         const bool inside = at.s > Real(0) && at.s < Real(1) && at.t > Real(0) && at.t < Real(1);
         if (!inside) return false; // rows of the ends
         const auto away = a + (b - a) * at.s - (c + (d - c) * at.t);
         ContactRowT row;
         row.normal = normal_of(away, across(b - a, d - c));
-        row.gap = norm(away) - minimum(p_.radius[s.a], p_.radius[s.b]) - minimum(p_.radius[t.a], p_.radius[t.b]);
+        row.gap = norm(away) - min(p_.radius[s.a], p_.radius[s.b]) - min(p_.radius[t.a], p_.radius[t.b]);
         take(row, from.slot, Real(1) - at.s);
         take(row, room_.particles[s.number_b].slot, at.s);
         take(row, other.slot, at.t - Real(1));
@@ -149,14 +150,14 @@ template <int D, class Real> class RowBuilder {
     bool is_nearest_side(const Vector& x, const ContactSegment& s, Real distance) const {
         for (auto i = s.first; i < s.first + s.count; ++i) {
             const auto& other = room_.segments[i];
-            const auto a = place(other.a);
-            if (dot(side_of(a, place(other.b)) * Real(other.side), x - a) > distance) return false;
+            const auto a = position(other.a);
+            if (dot(side_of(a, position(other.b)) * Real(other.side), x - a) > distance) return false;
         }
         return true;
     }
 
     bool finish(ContactRowT& row, const Particle& first, const Particle& second) {
-        row.friction = minimum(first.friction, second.friction);
+        row.friction = min(first.friction, second.friction);
         const auto& kept = room_.multipliers[source_];
         row.multiplier = kept.normal, row.tangent = kept.tangent;
         row.source = source_;
@@ -171,10 +172,10 @@ template <int D, class Real> class RowBuilder {
 
     void add_walls(Row p) {
         if (!(p_.mobility[p] > Real(0))) return;
-        const auto from = place(p), to = from + move(p);
+        const auto from = position(p), to = from + displacement(p);
         for (std::uint32_t i = 0; i < world_.bounds.size(); ++i) {
             const auto& plane = world_.bounds[i];
-            const Real low = minimum(dot(plane.normal, from), dot(plane.normal, to)) - plane.offset - p_.radius[p];
+            const Real low = min(dot(plane.normal, from), dot(plane.normal, to)) - plane.offset - p_.radius[p];
             if (low > reach(p)) continue;
             ContactRowT row;
             ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
@@ -208,8 +209,8 @@ template <int D, class Real> class RowBuilder {
                            .feature = part_of(collider, surface.feature)};
             row.collider = index;
             row.normal = surface.normal;
-            row.surface_move = contact.surface_move;
-            row.gap = dot(surface.normal, from - surface.point + contact.surface_move) - radius;
+            row.surface_displacement = contact.surface_displacement;
+            row.gap = dot(surface.normal, from - surface.point + contact.surface_displacement) - radius;
             row.deep = share_of_deep * radius;
             row.friction = collider.friction, row.restitution = collider.restitution;
             take(row, state_.slot_of[p], Real(1));
@@ -219,9 +220,9 @@ template <int D, class Real> class RowBuilder {
     /// A link over an edge or a round shape touches it between its ends, which have rows of their own.
     void add_collider_row(const ContactSegment& s, std::uint32_t index) {
         const auto& collider = world_.colliders[index];
-        const auto a = place(s.a), b = place(s.b);
-        const Real radius = minimum(p_.radius[s.a], p_.radius[s.b]);
-        const Real within = radius + reach(s.a) + maximum(norm(move(s.a)), norm(move(s.b)));
+        const auto a = position(s.a), b = position(s.b);
+        const Real radius = min(p_.radius[s.a], p_.radius[s.b]);
+        const Real within = radius + reach(s.a) + max(norm(displacement(s.a)), norm(displacement(s.b)));
         collide::BoundingBox<D, Real> near;
         near.include(a);
         near.include(b);
@@ -236,7 +237,7 @@ template <int D, class Real> class RowBuilder {
                        .collider = world_.collider_slots.slot_of(index)};
         row.collider = index;
         row.normal = found->surface.normal;
-        row.surface_move = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
+        row.surface_displacement = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
         row.gap = found->surface.distance - radius;
         row.friction = collider.friction, row.restitution = collider.restitution;
         take(row, state_.slot_of[s.a], Real(1) - found->t);
@@ -279,12 +280,12 @@ template <int D, class Real> class RowBuilder {
 
     /// Adds a row that may touch within the substep: gap <= 2 approach + slack. True if so.
     bool add(ContactRowT& row, Real slack) {
-        Real response = 0, approach = dot(row.normal, row.surface_move);
+        Real response = 0, approach = dot(row.normal, row.surface_displacement);
         for (int i = 0; i < row.members; ++i) {
             const auto slot = row.slot[std::size_t(i)];
             const Real weight = row.weight[std::size_t(i)];
             response += square(weight) * state_.mobility[slot];
-            approach -= weight * dot(row.normal, state_.move_at(slot));
+            approach -= weight * dot(row.normal, state_.displacement_at(slot));
         }
         if (response == Real(0) || row.gap > Real(2) * absolute(approach) + slack) return false;
         for (int i = 0; i < row.members; ++i) row.keeps = row.keeps && room_.is_exact[row.slot[std::size_t(i)]];

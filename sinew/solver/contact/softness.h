@@ -25,7 +25,7 @@ Real one_sided_multiplier(Real multiplier, Real mass, Real change, Real gap, con
     const bool is_open = gap > Real(0);
     const Real bias = is_open ? gap : soft.rate * gap;
     const Real share = is_open ? Real(1) : soft.mass, back = is_open ? Real(0) : soft.impulse;
-    return maximum(multiplier - mass * share * (change + bias) - back * multiplier, Real(0));
+    return max(multiplier - mass * share * (change + bias) - back * multiplier, Real(0));
 }
 
 /// Next multiplier of a row error + change = 0.

@@ -34,12 +34,12 @@ template <int D, class Real> class SphereGrid {
     }
     void reserve(std::size_t points) {
         for (auto* column : {&number_, &bucket_, &bucket_of_}) column->reserve(points);
-        start_.reserve(2 * points + least_buckets + 1);
+        start_.reserve(2 * points + min_buckets + 1);
         sorted_.reserve(points);
     }
 
   private:
-    static constexpr std::size_t least_buckets = 64;
+    static constexpr std::size_t min_buckets = 64;
     static constexpr std::array<std::uint32_t, 3> stride = {1, 73856093, 19349663}; ///< of the hash, by axis
 
     std::vector<std::uint32_t> start_;              ///< first point of each bucket
@@ -73,7 +73,7 @@ template <int D, class Real> class SphereGrid {
     }
 
     void sort(std::span<const Vector> points, Real size) {
-        std::size_t buckets = least_buckets;
+        std::size_t buckets = min_buckets;
         while (buckets < points.size()) buckets *= 2;
         mask_ = std::uint32_t(buckets - 1);
         start_.assign(buckets + 1, 0);

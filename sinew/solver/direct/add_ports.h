@@ -34,8 +34,8 @@ template <int D, class Real> void add_ports(const World<D, Real>& world, Blocks<
     for (std::uint32_t i = block.first_node; i < block.first_node + block.unknowns; ++i) {
         if (!is_port(world, blocks, blocks.nodes[i].row)) continue;
         ++block.ports;
-        for (std::size_t t = 0; t < most_tethers; ++t) add_load_tether(blocks, i);
-        block.load_tethers += std::uint32_t(most_tethers);
+        for (std::size_t t = 0; t < max_tethers; ++t) add_load_tether(blocks, i);
+        block.load_tethers += std::uint32_t(max_tethers);
     }
     block.links += block.load_tethers;
 }

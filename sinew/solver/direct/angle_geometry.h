@@ -14,15 +14,16 @@ template <int D> class AngleGeometry {
     explicit AngleGeometry(Blocks<D>& blocks) : blocks_(blocks) {}
 
     double angle_of(const AngleRow<D>& bend, bool at_start) const {
-        const auto place = [&](std::size_t k) {
+        const auto position = [&](std::size_t k) {
             const auto& at = node(bend.nodes[k]);
-            return at_start ? at.start : at.place;
+            return at_start ? at.start : at.position;
         };
         if constexpr (D == 3)
             if (bend.is_fold())
-                return Volume<3>::evaluate(Points<4, 3, double>{place(0), place(1), place(2), place(3)}).value /
+                return Volume<3>::evaluate(Points<4, 3, double>{position(0), position(1), position(2), position(3)})
+                           .value /
                        bend.unit;
-        const Points<3, D, double> points{place(0), place(1), place(2)};
+        const Points<3, D, double> points{position(0), position(1), position(2)};
         return unwrap<Angle<D>>(Angle<D>::evaluate(points).value, bend.low, bend.high);
     }
 
@@ -30,8 +31,8 @@ template <int D> class AngleGeometry {
     double measure(AngleRow<D>& bend) const {
         if constexpr (D == 3)
             if (bend.is_fold()) return measure_fold(bend);
-        const Points<3, D, double> points{node(bend.nodes[0]).place, node(bend.nodes[1]).place,
-                                          node(bend.nodes[2]).place};
+        const Points<3, D, double> points{node(bend.nodes[0]).position, node(bend.nodes[1]).position,
+                                          node(bend.nodes[2]).position};
         const auto evaluated = Angle<D>::evaluate(points);
         for (std::size_t k = 0; k < 3; ++k) bend.gradient[k] = gentle<Angle<D>>(evaluated.gradient[k]);
         return unwrap<Angle<D>>(evaluated.value, bend.low, bend.high);
@@ -50,7 +51,8 @@ template <int D> class AngleGeometry {
         if constexpr (D == 3)
             if (bend.is_fold()) return point_fold(bend);
         const auto &a = node(bend.nodes[0]), &b = node(bend.nodes[1]), &c = node(bend.nodes[2]);
-        const auto u0 = b.start - a.start, v0 = c.start - b.start, u1 = b.place - a.place, v1 = c.place - b.place;
+        const auto u0 = b.start - a.start, v0 = c.start - b.start, u1 = b.position - a.position,
+                   v1 = c.position - b.position;
         const auto u = (u0 + u1) * 0.5, v = (v0 + v1) * 0.5;
         const double r2 = square_root(dot(u0, u0) * dot(v0, v0)) * square_root(dot(u1, u1) * dot(v1, v1));
         const double half = 0.5 * (angle - bend.begun), middle = bend.begun + half;
@@ -73,7 +75,7 @@ template <int D> class AngleGeometry {
     /// First-order change of the angle in the last move.
     double change(const AngleRow<D>& bend) const {
         double turn = 0;
-        for (std::size_t k = 0; k < bend.arity; ++k) turn += dot(bend.gradient[k], node(bend.nodes[k]).move);
+        for (std::size_t k = 0; k < bend.arity; ++k) turn += dot(bend.gradient[k], node(bend.nodes[k]).displacement);
         return turn;
     }
 
@@ -95,8 +97,8 @@ template <int D> class AngleGeometry {
         for (std::size_t i = 0; i < 2; ++i) {
             if (bend.arms[i] == 0) continue;
             const auto &a = node(bend.nodes[i]), &b = node(bend.nodes[i + 1]);
-            const auto arm = at_start ? b.start - a.start : b.place - a.place;
-            share *= minimum(dot(arm, arm) / bend.arms[i], 1.0);
+            const auto arm = at_start ? b.start - a.start : b.position - a.position;
+            share *= min(dot(arm, arm) / bend.arms[i], 1.0);
         }
         return share;
     }
@@ -109,8 +111,7 @@ template <int D> class AngleGeometry {
     /// Squared lever arm of an angle, m^2: makes an angle as stiff as a link of that length.
     static double arm2(const AngleRow<D>& bend) {
         double steepest = 0;
-        for (std::size_t k = 0; k < bend.arity; ++k)
-            steepest = maximum(steepest, dot(bend.gradient[k], bend.gradient[k]));
+        for (std::size_t k = 0; k < bend.arity; ++k) steepest = max(steepest, dot(bend.gradient[k], bend.gradient[k]));
         return inverse_or_zero(steepest);
     }
 
@@ -120,8 +121,9 @@ template <int D> class AngleGeometry {
     BlockNode<D>& node(std::uint32_t i) const { return blocks_.nodes[i]; }
 
     double measure_fold(AngleRow<D>& bend) const requires(D == 3) {
-        const auto place = [&](std::size_t k) { return node(bend.nodes[k]).place; };
-        const auto evaluated = Volume<3>::evaluate(Points<4, 3, double>{place(0), place(1), place(2), place(3)});
+        const auto position = [&](std::size_t k) { return node(bend.nodes[k]).position; };
+        const auto evaluated =
+            Volume<3>::evaluate(Points<4, 3, double>{position(0), position(1), position(2), position(3)});
         for (std::size_t k = 0; k < 4; ++k) bend.gradient[k] = evaluated.gradient[k] * (1 / bend.unit);
         return evaluated.value / bend.unit;
     }
@@ -133,7 +135,8 @@ template <int D> class AngleGeometry {
         const auto& a = node(bend.nodes[0]);
         const auto mean = [&](std::size_t i, std::size_t j) {
             const auto &b = node(bend.nodes[i]), &c = node(bend.nodes[j]);
-            const auto v0 = b.start - a.start, w0 = c.start - a.start, v1 = b.place - a.place, w1 = c.place - a.place;
+            const auto v0 = b.start - a.start, w0 = c.start - a.start, v1 = b.position - a.position,
+                       w1 = c.position - a.position;
             return (cross(v0 * 2 + v1, w0) + cross(v1 * 2 + v0, w1)) * (1 / (36 * bend.unit));
         };
         const auto db = mean(2, 3), dc = mean(3, 1), dd = mean(1, 2);

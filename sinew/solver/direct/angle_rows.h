@@ -29,7 +29,7 @@ template <int D> class AngleRows {
                 bend.side = bend.tension > 0 && angle > bend.high - hardly  ? 1
                             : bend.tension < 0 && angle < bend.low + hardly ? -1
                                                                             : 0;
-                if (bend.side != 0) bend.give = maximum(beyond(bend, angle), 0.0);
+                if (bend.side != 0) bend.give = max(beyond(bend, angle), 0.0);
             } else {
                 bend.side = !bend.one_sided() || bend.tension > 0 || angle > bend.high ? 1
                             : bend.tension < 0 || angle < bend.low                     ? -1
@@ -41,7 +41,7 @@ template <int D> class AngleRows {
     /// Adds all angles to the equations; returns the largest violation of a limit.
     double assemble(Rule rule, double hardest, double margin) {
         double worst = 0;
-        for (auto& bend : all()) worst = maximum(worst, assemble(bend, rule, hardest, margin));
+        for (auto& bend : all()) worst = max(worst, assemble(bend, rule, hardest, margin));
         return worst;
     }
 
@@ -63,9 +63,9 @@ template <int D> class AngleRows {
             if (bend.is_compliant()) continue;
             const double angle = geometry_.angle_of(bend, false);
             if (bend.side != 0)
-                worst = maximum(worst, absolute(beyond(bend, angle) - bend.give));
+                worst = max(worst, absolute(beyond(bend, angle) - bend.give));
             else if (!bounces(bend))
-                worst = maximum(worst, maximum(angle - bend.high, bend.low - angle));
+                worst = max(worst, max(angle - bend.high, bend.low - angle));
         }
         return worst;
     }
@@ -95,7 +95,7 @@ template <int D> class AngleRows {
         for (const auto& bend : all()) {
             if (bend.is_compliant() || !bend.one_sided()) continue;
             const double angle = geometry_.angle_of(bend, true);
-            worst = maximum(worst, maximum(angle - bend.high, bend.low - angle));
+            worst = max(worst, max(angle - bend.high, bend.low - angle));
         }
         return worst;
     }
@@ -104,7 +104,7 @@ template <int D> class AngleRows {
     double worst_warp(bool at_start) const {
         double worst = 0;
         for (const auto& bend : all())
-            if (bend.replaces_link) worst = maximum(worst, absolute(geometry_.angle_of(bend, at_start)));
+            if (bend.replaces_link) worst = max(worst, absolute(geometry_.angle_of(bend, at_start)));
         return worst;
     }
 
@@ -120,8 +120,7 @@ template <int D> class AngleRows {
         for (const auto& bend : all()) {
             if (bend.side != 0 || !bounces(bend)) continue;
             const double angle = geometry_.angle_of(bend, false);
-            worst =
-                maximum(worst, maximum(angle - maximum(bend.high, bend.begun), minimum(bend.low, bend.begun) - angle));
+            worst = max(worst, max(angle - max(bend.high, bend.begun), min(bend.low, bend.begun) - angle));
         }
         return worst;
     }
@@ -167,7 +166,7 @@ template <int D> class AngleRows {
             const double error = bend.error_of(angle);
             if (limp_) bend.tension = 0;
             if (error == 0 || rule == Rule::static_projection || limp_) return 0;
-            const double k = minimum(bend.taut / bend.compliance, hardest * geometry_.arm2(bend));
+            const double k = min(bend.taut / bend.compliance, hardest * geometry_.arm2(bend));
             bend.tension = bend.held(k * (error + bend.damping_time * ((angle - bend.begun) / h_ - bend.motor_speed)),
                                      bend.tension, false);
             bend.stiffness = bend.slips ? 0 : k * (1 + bend.damping_time / h_);

@@ -53,11 +53,11 @@ template <int D, class Real> class AttachedPieces {
 
     /// Pieces with many joints, as a rope sewn to a mesh along its length, are left to the sweep.
     template <class Build> void build_piece(Row root, Build&& build) {
-        constexpr std::size_t most_joints = 16;
+        constexpr std::size_t max_joints = 16;
         const auto& all = room_.tree;
         const auto joints =
             std::size_t(std::count_if(all.begin(), all.end(), [&](Row row) { return !room_.direct[row]; }));
-        if (all.size() < 2 || joints > most_joints || !build(all, root)) return;
+        if (all.size() < 2 || joints > max_joints || !build(all, root)) return;
         for (const Row row : all)
             if (room_.direct[row]) room_.attached.push_back(row);
     }

@@ -51,8 +51,8 @@ template <int D, class Real> class BackwardEulerStep {
         solve_.bends().disable_springs(false);
         solve_.use_penalty();
         substep_.run(Rule::backward_euler, 1);
-        const double most = maximum(bearable, solve_.worst_start_strain());
-        substep_.retreat([&] { return solve_.worst_place_strain() <= most && due() >= 0; });
+        const double max_strain = max(bearable, solve_.worst_start_strain());
+        substep_.retreat([&] { return solve_.worst_position_strain() <= max_strain && due() >= 0; });
         state_.start_tensions();
     }
 
@@ -68,7 +68,7 @@ template <int D, class Real> class BackwardEulerStep {
         constexpr double share = 0.999;
         const double left = solve_.kinetic(), due_now = due();
         if (substep_.loses_nothing() && !state_.block.springy)
-            energy_.bring_to(maximum(minimum(due_now, left + share * (due_now - left)), 0.0));
+            energy_.bring_to(max(min(due_now, left + share * (due_now - left)), 0.0));
         else if (state_.works_alone())
             energy_.slow_down(due_now);
     }

@@ -28,7 +28,7 @@ template <int D, class Real> class BlockBuilder {
         SINEW_ASSERT(!members.empty(), "a block has a particle that moves");
         scope_.part = part, scope_.attached = attached;
         if (!eliminate(members)) return false;
-        const auto each = 4 + (attached ? most_tethers : 0);
+        const auto each = 4 + (attached ? max_tethers : 0);
         if (!world_.journal.stale &&
             !blocks_.has_room(8 + each * members.size() + 2 * neighbours_ + elimination_.pairs())) {
             world_.journal.stale = true;

@@ -27,12 +27,12 @@ template <int D, class Real> class BlockRowBuilder {
             const auto a = scope_.room.node_of[row], b = node_for(other);
             DistanceRow<D> added;
             static_cast<BlockLimit&>(added) = limit_of(distances_, link);
-            added.low = maximum(added.low, 0.0);
+            added.low = max(added.low, 0.0);
             added.a = a, added.b = b;
             added.entry = inner ? entry_of(blocks_, a, b) : Blocks<D>::none;
             constexpr double far = 1e12; // as good as no limit
-            added.length = added.high < far ? added.high : maximum(added.low, 1e-6);
-            if (added.is_range()) added.length = minimum(added.high, 2 * added.low);
+            added.length = added.high < far ? added.high : max(added.low, 1e-6);
+            if (added.is_range()) added.length = min(added.high, 2 * added.low);
             added.per_length2 = 1 / square(added.length);
             blocks_.links.push_back(added);
             hold(distances_, link);
@@ -122,7 +122,7 @@ template <int D, class Real> class BlockRowBuilder {
         const auto members = table.members[row];
         CableRow added;
         static_cast<BlockLimit&>(added) = limit_of(table, row);
-        added.low = maximum(added.low, 0.0);
+        added.low = max(added.low, 0.0);
         added.is_pulley = is_pulley;
         added.motorized = Graph::is_driven(table, row);
         added.first = std::uint32_t(blocks_.way_nodes.size());

@@ -18,8 +18,8 @@ template <int D> class CableGeometry {
     double length_of(const CableRow& way, bool at_start) const {
         double sum = 0;
         const auto on = nodes(way);
-        const auto place = [&](std::size_t i) { return at_start ? node(on[i]).start : node(on[i]).place; };
-        for (std::size_t i = 0; i + 1 < on.size(); ++i) sum += norm(place(i + 1) - place(i));
+        const auto position = [&](std::size_t i) { return at_start ? node(on[i]).start : node(on[i]).position; };
+        for (std::size_t i = 0; i + 1 < on.size(); ++i) sum += norm(position(i + 1) - position(i));
         return sum;
     }
 
@@ -28,7 +28,7 @@ template <int D> class CableGeometry {
         const auto on = nodes(way);
         for (auto& at : on) at.gradient = {};
         for (std::size_t i = 0; i + 1 < on.size(); ++i) {
-            const auto n = direction(node(on[i + 1]).place - node(on[i]).place);
+            const auto n = direction(node(on[i + 1]).position - node(on[i]).position);
             on[i].gradient -= n;
             on[i + 1].gradient += n;
         }
@@ -41,7 +41,7 @@ template <int D> class CableGeometry {
         for (auto& at : on) at.gradient = at.along = {};
         way.length = 0;
         for (std::size_t i = 0; i + 1 < on.size(); ++i) {
-            const auto leg = node(on[i + 1]).place - node(on[i]).place;
+            const auto leg = node(on[i + 1]).position - node(on[i]).position;
             const double length = norm(leg);
             way.length += length;
             const auto n = leg * inverse_or_zero(length);
@@ -57,7 +57,7 @@ template <int D> class CableGeometry {
     /// Change of a cable's length by the last move, to first order.
     double change(const CableRow& way) const {
         double sum = 0;
-        for (const auto& on : nodes(way)) sum += dot(on.gradient, node(on).move);
+        for (const auto& on : nodes(way)) sum += dot(on.gradient, node(on).displacement);
         return sum;
     }
 

@@ -45,7 +45,7 @@ template <int D> class CableRows {
     /// Adds the rows of all cables to the equations; returns the worst relative violation.
     double assemble(Rule rule, double hardest, bool elastic, double margin) {
         double worst = 0;
-        for (auto& way : all()) worst = maximum(worst, assemble(way, rule, hardest, elastic, margin));
+        for (auto& way : all()) worst = max(worst, assemble(way, rule, hardest, elastic, margin));
         return worst;
     }
 
@@ -56,17 +56,17 @@ template <int D> class CableRows {
 
     /// Largest change of a leg by the last move, squared, relative to the leg or to a tenth of the cable if longer.
     double largest_change2() const {
-        double most = 0;
+        double largest = 0;
         for (const auto& way : all()) {
             const auto on = geometry_.nodes(way);
             for (std::size_t i = 0; i + 1 < on.size(); ++i) {
-                const auto leg = geometry_.node(on[i + 1]).place - geometry_.node(on[i]).place;
-                const auto change = geometry_.node(on[i + 1]).move - geometry_.node(on[i]).move;
-                most = maximum(most,
-                               dot(change, change) * inverse_or_zero(maximum(dot(leg, leg), square(0.1 * way.length))));
+                const auto leg = geometry_.node(on[i + 1]).position - geometry_.node(on[i]).position;
+                const auto change = geometry_.node(on[i + 1]).displacement - geometry_.node(on[i]).displacement;
+                largest =
+                    max(largest, dot(change, change) * inverse_or_zero(max(dot(leg, leg), square(0.1 * way.length))));
             }
         }
-        return most;
+        return largest;
     }
 
     /// Worst relative violation of a rigid cable without a motor.
@@ -75,7 +75,7 @@ template <int D> class CableRows {
         for (const auto& way : all()) {
             if (way.is_compliant() || way.motorized) continue;
             const double length = geometry_.length_of(way, at_start);
-            worst = maximum(worst, absolute(way.error_of(length)) / maximum(length, 1e-6));
+            worst = max(worst, absolute(way.error_of(length)) / max(length, 1e-6));
         }
         return worst;
     }
@@ -136,8 +136,8 @@ template <int D> class CableRows {
         way.pull = way.held(way.tension + hardest * error, way.tension, way.one_sided() && way.side > 0);
         way.stiffness = way.slips ? 0 : hardest;
         add(way, way.stiffness, way.pull);
-        if (rule != Rule::static_projection) add_geometric(way, rule, maximum(elastic ? way.pull : way.tension, 0.0));
-        return way.slips ? 0 : absolute(error) / maximum(way.length, 1e-6);
+        if (rule != Rule::static_projection) add_geometric(way, rule, max(elastic ? way.pull : way.tension, 0.0));
+        return way.slips ? 0 : absolute(error) / max(way.length, 1e-6);
     }
 
     void spring(CableRow& way, Rule rule, double hardest) {
@@ -150,7 +150,7 @@ template <int D> class CableRows {
         way.tension = way.held(k * (error + way.damping_time * moved), last, way.one_sided() && error > 0);
         way.stiffness = way.slips ? 0 : k * (1 + way.damping_time / h_);
         add(way, way.stiffness, way.tension);
-        add_geometric(way, rule, maximum(way.tension, 0.0));
+        add_geometric(way, rule, max(way.tension, 0.0));
     }
 
     void add(const CableRow& way, double stiffness, double pull) {
@@ -176,7 +176,7 @@ template <int D> class CableRows {
         const auto on = geometry_.nodes(way);
         auto entry = way.first_entry;
         for (std::size_t i = 0; i + 1 < on.size(); entry += std::uint32_t(on.size() - 1 - i), ++i) {
-            const auto leg = geometry_.node(on[i + 1]).place - geometry_.node(on[i]).place;
+            const auto leg = geometry_.node(on[i + 1]).position - geometry_.node(on[i]).position;
             const double length = norm(leg);
             const double span = rule == Rule::midpoint ? length + norm(on[i].start) : length;
             if (!(length > 1e-9 * way.length)) continue;

@@ -42,7 +42,7 @@ template <int D, class Real> class ChainRoom {
         double deepest = double(plane.offset);
         for (int k = 0; k < D; ++k) {
             const double normal = double(plane.normal[k]);
-            deepest -= minimum(normal * box.low[k], normal * box.high[k]);
+            deepest -= min(normal * box.low[k], normal * box.high[k]);
         }
         return deepest;
     }

@@ -39,7 +39,7 @@ template <int D> class ChordSolve : public BlockSolve<D> {
     }
 
   private:
-    static constexpr int most_iterations = 4;
+    static constexpr int max_iterations = 4;
     static constexpr double slow = 0.25;     ///< ratio of moves, above which a factorisation is cheaper
     static constexpr double precise = 1e-8;  ///< error left, as a fraction of the reach
     static constexpr double unknown = 1e-10; ///< same for the first move, whose error has no estimate
@@ -48,12 +48,12 @@ template <int D> class ChordSolve : public BlockSolve<D> {
 
     template <class Guess> void begin(Guess&& guess) {
         Base::set_out(Rule::backward_euler);
-        for (auto& moved : unknowns()) moved.place = moved.start + guess(moved);
+        for (auto& moved : unknowns()) moved.position = moved.start + guess(moved);
     }
     bool iterate(int first = 0) {
         if (first == 0)
             for (auto& link : links_.all()) keep_side(link);
-        for (int i = first; i < most_iterations; ++i) {
+        for (int i = first; i < max_iterations; ++i) {
             if (!find_residuals()) return false;
             solve_block_again(Base::blocks_, Base::block_);
             Base::take_step(1);
@@ -85,10 +85,10 @@ template <int D> class ChordSolve : public BlockSolve<D> {
     /// Residuals at the present positions. False if the active limits are others than those of the factors, or if a
     /// link has turned.
     bool find_residuals() {
-        for (auto& moved : unknowns()) moved.residual = (moved.aim - moved.place) * moved.inertia;
+        for (auto& moved : unknowns()) moved.residual = (moved.predicted - moved.position) * moved.inertia;
         for (auto& link : links_.all()) {
             auto &a = node(link.a), &b = node(link.b);
-            const auto now = b.place - a.place;
+            const auto now = b.position - a.position;
             const double length2 = dot(now, now);
             const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
             if (link.side == 0) link.activate(above, below, good_enough * square(link.length));

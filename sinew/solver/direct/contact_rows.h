@@ -61,7 +61,7 @@ template <int D, class Real> class BlockContact {
     void push_out() {
         for (auto& node : state_.unknowns())
             planes_.each(node, [&](const Plane& plane) {
-                node.place += plane.normal * maximum(planes_.depth(node, plane), 0.0);
+                node.position += plane.normal * max(planes_.depth(node, plane), 0.0);
             });
     }
 
@@ -101,12 +101,12 @@ template <int D, class Real> class BlockContact {
     void pull(BlockNode<D>& node, Pin<D, Real>& pin, double hardest) {
         const double h = state_.substep();
         const double k = pin_stiffness(pin, hardest), damper = pin_damper(pin, k, node.mass) / h;
-        const auto error = node.place - pin.template target_at<double>(state_.to());
+        const auto error = node.position - pin.template target_at<double>(state_.to());
         const auto before = node.start - pin.template target_at<double>(state_.from());
         auto force = error * k + (error - before) * damper;
         auto growth = Matrix::diagonal(k + damper);
-        if (const double most = double(pin.max_force); most > 0)
-            decide(bound(force, growth, k + damper, most, led_across(error, last_move(node))));
+        if (const double max = double(pin.max_force); max > 0)
+            decide(bound(force, growth, k + damper, max, led_across(error, last_displacement(node))));
         node.diagonal += growth;
         node.residual -= force;
         pin.multiplier = cast<Real>(clamp_components(force * -square(h), double(limit::multiplier<Real>)));
@@ -122,9 +122,9 @@ template <int D, class Real> class BlockContact {
         node.diagonal += outer(normal * k, normal);
         node.residual += normal * pressure;
         if (!(plane.friction > 0)) return;
-        const auto move = node.place - node.start - plane.surface_move;
-        const auto slip = move - normal * dot(normal, move);
-        const auto last = last_move(node);
+        const auto displacement = node.position - node.start - plane.surface_displacement;
+        const auto slip = displacement - normal * dot(normal, displacement);
+        const auto last = last_displacement(node);
         const bool across = led_across(slip, last - normal * dot(normal, last));
         const double pressing = pressing_depth(node, plane), friction = plane.friction;
         auto force = slip * k;
@@ -142,7 +142,7 @@ template <int D, class Real> class BlockContact {
     /// pressure: a cautious iteration lets such a node slide without friction.
     double pressing_depth(const BlockNode<D>& node, const Plane& plane) const {
         const double now = depth(node, plane);
-        const bool knew = progress_.share > 0 && now + dot(plane.normal, last_move(node)) > 0;
+        const bool knew = progress_.share > 0 && now + dot(plane.normal, last_displacement(node)) > 0;
         return knew || !cautious() ? now : 0;
     }
 
@@ -155,16 +155,16 @@ template <int D, class Real> class BlockContact {
     }
 
     /// Move of a node in the last iteration, m.
-    Vector last_move(const BlockNode<D>& node) const { return node.move * progress_.share; }
+    Vector last_displacement(const BlockNode<D>& node) const { return node.displacement * progress_.share; }
 
-    /// Clamps the force of a spring to `most`, and sets the derivative `growth`. True if saturated. A force led
+    /// Clamps the force of a spring to `max`, and sets the derivative `growth`. True if saturated. A force led
     /// `across` to the other side by the last move stays unsaturated for an iteration, so as not to jump from one bound
     /// to the other.
-    static bool bound(Vector& force, Matrix& growth, double stiffness, double most, bool across) {
+    static bool bound(Vector& force, Matrix& growth, double stiffness, double max, bool across) {
         const double size = norm(force);
         growth = Matrix::diagonal(stiffness);
-        if (most > 0 && (size <= most || across)) return false;
-        const double share = most * inverse_or_zero(size);
+        if (max > 0 && (size <= max || across)) return false;
+        const double share = max * inverse_or_zero(size);
         const auto along = force * inverse_or_zero(size);
         force *= share;
         growth = Matrix::diagonal(stiffness * share);
@@ -179,7 +179,7 @@ template <int D, class Real> class BlockContact {
         const double h = state_.substep();
         const auto& normal = plane.normal;
         const auto struck = cast<double>(world_.particles.velocity[node.row]) + node.push * h;
-        const double carried = dot(normal, plane.surface_move) / h;
+        const double carried = dot(normal, plane.surface_displacement) / h;
         const double approach = carried - dot(normal, struck), resting = 4 * h * norm(node.push);
         const double away = approach > resting ? plane.restitution * approach : 0;
         const double missing = away + carried - dot(normal, node.velocity);

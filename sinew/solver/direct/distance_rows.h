@@ -47,7 +47,7 @@ template <int D> class DistanceRows {
     /// length.
     double assemble(Rule rule, bool elastic, double margin) {
         double worst = 0;
-        for (auto& link : all()) worst = maximum(worst, assemble(link, rule, elastic, margin));
+        for (auto& link : all()) worst = max(worst, assemble(link, rule, elastic, margin));
         return worst;
     }
 
@@ -70,10 +70,10 @@ template <int D> class DistanceRows {
         double worst = 0;
         for (const auto& link : all()) {
             if (soft(link) || (link.side == 0 && bounces(link))) continue;
-            const auto now = node(link.b).place - node(link.a).place;
+            const auto now = node(link.b).position - node(link.a).position;
             const double length2 = dot(now, now) - 2 * link.give;
             const double above = length2 - square(link.high), below = length2 - square(link.low);
-            worst = maximum(worst, 0.5 * link.outside(above, below) * link.per_length2);
+            worst = max(worst, 0.5 * link.outside(above, below) * link.per_length2);
         }
         return worst;
     }
@@ -85,8 +85,8 @@ template <int D> class DistanceRows {
             if (soft(link)) continue;
             const auto span = at(node(link.b)) - at(node(link.a));
             const double length2 = dot(span, span);
-            const double error = maximum(length2 - square(link.high), square(link.low) - length2);
-            worst = maximum(worst, 0.5 * error * link.per_length2);
+            const double error = max(length2 - square(link.high), square(link.low) - length2);
+            worst = max(worst, 0.5 * error * link.per_length2);
         }
         return worst;
     }
@@ -97,9 +97,9 @@ template <int D> class DistanceRows {
         double worst = 0;
         for (const auto& link : all()) {
             if (link.side != 0 || !bounces(link)) continue;
-            const double begun = norm(link.start), now = norm(node(link.b).place - node(link.a).place);
-            const double beyond = maximum(now - maximum(link.high, begun), minimum(link.low, begun) - now);
-            worst = maximum(worst, 2 * beyond / link.length);
+            const double begun = norm(link.start), now = norm(node(link.b).position - node(link.a).position);
+            const double beyond = max(now - max(link.high, begun), min(link.low, begun) - now);
+            worst = max(worst, 2 * beyond / link.length);
         }
         return worst;
     }
@@ -115,7 +115,7 @@ template <int D> class DistanceRows {
     bool has_velocity_error(double usual, double h) const {
         for (const auto& link : all()) {
             if (soft(link) || (link.one_sided() && link.tension == 0)) continue;
-            const auto span = node(link.b).place - node(link.a).place;
+            const auto span = node(link.b).position - node(link.a).position;
             const double rate = dot(span, node(link.b).velocity - node(link.a).velocity);
             if (absolute(rate) * h > usual * square(link.length)) return true;
         }
@@ -126,7 +126,7 @@ template <int D> class DistanceRows {
     }
     void project_velocities(double hardest) {
         for (auto& link : all()) {
-            link.along = node(link.b).place - node(link.a).place;
+            link.along = node(link.b).position - node(link.a).position;
             const double k = hardest * link.per_length2 * share(link);
             const double rate = dot(link.along, node(link.b).velocity - node(link.a).velocity);
             const double pull = link.pull + k * rate;
@@ -140,7 +140,7 @@ template <int D> class DistanceRows {
     void end_round() {
         for (auto& link : all())
             if (link.stiffness > 0)
-                link.pull += link.stiffness * dot(link.along, node(link.b).move - node(link.a).move);
+                link.pull += link.stiffness * dot(link.along, node(link.b).displacement - node(link.a).displacement);
     }
 
   private:
@@ -169,11 +169,11 @@ template <int D> class DistanceRows {
         const double length2 = dot(link.start, link.start), margin = hardly_short * square(link.length);
         const double above = 0.5 * (length2 - square(link.high)), below = 0.5 * (length2 - square(link.low));
         link.side = link.tension > 0 && above > -margin ? 1 : link.tension < 0 && below < margin ? -1 : 0;
-        link.give = link.side > 0 ? maximum(above, 0.0) : link.side < 0 ? minimum(below, 0.0) : 0;
+        link.give = link.side > 0 ? max(above, 0.0) : link.side < 0 ? min(below, 0.0) : 0;
     }
 
     double assemble(DistanceRow<D>& link, Rule rule, bool elastic, double margin) {
-        const auto now = node(link.b).place - node(link.a).place;
+        const auto now = node(link.b).position - node(link.a).position;
         if (soft(link)) {
             spring(rule, link, now);
             return 0;
@@ -196,7 +196,7 @@ template <int D> class DistanceRows {
         link.along = now;
         auto matrix = outer(along * link.stiffness, now);
         if (rule != Rule::static_projection && rule != Rule::shake)
-            matrix += Matrix<D, double>::diagonal(maximum(tension, 0.0) * (is_midpoint ? 0.5 : 1));
+            matrix += Matrix<D, double>::diagonal(max(tension, 0.0) * (is_midpoint ? 0.5 : 1));
         add(link, matrix, along * link.pull);
     }
 
@@ -211,7 +211,7 @@ template <int D> class DistanceRows {
         double force = k * error;
         auto along = now * per_length;
         auto matrix = outer(along * k, along);
-        matrix += Matrix<D, double>::diagonal(maximum(force, 0.0) * per_length);
+        matrix += Matrix<D, double>::diagonal(max(force, 0.0) * per_length);
         add(link, matrix, along * force);
         link.pull = link.tension = force * per_length;
     }

@@ -18,10 +18,10 @@ template <int D> class BlockEnergy {
     /// Work of the force fields in the substep, less the increase of energy in springs.
     double work() const {
         double sum = 0;
-        for (const auto& node : solve_.unknowns()) sum += node.mass * dot(node.push, node.place - node.start);
+        for (const auto& node : solve_.unknowns()) sum += node.mass * dot(node.push, node.position - node.start);
         if (!solve_.block().springy) return sum;
         for (const auto& link : solve_.links().all())
-            sum -= solve_.links().stored(link, solve_.node(link.b).place - solve_.node(link.a).place) -
+            sum -= solve_.links().stored(link, solve_.node(link.b).position - solve_.node(link.a).position) -
                    solve_.links().stored(link, link.start);
         for (const auto& bend : solve_.bends().all())
             sum -= solve_.bends().stored(bend, false) - solve_.bends().stored(bend, true);
@@ -38,7 +38,7 @@ template <int D> class BlockEnergy {
         after_ = 0;
         typename Solve::Vector momentum{}, momentum_after{};
         for (const auto& node : solve_.unknowns()) {
-            const auto velocity = (node.place - node.start) * per_h - node.velocity;
+            const auto velocity = (node.position - node.start) * per_h - node.velocity;
             before += 0.5 * node.mass * dot(node.velocity, node.velocity);
             after_ += 0.5 * node.mass * dot(velocity, velocity);
             momentum += node.velocity * node.mass;
@@ -59,11 +59,11 @@ template <int D> class BlockEnergy {
 
     /// Kinetic energy due at the end of the substep, and the deficit.
     double due() const { return due_; }
-    double missing() const { return maximum(due_ - after_, 0.0); }
+    double missing() const { return max(due_ - after_, 0.0); }
 
-    /// Scales the motion relative to the rigid-body motion down until the kinetic energy is at most `most`.
-    void slow_down(double most) const {
-        if (solve_.kinetic() > most) bring_to(most);
+    /// Scales the motion relative to the rigid-body motion down until the kinetic energy is at most `max`.
+    void slow_down(double max) const {
+        if (solve_.kinetic() > max) bring_to(max);
     }
 
     /// Scales the motion relative to the rigid-body motion until the kinetic energy is `kinetic`.
@@ -73,12 +73,12 @@ template <int D> class BlockEnergy {
         const auto motion = free_ ? Motion::of(unknowns, Solve::place_of) : Motion{};
         const auto rate = motion.rate_of(unknowns, Solve::place_of);
         const auto whole = [&](const BlockNode<D>& node) {
-            return motion.momentum * inverse_or_zero(motion.mass) + turning(rate, node.place - motion.center);
+            return motion.momentum * inverse_or_zero(motion.mass) + turning(rate, node.position - motion.center);
         };
         double kept = 0;
         for (const auto& node : unknowns) kept += 0.5 * node.mass * dot(whole(node), whole(node));
         const double share =
-            minimum(fastest, square_root(maximum(kinetic - kept, 0.0) * inverse_or_zero(solve_.kinetic() - kept)));
+            min(fastest, square_root(max(kinetic - kept, 0.0) * inverse_or_zero(solve_.kinetic() - kept)));
         for (auto& node : unknowns) node.velocity = whole(node) + (node.velocity - whole(node)) * share;
     }
 
@@ -94,13 +94,13 @@ template <int D> class BlockEnergy {
         for (const auto& node : unknowns) {
             const auto kick = node.push * (node.mass * solve_.substep());
             due.momentum += kick;
-            due.spin += moment((node.start + node.place) * 0.5 - center, kick);
+            due.spin += moment((node.start + node.position) * 0.5 - center, kick);
         }
         missing.momentum = due.momentum - missing.momentum;
         missing.spin = due.spin - missing.spin;
         const auto rate = missing.rate_of(unknowns, Solve::place_of);
         const auto drift = missing.momentum * inverse_or_zero(missing.mass);
-        for (auto& node : unknowns) node.velocity += drift + turning(rate, node.place - missing.center);
+        for (auto& node : unknowns) node.velocity += drift + turning(rate, node.position - missing.center);
     }
 
   private:

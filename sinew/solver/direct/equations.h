@@ -17,7 +17,7 @@ template <int D> struct NodeSums {
         for (const auto& node : nodes) {
             mass += node.mass;
             weight += node.mass * norm(node.push);
-            lightest = minimum(lightest, node.mass);
+            lightest = min(lightest, node.mass);
         }
     }
 };
@@ -63,13 +63,13 @@ template <int D> class BlockEquations {
     void solve() { solve_block(blocks_, block_); }
 
     double worst_start_strain() const {
-        return maximum(links_.worst_strain(start_of), maximum(bends_.worst_warp(true), ways_.worst_strain(true)));
+        return max(links_.worst_strain(start_of), max(bends_.worst_warp(true), ways_.worst_strain(true)));
     }
-    double worst_place_strain() const {
-        return maximum(links_.worst_strain(place_of), maximum(bends_.worst_warp(false), ways_.worst_strain(false)));
+    double worst_position_strain() const {
+        return max(links_.worst_strain(place_of), max(bends_.worst_warp(false), ways_.worst_strain(false)));
     }
     static const Vector& start_of(const BlockNode<D>& node) { return node.start; }
-    static const Vector& place_of(const BlockNode<D>& node) { return node.place; }
+    static const Vector& place_of(const BlockNode<D>& node) { return node.position; }
 
     /// True if velocities would change lengths more than a swing does in a time h, as after a blow.
     bool has_velocity_error(double h) const {

@@ -232,12 +232,12 @@ template <int D, class Real> class BlockFinder {
 template <int D, class Real> void reserve_for_tears(World<D, Real>& world, Solver<D, Real>& solver) {
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     bool any = false;
-    std::size_t most = 0;
+    std::size_t max = 0;
     for_each_table(world, [&](const auto& table) {
         any = any || table.may_tear();
-        most = std::max(most, table.size());
+        max = std::max(max, table.size());
     });
-    if (any) solver.torn.reserve(most);
+    if (any) solver.torn.reserve(max);
     constexpr std::size_t small = 100'000; // distances; of more, the room would be waste
     if (!distances.may_tear() || distances.size() > small) return;
     solver.blocks.reserve(world.particles.size(), distances.size(),

@@ -68,8 +68,8 @@ template <int D> class ProgramFinder {
         if (block_.chain != Blocks<D>::none || block_.ways > 0 || block_.springy || block_.is_motorized ||
             block_.load_tethers > 0 || block_.braced())
             return false;
-        if (block_.nodes > Sizes::most_nodes || entries() > Sizes::most_entries ||
-            block_.links + block_.bends > Sizes::most_rows || block_.links == 0)
+        if (block_.nodes > Sizes::max_nodes || entries() > Sizes::max_entries ||
+            block_.links + block_.bends > Sizes::max_rows || block_.links == 0)
             return false;
         return std::all_of(links().begin(), links().end(), rides_as_link) &&
                std::all_of(bends().begin(), bends().end(), rides_as_bend);
@@ -137,18 +137,18 @@ template <int D> void order_programs(Blocks<D>& blocks, std::size_t parts) {
     sinew::sort(turns.begin(), turns.end(), [&](const ProgramTurn& a, const ProgramTurn& b) {
         return program(a).hash != program(b).hash ? program(a).hash < program(b).hash : a.block < b.block;
     });
-    std::size_t largest = 0, most_nodes = 0;
+    std::size_t largest = 0, max_nodes = 0;
     for (std::size_t i = 0; i < turns.size(); ++i) {
         const bool alike = i > 0 && program(turns[i]).hash == program(turns[i - 1]).hash &&
                            std::ranges::equal(numbers(turns[i]), numbers(turns[i - 1]));
         turns[i].group = i == 0 ? 0 : turns[i - 1].group + !alike;
         const auto read = read_program(numbers(turns[i]).data());
         largest = std::max(largest, ProgramPack<D>::size_of(read));
-        most_nodes = std::max<std::size_t>(most_nodes, read.nodes);
+        max_nodes = std::max<std::size_t>(max_nodes, read.nodes);
     }
     if (turns.empty()) return;
     if (programs.spaces.size() < parts) programs.spaces.resize(parts);
-    for (auto& space : programs.spaces) space.make_room(largest, most_nodes);
+    for (auto& space : programs.spaces) space.make_room(largest, max_nodes);
 }
 
 } // namespace sinew::detail

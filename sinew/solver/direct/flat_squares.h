@@ -108,12 +108,12 @@ template <int D> class FlatSquares {
     /// True if the ends c and d of two triangles over the base a b, in one plane, are as far apart as `distance`. Sides
     /// of a triangle are given from a and from b.
     static bool is_flat(double base, std::array<double, 2> c, std::array<double, 2> d, double distance) {
-        const auto place = [&](const std::array<double, 2>& sides) {
+        const auto position = [&](const std::array<double, 2>& sides) {
             const double along = (square(sides[0]) - square(sides[1]) + square(base)) / (2 * base);
-            return std::array{along, square_root(maximum(square(sides[0]) - square(along), 0.0))};
+            return std::array{along, square_root(max(square(sides[0]) - square(along), 0.0))};
         };
-        const auto p = place(c), q = place(d);
-        if (minimum(p[1], q[1]) < thinnest * distance) return false;
+        const auto p = position(c), q = position(d);
+        if (min(p[1], q[1]) < thinnest * distance) return false;
         for (const double height : {p[1] - q[1], p[1] + q[1]})
             if (absolute(square_root(square(p[0] - q[0]) + square(height)) - distance) <= flat * distance) return true;
         return false;

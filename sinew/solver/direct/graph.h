@@ -27,7 +27,7 @@ template <int D, class Real> class BlockGraph {
     }
     /// Larger limit, m^3; 0 if either is infinite.
     template <class Table> static double fold_unit(const Table& table, Row row) {
-        const double largest = maximum(absolute(double(table.low(row))), absolute(double(table.high(row))));
+        const double largest = max(absolute(double(table.low(row))), absolute(double(table.high(row))));
         return largest < double(limit::coordinate<Real>) ? largest : 0;
     }
 
@@ -55,8 +55,8 @@ template <int D, class Real> class BlockGraph {
     /// True for a 3D angle with a positive lower limit: an unsigned angle of zero has no direction to open in. A driven
     /// lower limit may become positive.
     static bool opens(const Constraints<Angle<D>, Real>& table, Row row) {
-        const Real least = table.motorized[row] ? -limit::measure<Real> : Real(0);
-        return D == 3 && table.low(row) > least;
+        const Real min = table.motorized[row] ? -limit::measure<Real> : Real(0);
+        return D == 3 && table.low(row) > min;
     }
 
     /// True for a rigid link: neither a spring nor a motor.

@@ -46,7 +46,7 @@ template <int D> class BlockBounce {
         const double kinetic = block_.kinetic();
         constexpr int rounds = 12; // enough to find which of many limits are loaded
         project_block_velocities(
-            block_, [](double) {}, rounds); // keeps the old velocities in `aim`
+            block_, [](double) {}, rounds); // keeps the old velocities in `predicted`
         const bool rests = landing && kinetic - block_.kinetic() <= little_;
         for (auto& bend : bends_.all()) {
             if (!bend.strikes) continue;
@@ -61,13 +61,13 @@ template <int D> class BlockBounce {
             if (!rests) link.side = 0;
         }
         if (!rests)
-            for (auto& node : nodes) node.velocity = node.velocity * 2 - node.aim;
+            for (auto& node : nodes) node.velocity = node.velocity * 2 - node.predicted;
         return true;
     }
 
     bool strikes(DistanceRow<D>& link, bool landing) const {
         const auto &a = block_.node(link.a), &b = block_.node(link.b);
-        const auto span = b.place - a.place;
+        const auto span = b.position - a.position;
         const auto side_of = [&](double length) { return length > link.high ? 1 : length < link.low ? -1 : 0; };
         link.side = side_of(norm(span));
         const bool comes_back = link.side != 0 && side_of(norm(link.start)) == link.side;

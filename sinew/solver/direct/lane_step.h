@@ -129,11 +129,11 @@ template <class Layout, int D, class Real> class LaneStep {
         }
     }
 
-    Vec<D, double> held_place(Row row) const {
-        auto place = cast<double>(particles_.position[row]);
+    Vec<D, double> held_position(Row row) const {
+        auto position = cast<double>(particles_.position[row]);
         for (auto i = blocks_.pin_of[row]; i != Blocks<D>::none; i = blocks_.next_pin[i])
-            if (world_.pins[i].hard() && !particles_.quarantined[row]) place = cast<double>(world_.pins[i].target);
-        return place;
+            if (world_.pins[i].hard() && !particles_.quarantined[row]) position = cast<double>(world_.pins[i].target);
+        return position;
     }
     /// Movable nodes of the lanes: `count` records from `nodes` on. `rows` has room for a particle of each lane.
     template <class Node> void exchange_with(double* nodes, std::size_t count, std::uint32_t* rows) {
@@ -204,7 +204,7 @@ template <class Layout, int D, class Real> class LaneStep {
         layout().each_particle(block, [&](Row row) {
             const double mass = inverse_or_zero(double(particles_.inverse_mass[row]));
             total += mass;
-            lightest = minimum(lightest, mass);
+            lightest = min(lightest, mass);
             const bool is_pulled = particles_.any_force && particles_.force[row] != Vec<D, Real>{};
             is_left_alone = is_left_alone && !is_pulled && blocks_.pin_of[row] == Blocks<D>::none;
         });
@@ -234,13 +234,13 @@ template <class Layout, int D, class Real> class LaneStep {
         layout().each_particle(block, [&](Row row) {
             const auto velocity = cast<double>(particles_.velocity[row]);
             reached.include(cast<double>(particles_.position[row]));
-            fastest2 = maximum(fastest2, dot(velocity, velocity));
-            thickness = maximum(thickness, double(particles_.radius[row]));
+            fastest2 = max(fastest2, dot(velocity, velocity));
+            thickness = max(thickness, double(particles_.radius[row]));
             any = row;
         });
         const double push = norm(cast<double>(push_on(world_, any).acceleration));
         std::optional<Vec<D, double>> held;
-        layout().each_held(block, [&](Row row) { reached.include(*(held = held_place(row))); });
+        layout().each_held(block, [&](Row row) { reached.include(*(held = held_position(row))); });
         const auto reach = reached.grown(margin * frame_ * (square_root(fastest2) + frame_ * push) + thickness);
         const ChainRoom<D, Real> around(world_, solver_);
         const auto room =

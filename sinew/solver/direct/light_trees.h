@@ -22,9 +22,9 @@ template <int D> class LightTrees {
         for (auto i = end(); i-- > block_.first_node;) find_rest(i);
         bool any = false;
         for (auto& link : links()) {
-            const auto first = minimum(link.a, link.b);
+            const auto first = min(link.a, link.b);
             const bool parts = link.entry != Blocks<D>::none && is_leaf(first);
-            const double share = parts ? minimum(node(first).behind, node(first).rest) / held_ : 1;
+            const double share = parts ? min(node(first).behind, node(first).rest) / held_ : 1;
             link.share = share < light ? share : 1;
             any = any || share < light;
         }
@@ -49,7 +49,7 @@ template <int D> class LightTrees {
     void begin() {
         for (auto i = block_.first_node; i < end(); ++i) node(i).behind = node(i).mass;
         for (const auto& link : links())
-            if (link.entry == Blocks<D>::none) hold(minimum(link.a, link.b));
+            if (link.entry == Blocks<D>::none) hold(min(link.a, link.b));
         for (const auto& bend : std::span(blocks_.bends).subspan(block_.first_bend, block_.bends))
             for (std::size_t k = 0; k < bend.arity; ++k) hold(bend.nodes[k]);
         for (const auto& way : std::span(blocks_.ways).subspan(block_.first_way, block_.ways))
@@ -71,7 +71,7 @@ template <int D> class LightTrees {
         const bool leaf = is_leaf(i);
         at.rest = leaf ? node(parent(i)).behind + node(parent(i)).rest - at.behind : 0;
         if (leaf)
-            at.rest = maximum(at.rest, node(parent(i)).mass);
+            at.rest = max(at.rest, node(parent(i)).mass);
         else if (blocks_.first_entry[i + 1] > blocks_.first_entry[i])
             at.rest = held_;
     }

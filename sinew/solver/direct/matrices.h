@@ -10,18 +10,18 @@ template <int D> void substitute_back(Blocks<D>& blocks, const Block& block) {
     for (auto i = block.first_node + block.unknowns; i-- > block.first_node;) {
         Vec<D, double> pulled{};
         for (auto e = blocks.first_entry[i]; e < blocks.first_entry[i + 1]; ++e)
-            pulled += blocks.entries[e].upper * nodes[blocks.entries[e].node].move;
-        nodes[i].move -= nodes[i].diagonal * pulled;
+            pulled += blocks.entries[e].upper * nodes[blocks.entries[e].node].displacement;
+        nodes[i].displacement -= nodes[i].diagonal * pulled;
     }
 }
 
-/// Solves a block's equations for `move`, in the elimination order (elimination.h): LU by D x D blocks, of equal
-/// structure but different values on both sides of the diagonal. With D_i the diagonal of node i, L_e and U_e the
+/// Solves a block's equations for `displacement`, in the elimination order (elimination.h): LU by D x D blocks, of
+/// equal structure but different values on both sides of the diagonal. With D_i the diagonal of node i, L_e and U_e the
 /// entries below and to the right,
 ///
 ///     y_i = D_i^-1 r_i       r_j -= L_e y_i       D_j -= L_e D_i^-1 U_e
 ///     A_ge -= L_g D_i^-1 U_e       A_eg -= L_e D_i^-1 U_g
-///     move_i = y_i - D_i^-1 sum U_e move_j
+///     displacement_i = y_i - D_i^-1 sum U_e displacement_j
 template <int D> void solve_block(Blocks<D>& blocks, const Block& block) {
     auto* const nodes = blocks.nodes.data();
     auto* const entries = blocks.entries.data();
@@ -30,7 +30,7 @@ template <int D> void solve_block(Blocks<D>& blocks, const Block& block) {
     for (auto i = begin; i < end; ++i) {
         auto& node = nodes[i];
         const auto per = node.diagonal = inverse(node.diagonal);
-        const auto y = node.move = per * node.residual;
+        const auto y = node.displacement = per * node.residual;
         auto pair = blocks.first_pair[i];
         for (auto e = first_entry[i]; e < first_entry[i + 1]; ++e) {
             const auto& entry = entries[e];
@@ -56,9 +56,9 @@ template <int D> void solve_block_again(Blocks<D>& blocks, const Block& block) {
     auto* const nodes = blocks.nodes.data();
     for (auto i = block.first_node; i < block.first_node + block.unknowns; ++i) {
         auto& node = nodes[i];
-        node.move = node.diagonal * node.residual;
+        node.displacement = node.diagonal * node.residual;
         for (auto e = blocks.first_entry[i]; e < blocks.first_entry[i + 1]; ++e)
-            nodes[blocks.entries[e].node].residual -= blocks.entries[e].lower * node.move;
+            nodes[blocks.entries[e].node].residual -= blocks.entries[e].lower * node.displacement;
     }
     substitute_back(blocks, block);
 }

@@ -25,7 +25,7 @@ template <int D, class Real> class MidpointStep {
         double gain = 0;
         if (const auto went = find_positions(gain); went != Went::well) return went;
         const double per_h = 1 / state_.substep();
-        for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * (2 * per_h) - node.velocity;
+        for (auto& node : state_.unknowns()) node.velocity = (node.position - node.start) * (2 * per_h) - node.velocity;
         if (gain > 1) energy_.slow_down(energy_.due());
         bounce();
         if (!allow_velocities()) return Went::too_far;
@@ -77,7 +77,7 @@ template <int D, class Real> class MidpointStep {
         constexpr double part = 1e-5, tiny = 1e-7; // fractions of the energy, and of weight times length
         const double kinetic = solve_.kinetic();
         const double little = part * energy_.inner() + tiny * solve_.weight() * solve_.reach();
-        if (BlockBounce<D>(solve_, little).run()) energy_.bring_to(minimum(kinetic, energy_.due()));
+        if (BlockBounce<D>(solve_, little).run()) energy_.bring_to(min(kinetic, energy_.due()));
     }
 
     /// Projects the velocities where links have tightened, or the integrator was in error. False if a shorter substep

@@ -6,7 +6,7 @@ namespace sinew::detail {
 
 /// Update of the multipliers after a Newton step, and of the active set.
 struct MultiplierUpdate {
-    static constexpr int most_flips = 2;
+    static constexpr int max_flips = 2;
 
     double share = 1;          ///< fraction of the step that was taken, 0..1
     bool elastic = false;      ///< limits are springs: multipliers stay zero
@@ -14,7 +14,7 @@ struct MultiplierUpdate {
     bool any_released = false; ///< a rigid limit was released
 
     /// A limit whose multiplier has the wrong sign, by more than `slight`, is released, unless activated more than
-    /// `most_flips` times in this substep.
+    /// `max_flips` times in this substep.
     void renew(BlockLimit& limit, double next, double slight) {
         if (elastic) {
             limit.tension = 0;
@@ -22,7 +22,7 @@ struct MultiplierUpdate {
             return;
         }
         limit.tension = limit.side != 0 ? limit.tension + share * (next - limit.tension) : 0;
-        const bool undecided = limit.flips > most_flips;
+        const bool undecided = limit.flips > max_flips;
         if (releases && limit.one_sided() && !undecided && next * limit.side < -slight)
             limit.side = 0, limit.tension = 0, any_released = true;
     }

@@ -49,17 +49,17 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         reach_ += ways_.set_out(as_good_as_taut);
     }
 
-    /// Solves for every `place`. `hold()` adds external terms to the equations. False if the solve did not converge.
-    template <class Hold> bool run(Rule rule, int most_iterations, Hold&& hold) {
+    /// Solves for every `position`. `hold()` adds external terms to the equations. False if the solve did not converge.
+    template <class Hold> bool run(Rule rule, int max_iterations, Hold&& hold) {
         set_out(rule);
-        for (auto& node : unknowns()) node.place = node.start + guess(rule, node);
-        return iterate(rule, most_iterations, hold);
+        for (auto& node : unknowns()) node.position = node.start + guess(rule, node);
+        return iterate(rule, max_iterations, hold);
     }
 
     /// Same as `run`, started from the present positions and tensions.
-    template <class Hold> bool run_again(Rule rule, int most_iterations, Hold&& hold) {
+    template <class Hold> bool run_again(Rule rule, int max_iterations, Hold&& hold) {
         set_out(rule);
-        return iterate(rule, most_iterations, hold);
+        return iterate(rule, max_iterations, hold);
     }
 
     /// True if the external terms decided as in the equations before; a `add_external_terms` without a result always
@@ -82,7 +82,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
 
     /// Largest overshoot of a bouncing joint past the limit, and past the state at the start of the substep: radians
     /// for an angle, a fraction of half the length for a link.
-    double worst_overshoot() const { return maximum(bends_.worst_overshoot(), links_.worst_overshoot()); }
+    double worst_overshoot() const { return max(bends_.worst_overshoot(), links_.worst_overshoot()); }
 
   protected:
     static constexpr double good_enough = 1e-7;
@@ -94,7 +94,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         8;                                 ///< iterations; from then on half steps, which settle limits that alternate
     static constexpr double slight = 1e-3; ///< a move, as a fraction of a link
     static constexpr int patience = 10;    ///< iterations
-    static constexpr double most_change = 0.5; ///< change of a link in one iteration, as a fraction of the length
+    static constexpr double max_change = 0.5; ///< change of a link in one iteration, as a fraction of the length
     static constexpr double as_good_as_taut = 1e-4;
     static constexpr double small_angle =
         1e-2; ///< an angle's error in radians counts as this fraction of a relative length error
@@ -108,7 +108,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     bool let_go_ = false;  ///< a limit was released since `patience` was last checked
     double slight_ = 0;    ///< tension that counts as zero
 
-    template <class Hold> bool iterate(Rule rule, int most_iterations, Hold&& hold) {
+    template <class Hold> bool iterate(Rule rule, int max_iterations, Hold&& hold) {
         double before = 0, last = 0;
         for (int i = 0;; ++i) {
             if (i > 0 && is_steady() && worst_error() <= good_enough && agrees(hold)) return true;
@@ -126,11 +126,11 @@ template <int D> class BlockSolve : public BlockEquations<D> {
                 let_go_ = false; // a rope goes slack link by link
             }
             // contacts that alternate: lengths are right, and nodes hardly move
-            const double slight_move = slight * reach_ / double(block_.links + block_.ways);
+            const double small_displacement = slight * reach_ / double(block_.links + block_.ways);
             if (rule == Rule::backward_euler && i >= undecided_after && worst <= acceptable &&
-                sizes_.moved <= slight_move)
+                sizes_.moved <= small_displacement)
                 return true;
-            if (i == most_iterations)
+            if (i == max_iterations)
                 return worst <= acceptable &&
                        sizes_.moved <= acceptable * reach_; // links that alternate between taut and slack
             Base::solve();
@@ -154,7 +154,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         const double share = rule == Rule::midpoint ? 0.5 : rule == Rule::backward_euler ? 1 : 0;
         for (auto& node : unknowns()) {
             node.inertia = node.mass * per_h_ * per_h_ * (rule == Rule::midpoint ? 2 : 1);
-            node.aim = node.start + flight(rule, node) + node.push * (share * h_ * h_);
+            node.predicted = node.start + flight(rule, node) + node.push * (share * h_ * h_);
         }
         choose_active_limits(rule);
         slight_ = 1e-6 * Base::weight() * inverse_or_zero(reach_) * double(block_.links + block_.ways);
@@ -165,47 +165,47 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     double assemble(Rule rule) {
         for (auto& node : unknowns()) {
             node.diagonal = Matrix<D, double>::diagonal(node.inertia);
-            node.residual = (node.aim - node.place) * node.inertia;
+            node.residual = (node.predicted - node.position) * node.inertia;
         }
         clear_entries();
         const double hardest = links_.stiffness();
         double worst = links_.assemble(rule, elastic_, good_enough);
-        worst = maximum(worst, small_angle * bends_.assemble(rule, hardest, good_enough / small_angle));
-        worst = maximum(worst, ways_.assemble(rule, hardest, elastic_, good_enough));
+        worst = max(worst, small_angle * bends_.assemble(rule, hardest, good_enough / small_angle));
+        worst = max(worst, ways_.assemble(rule, hardest, elastic_, good_enough));
         return worst;
     }
 
     /// Worst violation of links and angles at the present positions, scaled as in `assemble`.
-    double worst_error() const { return maximum(links_.worst_error(), small_angle * bends_.worst_error()); }
+    double worst_error() const { return max(links_.worst_error(), small_angle * bends_.worst_error()); }
 
-    /// Trust region: the fraction of the step at which no link changes by more than `most_change`. Newton's model means
+    /// Trust region: the fraction of the step at which no link changes by more than `max_change`. Newton's model means
     /// nothing further out.
     double trusted_share() {
-        double most = 0;
+        double change2 = 0;
         sizes_.tightened = sizes_.strongest = 0;
         for (auto& link : links_.all()) {
-            const auto change = node(link.b).move - node(link.a).move;
-            most = maximum(most, dot(change, change) * link.per_length2);
+            const auto change = node(link.b).displacement - node(link.a).displacement;
+            change2 = max(change2, dot(change, change) * link.per_length2);
             link.pull += link.stiffness * dot(link.along, change);
             sizes_.tightened =
-                maximum(sizes_.tightened, absolute(link.pull - link.tension) * link.length / links_.share(link));
-            sizes_.strongest = maximum(sizes_.strongest, absolute(link.pull) * link.length);
+                max(sizes_.tightened, absolute(link.pull - link.tension) * link.length / links_.share(link));
+            sizes_.strongest = max(sizes_.strongest, absolute(link.pull) * link.length);
         }
-        most = maximum(most, ways_.largest_change2());
-        return most > square(most_change) ? most_change / square_root(most) : 1;
+        change2 = max(change2, ways_.largest_change2());
+        return change2 > square(max_change) ? max_change / square_root(change2) : 1;
     }
 
     bool is_steady() const {
         return sizes_.are_small(reach_, links_.uses_shares()) && (!is_precise_ || sizes_.are_rounding(reach_));
     }
 
-    void take_step(double most) {
-        const double share = progress_.share = minimum(most, trusted_share());
+    void take_step(double max_share) {
+        const double share = progress_.share = min(max_share, trusted_share());
         ++progress_.iteration;
         sizes_.moved_before = std::exchange(sizes_.moved, 0);
         for (auto& node : unknowns()) {
-            node.place += node.move * share;
-            sizes_.moved = maximum(sizes_.moved, largest_component(node.move));
+            node.position += node.displacement * share;
+            sizes_.moved = max(sizes_.moved, largest_component(node.displacement));
         }
         MultiplierUpdate update{.share = share, .elastic = elastic_, .releases = releases_};
         for (auto& link : links_.all())
@@ -214,7 +214,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             for (auto& row : rows.all()) {
                 if (row.is_compliant()) continue;
                 update.renew(row, row.pull + row.stiffness * rows.geometry().change(row), slight_);
-                row.tension = clamp(row.tension, -row.most, row.most);
+                row.tension = clamp(row.tension, -row.max, row.max);
             }
         };
         renew_driven(bends_);
@@ -223,9 +223,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     }
 
     static double largest_component(const Vector& v) {
-        double most = 0;
-        for (int i = 0; i < D; ++i) most = maximum(most, absolute(v[i]));
-        return most;
+        double largest = 0;
+        for (int i = 0; i < D; ++i) largest = max(largest, absolute(v[i]));
+        return largest;
     }
 };
 

@@ -7,7 +7,7 @@
 namespace sinew::detail {
 
 template <int D> struct BlockPlane : HalfSpace<D, double> {
-    Vec<D, double> surface_move{}; ///< displacement of the surface in the substep
+    Vec<D, double> surface_displacement{}; ///< displacement of the surface in the substep
     std::uint32_t collider = ~std::uint32_t(0);
 };
 
@@ -22,7 +22,7 @@ template <int D, class Real> class BlockPlanes {
     bool any() const { return has_walls(world_); }
 
     double depth(const BlockNode<D>& node, const HalfSpace<D, double>& plane) const {
-        return plane.depth_of(node.place, double(world_.particles.radius[node.row]));
+        return plane.depth_of(node.position, double(world_.particles.radius[node.row]));
     }
 
     /// Calls visit(plane) for the planes of the world, and the contacts of a node with colliders at its present place.
@@ -32,7 +32,7 @@ template <int D, class Real> class BlockPlanes {
             if (!is_near(i, node, 0)) continue;
             const auto& collider = world_.colliders[i];
             const collide::MovingCollider<D, Real> moving(collider, Real(state_.from()), Real(state_.to()));
-            moving.contacts(cast<Real>(node.start), cast<Real>(node.place), world_.particles.radius[node.row],
+            moving.contacts(cast<Real>(node.start), cast<Real>(node.position), world_.particles.radius[node.row],
                             [&](const auto& contact) {
                                 note(i, node.row, 0);
                                 if (!collider.is_sensor) visit(plane_of(collider, contact, i));
@@ -48,7 +48,7 @@ template <int D, class Real> class BlockPlanes {
             const auto& collider = world_.colliders[i];
             const Real within = world_.particles.radius[node.row] + Real(reach);
             if (collider.is_at_rest() &&
-                !collide::nearest(collider.shape, collider.target, cast<Real>(node.place), within))
+                !collide::nearest(collider.shape, collider.target, cast<Real>(node.position), within))
                 continue;
             if (!collider.is_at_rest()) state_.be_motorized();
             found = true;
@@ -68,7 +68,7 @@ template <int D, class Real> class BlockPlanes {
     bool is_near(std::uint32_t collider, const BlockNode<D>& node, double reach) const {
         collide::BoundingBox<D, Real> box;
         box.include(cast<Real>(node.start));
-        box.include(cast<Real>(node.place));
+        box.include(cast<Real>(node.position));
         return touch(world_.colliders[collider].filter, filter_of(world_, node.row)) &&
                state_.touches.boxes[collider].overlaps(box.grown(world_.particles.radius[node.row] + Real(reach)));
     }
@@ -78,7 +78,7 @@ template <int D, class Real> class BlockPlanes {
         const auto normal = cast<double>(contact.surface.normal);
         return {{normal, dot(normal, cast<double>(contact.surface.point)), double(collider.restitution),
                  double(collider.friction)},
-                cast<double>(contact.surface_move),
+                cast<double>(contact.surface_displacement),
                 index};
     }
 };

@@ -13,11 +13,11 @@ template <int D, class Hold> void project_block_velocities(BlockEquations<D>& bl
     block.links().begin_settling();
     block.bends().begin_settling();
     block.ways().begin_settling();
-    for (auto& node : block.nodes()) node.aim = node.velocity;
+    for (auto& node : block.nodes()) node.predicted = node.velocity;
     for (int i = 0; i < rounds; ++i) {
         for (auto& node : block.unknowns()) {
             node.diagonal = Matrix<D, double>::diagonal(node.mass);
-            node.residual = (node.aim - node.velocity) * node.mass;
+            node.residual = (node.predicted - node.velocity) * node.mass;
         }
         block.clear_entries();
         block.links().project_velocities(hardest);
@@ -25,7 +25,7 @@ template <int D, class Hold> void project_block_velocities(BlockEquations<D>& bl
         block.ways().project_velocities(hardest);
         hold(hardest);
         block.solve();
-        for (auto& node : block.unknowns()) node.velocity += node.move;
+        for (auto& node : block.unknowns()) node.velocity += node.displacement;
         block.links().end_round();
         block.bends().end_round();
         block.ways().end_round();

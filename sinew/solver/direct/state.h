@@ -70,7 +70,7 @@ template <int D, class Real> class BlockState {
         for (auto& node : unknowns()) {
             const Row row = node.row;
             SINEW_ASSERT(particles.at_end[row], "the sweep leaves out a particle of a block");
-            node.start = node.place = cast<double>(particles.position[row]) + cast<double>(particles.residual[row]);
+            node.start = node.position = cast<double>(particles.position[row]) + cast<double>(particles.residual[row]);
             const auto velocity = cast<double>(particles.velocity[row]);
             const auto middle = particles.position[row] + particles.velocity[row] * Real(0.5 * h_);
             const bool falls = all_fall && particles.force[row] == Vec<D, Real>{};
@@ -84,13 +84,13 @@ template <int D, class Real> class BlockState {
             motorized_ = motorized_ || blocks.pin_of[row] != Blocks<D>::none;
         }
         for (auto& node : fixed()) {
-            node.move = node.velocity = {};
-            node.start = node.place = cast<double>(particles.position[node.row]);
+            node.displacement = node.velocity = {};
+            node.start = node.position = cast<double>(particles.position[node.row]);
             for (auto i = blocks.pin_of[node.row]; i != Blocks<D>::none; i = blocks.next_pin[i]) {
                 const auto& pin = world.pins[i];
                 if (!pin.hard() || particles.quarantined[node.row]) continue;
-                node.start = pin.template target_at<double>(from_), node.place = pin.template target_at<double>(to_);
-                node.velocity = (node.place - node.start) * (1 / h_);
+                node.start = pin.template target_at<double>(from_), node.position = pin.template target_at<double>(to_);
+                node.velocity = (node.position - node.start) * (1 / h_);
                 motorized_ = motorized_ || !(pin.from == pin.target);
             }
         }
@@ -100,9 +100,9 @@ template <int D, class Real> class BlockState {
     void store() {
         constexpr double fastest = double(limit::speed<Real>), furthest = double(limit::coordinate<Real>);
         for (auto& node : unknowns()) {
-            const auto place = clamp_components(node.place, furthest);
-            const auto held = cast<Real>(place);
-            particles.residual[node.row] = cast<Real>(place - cast<double>(held));
+            const auto position = clamp_components(node.position, furthest);
+            const auto held = cast<Real>(position);
+            particles.residual[node.row] = cast<Real>(position - cast<double>(held));
             particles.position[node.row] = held;
             particles.velocity[node.row] = cast<Real>(clamp_components(node.velocity, fastest));
         }
@@ -162,7 +162,7 @@ template <int D, class Real> class BlockState {
     }
 
     template <class Table> static void find_drive(BlockDrive& drive, const Table& table, Row row) {
-        drive.most = double(table.max_force[row]);
+        drive.max = double(table.max_force[row]);
         drive.damping_time = double(table.damping_time[row]);
         drive.motor_speed = double(table.motor_speed[row]);
         drive.low_begun = double(table.low(row));
@@ -184,13 +184,13 @@ template <int D, class Real> class BlockState {
     /// True if the tension of the last substep was nearly the largest. Not stored as a flag: a copy of the world has
     /// none.
     static bool has_slipped(const CableRow& way) {
-        return way.gives() && absolute(way.before) >= slipping_share * way.most;
+        return way.gives() && absolute(way.before) >= slipping_share * way.max;
     }
 
     /// Moves the limits to the length reached.
     void slip(CableRow& way) {
         const double length = CableGeometry<D>(blocks).length_of(way, false);
-        const double error = way.error_of(length), spring = way.most * way.compliance;
+        const double error = way.error_of(length), spring = way.max * way.compliance;
         const double by = error - clamp(error, -spring, spring);
         for (double* end : {&way.low_begun, &way.high_begun})
             if (absolute(*end) < limit::measure<double>) *end += by;
@@ -207,8 +207,8 @@ template <int D, class Real> class BlockState {
             bend.high = bend.high_begun + bend.motor_speed * by;
         }
         for (auto& way : ways()) {
-            way.low = maximum(way.low_begun + way.motor_speed * by, 0.0);
-            way.high = maximum(way.high_begun + way.motor_speed * by, 0.0);
+            way.low = max(way.low_begun + way.motor_speed * by, 0.0);
+            way.high = max(way.high_begun + way.motor_speed * by, 0.0);
         }
     }
 };

@@ -100,8 +100,8 @@ template <int D, class Real> class BlockStep {
         const double before = solve.worst_start_strain();
         solve.use_penalty();
         substep.run(Rule::backward_euler, stretched_iterations);
-        constexpr double most = 10;
-        substep.retreat([&] { return solve.worst_place_strain() <= maximum(most, before); });
+        constexpr double max_strain = 10;
+        substep.retreat([&] { return solve.worst_position_strain() <= max(max_strain, before); });
         contact_.push_out(); // the solve has not converged
         substep.take_mean_velocities();
         state_.forget_tensions();

@@ -21,7 +21,7 @@ template <int D, class Real> class ChainStep : LaneStep<ChainStep<D, Real>, D, R
     template <class Whole, class Redo>
     void run(std::span<const ChainTurn> turns, double report_substep, Whole&& whole, Redo&& redo) {
         const auto& kernel = Base::kernel_;
-        const bool single = turns.size() == 1 || turns.front().links > ChainSpace<D>::most_links_in_lanes;
+        const bool single = turns.size() == 1 || turns.front().links > ChainSpace<D>::max_links_in_lanes;
         pack_.width = single ? min_block_lanes : kernel.block_lanes;
         pack_.links = int(turns.front().links);
         constexpr std::size_t per_node = sizeof(Node) / sizeof(double);
@@ -59,7 +59,7 @@ template <int D, class Real> class ChainStep : LaneStep<ChainStep<D, Real>, D, R
     void load(int lane, const Block& block) {
         const auto table = nodes(lane);
         const auto links = links_of(block);
-        table.template put<D>(0, offsetof(Node, start), Base::held_place(chain_of(block).held));
+        table.template put<D>(0, offsetof(Node, start), Base::held_position(chain_of(block).held));
         for (std::size_t i = 1; i <= links.size(); ++i) {
             const auto& link = links[i - 1];
             const double length2 = square(link.length);

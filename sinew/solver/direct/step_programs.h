@@ -82,7 +82,7 @@ template <int D, class Real> class ProgramStep : LaneStep<ProgramStep<D, Real>, 
     void load(int lane, const Block& block) {
         const auto rows = nodes_of(block);
         for (std::size_t i = block.unknowns; i < rows.size(); ++i)
-            nodes(lane).template put<D>(i, offsetof(Node, start), Base::held_place(rows[i].row));
+            nodes(lane).template put<D>(i, offsetof(Node, start), Base::held_position(rows[i].row));
         each_row(
             block,
             [&](const DistanceRow<D>& row, std::size_t i) {
@@ -97,7 +97,7 @@ template <int D, class Real> class ProgramStep : LaneStep<ProgramStep<D, Real>, 
     void load_limit(const DistanceRow<D>& row, int lane, std::size_t i) const {
         constexpr double margin = 2e-4, far = 1e30;
         limits(lane).at(i, offsetof(Limit, low)) = square(row.low) * (1 + margin);
-        limits(lane).at(i, offsetof(Limit, high)) = minimum(square(row.high), far) * (1 - margin);
+        limits(lane).at(i, offsetof(Limit, high)) = min(square(row.high), far) * (1 - margin);
         limits(lane).at(i, offsetof(Limit, per_unit)) = 1 / (row.low * row.length);
     }
     void load_limit(const AngleRow<D>& row, int lane, std::size_t i) const {

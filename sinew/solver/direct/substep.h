@@ -62,14 +62,14 @@ template <int D, class Real> class BlockSubstep {
         constexpr double crude = 1e-3;
         const double before = solve_.worst_start_strain();
         if (before <= crude) return true;
-        for (auto& node : state_.fixed()) std::swap(node.start, node.place);
+        for (auto& node : state_.fixed()) std::swap(node.start, node.position);
         state_.forget_tensions();
         const bool met = solve_.run(Rule::static_projection, many, [] {});
         if (!met) relax_links(state_.blocks, state_.block);
-        const double after = solve_.worst_place_strain();
+        const double after = solve_.worst_position_strain();
         if (after < before)
-            for (auto& node : state_.unknowns()) node.start = node.place;
-        for (auto& node : state_.fixed()) std::swap(node.start, node.place);
+            for (auto& node : state_.unknowns()) node.start = node.position;
+        for (auto& node : state_.fixed()) std::swap(node.start, node.position);
         state_.start_tensions();
         return met || after <= crude;
     }
@@ -84,7 +84,8 @@ template <int D, class Real> class BlockSubstep {
             project_block_velocities(
                 solve_, [&](double k) { contact_.rebound(k); }, rounds);
             if (!gains()) break;
-            for (auto& node : state_.unknowns()) node.velocity = node.aim; // a projection gains nothing: not converged
+            for (auto& node : state_.unknowns())
+                node.velocity = node.predicted; // a projection gains nothing: not converged
         }
         if (moves_alone()) energy_.slow_down(kinetic);
         return kinetic - solve_.kinetic();
@@ -92,14 +93,14 @@ template <int D, class Real> class BlockSubstep {
 
     void take_mean_velocities() {
         const double per_h = 1 / state_.substep();
-        for (auto& node : state_.unknowns()) node.velocity = (node.place - node.start) * per_h;
+        for (auto& node : state_.unknowns()) node.velocity = (node.position - node.start) * per_h;
     }
 
     /// Halves the displacement until `bearable()`, at most 20 times.
     template <class Bearable> void retreat(Bearable&& bearable) {
         constexpr int halvings = 20;
         for (int i = 0; i < halvings && !bearable(); ++i)
-            for (auto& node : state_.unknowns()) node.place = (node.place + node.start) * 0.5;
+            for (auto& node : state_.unknowns()) node.position = (node.position + node.start) * 0.5;
     }
 
   private:

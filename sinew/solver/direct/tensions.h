@@ -30,8 +30,8 @@ template <int D, class Real> class BlockTensions {
 
     /// Multiplier of a tension.
     static Real multiplier(double tension, double substep) {
-        constexpr double most = double(limit::multiplier<Real>);
-        return Real(clamp(-tension * square(substep), -most, most));
+        constexpr double max = double(limit::multiplier<Real>);
+        return Real(clamp(-tension * square(substep), -max, max));
     }
 
   private:

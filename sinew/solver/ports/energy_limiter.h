@@ -29,24 +29,24 @@ template <int D, class Real> class EnergyLimiter {
         if (ports_.groups.empty()) return;
         if (number == 1)
             for (auto& group : ports_.groups) group.lost = 0;
-        for (Row s = 0; s < swept_.size(); ++s) ports_.last_moves[s] = cast<double>(swept_.move_at(s));
+        for (Row s = 0; s < swept_.size(); ++s) ports_.last_displacements[s] = cast<double>(swept_.displacement_at(s));
         for (auto& group : ports_.groups) group.stored = stored(group, false);
     }
     /// Measures the gains once all moves are known, before positions advance. A group whose motion would multiply is
     /// slowed down at once.
     void find_gains() {
-        constexpr double least = 0.7; // share of the velocity; above it solved positions are kept
+        constexpr double min = 0.7; // share of the velocity; above it solved positions are kept
         for (auto& group : ports_.groups) {
             const auto motion = motion_of(group);
             if (motion.anchors().empty() && nothing_else_acts()) motion.take_drift();
-            const double owed = motion.anchors().empty() ? 0 : maximum(0.0, -group.lost);
+            const double owed = motion.anchors().empty() ? 0 : max(0.0, -group.lost);
             group.lost = 0;
             group.share = group.motorized ? 1 : share_left(group, owed);
             if (motion.anchors().empty()) {
                 group.spin = due_spin(motion);
                 if (group.lost < 0) stiffen(motion, group.spin), group.share = 1, group.lost = 0;
             }
-            if (group.share < least && is_multiplied(group)) hold_back(group), group.share = 1;
+            if (group.share < min && is_multiplied(group)) hold_back(group), group.share = 1;
         }
     }
     /// Removes the gains once positions have advanced.
@@ -92,12 +92,12 @@ template <int D, class Real> class EnergyLimiter {
         if (!motion.find_frame(frame)) return 1;
         double work = 0, kinetic = 0, outer = 0;
         for (const auto s : motion.members()) {
-            const auto own = motion.move(s) - frame.at(motion.place(s));
-            work +=
-                0.5 * motion.mass(s) *
-                dot(motion.last_move(s) + motion.move(s) - frame.velocity * 2.0, motion.move(s) - motion.free_move(s));
+            const auto own = motion.displacement(s) - frame.at(motion.position(s));
+            work += 0.5 * motion.mass(s) *
+                    dot(motion.last_displacement(s) + motion.displacement(s) - frame.velocity * 2.0,
+                        motion.displacement(s) - motion.free_move(s));
             kinetic += 0.5 * motion.mass(s) * dot(own, own);
-            outer += 0.5 * motion.mass(s) * dot(motion.free_move(s) - motion.last_move(s), own);
+            outer += 0.5 * motion.mass(s) * dot(motion.free_move(s) - motion.last_displacement(s), own);
         }
         work -= of_soft_pins(motion, frame.velocity);
         const double gain = owed + work * square(per_h_) + (group.springs > 0 ? stored(group, true) - group.stored : 0);
@@ -111,7 +111,7 @@ template <int D, class Real> class EnergyLimiter {
     /// The larger root, or the share at which most is removed.
     static double share_without(double gain, double kinetic, double outer) {
         const double root2 = square(outer + 2 * kinetic) - 4 * kinetic * gain;
-        const double share = (square_root(maximum(0.0, root2)) - outer) * inverse_or_zero(2 * kinetic);
+        const double share = (square_root(max(0.0, root2)) - outer) * inverse_or_zero(2 * kinetic);
         return clamp(share, 0.0, 1.0);
     }
 
@@ -119,14 +119,14 @@ template <int D, class Real> class EnergyLimiter {
     bool is_multiplied(const PortGroup<D>& group) const {
         constexpr double times = 4;
         const auto motion = motion_of(group);
-        double had = 0, has = 0, most = 0;
+        double had = 0, has = 0, max = 0;
         for (const auto s : motion.members()) {
-            const auto &last = motion.last_move(s), &free = motion.free_move(s), now = motion.move(s);
+            const auto &last = motion.last_displacement(s), &free = motion.free_move(s), now = motion.displacement(s);
             had += motion.mass(s) * (dot(last, last) + dot(free, free));
             has += motion.mass(s) * dot(now, now);
-            most += motion.mass(s) * square(group.length);
+            max += motion.mass(s) * square(group.length);
         }
-        return has > times * had && has > most;
+        return has > times * had && has > max;
     }
 
     /// Slows a group down before positions advance. The same share of every displacement takes a link that has turned
@@ -142,19 +142,19 @@ template <int D, class Real> class EnergyLimiter {
             if (!within || keeps_lengths(motion, block)) continue;
             for (const auto& node : nodes) {
                 const Row slot = swept_.slot_of[node.row];
-                swept_.set_move(slot, cast<Real>(frame.at(motion.place(slot))));
+                swept_.set_displacement(slot, cast<Real>(frame.at(motion.position(slot))));
             }
         }
     }
     bool keeps_lengths(const Motion& motion, const Block& block) const {
         constexpr double slight = 1e-6;
-        const auto place = [&](std::uint32_t node) {
+        const auto position = [&](std::uint32_t node) {
             const Row slot = swept_.slot_of[blocks_.nodes[node].row];
-            return motion.place(slot) + motion.move(slot);
+            return motion.position(slot) + motion.displacement(slot);
         };
         const auto links = std::span(blocks_.links).subspan(block.first_link, block.links - block.load_tethers);
         return std::ranges::all_of(links, [&](const auto& link) {
-            const double length = norm(place(link.b) - place(link.a));
+            const double length = norm(position(link.b) - position(link.a));
             return length <= link.high * (1 + slight) && length >= link.low * (1 - slight);
         });
     }
@@ -173,7 +173,7 @@ template <int D, class Real> class EnergyLimiter {
             const auto& pin = world_.pins[pinned.pin];
             if (pin.hard() || !std::ranges::binary_search(motion.members(), pinned.slot)) continue;
             work += 0.5 * dot(cast<double>(pin.multiplier),
-                              motion.last_move(pinned.slot) + motion.move(pinned.slot) - frame * 2.0);
+                              motion.last_displacement(pinned.slot) + motion.displacement(pinned.slot) - frame * 2.0);
         }
         return work;
     }
@@ -190,7 +190,7 @@ template <int D, class Real> class EnergyLimiter {
         Stencil<typename Table::Kind, D, Real> stencil(scratch_, members.size());
         stencil.each([&](std::size_t i) {
             const Row slot = swept_.slot_of[members[i]];
-            stencil.points[i] = swept_.place_at(slot) + (moved ? swept_.move_at(slot) : Vec<D, Real>{});
+            stencil.points[i] = swept_.position_at(slot) + (moved ? swept_.displacement_at(slot) : Vec<D, Real>{});
         });
         const Real measure = unwrap<typename Table::Kind>(stencil.evaluate(stencil.points, stencil.gradient),
                                                           table.low(row), table.high(row));

@@ -14,14 +14,14 @@ namespace {
 
 /// The first of a port's load tethers.
 std::uint32_t first_tether(const Block& block, std::uint32_t port) {
-    return block.first_link + block.links - block.load_tethers + port * std::uint32_t(most_tethers);
+    return block.first_link + block.links - block.load_tethers + port * std::uint32_t(max_tethers);
 }
 
 /// Length of the shortest link at a node.
 template <int D> double shortest_link(const Blocks<D>& blocks, const Block& block, std::uint32_t node) {
     double shortest = double(limit::coordinate<double>);
     for (const auto& link : std::span(blocks.links).subspan(block.first_link, block.links - block.load_tethers))
-        if (link.a == node || link.b == node) shortest = minimum(shortest, link.length);
+        if (link.a == node || link.b == node) shortest = min(shortest, link.length);
     return shortest;
 }
 
@@ -147,7 +147,7 @@ template <int D, class Real> class GroupFinder {
     }
     void measure(double length) {
         auto& longest = ports_.groups.back().length;
-        if (length < double(limit::coordinate<Real>)) longest = maximum(longest, length);
+        if (length < double(limit::coordinate<Real>)) longest = max(longest, length);
     }
     /// Sorted: sums over a group must not depend on the order of the search, which depends on the past of the world.
     void end_group() {
@@ -195,11 +195,11 @@ template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Rea
     const detail::LoadTethers<D, Real> tethers(world, solver);
     for (const auto& block : blocks.attached_trees)
         for (std::uint32_t p = 0; p < block.ports; ++p)
-            tethers.set_anchors(std::span(blocks.links).subspan(first_tether(block, p), most_tethers));
+            tethers.set_anchors(std::span(blocks.links).subspan(first_tether(block, p), max_tethers));
     GroupFinder<D, Real>(world, solver).run();
     pass_more_often(solver);
     blocks.ports.free_moves.resize(solver.sweep_state.size());
-    blocks.ports.last_moves.resize(solver.sweep_state.size());
+    blocks.ports.last_displacements.resize(solver.sweep_state.size());
     blocks.ports.mobilities.resize(solver.sweep_state.size());
 }
 

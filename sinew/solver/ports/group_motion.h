@@ -25,10 +25,10 @@ template <int D, class Real> class GroupMotion {
         return std::span(ports_.anchors).subspan(group_.first_anchor, group_.anchors);
     }
     double mass(Row slot) const { return inverse_or_zero(ports_.mobilities[slot]); }
-    Vector place(Row slot) const { return cast<double>(swept_.place_at(slot)); }
-    Vector move(Row slot) const { return cast<double>(swept_.move_at(slot)); }
+    Vector position(Row slot) const { return cast<double>(swept_.position_at(slot)); }
+    Vector displacement(Row slot) const { return cast<double>(swept_.displacement_at(slot)); }
     /// Displacement in the substep before.
-    const Vector& last_move(Row slot) const { return ports_.last_moves[slot]; }
+    const Vector& last_displacement(Row slot) const { return ports_.last_displacements[slot]; }
     /// Displacement without constraints.
     const Vector& free_move(Row slot) const { return ports_.free_moves[slot]; }
 
@@ -39,7 +39,7 @@ template <int D, class Real> class GroupMotion {
         Vector center{}, velocity{};
         Spin rate{}; ///< radians a substep
 
-        Vector at(const Vector& place) const { return velocity + turning(rate, place - center); }
+        Vector at(const Vector& position) const { return velocity + turning(rate, position - center); }
     };
     Frame frame_of(const Motion& motion) const {
         return {motion.center, motion.momentum * inverse_or_zero(motion.mass), motion.rate_of(bodies(), place_of)};
@@ -51,15 +51,15 @@ template <int D, class Real> class GroupMotion {
             frame = frame_of(rigid());
             return true;
         }
-        frame.velocity = move(held.front());
-        return std::all_of(held.begin(), held.end(), [&](Row s) { return move(s) == frame.velocity; });
+        frame.velocity = displacement(held.front());
+        return std::all_of(held.begin(), held.end(), [&](Row s) { return displacement(s) == frame.velocity; });
     }
 
     /// Energy of the motion relative to a frame.
     double energy_beside(const Frame& frame) const {
         double sum = 0;
         for (const auto s : members()) {
-            const auto own = move(s) - frame.at(place(s));
+            const auto own = displacement(s) - frame.at(position(s));
             sum += 0.5 * mass(s) * dot(own, own);
         }
         return sum;
@@ -68,7 +68,7 @@ template <int D, class Real> class GroupMotion {
     double energy_between(const Frame& one, const Frame& other) const {
         double sum = 0;
         for (const auto s : members()) {
-            const auto from = one.at(place(s)) - one.velocity, to = other.at(place(s)) - other.velocity;
+            const auto from = one.at(position(s)) - one.velocity, to = other.at(position(s)) - other.velocity;
             sum += 0.5 * mass(s) * (dot(to, to) - dot(from, from));
         }
         return sum;
@@ -77,8 +77,8 @@ template <int D, class Real> class GroupMotion {
     /// Puts one frame in place of another, and scales the motion beside.
     void replace(const Frame& frame, const Frame& other, double share) const {
         for (const auto s : members()) {
-            const auto own = move(s) - frame.at(place(s));
-            swept_.set_move(s, cast<Real>(other.at(place(s)) + own * share));
+            const auto own = displacement(s) - frame.at(position(s));
+            swept_.set_displacement(s, cast<Real>(other.at(position(s)) + own * share));
         }
     }
     /// Takes the mean motion that constraints have added: they act within, and what they add is the rounding of the
@@ -86,13 +86,13 @@ template <int D, class Real> class GroupMotion {
     void take_drift() const {
         Vector added{};
         double whole = 0;
-        for (const auto s : members()) added += (move(s) - free_move(s)) * mass(s), whole += mass(s);
+        for (const auto s : members()) added += (displacement(s) - free_move(s)) * mass(s), whole += mass(s);
         const auto drift = added * inverse_or_zero(whole);
-        for (const auto s : members()) swept_.set_move(s, cast<Real>(move(s) - drift));
+        for (const auto s : members()) swept_.set_displacement(s, cast<Real>(displacement(s) - drift));
     }
     /// Moves all members with a frame.
     void stiffen(const Frame& frame) const {
-        for (const auto s : members()) swept_.set_move(s, cast<Real>(frame.at(place(s))));
+        for (const auto s : members()) swept_.set_displacement(s, cast<Real>(frame.at(position(s))));
     }
 
   private:
@@ -103,11 +103,11 @@ template <int D, class Real> class GroupMotion {
     /// A particle with its displacement in the substep as its velocity.
     struct Body {
         double mass = 0;
-        Vector place{}, velocity{};
+        Vector position{}, velocity{};
     };
-    static Vector place_of(const Body& body) { return body.place; }
+    static Vector place_of(const Body& body) { return body.position; }
     auto bodies() const {
-        return std::views::transform(members(), [this](Row s) { return Body{mass(s), place(s), move(s)}; });
+        return std::views::transform(members(), [this](Row s) { return Body{mass(s), position(s), displacement(s)}; });
     }
 };
 

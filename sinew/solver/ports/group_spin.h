@@ -12,27 +12,28 @@ template <int D, class Real> typename RigidMotion<D>::Spin due_spin(const GroupM
     const auto drift = after.momentum * inverse_or_zero(after.mass);
     typename RigidMotion<D>::Spin spin{};
     for (const auto s : group.members()) {
-        const auto arm = group.place(s) - after.center;
-        spin += moment(arm, group.last_move(s) * group.mass(s));
-        spin += moment(arm + (group.move(s) - drift) * 0.5, (group.free_move(s) - group.last_move(s)) * group.mass(s));
+        const auto arm = group.position(s) - after.center;
+        spin += moment(arm, group.last_displacement(s) * group.mass(s));
+        spin += moment(arm + (group.displacement(s) - drift) * 0.5,
+                       (group.free_move(s) - group.last_displacement(s)) * group.mass(s));
     }
     return spin;
 }
 
-/// Rate of a rotation, with as much of the added one as raises the energy by `most` or less: the fraction f of
+/// Rate of a rotation, with as much of the added one as raises the energy by `max_rise` or less: the fraction f of
 ///
-///     q f^2 + a f = most,        0 <= f <= 1
+///     q f^2 + a f = max_rise,        0 <= f <= 1
 template <int D, class Real>
 typename RigidMotion<D>::Spin affordable_rate(const GroupMotion<D, Real>& group, const GroupFrame<D, Real>& present,
-                                              const GroupFrame<D, Real>& added, double most) {
+                                              const GroupFrame<D, Real>& added, double max_rise) {
     const GroupFrame<D, Real> still{present.center, present.velocity, {}};
     auto whole = present;
     whole.rate = present.rate + added.rate;
     const double rise = group.energy_between(present, whole);
-    if (rise <= most) return whole.rate;
+    if (rise <= max_rise) return whole.rate;
     const double q = group.energy_between(still, added), a = rise - q;
-    const double root = square_root(maximum(a * a + 4 * q * most, 0.0));
-    const double f = a >= 0 ? 2 * most * inverse_or_zero(a + root) : (root - a) * inverse_or_zero(2 * q);
+    const double root = square_root(max(a * a + 4 * q * max_rise, 0.0));
+    const double f = a >= 0 ? 2 * max_rise * inverse_or_zero(a + root) : (root - a) * inverse_or_zero(2 * q);
     return present.rate + added.rate * clamp(f, 0.0, 1.0);
 }
 
@@ -51,7 +52,7 @@ void restore_spin(const GroupMotion<D, Real>& group, const typename RigidMotion<
     auto due = present;
     due.rate = motorized ? present.rate + added.rate : affordable_rate(group, present, added, inner + lost);
     const double rise = group.energy_between(present, due) - lost;
-    const double share = rise > 0 ? square_root(maximum(0.0, 1 - rise * inverse_or_zero(inner))) : 1;
+    const double share = rise > 0 ? square_root(max(0.0, 1 - rise * inverse_or_zero(inner))) : 1;
     group.replace(present, due, share);
 }
 

@@ -51,8 +51,8 @@ template <int D, class Real> class PortBlock {
         double fed = 0;
         for (const auto& port : state_.ports()) {
             const auto& node = blocks_.nodes[port.node];
-            const auto seen = state_.move_of(node);
-            fed += dot(port.impulse, node.place - state_.begin_of(node) - seen);
+            const auto seen = state_.displacement_of(node);
+            fed += dot(port.impulse, node.position - state_.begin_of(node) - seen);
         }
         return fed / square(state_.substep());
     }
@@ -68,7 +68,7 @@ template <int D, class Real> class PortBlock {
     bool solve_by_chord() {
         state_.load();
         if (!keeps_factors()) return false;
-        const auto guess = [&](const BlockNode<D>& node) { return state_.last_move_of(node); };
+        const auto guess = [&](const BlockNode<D>& node) { return state_.last_displacement_of(node); };
         if (block_.is_factorised && ChordSolve<D>(blocks_, block_, state_.substep()).run(guess)) return true;
         state_.start_tensions();
         ChordSolve<D> solve(blocks_, block_, state_.substep());
@@ -113,15 +113,15 @@ template <int D, class Real> class PortBlock {
         for (int i = 0; i < tries; ++i) {
             if (solve.run(Rule::static_projection, many, [] {})) return;
             relax_links(blocks_, block_); // comes nearer from anywhere
-            for (auto& node : state_.unknowns()) node.start = node.place;
+            for (auto& node : state_.unknowns()) node.start = node.position;
             state_.forget_tensions();
         }
         go_as_one();
     }
     void go_as_one() {
         state_.load();
-        const auto move = state_.is_held() ? Vec<D, double>{} : state_.mean_move();
-        for (auto& node : state_.unknowns()) node.place = node.start + move;
+        const auto displacement = state_.is_held() ? Vec<D, double>{} : state_.mean_displacement();
+        for (auto& node : state_.unknowns()) node.position = node.start + displacement;
     }
 
     /// Equations of simple links alone keep their factors for the chord method.
@@ -136,7 +136,7 @@ template <int D, class Real> class PortBlock {
     void find_free_moves() {
         for (auto& port : state_.ports()) {
             const auto& node = blocks_.nodes[port.node];
-            port.free_move = node.place - state_.begin_of(node);
+            port.free_move = node.position - state_.begin_of(node);
             for (const auto& other : state_.ports())
                 port.free_move -= PortResponse<D>::response(blocks_, block_, port.number, other.number) * other.impulse;
         }

@@ -27,11 +27,13 @@ template <int D, class Real> class PortBlockState {
     /// All but the load tethers.
     std::span<DistanceRow<D>> own_links() const { return links().first(block_.links - block_.load_tethers); }
     std::span<AngleRow<D>> bends() const { return std::span(blocks_.bends).subspan(block_.first_bend, block_.bends); }
-    Vector begin_of(const BlockNode<D>& node) const { return cast<double>(swept_.place_at(slot(node))); }
+    Vector begin_of(const BlockNode<D>& node) const { return cast<double>(swept_.position_at(slot(node))); }
     /// Displacement of a node in the sweep.
-    Vector move_of(const BlockNode<D>& node) const { return cast<double>(swept_.move_at(slot(node))); }
+    Vector displacement_of(const BlockNode<D>& node) const { return cast<double>(swept_.displacement_at(slot(node))); }
     /// Displacement of a node in the substep before.
-    const Vector& last_move_of(const BlockNode<D>& node) const { return blocks_.ports.last_moves[slot(node)]; }
+    const Vector& last_displacement_of(const BlockNode<D>& node) const {
+        return blocks_.ports.last_displacements[slot(node)];
+    }
     double substep() const { return h_; }
 
     /// State at the begin of the substep, with the impulses at the ports.
@@ -50,9 +52,9 @@ template <int D, class Real> class PortBlockState {
             node.push = port.impulse * (inverse_or_zero(node.mass) / square(h_));
         }
         for (auto& node : nodes().subspan(block_.unknowns)) {
-            node.velocity = node.move = {};
+            node.velocity = node.displacement = {};
             node.start = begin_of(node);
-            node.place = node.start + move_of(node); // moving pins
+            node.position = node.start + displacement_of(node); // moving pins
         }
     }
 
@@ -73,8 +75,8 @@ template <int D, class Real> class PortBlockState {
         for (auto& node : unknowns()) swept_.mobility[slot(node)] = 0;
         for (auto& port : ports()) {
             port.impulse = {};
-            const auto move = clamp_components(port.free_move, furthest());
-            swept_.set_move(slot(blocks_.nodes[port.node]), cast<Real>(move));
+            const auto displacement = clamp_components(port.free_move, furthest());
+            swept_.set_displacement(slot(blocks_.nodes[port.node]), cast<Real>(displacement));
         }
     }
 
@@ -82,8 +84,8 @@ template <int D, class Real> class PortBlockState {
         const auto drift = is_held() ? Vector{} : drift_of();
         for (auto& node : unknowns()) {
             const auto s = slot(node);
-            const auto move = node.place - begin_of(node) - drift;
-            swept_.set_move(s, cast<Real>(clamp_components(move, furthest())));
+            const auto displacement = node.position - begin_of(node) - drift;
+            swept_.set_displacement(s, cast<Real>(clamp_components(displacement, furthest())));
             swept_.mobility[s] = Real(blocks_.ports.mobilities[s]);
         }
         for (auto& link : links()) link.before = link.tension;
@@ -94,7 +96,7 @@ template <int D, class Real> class PortBlockState {
 
     bool is_held() const { return block_.fixed() || is_tethered(); }
     /// Mean motion of a free block under the impulses at the ports.
-    Vector mean_move() const {
+    Vector mean_displacement() const {
         double mass = 0;
         Vector sum{};
         for (const auto& node : unknowns()) sum += blocks_.ports.free_moves[slot(node)] * node.mass, mass += node.mass;
@@ -125,7 +127,7 @@ template <int D, class Real> class PortBlockState {
         return swept_.slot_of[node.row];
     }
     /// Bound of a displacement within which float stays finite.
-    double furthest() const { return double(furthest_move(Real(h_))); }
+    double furthest() const { return double(max_displacement(Real(h_))); }
 
     bool is_tethered() const {
         const auto tethers = links().last(block_.load_tethers);
@@ -136,14 +138,14 @@ template <int D, class Real> class PortBlockState {
     Vector drift_of() const {
         double mass = 0;
         Vector sum{};
-        for (const auto& node : unknowns()) sum += (node.place - begin_of(node)) * node.mass, mass += node.mass;
-        return sum * inverse_or_zero(mass) - mean_move();
+        for (const auto& node : unknowns()) sum += (node.position - begin_of(node)) * node.mass, mass += node.mass;
+        return sum * inverse_or_zero(mass) - mean_displacement();
     }
 
     /// Force as a multiplier of the sweep.
     void note(Real& multiplier, double force) const {
-        constexpr double most = double(limit::multiplier<Real>);
-        multiplier = Real(clamp(-force * square(h_), -most, most));
+        constexpr double max = double(limit::multiplier<Real>);
+        multiplier = Real(clamp(-force * square(h_), -max, max));
     }
 };
 

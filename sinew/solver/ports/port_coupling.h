@@ -42,7 +42,7 @@ template <int D, class Real> class PortCoupling {
 
     void begin_again() {
         for (Row s = 0; s < swept_.size(); ++s) {
-            swept_.set_move(s, cast<Real>(blocks_.ports.free_moves[s]));
+            swept_.set_displacement(s, cast<Real>(blocks_.ports.free_moves[s]));
             if (has_walls(world_)) swept_.rebound[s] = {};
         }
         each([&](Block& block, PortBlock<D, Real> solver) {
@@ -67,7 +67,7 @@ template <int D, class Real> class PortCoupling {
     void note_free_moves() {
         auto& ports = blocks_.ports;
         for (Row s = 0; s < swept_.size(); ++s) {
-            ports.free_moves[s] = cast<double>(swept_.move_at(s));
+            ports.free_moves[s] = cast<double>(swept_.displacement_at(s));
             ports.mobilities[s] = double(swept_.mobility[s]);
         }
     }
@@ -99,7 +99,7 @@ template <int D, class Real> class PortCoupling {
         auto& ports = blocks_.ports;
         const auto members = table.members[row];
         Stencil<typename Table::Kind, D, Real> stencil(solver_.scratch, members.size());
-        stencil.each([&](std::size_t i) { stencil.points[i] = swept_.place_at(swept_.slot_of[members[i]]); });
+        stencil.each([&](std::size_t i) { stencil.points[i] = swept_.position_at(swept_.slot_of[members[i]]); });
         stencil.evaluate(stencil.points, stencil.gradient);
         stencil.each([&](std::size_t i) {
             if (ports.at[members[i]] == ports.none) return;

@@ -53,7 +53,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
                 sum += double(handicap(split, j)) * dot(cast<double>(stencil.gradient[i]), moved);
             });
         });
-        return Real(maximum(sum, 0.0));
+        return Real(max(sum, 0.0));
     }
 
     /// Trust region of the linear model: half a link about the place of linearisation.
@@ -62,12 +62,12 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
         double share = 1;
         stencil.each([&](std::size_t i) {
             if (!is_port(members[i])) return;
-            Vec<D, double> move{};
+            Vec<D, double> displacement{};
             stencil.each([&](std::size_t j) {
                 const auto impulse = cast<double>(stencil.direction[j]) * double(handicap(split, j) * change);
-                move += response(members[i], members[j], impulse);
+                displacement += response(members[i], members[j], impulse);
             });
-            share = minimum(share, trusted_share(ports_.list[ports_.at[members[i]]], members[i], move));
+            share = min(share, trusted_share(ports_.list[ports_.at[members[i]]], members[i], displacement));
         });
         return Real(share);
     }
@@ -93,11 +93,12 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
 
     bool is_port(Row row) const { return ports_.at[row] != ports_.none; }
 
-    double trusted_share(const Port<D>& port, Row row, const Vec<D, double>& move) const {
-        const auto moved = cast<double>(this->sweep_state.move_at(this->sweep_state.slot_of[row])) - port.free_move;
-        if (dot(moved, move) < 0) return 1;
-        const double left = maximum(0.0, port.radius - norm(moved));
-        const double length = norm(move);
+    double trusted_share(const Port<D>& port, Row row, const Vec<D, double>& displacement) const {
+        const auto moved =
+            cast<double>(this->sweep_state.displacement_at(this->sweep_state.slot_of[row])) - port.free_move;
+        if (dot(moved, displacement) < 0) return 1;
+        const double left = max(0.0, port.radius - norm(moved));
+        const double length = norm(displacement);
         return length > left ? left / length : 1;
     }
     const Matrix<D, double>& response(const Block& block, std::uint32_t q, std::uint32_t p) const {

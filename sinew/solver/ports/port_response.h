@@ -29,9 +29,9 @@ template <int D> class PortResponse {
         for (auto& link : equations_.links().all()) {
             link.stiffness = holds(link, held) ? equations_.links().stiffness() * link.per_length2 : 0;
             if (link.stiffness == 0) continue;
-            link.along = equations_.node(link.b).place - equations_.node(link.a).place;
+            link.along = equations_.node(link.b).position - equations_.node(link.a).position;
             auto matrix = outer(link.along * link.stiffness, link.along);
-            if (held == Held::as_solved) matrix += Matrix<D, double>::diagonal(maximum(link.tension, 0.0));
+            if (held == Held::as_solved) matrix += Matrix<D, double>::diagonal(max(link.tension, 0.0));
             equations_.links().add(link, matrix, Vector{});
         }
         equations_.bends().stiffen(held == Held::as_solved, equations_.links().stiffness());
@@ -69,7 +69,7 @@ template <int D> class PortResponse {
         blocks_.nodes[port(p).node].residual = Vector::axis(axis) * per_h2;
         solve_block_again(blocks_, block_);
         for (std::uint32_t q = 0; q < block_.ports; ++q)
-            response(blocks_, block_, q, p).column[std::size_t(axis)] = blocks_.nodes[port(q).node].move;
+            response(blocks_, block_, q, p).column[std::size_t(axis)] = blocks_.nodes[port(q).node].displacement;
     }
 };
 

@@ -42,14 +42,14 @@ template <class V, bool whole> struct BodyReader {
 };
 
 template <int D, class V> struct MomentPacks {
-    V mass{}, square{}, place[D] = {}, momentum[D] = {}, spin[spins<D>] = {}, second[D][D] = {};
+    V mass{}, square{}, position[D] = {}, momentum[D] = {}, spin[spins<D>] = {}, second[D][D] = {};
 
     [[gnu::always_inline]] void add(const V& m, const V (&x)[D], const V (&v)[D]) {
         mass += m;
 #pragma GCC unroll 3
         for (int k = 0; k < D; ++k) {
             const V weighed = x[k] * m;
-            place[k] += weighed;
+            position[k] += weighed;
             momentum[k] += v[k] * m;
             square += v[k] * v[k] * m;
 #pragma GCC unroll 3
@@ -73,20 +73,20 @@ template <int D, class V> using MomentSums = std::array<MomentPacks<D, V>, sums_
 template <int D, class V, bool whole, class Real>
 void add_moments(MomentSums<D, V>& sums, const BodyColumns<D, Real>& body, std::size_t first, std::size_t last) {
     constexpr double no_mass = std::numeric_limits<double>::infinity();
-    constexpr double least_mobility = 1 / immovable_mass;
+    constexpr double min_mobility = 1 / immovable_mass;
     const BodyReader<V, whole> reader{body.slots, body.first, body.count};
     for (std::size_t at = first; at < last; at += sums_at_once)
         for (std::size_t p = 0; p < sums.size(); ++p) {
             const std::size_t i = at + p * (sums_at_once / sums.size());
-            V place[D], move[D];
+            V position[D], displacement[D];
 #pragma GCC unroll 3
             for (int k = 0; k < D; ++k) {
                 const auto column = std::size_t(k) * body.stride;
-                place[k] = reader.get(body.place + column, i, body.origin[k]) - body.origin[k];
-                move[k] = reader.get(body.move + column, i, body.drift[k]) - body.drift[k];
+                position[k] = reader.get(body.position + column, i, body.origin[k]) - body.origin[k];
+                displacement[k] = reader.get(body.displacement + column, i, body.drift[k]) - body.drift[k];
             }
-            sums[p].add(1.0 / lane::most(reader.get(body.mobility, i, no_mass), spread<V>(least_mobility)), place,
-                        move);
+            sums[p].add(1.0 / lane::max(reader.get(body.mobility, i, no_mass), spread<V>(min_mobility)), position,
+                        displacement);
         }
 }
 
@@ -102,7 +102,7 @@ template <int D, class Real> void moments_of(const BodyColumns<D, Real>& body, M
             total.square += lane_of(pack.square, i);
             for (int k = 0; k < spins<D>; ++k) total.spin[k] += lane_of(pack.spin[k], i);
             for (int k = 0; k < D; ++k) {
-                total.place[k] += lane_of(pack.place[k], i);
+                total.position[k] += lane_of(pack.position[k], i);
                 total.momentum[k] += lane_of(pack.momentum[k], i);
                 for (int j = 0; j <= k; ++j) total.second.column[std::size_t(j)][k] += lane_of(pack.second[k][j], i);
             }
@@ -119,8 +119,8 @@ template <class V, int D, class Real>
 #pragma GCC unroll 3
     for (int k = 0; k < D; ++k) {
         const auto column = std::size_t(k) * body.stride;
-        arm[k] = doubles_at<V>(body.place + column, at) - by.center[k];
-        moves[k] = doubles_at<V>(body.move + column, at);
+        arm[k] = doubles_at<V>(body.position + column, at) - by.center[k];
+        moves[k] = doubles_at<V>(body.displacement + column, at);
     }
     if constexpr (D == 2)
         turned[0] = arm[1] * -by.rate[0], turned[1] = arm[0] * by.rate[0];
@@ -130,12 +130,12 @@ template <class V, int D, class Real>
             turned[k] = by.rate[(k + 1) % D] * arm[(k + 2) % D] - by.rate[(k + 2) % D] * arm[(k + 1) % D];
 #pragma GCC unroll 3
     for (int k = 0; k < D; ++k) {
-        const V move = moves[k] + turned[k] - (moves[k] - by.drift[k]) * by.loss;
-        Real* const to = body.move + std::size_t(k) * body.stride + at;
+        const V displacement = moves[k] + turned[k] - (moves[k] - by.drift[k]) * by.loss;
+        Real* const to = body.displacement + std::size_t(k) * body.stride + at;
         if constexpr (width == 1)
-            *to = Real(within(move, double(by.most)));
+            *to = Real(within(displacement, double(by.max)));
         else
-            store(to, __builtin_convertvector(within(move, spread<V>(double(by.most))), Pack<Real, width>));
+            store(to, __builtin_convertvector(within(displacement, spread<V>(double(by.max))), Pack<Real, width>));
     }
 }
 

@@ -11,8 +11,8 @@ template <int D, class V> class ChainSwing : ChainImpulses<D, V> {
     using Equations = ChainEquations<D, V>;
     using Impulses = ChainImpulses<D, V>;
     using Base::active_at_start_, Base::moved2_, Base::before_, Base::after_, Base::due_, Base::jolt_, Base::beyond_;
-    using Base::number, Base::of, Base::at, Base::h_, Base::keep_, Base::half_h2_, Base::least_pull_;
-    using Base::usual_error, Base::exact, Base::hardly, Base::crude, Base::as_good_as_taut, Base::most_iterations;
+    using Base::number, Base::of, Base::at, Base::h_, Base::keep_, Base::half_h2_, Base::min_pull_;
+    using Base::usual_error, Base::exact, Base::hardly, Base::crude, Base::as_good_as_taut, Base::max_iterations;
     using Equations::pack_, Equations::nodes_, Equations::links_, Equations::slight_, Equations::flipped_;
     using Equations::take_step;
     using Equations::tightened_, Equations::pulls_only, Equations::eliminate, Equations::substitute_back;
@@ -34,11 +34,11 @@ template <int D, class V> class ChainSwing : ChainImpulses<D, V> {
         Mask good = none;
         iterate(active, good);
         alien = without(chosen, active_at_start_) ? number(1) : alien;
-        const Mask astray = both(good, (least_pull_ < -slight_) | (beyond_ > V{}));
+        const Mask astray = both(good, (min_pull_ < -slight_) | (beyond_ > V{}));
         good = without(good, astray);
         alien = astray ? number(1) : alien;
         const Mask struck = both(good, (jolt_ * number(pack_.longest) > number(usual_error)) | (tightened_ > V{}));
-        V lost = most(due_ - after_, V{});
+        V lost = max(due_ - after_, V{});
         if (any(struck)) straighten(struck, good, alien, lost);
         if (any(good)) store_good(good);
         Base::report(good, alien, lost);
@@ -49,14 +49,14 @@ template <int D, class V> class ChainSwing : ChainImpulses<D, V> {
     void set_out() {
         const V unit = half_h2_ * of(pack_.yield);
         const Pair fall = Base::push() * half_h2_;
-        at(nodes_[0].start).to(nodes_[0].place);
+        at(nodes_[0].start).to(nodes_[0].position);
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
-            const Pair start = at(node.start), velocity = at(node.velocity) * keep_, place = start + velocity * h_;
-            place.to(node.place);
-            (place + fall).to(node.aim);
+            const Pair start = at(node.start), velocity = at(node.velocity) * keep_, position = start + velocity * h_;
+            position.to(node.position);
+            (position + fall).to(node.predicted);
             (start - at(nodes_[i - 1].start)).to(node.begun);
-            (place - at(nodes_[i - 1].place)).to(node.span);
+            (position - at(nodes_[i - 1].position)).to(node.span);
             node.pull = node.tension * unit;
             const Pair span = at(node.begun);
             const V length2 = dot(span, span) * node.per_length2;
@@ -77,8 +77,8 @@ template <int D, class V> class ChainSwing : ChainImpulses<D, V> {
             const Pair velocity = at(node.velocity) * keep_, span = at(node.begun);
             const V error = dot(span, span) * node.per_length2 - number(1);
             const V growth = dot(span, velocity - before) * node.per_length2;
-            strain = most(node.holds > V{} ? size_of(error) : error, strain);
-            rate = most(pulls_only(node) ? (node.tension > V{} ? growth : V{}) : size_of(growth), rate);
+            strain = max(node.holds > V{} ? size_of(error) : error, strain);
+            rate = max(pulls_only(node) ? (node.tension > V{} ? growth : V{}) : size_of(growth), rate);
             before = velocity;
         }
         const V longest = number(pack_.longest);
@@ -90,7 +90,7 @@ template <int D, class V> class ChainSwing : ChainImpulses<D, V> {
     void iterate(Mask& active, Mask& good) {
         active_at_start_ = active;
         const V near = of(pack_.reach) * number(hardly), near2 = near * near;
-        for (int i = 0; i < most_iterations && any(active); ++i) {
+        for (int i = 0; i < max_iterations && any(active); ++i) {
             eliminate();
             substitute_back();
             const V worst = take_step(active);
@@ -110,15 +110,15 @@ template <int D, class V> class ChainSwing : ChainImpulses<D, V> {
         after_ = jolt_ = beyond_ = V{};
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
-            const Pair went = at(node.place) - at(node.start), velocity = went * per - at(node.velocity) * keep_;
+            const Pair went = at(node.position) - at(node.start), velocity = went * per - at(node.velocity) * keep_;
             const Pair span = at(node.span), begun = at(node.begun);
             velocity.to(node.after);
             after_ = after_ + dot(velocity, velocity) * node.mass * number(0.5);
             carried = carried + went * node.mass;
             slip = slip + (dot(span, span) - dot(begun, begun)) * node.pull;
-            jolt_ = most(size_of(dot(span, velocity - before)) * node.per_length2 * node.holds, jolt_);
+            jolt_ = max(size_of(dot(span, velocity - before)) * node.per_length2 * node.holds, jolt_);
             before = velocity;
-            Base::measure_room(node.place);
+            Base::measure_room(node.position);
         }
         return Base::conserves(carried, slip, before_ + after_, tightened_ > V{});
     }
@@ -128,10 +128,10 @@ template <int D, class V> class ChainSwing : ChainImpulses<D, V> {
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
             for (int k = 0; k < D; ++k) {
-                node.start[k] = good ? node.place[k] : node.start[k];
+                node.start[k] = good ? node.position[k] : node.start[k];
                 node.velocity[k] = good ? node.after[k] : node.velocity[k];
             }
-            node.tension = good ? (pulls_only(node) ? most(node.pull, V{}) : node.pull) * per : node.tension;
+            node.tension = good ? (pulls_only(node) ? max(node.pull, V{}) : node.pull) * per : node.tension;
         }
     }
 };

@@ -15,7 +15,7 @@ template <int D, class V> class ChainEquations : protected LaneSwing<D, V> {
     using Node = ChainNode<D, V>;
 
   protected:
-    using Base::far2_, Base::moved2_, Base::number, Base::of, Base::at, Base::half_h2_, Base::least_pull_;
+    using Base::far2_, Base::moved2_, Base::number, Base::of, Base::at, Base::half_h2_, Base::min_pull_;
     using typename Base::Mask;
     using typename Base::Pair;
 
@@ -45,8 +45,8 @@ template <int D, class V> class ChainEquations : protected LaneSwing<D, V> {
         for (int i = links_; i > 0; --i) {
             auto& node = nodes_[i];
             const Pair e = at(node.span), a = (at(node.begun) + e) * half;
-            const V g = most(node.pull, V{}) * half; // none of a slack link, whose multiplier is zero
-            r = r + (at(node.aim) - at(node.place)) * node.mass;
+            const V g = max(node.pull, V{}) * half; // none of a slack link, whose multiplier is zero
+            r = r + (at(node.predicted) - at(node.position)) * node.mass;
             s.add_to_diagonal(node.mass + g);
             V determinant;
             const auto n = adjugate(s, determinant);
@@ -57,7 +57,7 @@ template <int D, class V> class ChainEquations : protected LaneSwing<D, V> {
             const V gp = g * per;
             const Pair q = e - w * gp, p = (a - u * gp) * stiffness;
             const V error = (dot(e, e) - node.length2) * half + dot(w, r) * per;
-            (y * per).to(node.move);
+            (y * per).to(node.displacement);
             (u * per).to(node.lever);
             q.to(node.across);
             node.error = error;
@@ -71,7 +71,7 @@ template <int D, class V> class ChainEquations : protected LaneSwing<D, V> {
                     s.at[D * k + j] = p.at[k] * q.at[j] - carried * g;
                 }
             s.add_to_diagonal(g);
-            r = at(node.move) * g + p * error;
+            r = at(node.displacement) * g + p * error;
         }
     }
 
@@ -85,12 +85,12 @@ template <int D, class V> class ChainEquations : protected LaneSwing<D, V> {
 #pragma GCC unroll 9
             for (int k = 0; k < D * D; ++k) carried.at[k] = node.carried[k];
             const Pair before = d;
-            d = at(node.move) + carried * d - at(node.lever) * f;
-            d.to(node.move);
+            d = at(node.displacement) + carried * d - at(node.lever) * f;
+            d.to(node.displacement);
             node.next = f;
             const Pair change = d - before;
-            far2_ = most(dot(change, change) * node.per_length2, far2_);
-            moved2_ = most(dot(d, d), moved2_);
+            far2_ = max(dot(change, change) * node.per_length2, far2_);
+            moved2_ = max(dot(d, d), moved2_);
         }
     }
 
@@ -98,20 +98,20 @@ template <int D, class V> class ChainEquations : protected LaneSwing<D, V> {
     V take_step(const Mask& active) {
         const V share = Base::trusted_share();
         V worst{};
-        Pair before = at(nodes_[0].place);
-        least_pull_ = number(1);
+        Pair before = at(nodes_[0].position);
+        min_pull_ = number(1);
         flipped_ = tightened_ = V{};
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
-            Base::move(node.place, at(node.move) * share, active);
+            Base::move(node.position, at(node.displacement) * share, active);
             node.pull = active ? node.pull + (node.next - node.pull) * share : node.pull;
-            const Pair place = at(node.place), span = place - before;
+            const Pair position = at(node.position), span = position - before;
             span.to(node.span);
-            before = place;
+            before = position;
             const V error = (dot(span, span) - node.length2) * node.per_length2;
             choose_side(node, error, active);
-            worst = most(node.holds > V{} ? size_of(error) : error, worst);
-            least_pull_ = pulls_only(node) ? least(node.pull, least_pull_) : least_pull_;
+            worst = max(node.holds > V{} ? size_of(error) : error, worst);
+            min_pull_ = pulls_only(node) ? min(node.pull, min_pull_) : min_pull_;
             tightened_ = both(both(pulls_only(node), node.tension <= V{}), node.pull > V{}) ? number(1) : tightened_;
         }
         return worst * number(0.5);
@@ -120,9 +120,9 @@ template <int D, class V> class ChainEquations : protected LaneSwing<D, V> {
     /// Releases a link that would push, unless it has become active too often, and activates a slack one that is too
     /// long: the active set of direct/multiplier_update.h. `error`: of the squared length, relative.
     void choose_side(Node& node, const V& error, const Mask& active) {
-        constexpr double most_flips = 2, long_enough = 2e-7;
+        constexpr double max_flips = 2, long_enough = 2e-7;
         const Mask may = both(active, pulls_only(node)), holds = node.holds > V{};
-        const Mask released = both(both(may, holds), both(node.pull < -slight_, node.flips <= number(most_flips)));
+        const Mask released = both(both(may, holds), both(node.pull < -slight_, node.flips <= number(max_flips)));
         const Mask seized = both(without(may, holds), error > number(long_enough));
         node.holds = released ? V{} : seized ? number(1) : node.holds;
         node.pull = released ? V{} : node.pull;

@@ -34,16 +34,17 @@ template <int D, class V> class ChainImpulses : protected ChainEquations<D, V> {
             undecided = both(struck, change_sides());
         }
         constexpr double fastest = 1.1, much = 1.02;
-        const V share = tightened ? number(1) : least(root(after_ / kinetic), number(fastest));
+        const V share = tightened ? number(1) : min(root(after_ / kinetic), number(fastest));
         for (int i = 1; i <= links_; ++i)
-            for (int k = 0; k < D; ++k) nodes_[i].after[k] = struck ? nodes_[i].move[k] * share : nodes_[i].after[k];
+            for (int k = 0; k < D; ++k)
+                nodes_[i].after[k] = struck ? nodes_[i].displacement[k] * share : nodes_[i].after[k];
         const Mask little = (after_ <= kinetic * number(much)) | tightened, shortest = of(pack_.shortest) > V{};
         good = without(good, without(without(struck, little), shortest));
         alien = both(good, undecided) ? number(1) : alien;
         good = without(good, undecided);
         lost = struck ? lost + (after_ - kinetic * share * share) : lost;
     }
-    /// Velocities after the impulses, in `move`; returns the kinetic energy, J.
+    /// Velocities after the impulses, in `displacement`; returns the kinetic energy, J.
     V apply_impulses() {
         V kinetic{};
         Pair before_next{};
@@ -51,7 +52,7 @@ template <int D, class V> class ChainImpulses : protected ChainEquations<D, V> {
             auto& node = nodes_[i];
             const Pair impulse = at(node.span) * node.next, kick = (before_next - impulse) * (number(1) / node.mass);
             const Pair velocity = at(node.after) + kick;
-            velocity.to(node.move);
+            velocity.to(node.displacement);
             kinetic = kinetic + dot(velocity, velocity) * node.mass * number(0.5);
             before_next = impulse;
         }
@@ -64,13 +65,14 @@ template <int D, class V> class ChainImpulses : protected ChainEquations<D, V> {
         Pair before{};
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
-            const V growth = dot(at(node.span), at(node.move) - before) * node.per_length2 * number(pack_.longest);
+            const V growth =
+                dot(at(node.span), at(node.displacement) - before) * node.per_length2 * number(pack_.longest);
             const Mask may = both(pulls_only(node), node.pull > V{}), holds = node.holds > V{};
             const Mask pushes = both(both(may, holds), node.next < V{});
             const Mask grows = both(without(may, holds), growth > number(exact));
             node.holds = pushes ? V{} : grows ? number(1) : node.holds;
             changed = (pushes | grows) ? number(1) : changed;
-            before = at(node.move);
+            before = at(node.displacement);
         }
         return changed > V{};
     }

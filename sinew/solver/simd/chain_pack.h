@@ -16,17 +16,17 @@ template <int D, class V> struct ChainNode {
     V tension;     ///< multiplier of (length^2 - limit^2) / 2 at the start of the substep, N/m
 
     // Work space of a substep.
-    V place[D], aim[D];  ///< position in this iteration, and without links, m
-    V begun[D], span[D]; ///< link at the start of the substep, and in this iteration, m
-    V after[D];          ///< velocity at the end of the substep, m/s
-    V pull, next;        ///< multiplier in this iteration and the next, kg
-    V holds;             ///< 1: the link is active; 0: slack
-    V flips;             ///< number of times the link has become active in this substep
-    V move[D];           ///< Newton step, m
-    V carried[D * D];    ///< move of this node per move of the node before
-    V lever[D];          ///< move of this node per multiplier of the link, negated
-    V across[D];         ///< row of the link after the elimination of this node
-    V error, stiffness;  ///< right-hand side of that row, and its inverse pivot
+    V position[D], predicted[D]; ///< position in this iteration, and without links, m
+    V begun[D], span[D];         ///< link at the start of the substep, and in this iteration, m
+    V after[D];                  ///< velocity at the end of the substep, m/s
+    V pull, next;                ///< multiplier in this iteration and the next, kg
+    V holds;                     ///< 1: the link is active; 0: slack
+    V flips;                     ///< number of times the link has become active in this substep
+    V displacement[D];           ///< Newton step, m
+    V carried[D * D];            ///< move of this node per move of the node before
+    V lever[D];                  ///< move of this node per multiplier of the link, negated
+    V across[D];                 ///< row of the link after the elimination of this node
+    V error, stiffness;          ///< right-hand side of that row, and its inverse pivot
 };
 
 /// A substep of several chains of the same number of links. The first node is immovable.

@@ -66,7 +66,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     /// Links from a number on: ends with their displacements, link now, and direction of correction.
     template <class V> struct Link {
         Ends a, b;
-        V move_a[D], move_b[D];
+        V displacement_a[D], displacement_b[D];
         V e[D], d[D];
         V e2{}, d2{}, d_e{};
     };
@@ -83,8 +83,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         if constexpr (rules.range || rules.kept) length = root(link.e2);
         if constexpr (rules.compliant) resistance = resistance + limits.alpha * (length * d_length);
         // zero length or mobility gives zero resistance: the products below are then zero
-        constexpr Real least_resistance = sizeof(Real) == 4 ? Real(1e-26) : Real(1e-200);
-        const V per = Real(1) / most(resistance, spread<V>(least_resistance));
+        constexpr Real min_resistance = sizeof(Real) == 4 ? Real(1e-26) : Real(1e-200);
+        const V per = Real(1) / max(resistance, spread<V>(min_resistance));
         if constexpr (rules.kept) {
             const V gain = w_a + w_b > zero ? length * per * d_length : zero;
             const V s = store_lambda<V, all>(i, count, limits, length, d_length, gain);
@@ -92,7 +92,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         } else {
             V s;
             if constexpr (rules.range)
-                s = (most(limits.low - length, zero) + least(limits.high - length, zero)) * length;
+                s = (max(limits.low - length, zero) + min(limits.high - length, zero)) * length;
             else
                 s = lacking_of(limits.low, link.e2);
             move<V, all>(link, s * (per * w_a), s * (per * w_b), count);
@@ -105,11 +105,11 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         link.a = a, link.b = b;
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
-            link.move_a[k] = a.template get<V>(columns.move + k * columns.stride, count);
-            link.move_b[k] = b.template get<V>(columns.move + k * columns.stride, count);
-            link.d[k] = b.template get<V>(columns.place + k * columns.stride, count) -
-                        a.template get<V>(columns.place + k * columns.stride, count);
-            link.e[k] = link.d[k] + (link.move_b[k] - link.move_a[k]);
+            link.displacement_a[k] = a.template get<V>(columns.displacement + k * columns.stride, count);
+            link.displacement_b[k] = b.template get<V>(columns.displacement + k * columns.stride, count);
+            link.d[k] = b.template get<V>(columns.position + k * columns.stride, count) -
+                        a.template get<V>(columns.position + k * columns.stride, count);
+            link.e[k] = link.d[k] + (link.displacement_b[k] - link.displacement_a[k]);
             link.e2 = k ? link.e2 + link.e[k] * link.e[k] : link.e[k] * link.e[k];
         }
         choose_direction(link);
@@ -118,15 +118,14 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
 
     /// The direction at the start of the substep, in `d`, is kept with `old_gradient` if it agrees with the link now.
     template <class V> [[gnu::always_inline]] void choose_direction(Link<V>& link) const {
-        auto& [a, b, move_a, move_b, e, d, e2, d2, d_e] = link;
+        auto& [a, b, displacement_a, displacement_b, e, d, e2, d2, d_e] = link;
         if constexpr (rules.old_gradient) {
             const V zero{};
             d2 = d_e = zero;
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d2 = d2 + d[k] * d[k], d_e = d_e + d[k] * e[k];
-            const Real agreement =
-                run.old_gradient ? Real(least_agreement * least_agreement) : Real(2); // 2: never agree
-            const auto agree = d_e * most(d_e, zero) > agreement * (e2 * d2);
+            const Real agreement = run.old_gradient ? Real(min_agreement * min_agreement) : Real(2); // 2: never agree
+            const auto agree = d_e * max(d_e, zero) > agreement * (e2 * d2);
             d2 = agree ? d2 : e2, d_e = agree ? d_e : e2;
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) d[k] = agree ? d[k] : e[k];
@@ -145,8 +144,8 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         const V slack = rules.compliant ? limits.alpha * lambda : zero;
         const V pushing = lambda + (limits.low - length - slack) * gain;
         const V pulling = lambda + (limits.high - length - slack) * gain;
-        V next = within(most(pushing, zero) + least(pulling, zero), spread<V>(limit::multiplier<Real>));
-        if (pass.again) next = least(next, lambda); // repair only shortens
+        V next = within(max(pushing, zero) + min(pulling, zero), spread<V>(limit::multiplier<Real>));
+        if (pass.again) next = min(next, lambda); // repair only shortens
         note<V, all>(i, count, next, limits.low > zero ? length : spread<V>(Real(1)));
         const V divisor = d_length > zero ? d_length : spread<V>(Real(1)); // masked lanes are divided, too
         return d_length > zero ? (next - lambda) / divisor : zero;
@@ -155,7 +154,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     /// (limit - length) length. Near the limit half of the difference of the squares is accurate and needs no root; not
     /// used for inequalities: the error would make the link bounce.
     template <class V> [[gnu::always_inline]] static V lacking_of(const V& limit, const V& e2) {
-        const V lack = Real(0.5) * (limit * limit - e2), near = e2 * Real(1.0 / 64), size = most(lack, -lack);
+        const V lack = Real(0.5) * (limit * limit - e2), near = e2 * Real(1.0 / 64), size = max(lack, -lack);
         if (any_less(near, size)) [[unlikely]] {
             const V length = root(e2);
             return near < size ? (limit - length) * length : lack;
@@ -174,15 +173,17 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     [[gnu::always_inline]] void move(const Link<V>& link, const V& s_a, const V& s_b, int count) const {
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
-            link.a.template put<all>(columns.move + k * columns.stride, link.move_a[k] - link.d[k] * s_a, count);
-            link.b.template put<all>(columns.move + k * columns.stride, link.move_b[k] + link.d[k] * s_b, count);
+            link.a.template put<all>(columns.displacement + k * columns.stride,
+                                     link.displacement_a[k] - link.d[k] * s_a, count);
+            link.b.template put<all>(columns.displacement + k * columns.stride,
+                                     link.displacement_b[k] + link.d[k] * s_b, count);
         }
     }
 
     template <class V, bool all>
     [[gnu::always_inline]] void note(std::uint32_t i, int count, const V& lambda, const V& length) const {
         if (any(length < spread<V>(limit::shortest_link<Real>))) [[unlikely]]
-            for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, lane_of(length, k));
+            for (int k = 0; k < count; ++k) pass.shortest = min(pass.shortest, lane_of(length, k));
         if (run.row_step == 1) return lane::put<all>(columns.multiplier + run.row + i, lambda, count);
         std::uint32_t room[sizeof(V) / sizeof(Real)];
         rows(room, i).template put<all>(columns.multiplier, lambda, count);
@@ -213,7 +214,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
         if constexpr (rules.range || rules.kept) limits.high = get(columns.high + at);
         if constexpr (rules.compliant)
             if (run.compliant)
-                limits.alpha = least(spread<V>(limit::measure<Real>), get(columns.compliance + at) * pass.per_h2);
+                limits.alpha = min(spread<V>(limit::measure<Real>), get(columns.compliance + at) * pass.per_h2);
         return limits;
     }
 

@@ -30,26 +30,26 @@ template <int D, class Real> struct Components {
 /// Outer loop over anchors: so no particle waits for the anchor before.
 template <int D, class Real> void tether_all(const Motion<D, Real>& columns, std::uint32_t first, std::uint32_t last) {
     const Motion<D, Real> motion = columns;
-    const Components<D, Real> place(motion.place, motion.stride), moves(motion.move, motion.stride);
+    const Components<D, Real> position(motion.position, motion.stride), moves(motion.displacement, motion.stride);
     for (std::uint32_t i = 0; i < motion.anchor_count; ++i) {
         const auto anchor = motion.anchors[i];
         over<Real>(
             first, last, [&]<class V, bool all>(std::size_t at, int count) __attribute__((always_inline)) {
-                V move[D], e[D], e2{};
+                V displacement[D], e[D], e2{};
                 const V zero{};
 #pragma GCC unroll 3
                 for (unsigned k = 0; k < D; ++k) {
-                    move[k] = load<V>(moves[k] + at);
-                    e[k] = (load<V>(place[k] + at) + anchor.opposite[k]) + move[k];
+                    displacement[k] = load<V>(moves[k] + at);
+                    e[k] = (load<V>(position[k] + at) + anchor.opposite[k]) + displacement[k];
                     e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
                 }
                 const V per = load<V>(anchor.half_per_reach_square + at);
                 const V half = e2 * (load<V>(motion.mobility + at) > zero ? per : zero);
                 const V back = lacking(
-                    least(spread<V>(Real(0.5)) - half, zero),
+                    min(spread<V>(Real(0.5)) - half, zero),
                     Real(1), [&]() __attribute__((always_inline)) { return half + half; });
 #pragma GCC unroll 3
-                for (unsigned k = 0; k < D; ++k) put<all>(moves[k] + at, move[k] + e[k] * back, count);
+                for (unsigned k = 0; k < D; ++k) put<all>(moves[k] + at, displacement[k] + e[k] * back, count);
             });
     }
 }
@@ -63,23 +63,25 @@ struct Doing {
 template <int D, class Real, Doing doing>
 void move_all(const Motion<D, Real>& columns, std::uint32_t first, std::uint32_t last) {
     const Motion<D, Real> motion = columns;
-    const Components<D, Real> place(motion.place, motion.stride), moves(motion.move, motion.stride),
+    const Components<D, Real> position(motion.position, motion.stride), moves(motion.displacement, motion.stride),
         residual(motion.residual, motion.stride);
     over<Real>(
         first, last, [&]<class V, bool all>(std::size_t at, int count) __attribute__((always_inline)) {
             const V mobility = load<V>(motion.mobility + at);
 #pragma GCC unroll 3
             for (unsigned k = 0; k < D; ++k) {
-                const V move = load<V>(moves[k] + at);
+                const V displacement = load<V>(moves[k] + at);
                 if constexpr (doing.advances) {
-                    const V from = load<V>(place[k] + at), total = move + load<V>(residual[k] + at), to = from + total;
-                    put<all>(place[k] + at, doing.drifts ? to : within(to, spread<V>(motion.furthest)), count);
+                    const V from = load<V>(position[k] + at), total = displacement + load<V>(residual[k] + at),
+                            to = from + total;
+                    put<all>(position[k] + at, doing.drifts ? to : within(to, spread<V>(motion.furthest)), count);
                     put<all>(residual[k] + at, total - (to - from), count);
                 }
-                if constexpr (!doing.drifts) put<all>(moves[k] + at, within(move, spread<V>(motion.most)), count);
+                if constexpr (!doing.drifts)
+                    put<all>(moves[k] + at, within(displacement, spread<V>(motion.max)), count);
                 if constexpr (doing.drifts) {
-                    const V moved = move * motion.keep + motion.add[k];
-                    const V held = doing.advances ? moved : within(moved, spread<V>(motion.most));
+                    const V moved = displacement * motion.keep + motion.add[k];
+                    const V held = doing.advances ? moved : within(moved, spread<V>(motion.max));
                     put<all>(moves[k] + at, mobility > V{} ? held : V{}, count);
                 }
             }
@@ -93,9 +95,10 @@ Real lowest_of(const Motion<D, Real>& all, const Real* normal, std::uint32_t fir
         first, last, [&]<class V, bool whole>(std::size_t at, int count) __attribute__((always_inline)) {
             V height{};
             for (unsigned k = 0; k < D; ++k)
-                height = height + (load<V>(all.place + k * all.stride + at) + load<V>(all.move + k * all.stride + at)) *
+                height = height + (load<V>(all.position + k * all.stride + at) +
+                                   load<V>(all.displacement + k * all.stride + at)) *
                                       normal[k];
-            for (int k = 0; k < count; ++k) found = least(found, lane_of(height, k));
+            for (int k = 0; k < count; ++k) found = min(found, lane_of(height, k));
         });
     return found;
 }

@@ -20,7 +20,7 @@ template <class V, class Real, class Square>
 [[gnu::always_inline]] inline V lacking(const V& tangent, Real part, Square&& square) {
     const V near = spread<V>(part / 64), away = tangent * tangent;
     if (any_less(near * near, away)) [[unlikely]] {
-        const V exactly = part / root(most(square(), spread<V>(Real(1e-30)))) - part;
+        const V exactly = part / root(max(square(), spread<V>(Real(1e-30)))) - part;
         return near * near < away ? exactly : tangent;
     }
     return tangent;

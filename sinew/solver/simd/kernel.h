@@ -16,7 +16,7 @@
 namespace sinew {
 
 /// Upper bound on 1 / length^2 of a limit, also used for a limit of zero.
-template <class Real> inline constexpr Real most_per_square = Real(1e30);
+template <class Real> inline constexpr Real max_per_square = Real(1e30);
 
 /// Variants of most batches: rigid links of consecutive slots. Without suffix all links are alike, `_each` has limits
 /// per link, `_uneven` has ends of unequal or zero mobility.
@@ -52,8 +52,8 @@ struct LinkBatch {
 
 /// Columns of the particles (sweep_state.h) and of the plan (plan.h).
 template <int D, class Real> struct DistanceColumns {
-    const Real* place;
-    Real* move;
+    const Real* position;
+    Real* displacement;
     std::size_t stride; ///< numbers between the columns of two components
     const Real* mobility;
     const Real *low, *high;
@@ -82,12 +82,12 @@ template <int D, class Real> struct Anchor {
 
 /// Motion of particles independently of each other, in a substep.
 template <int D, class Real> struct Motion {
-    Real *place, *move, *residual;
+    Real *position, *displacement, *residual;
     std::size_t stride; ///< numbers between the columns of two components
     const Real* mobility;
     const Anchor<D, Real>* anchors = nullptr;
     std::uint32_t anchor_count = 0;
-    Real most = 0;     ///< largest displacement
+    Real max = 0;      ///< largest displacement
     Real furthest = 0; ///< largest coordinate
     Real add[D];       ///< added to each displacement
     Real keep = 1;     ///< factor of the displacement, applied before `add`
@@ -101,13 +101,13 @@ template <int D, class Real> struct Transposition {
     const std::uint32_t* row_of; ///< by slot
     std::uint32_t slot_of_last;  ///< slot of the last row, whose load must not pass the end
     Real by = 1;                 ///< factor applied to every number
-    Real most = 0;               ///< bound on numbers in columns; 0: to_columns copies, without factor or bound
+    Real max = 0;                ///< bound on numbers in columns; 0: to_columns copies, without factor or bound
 };
 
 /// Particles of one body.
 template <int D, class Real> struct BodyColumns {
-    const Real* place;
-    Real* move;
+    const Real* position;
+    Real* displacement;
     std::size_t stride; ///< numbers between the columns of two components
     const Real* mobility;
     const std::uint32_t* slots; ///< null: `count` slots from `first` on
@@ -120,7 +120,7 @@ template <int D, class Real> struct BodyTurn {
     Vec<spins<D>, double> rate;   ///< radians
     Vec<D, double> center, drift; ///< drift: mean displacement
     double loss;                  ///< 0..1
-    Real most;                    ///< largest displacement
+    Real max;                     ///< largest displacement
 };
 
 /// Nodes of blocks in the lanes of packs, and the particles that they stand for. A record of a node begins with D

@@ -36,14 +36,14 @@ template <int D, class V> class Inertia {
     }
     /// Angular velocity of an angular momentum; zero if all is in one line (3D), or in one point.
     Spin<D, V> rate_of(const Spin<D, V>& spin) const {
-        V determinant = size_, least{};
+        V determinant = size_, min{};
         Spin<D, V> turned = spin;
         if constexpr (D == 3) {
             const auto adjoint = adjugate(tensor_, determinant);
             turned = adjoint * spin;
-            least = size_ * size_ * size_ * spread<V>(1e-9);
+            min = size_ * size_ * size_ * spread<V>(1e-9);
         }
-        return turned * (determinant > least ? spread<V>(1.0) / determinant : V{});
+        return turned * (determinant > min ? spread<V>(1.0) / determinant : V{});
     }
 
   private:

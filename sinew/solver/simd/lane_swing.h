@@ -21,13 +21,13 @@ template <int D, class V> class LaneSwing {
         : lanes_(pack), h_(of(pack.h)), keep_(of(pack.keep)), half_h2_(h_ * h_ * number(0.5)) {}
 
   protected:
-    static constexpr int most_iterations = 8;           ///< where more are needed, shorter substeps are cheaper
+    static constexpr int max_iterations = 8;            ///< where more are needed, shorter substeps are cheaper
     static constexpr double exact = 1e-8;               ///< error of a length, relative
     static constexpr double hardly = 1e-5;              ///< last move of a node, relative to the total length
     static constexpr double crude = 1e-3;               ///< error of a length at the start that is not moved with
     static constexpr double as_good_as_taut = 1 - 2e-4; ///< squared length, relative
-    static constexpr double usual_error = 0.02;  ///< change of a length by the velocities, relative, in a substep
-    static constexpr double most_change2 = 0.25; ///< squared change of a link in one iteration, relative
+    static constexpr double usual_error = 0.02; ///< change of a length by the velocities, relative, in a substep
+    static constexpr double max_change2 = 0.25; ///< squared change of a link in one iteration, relative
     static constexpr double rounding = 1e-6, tiny = 2e-7; ///< tolerance of energies, as in direct/energy.h
     static constexpr double share_of_rounding = 0.02;
 
@@ -36,7 +36,7 @@ template <int D, class V> class LaneSwing {
     Mask active_at_start_{};
     V far2_{}, moved2_{};          ///< largest change of a link, relative, and move of a node; squared
     V before_{}, after_{}, due_{}; ///< kinetic energies, J
-    V jolt_{}, least_pull_{};
+    V jolt_{}, min_pull_{};
     V beyond_{}; ///< largest distance of a node beyond the room, m
 
     static V number(double x) { return spread<V>(x); }
@@ -51,18 +51,18 @@ template <int D, class V> class LaneSwing {
     /// Trust region: the share of the Newton step at which no link changes by too much.
     V trusted_share() const {
         V share = number(1);
-        if (any(far2_ > number(most_change2)))
-            share = far2_ > number(most_change2) ? root(number(most_change2) / far2_) : share;
+        if (any(far2_ > number(max_change2)))
+            share = far2_ > number(max_change2) ? root(number(max_change2) / far2_) : share;
         return share;
     }
-    static void move(V (&place)[D], const Pair& by, const Mask& active) {
+    static void move(V (&position)[D], const Pair& by, const Mask& active) {
 #pragma GCC unroll 3
-        for (int k = 0; k < D; ++k) place[k] = active ? place[k] + by.at[k] : place[k];
+        for (int k = 0; k < D; ++k) position[k] = active ? position[k] + by.at[k] : position[k];
     }
-    void measure_room(const V (&place)[D]) {
+    void measure_room(const V (&position)[D]) {
 #pragma GCC unroll 3
         for (int k = 0; k < D; ++k)
-            beyond_ = most(most(of(lanes_.low[k]) - place[k], place[k] - of(lanes_.high[k])), beyond_);
+            beyond_ = max(max(of(lanes_.low[k]) - position[k], position[k] - of(lanes_.high[k])), beyond_);
     }
 
     /// Lanes whose energy is right, with `after_` and the sum of mass times displacement known. Work that links do
@@ -71,10 +71,10 @@ template <int D, class V> class LaneSwing {
     /// in which a link has tightened, which takes energy.
     Mask conserves(const Pair& carried, const V& slip, const V& inner, const Mask& may_lose = Mask{}) {
         due_ = before_ + dot(push(), carried);
-        const V most_gain = inner * number(rounding) + of(lanes_.weight_reach) * number(tiny);
+        const V max_gain = inner * number(rounding) + of(lanes_.weight_reach) * number(tiny);
         const V gain = after_ - due_, unexplained = gain + slip / (h_ * h_);
-        return both(both(gain <= most_gain, may_lose | (-gain <= most_gain)),
-                    size_of(unexplained) <= most_gain * number(share_of_rounding));
+        return both(both(gain <= max_gain, may_lose | (-gain <= max_gain)),
+                    size_of(unexplained) <= max_gain * number(share_of_rounding));
     }
     void report(const Mask& good, const V& alien, const V& lost) {
         store(lanes_.good.lane, good ? number(1) : V{});

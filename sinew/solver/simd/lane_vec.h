@@ -160,7 +160,7 @@ template <class Mask> [[gnu::always_inline]] inline Mask without(const Mask& a, 
     return a & ~b;
 }
 template <class V> [[gnu::always_inline]] inline V size_of(const V& x) {
-    return most(x, -x);
+    return max(x, -x);
 }
 
 } // namespace lane

@@ -114,10 +114,10 @@ template <int D, class Real, int width> class NodeExchangeKernel {
         const std::size_t row = rows_of(node)[l], stride = std::size_t(e_.width);
         const double* from = numbers_of(node) + l;
         for (std::size_t k = 0; k < D; ++k, from += stride) {
-            const double place = within(*from, furthest);
-            const auto held = Real(place);
+            const double position = within(*from, furthest);
+            const auto held = Real(position);
             e_.position[row * D + k] = held;
-            e_.residual[row * D + k] = Real(place - double(held));
+            e_.residual[row * D + k] = Real(position - double(held));
         }
         for (std::size_t k = 0; k < D; ++k, from += stride) e_.velocity[row * D + k] = Real(within(*from, fastest));
     }
@@ -129,11 +129,12 @@ template <int D, class Real, int width> class NodeExchangeKernel {
         if constexpr (is_wide) {
             const auto* const rows = rows_of(node);
             double* const to = numbers_of(node);
-            const auto place = read_rows<D, Narrow>(e_.position, rows), rest = read_rows<D, Narrow>(e_.residual, rows);
+            const auto position = read_rows<D, Narrow>(e_.position, rows),
+                       rest = read_rows<D, Narrow>(e_.residual, rows);
             const auto velocity = read_rows<D, Narrow>(e_.velocity, rows);
             const V mobility = wide(gather_each(e_.inverse_mass, rows));
             for (int k = 0; k < D; ++k) {
-                lane::store(to + k * width, V(wide(place.at[k]) + wide(rest.at[k])));
+                lane::store(to + k * width, V(wide(position.at[k]) + wide(rest.at[k])));
                 lane::store(to + (D + k) * width, wide(velocity.at[k]));
             }
             lane::store(to + 2 * D * width, mobility >= spread<V>(normal) ? spread<V>(1.0) / mobility : V{});
@@ -145,9 +146,9 @@ template <int D, class Real, int width> class NodeExchangeKernel {
             const double* const from = numbers_of(node);
             Arrow<D, Narrow> held, rest, velocity;
             for (int k = 0; k < D; ++k) {
-                const V place = within(lane::load<V>(from + k * width), spread<V>(furthest));
-                held.at[k] = narrow(place);
-                rest.at[k] = narrow(place - wide(held.at[k]));
+                const V position = within(lane::load<V>(from + k * width), spread<V>(furthest));
+                held.at[k] = narrow(position);
+                rest.at[k] = narrow(position - wide(held.at[k]));
                 velocity.at[k] = narrow(within(lane::load<V>(from + (D + k) * width), spread<V>(fastest)));
             }
             write_rows<D>(e_.position, rows, held);

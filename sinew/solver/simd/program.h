@@ -13,8 +13,8 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
     using Equations = ProgramEquations<D, V>;
     using Base = LaneSwing<D, V>;
     using Base::active_at_start_, Base::moved2_, Base::before_, Base::after_, Base::due_, Base::jolt_;
-    using Base::number, Base::of, Base::at, Base::h_, Base::keep_, Base::half_h2_, Base::least_pull_, Base::beyond_;
-    using Base::usual_error, Base::exact, Base::hardly, Base::crude, Base::most_iterations;
+    using Base::number, Base::of, Base::at, Base::h_, Base::keep_, Base::half_h2_, Base::min_pull_, Base::beyond_;
+    using Base::usual_error, Base::exact, Base::hardly, Base::crude, Base::max_iterations;
     using Equations::assemble, Equations::eliminate, Equations::substitute_back, Equations::take_step;
     using Equations::pack_, Equations::program_, Equations::nodes_, Equations::links_, Equations::planes_;
     using Equations::relative;
@@ -36,15 +36,15 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
         active = without(active, unfit());
         iterate(active, good);
         const V jolt = jolt_ * number(pack_.longest) - number(usual_error);
-        const V astray = most(most(-least_pull_, beyond_), jolt), at_limit = beyond_limits<&Node::place>();
-        const Mask at_once = most(number(overshoot) - at_limit, of(pack_.shortest)) > V{};
+        const V astray = max(max(-min_pull_, beyond_), jolt), at_limit = beyond_limits<&Node::position>();
+        const Mask at_once = max(number(overshoot) - at_limit, of(pack_.shortest)) > V{};
         V alien = without(chosen, active_at_start_) ? number(1) : V{};
         alien = both(good, astray > V{}) ? number(1) : alien;
         alien = both(both(good, at_once), at_limit > V{}) ? number(1) : alien;
-        good = without(good, most(astray, at_limit) > V{});
+        good = without(good, max(astray, at_limit) > V{});
         if (pack_.is_free && any(good)) keep_spin();
         if (any(good)) store_good(good);
-        Base::report(good, alien, most(due_ - after_, V{}));
+        Base::report(good, alien, max(due_ - after_, V{}));
     }
 
   private:
@@ -65,13 +65,13 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
             auto& node = nodes_[i];
             const Pair start = at(node.start);
             if (i >= program_.unknowns) {
-                start.to(node.place);
-                Pair{}.to(node.move);
+                start.to(node.position);
+                Pair{}.to(node.displacement);
                 continue;
             }
-            const Pair velocity = at(node.velocity) * keep_, place = start + velocity * h_;
-            place.to(node.place);
-            (place + fall).to(node.aim);
+            const Pair velocity = at(node.velocity) * keep_, position = start + velocity * h_;
+            position.to(node.position);
+            (position + fall).to(node.predicted);
             before_ = before_ + dot(velocity, velocity) * node.mass * number(0.5);
             momentum_ = momentum_ + velocity * node.mass;
         }
@@ -82,7 +82,7 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
         for (std::uint32_t j = 0; j < program_.links; ++j) {
             auto& link = links_[j];
             this->template span_of<&Node::start>(program_.link[j]).to(link.begun);
-            this->template span_of<&Node::place>(program_.link[j]).to(link.span);
+            this->template span_of<&Node::position>(program_.link[j]).to(link.span);
             link.pull = link.tension * unit;
             link.stiffness = hardest * link.per_length2;
         }
@@ -102,25 +102,24 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
             const auto& row = program_.link[j];
             const auto& link = links_[j];
             const Pair span = at(link.begun);
-            strain = most(size_of(dot(span, span) * link.per_length2 - number(1)), strain);
-            rate = most(size_of(dot(span, speed_of(row.b) - speed_of(row.a))) * link.per_length2, rate);
+            strain = max(size_of(dot(span, span) * link.per_length2 - number(1)), strain);
+            rate = max(size_of(dot(span, speed_of(row.b) - speed_of(row.a))) * link.per_length2, rate);
             if (row.pulls_only) slack = link.tension > V{} ? slack : number(1);
         }
-        for (std::uint32_t j = 0; j < program_.planes; ++j)
-            strain = most(size_of(planes_[j].begun) * number(2), strain);
+        for (std::uint32_t j = 0; j < program_.planes; ++j) strain = max(size_of(planes_[j].begun) * number(2), strain);
         const V wrong = (strain > number(2 * crude) ? number(1) : V{}) +
                         (rate * number(pack_.longest) > number(usual_error) ? number(1) : V{});
         V loaded{};
         for (std::uint32_t j = 0; j < program_.ranges + program_.folds; ++j)
-            loaded = most(size_of(limits_[j].tension), loaded);
-        return of(pack_.fresh) * wrong + slack + loaded + most(beyond_limits<&Node::start>(), V{}) > V{};
+            loaded = max(size_of(limits_[j].tension), loaded);
+        return of(pack_.fresh) * wrong + slack + loaded + max(beyond_limits<&Node::start>(), V{}) > V{};
     }
     Pair speed_of(std::uint32_t i) const { return i < program_.unknowns ? at(nodes_[i].velocity) * keep_ : Pair{}; }
     /// Largest excess over the limits of ranges and folds, in their units; positive outside.
     template <auto where> V beyond_limits() const {
         V beyond = number(-1);
         const auto look = [&](const Limit& limit, const V& value) {
-            beyond = most(most(limit.low - value, value - limit.high) * limit.per_unit, beyond);
+            beyond = max(max(limit.low - value, value - limit.high) * limit.per_unit, beyond);
         };
         for (std::uint32_t j = 0; j < program_.ranges; ++j) {
             const Pair span = this->template span_of<where>(program_.range[j]);
@@ -136,7 +135,7 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
 
     void iterate(Mask& active, Mask& good) {
         active_at_start_ = active;
-        for (int i = 0; i < most_iterations && any(active); ++i) {
+        for (int i = 0; i < max_iterations && any(active); ++i) {
             assemble();
             eliminate();
             substitute_back();
@@ -162,12 +161,12 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
         after_ = jolt_ = beyond_ = V{};
         for (std::uint32_t i = 0; i < program_.unknowns; ++i) {
             auto& node = nodes_[i];
-            const Pair went = at(node.place) - at(node.start), velocity = went * per - at(node.velocity) * keep_;
+            const Pair went = at(node.position) - at(node.start), velocity = went * per - at(node.velocity) * keep_;
             velocity.to(node.after);
             after_ = after_ + dot(velocity, velocity) * node.mass * number(0.5);
             carried = carried + went * node.mass;
             momentum = momentum + velocity * node.mass;
-            Base::measure_room(node.place);
+            Base::measure_room(node.position);
         }
         V slip{};
         for (std::uint32_t j = 0; j < program_.links; ++j) {
@@ -176,7 +175,7 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
             const Pair span = at(link.span), begun = at(link.begun);
             const auto end = [&](std::uint32_t i) { return i < program_.unknowns ? at(nodes_[i].after) : Pair{}; };
             slip = slip + (dot(span, span) - dot(begun, begun)) * link.pull;
-            jolt_ = most(size_of(dot(span, end(row.b) - end(row.a))) * link.per_length2, jolt_);
+            jolt_ = max(size_of(dot(span, end(row.b) - end(row.a))) * link.per_length2, jolt_);
         }
         for (std::uint32_t j = 0; j < program_.planes; ++j)
             slip = slip + (planes_[j].volume - planes_[j].begun) * planes_[j].pull * number(2);
@@ -189,12 +188,12 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
     /// Restores the angular momentum of a free block, which gravity does not change: the last iteration has turned the
     /// links a little further than their forces.
     void keep_spin() {
-        const Pair begun = center_of<&Node::start>(), center = center_of<&Node::place>();
+        const Pair begun = center_of<&Node::start>(), center = center_of<&Node::position>();
         Spin<D, V> missing{};
         Inertia<D, V> inertia;
         for (std::uint32_t i = 0; i < program_.unknowns; ++i) {
             const auto& node = nodes_[i];
-            const Pair arm = at(node.place) - center;
+            const Pair arm = at(node.position) - center;
             const auto before = moment(at(node.start) - begun, at(node.velocity) * keep_);
             missing = missing + (before - moment(arm, at(node.after))) * node.mass;
             inertia.add(arm, node.mass);
@@ -202,7 +201,7 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
         const auto rate = inertia.rate_of(missing);
         for (std::uint32_t i = 0; i < program_.unknowns; ++i) {
             auto& node = nodes_[i];
-            (at(node.after) + turning(rate, at(node.place) - center)).to(node.after);
+            (at(node.after) + turning(rate, at(node.position) - center)).to(node.after);
         }
     }
     template <auto where> Pair center_of() const {
@@ -216,7 +215,7 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
         for (std::uint32_t i = 0; i < program_.unknowns; ++i) {
             auto& node = nodes_[i];
             for (int k = 0; k < D; ++k) {
-                node.start[k] = good ? node.place[k] : node.start[k];
+                node.start[k] = good ? node.position[k] : node.start[k];
                 node.velocity[k] = good ? node.after[k] : node.velocity[k];
             }
         }

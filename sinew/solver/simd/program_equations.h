@@ -24,7 +24,7 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
           entries_(reinterpret_cast<Entry*>(pack.entries)) {}
 
   protected:
-    using Base::far2_, Base::moved2_, Base::least_pull_, Base::number, Base::of, Base::at;
+    using Base::far2_, Base::moved2_, Base::min_pull_, Base::number, Base::of, Base::at;
     static constexpr double relative = 0.5e4; ///< penalty of a link, over total mass / length^2
 
     ProgramPack<D>& pack_;
@@ -49,7 +49,7 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
             Matrix diagonal{};
             diagonal.add_to_diagonal(node.mass);
             diagonal.to(node.diagonal);
-            ((at(node.aim) - at(node.place)) * node.mass).to(node.residual);
+            ((at(node.predicted) - at(node.position)) * node.mass).to(node.residual);
         }
         for (std::uint32_t e = 0; e < program_.entries; ++e) {
             Matrix{}.to(entries_[e].lower);
@@ -69,7 +69,7 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
             const Matrix inverse = adjoint * (number(1) / determinant);
             inverse.to(node.diagonal);
             const Pair y = inverse * at(node.residual);
-            y.to(node.move);
+            y.to(node.displacement);
             const auto end = program_.first_entry[i + 1];
             for (auto e = program_.first_entry[i]; e < end; ++e) {
                 const Matrix lower = Matrix::of(entries_[e].lower), right = inverse * Matrix::of(entries_[e].upper);
@@ -92,10 +92,10 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
             auto& node = nodes_[i];
             Pair pulled{};
             for (auto e = program_.first_entry[i]; e < program_.first_entry[i + 1]; ++e)
-                pulled = pulled + Matrix::of(entries_[e].upper) * at(nodes_[program_.entry_node[e]].move);
-            const Pair move = at(node.move) - Matrix::of(node.diagonal) * pulled;
-            move.to(node.move);
-            moved2_ = most(dot(move, move), moved2_);
+                pulled = pulled + Matrix::of(entries_[e].upper) * at(nodes_[program_.entry_node[e]].displacement);
+            const Pair displacement = at(node.displacement) - Matrix::of(node.diagonal) * pulled;
+            displacement.to(node.displacement);
+            moved2_ = max(dot(displacement, displacement), moved2_);
         }
     }
 
@@ -104,24 +104,24 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
         far2_ = V{};
         for (std::uint32_t j = 0; j < program_.links; ++j) {
             auto& link = links_[j];
-            const Pair change = span_of<&Node::move>(program_.link[j]);
-            far2_ = most(dot(change, change) * link.per_length2, far2_);
+            const Pair change = span_of<&Node::displacement>(program_.link[j]);
+            far2_ = max(dot(change, change) * link.per_length2, far2_);
             link.next = link.next + link.stiffness * dot(at(link.span), change);
         }
         const V share = Base::trusted_share();
         for (std::uint32_t i = 0; i < program_.unknowns; ++i)
-            Base::move(nodes_[i].place, at(nodes_[i].move) * share, active);
+            Base::move(nodes_[i].position, at(nodes_[i].displacement) * share, active);
         V worst{};
-        least_pull_ = number(1);
+        min_pull_ = number(1);
         for (std::uint32_t j = 0; j < program_.links; ++j) {
             auto& link = links_[j];
-            const Pair span = span_of<&Node::place>(program_.link[j]);
+            const Pair span = span_of<&Node::position>(program_.link[j]);
             span.to(link.span);
             link.pull = active ? link.pull + (link.next - link.pull) * share : link.pull;
-            if (program_.link[j].pulls_only) least_pull_ = least(link.pull, least_pull_);
-            worst = most(size_of(dot(span, span) - link.length2) * link.per_length2 * number(0.5), worst);
+            if (program_.link[j].pulls_only) min_pull_ = min(link.pull, min_pull_);
+            worst = max(size_of(dot(span, span) - link.length2) * link.per_length2 * number(0.5), worst);
         }
-        if constexpr (D == 3) worst = most(step_planes(active, share) * number(small_angle), worst);
+        if constexpr (D == 3) worst = max(step_planes(active, share) * number(small_angle), worst);
         return worst;
     }
 
@@ -135,7 +135,7 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
         const Pair e = at(link.span), along = (at(link.begun) + e) * number(0.5);
         link.next = link.pull + link.stiffness * (dot(e, e) - link.length2) * number(0.5);
         Matrix stiffness = outer(along * link.stiffness, e);
-        stiffness.add_to_diagonal(most(link.pull, V{}) * number(0.5));
+        stiffness.add_to_diagonal(max(link.pull, V{}) * number(0.5));
         const Pair force = along * link.next;
         if (row.a < program_.unknowns) push(row.a, stiffness, force);
         if (row.b < program_.unknowns) push(row.b, stiffness, Pair{} - force);
@@ -154,7 +154,7 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
         Pair begun[4], edge[4], along[4], gradient[4];
         for (int k = 1; k < 4; ++k) {
             begun[k] = at(nodes_[row.nodes[k]].start) - at(nodes_[row.nodes[0]].start);
-            edge[k] = at(nodes_[row.nodes[k]].place) - at(nodes_[row.nodes[0]].place);
+            edge[k] = at(nodes_[row.nodes[k]].position) - at(nodes_[row.nodes[0]].position);
         }
         const auto mean = [&](int i, int j) {
             return (cross(begun[i] * number(2) + edge[i], begun[j]) + cross(edge[i] * number(2) + begun[i], edge[j])) *
@@ -168,7 +168,7 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
         V steepest2{};
         for (int k = 0; k < 4; ++k) {
             gradient[k].to(plane.gradient[k]);
-            steepest2 = most(dot(gradient[k], gradient[k]), steepest2);
+            steepest2 = max(dot(gradient[k], gradient[k]), steepest2);
         }
         plane.volume = dot(edge[1], gradient[1]);
         plane.stiffness = of(pack_.total) * number(relative) / steepest2;
@@ -190,11 +190,12 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
             auto& plane = planes_[j];
             const auto& corners = program_.plane[j].nodes;
             V change{};
-            for (int k = 0; k < 4; ++k) change = change + dot(at(plane.gradient[k]), at(nodes_[corners[k]].move));
+            for (int k = 0; k < 4; ++k)
+                change = change + dot(at(plane.gradient[k]), at(nodes_[corners[k]].displacement));
             const V next = plane.next + plane.stiffness * change;
             plane.pull = active ? plane.pull + (next - plane.pull) * share : plane.pull;
-            plane.volume = volume_of<&Node::place>(corners) * plane.per_unit;
-            worst = most(size_of(plane.volume), worst);
+            plane.volume = volume_of<&Node::position>(corners) * plane.per_unit;
+            worst = max(size_of(plane.volume), worst);
         }
         return worst;
     }

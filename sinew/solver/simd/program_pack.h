@@ -48,11 +48,11 @@ template <int D, class V> struct ProgramNode {
     V mass;        ///< kg
 
     // Work space of a substep.
-    V place[D], aim[D]; ///< position in this iteration, and without constraints, m
-    V after[D];         ///< velocity at the end of the substep, m/s
-    V diagonal[D * D];  ///< of the matrix; its inverse after the elimination, kg
-    V residual[D];      ///< kg m
-    V move[D];          ///< Newton step, m
+    V position[D], predicted[D]; ///< position in this iteration, and without constraints, m
+    V after[D];                  ///< velocity at the end of the substep, m/s
+    V diagonal[D * D];           ///< of the matrix; its inverse after the elimination, kg
+    V residual[D];               ///< kg m
+    V displacement[D];           ///< Newton step, m
 };
 
 /// A rigid distance.

@@ -16,9 +16,9 @@ template <bool negative, class Real> bool all_within(const Real* numbers, std::s
     using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
     constexpr Bits no_sign = ~(Bits(1) << (8 * sizeof(Bits) - 1));
     constexpr int width = widest<Real>;
-    const Bits most = __builtin_bit_cast(Bits, limit);
-    const auto beyond = [most]<class V, class B>(const V& some, const B&) __attribute__((always_inline)) {
-        const B bits = most - (__builtin_bit_cast(B, some) & no_sign); // highest bit set: beyond
+    const Bits max = __builtin_bit_cast(Bits, limit);
+    const auto beyond = [max]<class V, class B>(const V& some, const B&) __attribute__((always_inline)) {
+        const B bits = max - (__builtin_bit_cast(B, some) & no_sign); // highest bit set: beyond
         if constexpr (negative)
             return bits;
         else

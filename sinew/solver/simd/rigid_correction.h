@@ -47,7 +47,7 @@ template <int D, class Real, Rigid rules> struct RigidCorrection {
         away = half * half;
         if constexpr (rules.old_gradient) {
             const V turned = quarter() - dot(link.d, link.e) * wanted.low;
-            away = most(away, turned * turned);
+            away = max(away, turned * turned);
             half = along_tangent(half, turned);
         }
         return half;
@@ -84,14 +84,14 @@ template <int D, class Real, Rigid rules> struct RigidCorrection {
         const V d_e = dot(d, e);
         V half = half_tangent(e2, wanted), turned = quarter() - d_e * wanted.low;
         if constexpr (!all) half = first_lanes(half, count, Real(0)), turned = first_lanes(turned, count, Real(0));
-        const V nearly = along_tangent(half, turned), away = most(half * half, turned * turned);
+        const V nearly = along_tangent(half, turned), away = max(half * half, turned * turned);
         if (!any_less(near() * near(), away)) return nearly;
         look_at(half);
         const V t = e2 * wanted.low * Real(4), one = spread<V>(Real(1)), zero{};
         V along = turned * turned < spread<V>(Real(1.0 / 64)) ? d_e : zero; // u from 1/2 to 3/2
         along = t < spread<V>(Real(4)) ? along : zero;
-        const auto agree = along * along > Real(least_agreement * least_agreement) * (e2 * dot(d, d));
-        const V lack = Real(0.5) / root(most(t, spread<V>(Real(1e-30)))) - Real(0.5);
+        const auto agree = along * along > Real(min_agreement * min_agreement) * (e2 * dot(d, d));
+        const V lack = Real(0.5) / root(max(t, spread<V>(Real(1e-30)))) - Real(0.5);
         const V part = lack * ((agree ? e2 : one) / (agree ? along : one));
         for (unsigned k = 0; k < D; ++k) d[k] = near() * near() < away ? (agree ? d[k] : e[k]) : d[k];
         return near() * near() < away ? part : nearly;
@@ -105,7 +105,7 @@ template <int D, class Real, Rigid rules> struct RigidCorrection {
 
     [[gnu::always_inline]] static V half_tangent(const V& e2, const Wanted<V>& wanted) {
         const V half = quarter() - e2 * wanted.low, zero{};
-        return rules.equality ? half : most(half, zero) + least(quarter() - e2 * wanted.high, zero);
+        return rules.equality ? half : max(half, zero) + min(quarter() - e2 * wanted.high, zero);
     }
     [[gnu::always_inline]] static V along_tangent(const V& half, const V& turned) {
         return half * (turned * Real(4) + Real(1));

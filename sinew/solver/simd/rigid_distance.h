@@ -20,14 +20,14 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     const DistanceColumns<D, Real>& columns;
     DistancePass<Real>& pass;
     const LinkBatch& run;
-    const Real *place_a, *place_b, *low, *high;
-    Real *move_a, *move_b;
+    const Real *position_a, *position_b, *low, *high;
+    Real *displacement_a, *displacement_b;
     std::size_t stride;
 
     RigidLinks(const DistanceColumns<D, Real>& from, DistancePass<Real>& in, const LinkBatch& of)
-        : columns(from), pass(in), run(of), place_a(from.place + of.a), place_b(from.place + of.b),
-          low(from.quarter_per_square + of.parameters), high(from.high + of.parameters), move_a(from.move + of.a),
-          move_b(from.move + of.b), stride(from.stride) {}
+        : columns(from), pass(in), run(of), position_a(from.position + of.a), position_b(from.position + of.b),
+          low(from.quarter_per_square + of.parameters), high(from.high + of.parameters),
+          displacement_a(from.displacement + of.a), displacement_b(from.displacement + of.b), stride(from.stride) {}
 
     /// Solves a batch with common limits, or with limits for each link.
     [[gnu::always_inline]] void solve_uniform() const {
@@ -107,7 +107,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         if constexpr (!rules.equal_mass) mobility = mean_mobility(mobility, mobility_of(run.b + i));
         if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
         const V lambda = within(along * half / mobility, spread<V>(limit::multiplier<Real>));
-        const auto has_length = wanted.low < spread<V>(Real(0.1) * most_per_square<Real>);
+        const auto has_length = wanted.low < spread<V>(Real(0.1) * max_per_square<Real>);
         note<all>(i, count, lambda, has_length ? length : spread<V>(Real(1)));
     }
 
@@ -116,9 +116,9 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
 #pragma GCC unroll 3
         for (unsigned k = 0; k < D; ++k) {
             const std::size_t at = k * stride + i;
-            link.a[k] = load<V>(move_a + at);
-            link.b[k] = load<V>(move_b + at);
-            link.d[k] = load<V>(place_b + at) - load<V>(place_a + at);
+            link.a[k] = load<V>(displacement_a + at);
+            link.b[k] = load<V>(displacement_b + at);
+            link.d[k] = load<V>(position_b + at) - load<V>(position_a + at);
             link.e[k] = link.d[k] + (link.b[k] - link.a[k]);
         }
         link.e2 = dot(link.e, link.e);
@@ -132,8 +132,8 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
             const std::size_t at = k * stride + i;
             const V& along = rules.old_gradient ? link.d[k] : link.e[k];
             const V first = along * shares.a, second = rules.equal_mass ? first : along * shares.b;
-            put<all>(move_a + at, link.a[k] - first, count);
-            put<all>(move_b + at, link.b[k] + second, count);
+            put<all>(displacement_a + at, link.a[k] - first, count);
+            put<all>(displacement_b + at, link.b[k] + second, count);
         }
     }
 
@@ -158,7 +158,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     template <bool all>
     [[gnu::always_inline]] void note(std::size_t i, int count, const V& lambda, const V& length) const {
         if (any(length < spread<V>(limit::shortest_link<Real>))) [[unlikely]]
-            for (int k = 0; k < count; ++k) pass.shortest = least(pass.shortest, lane_of(length, k));
+            for (int k = 0; k < count; ++k) pass.shortest = min(pass.shortest, lane_of(length, k));
         if (run.row_step == 0) {
             for (int k = 0; k < count; ++k)
                 columns.multiplier[columns.rows[run.row + i + std::size_t(k)]] = lane_of(lambda, k);
@@ -181,7 +181,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         Wanted wanted{get(low + at), V{}};
         if constexpr (!rules.equality) {
             const V longest = get(high + at);
-            wanted.high = least(Real(0.25) / (longest * longest), spread<V>(Real(0.25) * most_per_square<Real>));
+            wanted.high = min(Real(0.25) / (longest * longest), spread<V>(Real(0.25) * max_per_square<Real>));
         }
         return wanted;
     }

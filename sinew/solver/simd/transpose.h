@@ -73,9 +73,9 @@ template <class V> [[gnu::always_inline]] inline void turn(V& a, V& b, V& c, V& 
 }
 
 template <bool changes, class V, class Real>
-[[gnu::always_inline]] inline V into_column(const V& x, Real by, Real most) {
+[[gnu::always_inline]] inline V into_column(const V& x, Real by, Real max) {
     if constexpr (changes)
-        return within(V(x * by), spread<V>(most));
+        return within(V(x * by), spread<V>(max));
     else
         return x;
 }
@@ -83,10 +83,10 @@ template <bool changes, class V, class Real>
 template <int D, class Real, bool changes>
 [[gnu::always_inline]] inline void to_columns_as(const Transposition<D, Real>& turning, std::uint32_t first,
                                                  std::uint32_t last) {
-    const auto [rows, columns, stride, row_of, slot_of_last, by, most] = turning;
+    const auto [rows, columns, stride, row_of, slot_of_last, by, max] = turning;
     constexpr std::uint32_t width = turned_at_once<D, Real>;
-    const auto change = [ by, most ]<class V>(const V& x) __attribute__((always_inline)) {
-        return into_column<changes>(x, by, most);
+    const auto change = [ by, max ]<class V>(const V& x) __attribute__((always_inline)) {
+        return into_column<changes>(x, by, max);
     };
     const auto one = [&](std::uint32_t slot) __attribute__((always_inline)) {
         for (unsigned k = 0; k < D; ++k) columns[k * stride + slot] = change(rows[std::size_t(row_of[slot]) * D + k]);
@@ -112,7 +112,7 @@ template <int D, class Real, bool changes>
 }
 template <int D, class Real>
 void to_columns(const Transposition<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
-    if (turning.most > 0)
+    if (turning.max > 0)
         to_columns_as<D, Real, true>(turning, first, last);
     else
         to_columns_as<D, Real, false>(turning, first, last);
@@ -120,7 +120,7 @@ void to_columns(const Transposition<D, Real>& turning, std::uint32_t first, std:
 
 template <int D, class Real>
 void to_rows(const Transposition<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
-    const auto [rows, columns, stride, row_of, slot_of_last, by, most] = turning;
+    const auto [rows, columns, stride, row_of, slot_of_last, by, max] = turning;
     constexpr std::uint32_t width = turned_at_once<D, Real>;
     std::uint32_t slot = first;
     if constexpr (width > 1) {

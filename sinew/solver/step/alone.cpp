@@ -82,9 +82,8 @@ template <int D, class Real> class AloneFinder {
     }
     Real way_of(const detail::BodyBox<D, Real>& body) const {
         Real fastest = 0;
-        for (int k = 0; k < D; ++k)
-            fastest = maximum(fastest, maximum(absolute(body.slowest[k]), absolute(body.fastest[k])));
-        return minimum(fastest, limit::speed<Real>) * dt_;
+        for (int k = 0; k < D; ++k) fastest = max(fastest, max(absolute(body.slowest[k]), absolute(body.fastest[k])));
+        return min(fastest, limit::speed<Real>) * dt_;
     }
     Real reach_ = 0; ///< way in a step of the fastest that may be struck
 
@@ -164,12 +163,12 @@ template <int D, class Real> class AloneFinder {
     /// False if there were many exchanges.
     bool insert_in_order() {
         auto& order = room_.order;
-        const auto most = 4 * order.size();
+        const auto max = 4 * order.size();
         std::size_t exchanges = 0;
-        for (std::size_t i = 1; i < order.size() && exchanges < most; ++i)
+        for (std::size_t i = 1; i < order.size() && exchanges < max; ++i)
             for (auto k = i; k > 0 && low(order[k], room_.axis) < low(order[k - 1], room_.axis); --k, ++exchanges)
                 std::swap(order[k], order[k - 1]);
-        return exchanges < most;
+        return exchanges < max;
     }
     Real low(std::uint32_t i, int axis) const { return room_.boxes[i].low[axis]; }
 
@@ -192,7 +191,7 @@ template <int D, class Real> class AloneFinder {
     }
     /// What has met somebody may fly off in any direction within the step.
     void grow_those_met() {
-        for (const auto i : room_.met) reach_ = maximum(reach_, room_.way[i]);
+        for (const auto i : room_.met) reach_ = max(reach_, room_.way[i]);
         for (const auto i : room_.met) room_.boxes[i] = room_.boxes[i].grown(reach_);
         room_.met.clear();
     }

@@ -112,7 +112,7 @@ template <int D, class Real> class AloneBodyFinder {
                 const auto body = room_.all.body_of[member];
                 if (room_.may_be_block[body] || room_.index_of[body] == room_.none) continue;
                 auto& cover = room_.cover[room_.index_of[body]];
-                cover = maximum(cover, share_of_cell * minimum(table.high(row), limit::coordinate<Real>));
+                cover = max(cover, share_of_cell * min(table.high(row), limit::coordinate<Real>));
             }
     }
 };

@@ -43,21 +43,21 @@ template <int D, class Real> class BodyBoxes {
 
     void include(BodyBox<D, Real>& body, Row row) const {
         include(body, p_.position[row], p_.velocity[row]);
-        body.widest = maximum(body.widest, p_.radius[row]);
+        body.widest = max(body.widest, p_.radius[row]);
     }
-    void include(BodyBox<D, Real>& body, const Vector& place, const Vector& velocity) const {
-        body.box.include(place);
-        body.box.include(place + velocity * dt_);
+    void include(BodyBox<D, Real>& body, const Vector& position, const Vector& velocity) const {
+        body.box.include(position);
+        body.box.include(position + velocity * dt_);
         for (int i = 0; i < D; ++i) {
-            body.slowest[i] = minimum(body.slowest[i], velocity[i]);
-            body.fastest[i] = maximum(body.fastest[i], velocity[i]);
+            body.slowest[i] = min(body.slowest[i], velocity[i]);
+            body.fastest[i] = max(body.fastest[i], velocity[i]);
         }
     }
 
     /// Returns the number of particles included.
     std::size_t include_abreast(BodyBox<D, Real>& body, Row first, std::size_t count) const {
         if (count < particles) return 0;
-        const Real* place = p_.position[first].component.data();
+        const Real* position = p_.position[first].component.data();
         const Real* velocity = p_.velocity[first].component.data();
         Pack pack;
         pack.low.fill(BodyBox<D, Real>{}.box.huge), pack.high.fill(-BodyBox<D, Real>{}.box.huge);
@@ -65,20 +65,20 @@ template <int D, class Real> class BodyBoxes {
         const auto whole = count / particles;
         for (std::size_t i = 0; i < whole; ++i) {
             for (std::size_t k = 0; k < width; ++k) {
-                const Real x = place[i * width + k], v = velocity[i * width + k], y = x + v * dt_;
-                pack.low[k] = minimum(pack.low[k], minimum(x, y)), pack.high[k] = maximum(pack.high[k], maximum(x, y));
-                pack.slowest[k] = minimum(pack.slowest[k], v), pack.fastest[k] = maximum(pack.fastest[k], v);
+                const Real x = position[i * width + k], v = velocity[i * width + k], y = x + v * dt_;
+                pack.low[k] = min(pack.low[k], min(x, y)), pack.high[k] = max(pack.high[k], max(x, y));
+                pack.slowest[k] = min(pack.slowest[k], v), pack.fastest[k] = max(pack.fastest[k], v);
             }
         }
         for (std::size_t k = 0; k < width; ++k) {
             const int axis = int(k % D);
-            body.box.low[axis] = minimum(body.box.low[axis], pack.low[k]);
-            body.box.high[axis] = maximum(body.box.high[axis], pack.high[k]);
-            body.slowest[axis] = minimum(body.slowest[axis], pack.slowest[k]);
-            body.fastest[axis] = maximum(body.fastest[axis], pack.fastest[k]);
+            body.box.low[axis] = min(body.box.low[axis], pack.low[k]);
+            body.box.high[axis] = max(body.box.high[axis], pack.high[k]);
+            body.slowest[axis] = min(body.slowest[axis], pack.slowest[k]);
+            body.fastest[axis] = max(body.fastest[axis], pack.fastest[k]);
         }
         const auto* radius = p_.radius.data() + first;
-        for (std::size_t i = 0; i < whole * particles; ++i) body.widest = maximum(body.widest, radius[i]);
+        for (std::size_t i = 0; i < whole * particles; ++i) body.widest = max(body.widest, radius[i]);
         return whole * particles;
     }
 };

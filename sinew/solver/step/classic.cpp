@@ -22,7 +22,7 @@ template <int D, class RealT> struct ClassicMover {
     const Vec<D, Real>& point(Row row) const { return particles.position[row]; }
     Real weight(Row row) const { return particles.inverse_mass[row]; }
     Real alpha(Real) const { return Real(0); } // the originals know relaxation, not compliance
-    Real most(Real) const { return limit::multiplier<Real>; }
+    Real max_multiplier(Real) const { return limit::multiplier<Real>; }
     Real share(Real) const { return Real(0); }
     template <class Stencil> Real ahead(const Stencil&, std::span<const Row>, Real, Real) const { return Real(0); }
     void push(Row row, const Vec<D, Real>& displacement) {
@@ -36,9 +36,9 @@ template <int D, class RealT> struct ClassicMover {
 
 /// Bounds factors which no original had, to keep products finite.
 template <class Real> ClassicRules<Real> held_in_limits(ClassicRules<Real> rules) {
-    constexpr auto most = Real(1e6);
+    constexpr auto max = Real(1e6);
     for (Real* factor : {&rules.keep, &rules.bounce, &rules.floor_keep, &rules.time_scale, &rules.longest_step})
-        *factor = clamp(*factor, Real(0), most);
+        *factor = clamp(*factor, Real(0), max);
     return rules;
 }
 
@@ -124,7 +124,7 @@ template <int D, class Real> class ClassicStep {
     ClassicStep(World<D, Real>& world, Solver<D, Real>& solver, Real dt)
         : world_(world), scratch_(solver.scratch), stays_(solver.stays), p_(world.particles),
           rules_(held_in_limits(world.settings.classic)),
-          h_(clamp(minimum(dt, rules_.longest_step * world.settings.frame) * rules_.time_scale, Real(0),
+          h_(clamp(min(dt, rules_.longest_step * world.settings.frame) * rules_.time_scale, Real(0),
                    limit::step<Real>)),
           mover_{p_}, walls_(world, solver.touches, rules_, h_) {}
 
@@ -239,7 +239,7 @@ template <int D, class Real> class ClassicStep {
     Vec<D, Real> gained(const Push<D, Real>& push, const Vec<D, Real>& velocity) const {
         const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
         const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
-        return fallen - velocity * minimum(Real(1), push.drag_rate * h_ * dragged_share());
+        return fallen - velocity * min(Real(1), push.drag_rate * h_ * dragged_share());
     }
 
     /// A displacement that is not scaled is the way of a frame: its drag is an acceleration like any other, over h^2.
@@ -249,14 +249,14 @@ template <int D, class Real> class ClassicStep {
 
     /// Step of an integrator other than Verlet: damping acts before or after; x_prev = x - v h.
     void integrate(Integrator integrator, Row row) {
-        const auto gain = [&](const Vec<D, Real>& place, const Vec<D, Real>& change) {
-            return gained(push_on(world_, row, clamp_components(place, limit::coordinate<Real>)), change);
+        const auto gain = [&](const Vec<D, Real>& position, const Vec<D, Real>& change) {
+            return gained(push_on(world_, row, clamp_components(position, limit::coordinate<Real>)), change);
         };
         const Real before = rules_.damp_after_force ? Real(1) : rules_.keep;
         const Real after = rules_.damp_after_force ? rules_.keep : Real(1);
         const auto moved =
             advance(integrator, FreeMotion<Vec<D, Real>>{p_.position[row], velocity_of(row) * before}, gain);
-        p_.position[row] = clamp_components(moved.place, limit::coordinate<Real>);
+        p_.position[row] = clamp_components(moved.position, limit::coordinate<Real>);
         p_.previous[row] = clamp_components(p_.position[row] - moved.change * after, limit::coordinate<Real>);
     }
 
@@ -302,9 +302,9 @@ template <int D, class Real> class ClassicStep {
         const auto ends = std::as_const(table.members)[row];
         const auto ab = p_.position[ends[1]] - p_.position[ends[0]];
         const Real squared = dot(ab, ab);
-        constexpr Real most = limit::coordinate<Real>;
-        const Real rest = square_root(clamp(squared, square(clamp(table.low(row), Real(0), most)),
-                                            square(clamp(table.high(row), Real(0), most))));
+        constexpr Real max = limit::coordinate<Real>;
+        const Real rest = square_root(
+            clamp(squared, square(clamp(table.low(row), Real(0), max)), square(clamp(table.high(row), Real(0), max))));
         const Real s = rest * rest * inverse_or_zero(squared + rest * rest) - Real(0.5);
         const auto both = ab * (Real(2) * s * table.relaxation[row]);
         mover_.push(ends[0], -both * table.split[row]);
@@ -326,9 +326,9 @@ template <int D, class Real> class ClassicStep {
 template <int D, class Real> void classic_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
     if (!world.settings.classic.dropped_leftover) return ClassicStep<D, Real>(world, solver, dt).run();
     constexpr Real tick_share = Real(0.96); // 16 ms of a frame
-    constexpr int most_ticks = 1000;
+    constexpr int max_ticks = 1000;
     const Real tick = tick_share * world.settings.frame;
-    const Real whole = clamp(dt * inverse_or_zero(tick) + Real(1e-4), Real(0), Real(most_ticks));
+    const Real whole = clamp(dt * inverse_or_zero(tick) + Real(1e-4), Real(0), Real(max_ticks));
     for (int left = int(whole); left > 0; --left) ClassicStep<D, Real>(world, solver, tick).run();
 }
 

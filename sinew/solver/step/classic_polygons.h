@@ -41,7 +41,7 @@ template <class Real> class ClassicPolygons {
     };
     struct Range {
         Real low = std::numeric_limits<Real>::max(), high = -low;
-        void include(Real number) { low = minimum(low, number), high = maximum(high, number); }
+        void include(Real number) { low = min(low, number), high = max(high, number); }
     };
 
     template <class Visit> void each_polygon(FigureIndex index, Visit&& visit) const {
@@ -80,24 +80,24 @@ template <class Real> class ClassicPolygons {
     }
 
     /// False if an edge of `edged` parts the two; otherwise the axis of least overlap so far.
-    bool find_overlap(const Piece& edged, const Piece& pushed, Overlap& least) const {
+    bool find_overlap(const Piece& edged, const Piece& pushed, Overlap& smallest) const {
         for (std::size_t i = 0; i < edged.particles.size(); ++i) {
             const auto axis = direction(perpendicular(corner(edged, i + 1) - corner(edged, i)));
             if (axis == Vector{}) continue;
             const auto a = range(edged, axis), b = range(pushed, axis);
-            const Real depth = minimum(a.high, b.high) - maximum(a.low, b.low);
+            const Real depth = min(a.high, b.high) - max(a.low, b.low);
             if (!(depth > Real(0))) return false;
-            const Real shortest = minimum(a.high - b.low, b.high - a.low);
-            if (shortest < least.depth) least = {shortest, axis, &pushed, &edged, i};
+            const Real shortest = min(a.high - b.low, b.high - a.low);
+            if (shortest < smallest.depth) smallest = {shortest, axis, &pushed, &edged, i};
         }
         return true;
     }
     std::size_t deepest_corner(const Overlap& overlap) const {
         std::size_t deepest = 0;
-        Real least = std::numeric_limits<Real>::max();
+        Real min = std::numeric_limits<Real>::max();
         for (std::size_t i = 0; i < overlap.pushed->particles.size(); ++i) {
             const Real along = dot(overlap.normal, corner(*overlap.pushed, i));
-            if (along < least) least = along, deepest = i;
+            if (along < min) min = along, deepest = i;
         }
         return deepest;
     }

@@ -83,7 +83,7 @@ template <int D, class Real> class CoupledSweep {
     /// Runs an iteration over all constraints: ports after everything not at a port, and before the tethers. Components
     /// with ports are swept again, since most of the load on them comes from outside.
     void project_all(Substep<D, Real>& substep) {
-        const int rounds = most_passes();
+        const int rounds = max_passes();
         const bool first = substep.mover().first_iteration;
         for (int round = 0; round < rounds; ++round) {
             substep.mover().first_iteration = first && round == 0;
@@ -101,11 +101,11 @@ template <int D, class Real> class CoupledSweep {
         const auto& ports = solver_.blocks.ports;
         return ports.list.empty() ? 1 : std::max(1, int(ports.passes[component]));
     }
-    int most_passes() const {
+    int max_passes() const {
         const auto& ports = solver_.blocks.ports;
-        int most = ports.list.empty() ? 1 : 2;
-        for (const char count : ports.passes) most = std::max(most, int(count));
-        return most;
+        int max = ports.list.empty() ? 1 : 2;
+        for (const char count : ports.passes) max = std::max(max, int(count));
+        return max;
     }
     /// True for a component whose links are exact beside the sweep (contact/link_projector.h).
     bool is_exact(std::size_t component) const {

@@ -16,7 +16,7 @@ template <class Table, int D, class Real> Real slipped(Solver<D, Real>& solver, 
     const auto members = table.members[row];
     detail::Stencil<typename Table::Kind, D, Real> stencil(solver.scratch, members.size());
     stencil.each([&](std::size_t i) {
-        stencil.points[i] = solver.sweep_state.place_at(solver.sweep_state.slot_of[members[i]]);
+        stencil.points[i] = solver.sweep_state.position_at(solver.sweep_state.slot_of[members[i]]);
     });
     const Real measure = stencil.evaluate(stencil.points, stencil.gradient);
     const Real error = measure - clamp(measure, table.low(row), table.high(row));
@@ -44,7 +44,7 @@ template <int D, class Real> void move_limits(World<D, Real>& world, Real h) {
             const auto moved = [&](Real end) {
                 if (!is_limit(end)) return end;
                 const Real next = end + table.motor_speed[row] * h;
-                return is_length ? maximum(next, Real(0)) : next;
+                return is_length ? max(next, Real(0)) : next;
             };
             table.limits.change(row, moved);
         }
@@ -58,7 +58,7 @@ template <int D, class Real> void slip(World<D, Real>& world, Solver<D, Real>& s
                 if (!table.gives(row) || moves_any(solver.blocks, world, std::as_const(table).members[row])) continue;
                 if (absolute(table.multiplier[row]) < Real(slipping_share) * table.max_force[row] * h * h) continue;
                 const Real by = slipped(solver, table, row);
-                const auto moved = [&](Real end) { return is_limit(end) ? maximum(end + by, Real(0)) : end; };
+                const auto moved = [&](Real end) { return is_limit(end) ? max(end + by, Real(0)) : end; };
                 table.limits.change(row, moved);
             }
     });

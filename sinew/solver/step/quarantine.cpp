@@ -105,8 +105,9 @@ template <int D, class Real> void hold_in_limits(World<D, Real>& world, Solver<D
         note_previous(world, 0, world.particles.size());
     }
     for (auto& pin : world.pins) {
-        const auto within = [](const Vec<D, Real>& place) {
-            return std::ranges::all_of(place.component, [](Real x) { return absolute(x) <= limit::coordinate<Real>; });
+        const auto within = [](const Vec<D, Real>& position) {
+            return std::ranges::all_of(position.component,
+                                       [](Real x) { return absolute(x) <= limit::coordinate<Real>; });
         };
         if (within(pin.from) && within(pin.target)) continue;
         if (!is_finite(pin.from)) pin.from = is_finite(pin.target) ? pin.target : Vec<D, Real>{};

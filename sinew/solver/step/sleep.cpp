@@ -76,7 +76,7 @@ template <int D, class Real> class Sleep {
     }
     /// Adds the step to the time at rest of each body, or begins it anew. True if a body is ready to fall asleep.
     bool count_rest() {
-        const Real most = square(world_.settings.sleep.speed);
+        const Real max = square(world_.settings.sleep.speed);
         const bool is_steady = std::all_of(world_.forces.begin(), world_.forces.end(), [](const auto& force) {
             const auto* wind = std::get_if<Wind<D, Real>>(&force);
             return !std::holds_alternative<RandomPush<D, Real>>(force) && !(wind && wind->gust != Vec<D, Real>{});
@@ -85,7 +85,7 @@ template <int D, class Real> class Sleep {
         for (std::size_t i = 0; i < room_.bodies.size(); ++i) {
             const auto& body = room_.bodies[i];
             if (!body.is_movable || p_.asleep[body.first]) continue;
-            const bool rests = is_steady && room_.squared_speed[i] <= most;
+            const bool rests = is_steady && room_.squared_speed[i] <= max;
             p_.rest_time.set(body.first, rests ? p_.rest_time[body.first] + dt_ : Real(0));
             any = any || is_ready(body);
         }

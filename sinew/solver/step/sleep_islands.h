@@ -42,8 +42,8 @@ template <int D, class Real> class SleepIslands {
     void measure_speeds() {
         room_.squared_speed.assign(room_.bodies.size(), Real(0));
         for (Row row = 0; row < p_.size(); ++row) {
-            auto& most = room_.squared_speed[room_.body_of[row]];
-            most = maximum(most, dot(p_.velocity[row], p_.velocity[row]));
+            auto& fastest2 = room_.squared_speed[room_.body_of[row]];
+            fastest2 = max(fastest2, dot(p_.velocity[row], p_.velocity[row]));
         }
     }
 
@@ -57,15 +57,15 @@ template <int D, class Real> class SleepIslands {
     /// Distance within which bodies are near: the way of the fastest particle in the step, and that of one which just
     /// counts as at rest during the delay.
     Real margin() const {
-        Real most = 0;
-        for (const auto speed : room_.squared_speed) most = maximum(most, speed);
+        Real fastest2 = 0;
+        for (const auto speed : room_.squared_speed) fastest2 = max(fastest2, speed);
         for (const auto& pin : world_.pins)
-            most = maximum(most, dot(pin.target - pin.from, pin.target - pin.from) * inverse_or_zero(square(dt_)));
+            fastest2 = max(fastest2, dot(pin.target - pin.from, pin.target - pin.from) * inverse_or_zero(square(dt_)));
         Vec<D, Real> gravity{};
         for (const auto& force : world_.forces)
             if (const auto* field = std::get_if<Gravity<D, Real>>(&force)) gravity += field->acceleration;
         const auto& sleep = world_.settings.sleep;
-        return square_root(most) * dt_ + norm(gravity) * square(dt_) + sleep.speed * sleep.delay;
+        return square_root(fastest2) * dt_ + norm(gravity) * square(dt_) + sleep.speed * sleep.delay;
     }
 
     void make_boxes() {

@@ -20,7 +20,7 @@ Real strain_of(const World<D, Real>& world, std::span<Vec<D, Real>> scratch, con
 /// Adds the damage of a step; true when the constraint fails.
 template <class Table, class Real> bool wears_out(Table& table, Row row, Real strain_times_time) {
     if (table.damage_limit[row] == Real(0)) return true;
-    table.damage.set(row, minimum(table.damage[row] + strain_times_time, limit::measure<Real>));
+    table.damage.set(row, min(table.damage[row] + strain_times_time, limit::measure<Real>));
     return table.damage[row] > table.damage_limit[row];
 }
 

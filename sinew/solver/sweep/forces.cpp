@@ -16,10 +16,11 @@ template <class Real> Real noise(double t, std::uint64_t seed, std::uint64_t str
     return before + (after - before) * (s * s * (Real(3) - Real(2) * s));
 }
 
-template <int D, class Real> Vec<D, Real> wind_at(const Wind<D, Real>& wind, const Vec<D, Real>& place, double time) {
-    constexpr double most = 1e15; // gusts: beyond, a double cannot resolve single gusts
-    const double behind = double(dot(place, direction(wind.velocity)) * inverse_or_zero(wind.gust_size));
-    const double t = clamp(time * inverse_or_zero(double(wind.gust_period)), -most, most) - clamp(behind, -most, most);
+template <int D, class Real>
+Vec<D, Real> wind_at(const Wind<D, Real>& wind, const Vec<D, Real>& position, double time) {
+    constexpr double max = 1e15; // gusts: beyond, a double cannot resolve single gusts
+    const double behind = double(dot(position, direction(wind.velocity)) * inverse_or_zero(wind.gust_size));
+    const double t = clamp(time * inverse_or_zero(double(wind.gust_period)), -max, max) - clamp(behind, -max, max);
     const auto gust =
         Vec<D, Real>::map([&](int i) { return wind.gust[i] * noise<Real>(t, wind.seed, std::uint64_t(i)); });
     return clamp_components(wind.velocity + gust, limit::speed<Real>);
@@ -29,7 +30,7 @@ template <int D, class Real> Vec<D, Real> wind_at(const Wind<D, Real>& wind, con
 template <int D, class Real> struct Adder {
     const World<D, Real>& world;
     Row row;
-    const Vec<D, Real>& place;
+    const Vec<D, Real>& position;
     Push<D, Real>& push;
 
     Real rate(Real strength) const {
@@ -42,12 +43,12 @@ template <int D, class Real> struct Adder {
     void operator()(const Gravity<D, Real>& gravity) const { accelerate(gravity.acceleration); }
     void operator()(const Drag<D, Real>& drag) const { push.drag_rate += rate(drag.strength); }
     void operator()(const Wind<D, Real>& wind) const {
-        accelerate(wind_at(wind, place, world.time) * rate(wind.strength));
+        accelerate(wind_at(wind, position, world.time) * rate(wind.strength));
         push.drag_rate += rate(wind.strength);
     }
     void operator()(const Attractor<D, Real>& attractor) const {
         if (!pulls(attractor, world.particles.figure[row])) return;
-        const auto offset = place - attractor.center;
+        const auto offset = position - attractor.center;
         const Real softened = square_root(dot(offset, offset) + square(attractor.softness));
         const Real per_length = inverse_or_zero(softened);
         const Real pull = clamp(attractor.strength * per_length * per_length, -largest_acceleration<Real>,
@@ -59,13 +60,13 @@ template <int D, class Real> struct Adder {
 
 } // namespace
 
-template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& place) {
+template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& position) {
     Push<D, Real> push;
-    const Adder<D, Real> add{world, row, place, push};
+    const Adder<D, Real> add{world, row, position, push};
     for (const auto& force : world.forces) std::visit(add, force);
     add.accelerate(world.particles.force[row] * world.particles.inverse_mass[row]);
     push.acceleration = clamp_components(push.acceleration, largest_acceleration<Real>);
-    push.drag_rate = minimum(push.drag_rate, limit::measure<Real>);
+    push.drag_rate = min(push.drag_rate, limit::measure<Real>);
     return push;
 }
 
@@ -78,9 +79,9 @@ template <int D, class Real> void apply_random_pushes(World<D, Real>& world) {
         const auto row = std::size_t(random::whole(0, std::int64_t(p.size()) - 1, random_push->seed, D, world.steps));
         p.any_force = true;
         p.force[row] += Vec<D, Real>::map([&](int i) {
-            constexpr Real most = Real(1e9); // whole() draws from fewer than 2^32 numbers
-            const auto low = std::int64_t(clamp(random_push->low[i], -most, most));
-            const auto high = std::int64_t(clamp(random_push->high[i], Real(low), most));
+            constexpr Real max = Real(1e9); // whole() draws from fewer than 2^32 numbers
+            const auto low = std::int64_t(clamp(random_push->low[i], -max, max));
+            const auto high = std::int64_t(clamp(random_push->high[i], Real(low), max));
             return Real(random::whole(low, high, random_push->seed, std::uint64_t(i), world.steps));
         });
     }

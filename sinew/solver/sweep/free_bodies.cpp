@@ -47,7 +47,7 @@ template <int D, class Real> class FreeBodyFinder {
         number_.assign(state_.size(), 0);
         for (const auto& component : plan_.components) {
             const Row first = component.begin.slot, last = plan_.end_of(component).slot;
-            const Row parts = !component.has_links() ? last - first : maximum(component.copies, 1U);
+            const Row parts = !component.has_links() ? last - first : max(component.copies, 1U);
             for (Row slot = first; slot < last; ++slot) sets_.attach(slot, first + (slot - first) % parts);
         }
     }

@@ -51,7 +51,7 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, R
     if (!has_walls(world)) return;
     sweep_state.rebound.resize(sweep_state.size());
     for (const Row row : sweep_state.row_of)
-        sweep_state.largest_radius = maximum(sweep_state.largest_radius, world.particles.radius[row]);
+        sweep_state.largest_radius = max(sweep_state.largest_radius, world.particles.radius[row]);
 }
 
 template <int D, class Real> void gather(World<D, Real>& world, Solver<D, Real>& solver, Real h, Row first, Row last) {
@@ -59,10 +59,10 @@ template <int D, class Real> void gather(World<D, Real>& world, Solver<D, Real>&
     auto& sweep_state = solver.sweep_state;
     if (first == last) return;
     const auto& kernel = kernels<D, Real>(solver.options.simd);
-    kernel.to_columns(turning(sweep_state, p.position, sweep_state.place[0]), first, last);
+    kernel.to_columns(turning(sweep_state, p.position, sweep_state.position[0]), first, last);
     kernel.to_columns(turning(sweep_state, p.residual, sweep_state.residual[0]), first, last);
-    auto moves = turning(sweep_state, p.velocity, sweep_state.move[0]);
-    moves.by = h, moves.most = furthest_move(h);
+    auto moves = turning(sweep_state, p.velocity, sweep_state.displacement[0]);
+    moves.by = h, moves.max = max_displacement(h);
     kernel.to_columns(moves, first, last);
     const Row* const row_of = sweep_state.row_of.data();
     const Real* const from = p.mobility.data();
@@ -75,9 +75,9 @@ template <int D, class Real> void scatter(World<D, Real>& world, Solver<D, Real>
     auto& p = world.particles;
     auto& sweep_state = solver.sweep_state;
     const auto& kernel = kernels<D, Real>(solver.options.simd);
-    kernel.to_rows(turning(sweep_state, p.position, sweep_state.place[0]), first, last);
+    kernel.to_rows(turning(sweep_state, p.position, sweep_state.position[0]), first, last);
     kernel.to_rows(turning(sweep_state, p.residual, sweep_state.residual[0]), first, last);
-    auto moves = turning(sweep_state, p.velocity, sweep_state.move[0]);
+    auto moves = turning(sweep_state, p.velocity, sweep_state.displacement[0]);
     moves.by = sweep_state.per_h;
     kernel.to_rows(moves, first, last);
 }

@@ -58,15 +58,15 @@ template <int D, class Real> class MomentumKeeper {
 
     BodyColumns<D, Real> columns_of(const FreeBody<D>& body) const {
         const Row first = first_of(body);
-        return {.place = state_.place[0],
-                .move = state_.move[0],
+        return {.position = state_.position[0],
+                .displacement = state_.displacement[0],
                 .stride = state_.stride(),
                 .mobility = state_.mobility,
                 .slots = body.scattered ? state_.bodies.slots.data() + body.first : nullptr,
                 .first = body.first,
                 .count = body.members,
-                .origin = cast<double>(state_.place_at(first)),
-                .drift = cast<double>(state_.move_at(first))};
+                .origin = cast<double>(state_.position_at(first)),
+                .drift = cast<double>(state_.displacement_at(first))};
     }
     CentralMoments<D> moments_of(const FreeBody<D>& body) const {
         Moments<D> sums;
@@ -79,17 +79,17 @@ template <int D, class Real> class MomentumKeeper {
         const auto spin = body.spin * now.mass;
         const auto rate_due = now.rate_of(spin), rate = now.rate_of(now.spin);
         const double rotation = dot(rate_due, spin), inner = now.square - dot(rate, now.spin);
-        const double left = maximum(body.square * now.mass - rotation, 0.0);
+        const double left = max(body.square * now.mass - rotation, 0.0);
         const double share = body.lossless && inner > left ? square_root(left * inverse_or_zero(inner)) : 1;
         const auto change = rate_due - rate * share;
-        constexpr double most_turned = 1; // radians a substep; faster, no rotation is what was meant
-        if (!(norm(change) <= most_turned)) return;
+        constexpr double max_turned = 1; // radians a substep; faster, no rotation is what was meant
+        if (!(norm(change) <= max_turned)) return;
         const auto columns = columns_of(body);
         kernels_.turn(columns, {.rate = change,
                                 .center = columns.origin + now.center,
                                 .drift = columns.drift + now.velocity,
                                 .loss = 1 - share,
-                                .most = furthest_move(Real(1) / state_.per_h)});
+                                .max = max_displacement(Real(1) / state_.per_h)});
     }
 };
 

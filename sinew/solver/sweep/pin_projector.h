@@ -34,7 +34,7 @@ template <int D, class Real> class PinProjector {
             const bool rests = is_later_ && pin.from == pin.target;
             if (rests || !pin.hard() || world_.particles.quarantined[swept_.row_of[slot]]) continue;
             const auto goal = pin.target_at(share_);
-            swept_.set_move(slot, clamp_components(goal - swept_.place_at(slot), mover_.furthest));
+            swept_.set_displacement(slot, clamp_components(goal - swept_.position_at(slot), mover_.furthest));
         }
     }
 
@@ -52,14 +52,14 @@ template <int D, class Real> class PinProjector {
             const auto goal = pin.target_at(share_);
             const auto error = mover_.point_at(slot) - goal;
             const auto last_goal = pin.target_at(from_);
-            const auto drift = error - (swept_.place_at(slot) - last_goal);
+            const auto drift = error - (swept_.position_at(slot) - last_goal);
             const auto lambda = mover_.first_iteration ? Vector{} : pin.multiplier;
             const Real per_resistance = inverse_or_zero(w * (Real(1) + gamma) + alpha);
             auto next = clamp_components(lambda - (error + lambda * alpha + drift * gamma) * per_resistance,
                                          limit::multiplier<Real>);
             if (pin.max_force > Real(0)) {
-                const Real most = pin.max_force * mover_.h * mover_.h;
-                next *= minimum(Real(1), most * inverse_or_zero(norm(next)));
+                const Real max = pin.max_force * mover_.h * mover_.h;
+                next *= min(Real(1), max * inverse_or_zero(norm(next)));
             }
             mover_.push_at(slot, (next - lambda) * w);
             pin.multiplier = next;

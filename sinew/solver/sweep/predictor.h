@@ -35,14 +35,15 @@ template <int D, class Real> class Predictor {
     /// Predicts a particle under forces of its own.
     void predict(Row slot) {
         if (swept_.mobility[slot] == Real(0)) {
-            swept_.set_move(slot, {}); // immovable, unless carried by a pin
+            swept_.set_displacement(slot, {}); // immovable, unless carried by a pin
             return;
         }
-        const auto push = push_on(world_, swept_.row_of[slot], swept_.place_at(slot));
+        const auto push = push_on(world_, swept_.row_of[slot], swept_.position_at(slot));
         const Real rate = clamp(world_.settings.damping + push.drag_rate, Real(0), limit::measure<Real>);
         if (rate != decay_.rate) decay_ = Decay<Real>::of(rate, kick_);
-        const auto pushed = swept_.move_at(slot) * decay_.keep + push.acceleration * (kick_ * decay_.yield) * h_;
-        swept_.set_move(slot, clamp_components(pushed, furthest_));
+        const auto pushed =
+            swept_.displacement_at(slot) * decay_.keep + push.acceleration * (kick_ * decay_.yield) * h_;
+        swept_.set_displacement(slot, clamp_components(pushed, furthest_));
         weigh(slot);
     }
 
@@ -63,8 +64,8 @@ template <int D, class Real> class Predictor {
 
     void weigh(Row slot) {
         if (swept_.mobility[slot] > Real(0))
-            swept_.mobility[slot] = maximum(world_.particles.inverse_mass[swept_.row_of[slot]] * decay_.yield,
-                                            std::numeric_limits<Real>::min());
+            swept_.mobility[slot] = max(world_.particles.inverse_mass[swept_.row_of[slot]] * decay_.yield,
+                                        std::numeric_limits<Real>::min());
     }
 };
 

@@ -19,12 +19,12 @@ template <int D, class Real> class Substep {
           links_(links), mover_{solver.sweep_state, h}, predictor_(world, solver.sweep_state, mover_, number),
           share_(Real(number) / Real(substeps)), share_of_substep_(Real(1) / Real(substeps)), number_(number),
           last_(number == substeps), tethered_((substeps - number) % 2 == 0) {
-        motion_.place = swept_.place[0];
-        motion_.move = swept_.move[0];
+        motion_.position = swept_.position[0];
+        motion_.displacement = swept_.displacement[0];
         motion_.residual = swept_.residual[0];
         motion_.stride = swept_.stride();
         motion_.mobility = swept_.mobility;
-        motion_.most = mover_.furthest;
+        motion_.max = mover_.furthest;
         motion_.furthest = limit::coordinate<Real>;
         predictor_.fall(motion_);
     }
@@ -158,8 +158,8 @@ template <int D, class Real> class Substep {
             if (speed == Real(0)) continue;
             const auto away = struck * inverse_or_zero(speed);
             const auto velocity = swept_.velocity_at(slot);
-            const auto added = away * maximum(Real(0), speed - dot(away, velocity));
-            swept_.set_move(slot, (velocity + added) * mover_.h);
+            const auto added = away * max(Real(0), speed - dot(away, velocity));
+            swept_.set_displacement(slot, (velocity + added) * mover_.h);
         }
     }
 
@@ -200,7 +200,7 @@ template <int D, class Real> class Substep {
     int number_;                    ///< 1 to the number of substeps
     bool last_, tethered_;
     Motion<D, Real> motion_{};
-    std::array<Anchor<D, Real>, most_tethers> anchors_;
+    std::array<Anchor<D, Real>, max_tethers> anchors_;
 
     void part_heaps(std::uint32_t first, std::uint32_t last) {
         auto& table = std::get<kind_number<Distance, D>>(world_.constraints);

@@ -48,8 +48,8 @@ template <int D, class Real> class WavefrontSweep {
 
     bool is_large(const Component& component) const {
         const auto tiles = substeps_.tiles_of(component);
-        const auto most = solver_.sweep_state.size() / std::uint32_t(2 * threads_);
-        return tiles.size() >= 8 * std::size_t(threads_) && tiles.back().last - tiles.front().first > most;
+        const auto max = solver_.sweep_state.size() / std::uint32_t(2 * threads_);
+        return tiles.size() >= 8 * std::size_t(threads_) && tiles.back().last - tiles.front().first > max;
     }
 
     /// Runs all substeps of a component. The momenta of free bodies are kept over the whole step where all forces are
