@@ -2,6 +2,8 @@
 
 #include "sinew/math/format.h"
 
+#include <cmath>
+
 namespace sinew {
 namespace {
 
@@ -42,7 +44,7 @@ std::optional<std::string> Chain::problem(int) const {
     constexpr double degrees = 180 / pi<double>;
     return format_text("with this slack the links turn by {} degrees, and bend_limit is {}: less slack, a higher "
                        "limit or more links",
-                       turn * degrees, bend_limit * degrees);
+                       std::round(turn * degrees), std::round(bend_limit * degrees));
 }
 
 template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {
