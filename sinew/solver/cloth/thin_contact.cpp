@@ -264,7 +264,10 @@ template <class Real> class ThinContact {
     /// and may be met by others: they are looked at again.
     bool separate_all() {
         any_truncated_ = false;
-        for (bool any = true; any;) any = separate(room_.pairs[0]) | separate(room_.pairs[1]);
+        for (bool any = true; any;) {
+            any = separate(room_.pairs[0]);
+            any = separate(room_.pairs[1]) || any;
+        }
         if (any_truncated_) look_ahead();
         return any_truncated_;
     }
