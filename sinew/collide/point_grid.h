@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/collide/bounding_box.h"
+#include "sinew/collide/grid_cell.h"
 
 #include <algorithm>
 #include <array>
@@ -65,16 +66,7 @@ template <int D, class Real> class PointGrid {
         for (std::size_t i = 0; i < D; ++i) off |= a[i] ^ b[i];
         return off == 0;
     }
-    Cell cell_at(const Vector& point) const {
-        constexpr Real max = 1e9;
-        Cell cell{};
-        for (int i = 0; i < D; ++i) {
-            const Real scaled = clamp(point[i] * per_size_, -max, max);
-            const auto towards_zero = std::int32_t(scaled);
-            cell[std::size_t(i)] = towards_zero - (scaled < Real(towards_zero));
-        }
-        return cell;
-    }
+    Cell cell_at(const Vector& point) const { return collide::cell_at<std::int32_t>(point, per_size_); }
     std::uint32_t bucket_at(const Cell& cell) const {
         constexpr std::array<std::uint32_t, 3> factor = {0x9e3779b1U, 0x85ebca77U, 0xc2b2ae3dU};
         std::uint32_t hash = 0;

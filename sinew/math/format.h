@@ -18,7 +18,7 @@ std::string number_text(double number, int digits);
 
 namespace detail {
 
-/// What a format may hold.
+/// A value for a hole of a format.
 class FormatPart {
   public:
     FormatPart(std::string_view text) : type_(Type::text), text_(text) {}                    // NOLINT

@@ -25,11 +25,11 @@ struct FieldType {
     void (*scale)(void* member, const Field& field, const Units& units);
     /// The value; nothing for an option that is absent, and for a variant.
     std::optional<json::Value> (*write)(const void* member, const Field& field, const Writing& out);
-    /// Of a variant: appends the tag and the fields of the alternative held. Else null.
+    /// Appends the tag and the fields of the alternative that a variant holds; null for other types.
     void (*write_held)(const void* member, const Field& field, json::Object& object, const Writing& out);
     void (*read)(FieldReader& reader, void* member, const Field& field);
     void (*describe)(const void* member, const Field& field, Layout& part);
-    /// Of a variant: appends the names of the fields of all alternatives. Else null.
+    /// Appends the names of the fields of all alternatives of a variant; null for other types.
     void (*add_names)(std::vector<std::string_view>& names);
 };
 template <class T> const FieldType& field_type(); // reader.h

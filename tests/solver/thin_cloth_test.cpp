@@ -99,18 +99,10 @@ TYPED_TEST(ThinCloth, AHeapRests) {
     EXPECT_EQ(count_crossings(show.world), 0U);
 }
 
-// Lists of pairs are made when needed, yet a world goes on alike whether they were made before or not.
 TYPED_TEST(ThinCloth, CopiesHaveTheSameFuture) {
     using Real = TypeParam;
     Fold<Real> show({.size = 16, .contact = thin()});
-    auto& world = show.world;
-    for (int i = 0; i < 240; ++i) {
-        Space<Real> copy = world;
-        copy.solver.options.threads = 3;
-        step(world, Real(1.0 / 60));
-        step(copy, Real(1.0 / 60));
-        ASSERT_EQ(state_hash(copy), state_hash(world)) << i;
-    }
+    expect_copies_to_go_alike(show);
 }
 
 TYPED_TEST(ThinCloth, IsPartOfTheState) {

@@ -81,15 +81,20 @@ template <class Real> NearestPoints<Real> nearest_edge_edge(const FeatureCorners
     return near;
 }
 
+/// Gap between the corners of the first side, `first_side` of four, and those of the other below, by their heights.
+template <class Real> Real gap_of(const std::array<Real, 4>& height, std::size_t first_side) {
+    const Real low = first_side == 2 ? min(height[0], height[1]) : height[0];
+    const Real high = first_side == 2 ? max(height[2], height[3]) : max(height[1], max(height[2], height[3]));
+    return low - high;
+}
+
 /// Least distance along a direction between the corners of both sides; negative where the direction parts them not.
 /// `first_side`: number of corners of the first side.
 template <class Real>
 Real clearance(const FeatureCorners<Real>& corner, std::size_t first_side, const Vec3<Real>& direction) {
     std::array<Real, 4> height;
     for (std::size_t i = 0; i < 4; ++i) height[i] = dot(direction, corner[i] - corner[0]);
-    const Real low = first_side == 2 ? min(height[0], height[1]) : height[0];
-    const Real high = first_side == 2 ? max(height[2], height[3]) : max(height[1], max(height[2], height[3]));
-    return low - high;
+    return gap_of(height, first_side);
 }
 
 /// Direction that parts two features best, of all that nearest features can have, worked out in double: nearest points

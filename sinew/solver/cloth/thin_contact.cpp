@@ -1,6 +1,7 @@
 #include "sinew/solver/cloth/thin_contact.h"
 
 #include "sinew/solver/cloth/feature_search.h"
+#include "sinew/solver/layer_correction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -222,12 +223,7 @@ template <class Real> class ThinContact {
         if (!is_inside && (first_side == 2 || near.distance >= near.thickness)) return false;
         return near.distance + dot(near.normal, relative_displacement(near)) < near.thickness;
     }
-    static Real gap(const std::array<Real, 4>& height, std::size_t first_side) {
-        const Real low = first_side == 2 ? min(height[0], height[1]) : height[0];
-        const Real high = first_side == 2 ? max(height[2], height[3]) : max(height[1], max(height[2], height[3]));
-        return low - high;
-    }
-    static Real gap(const NearPair<Real>& near, std::size_t first_side) { return gap(near.height, first_side); }
+    static Real gap(const NearPair<Real>& near, std::size_t first_side) { return gap_of(near.height, first_side); }
     Vector relative_displacement(const NearPair<Real>& near) const {
         Vector sum{};
         for (std::size_t i = 0; i < 4; ++i) sum += room_.vertices[near.vertex[i]].displacement * near.weight[i];
@@ -236,22 +232,15 @@ template <class Real> class ThinContact {
 
     // --- solution ----------------------------------------------------------------------------------------------------
 
-    /// Share of an overlap removed in a substep. All at once would leave the layers with its speed.
-    static constexpr Real push_out = Real(0.25);
-
     void part(const NearPair<Real>& pair) {
         const auto moved = relative_displacement(pair);
-        const Real along = dot(pair.normal, moved), overlap = pair.thickness - pair.distance - along;
+        const Real overlap = pair.thickness - pair.distance - dot(pair.normal, moved);
         Real mobility = 0;
         for (std::size_t i = 0; i < 4; ++i)
             mobility += square(pair.weight[i]) * room_.vertices[pair.vertex[i]].mobility;
         if (!(overlap > Real(0)) || mobility == Real(0)) return;
-        const Real approach = max(-along, Real(0));
-        const Real pushed = min(overlap, approach) + push_out * max(overlap - approach, Real(0));
-        const auto across = moved - pair.normal * along;
         const Real friction = min(room_.mesh.friction[pair.vertex[0]], room_.mesh.friction[pair.vertex[3]]);
-        const Real slowed = min(Real(1), friction * pushed * inverse_or_zero(norm(across)));
-        const auto change = (pair.normal * pushed - across * slowed) * inverse_or_zero(mobility);
+        const auto change = layer_correction(pair.normal, moved, overlap, friction) * inverse_or_zero(mobility);
         for (std::size_t i = 0; i < 4; ++i) {
             auto& vertex = room_.vertices[pair.vertex[i]];
             vertex.displacement += change * (pair.weight[i] * vertex.mobility);
@@ -295,7 +284,7 @@ template <class Real> class ThinContact {
     Real gap_ahead(const NearPair<Real>& pair, std::size_t first_side) const {
         auto height = pair.height;
         for (std::size_t i = 0; i < 4; ++i) height[i] += dot(pair.normal, room_.vertices[pair.vertex[i]].displacement);
-        return gap(height, first_side);
+        return gap_of(height, first_side);
     }
     /// From now on the plane in the middle stays: each side stops before it.
     void fix(NearPair<Real>& pair, std::size_t first_side) {

@@ -3,6 +3,7 @@
 #include "sinew/collide/filter.h"
 #include "sinew/math/sort.h"
 #include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/layer_correction.h"
 #include "sinew/world/world.h"
 
 #include <algorithm>
@@ -154,12 +155,7 @@ template <int D, class Real> class ClothContact {
         touching.resize(count);
     }
 
-    /// Share of an overlap removed in a substep. All at once would leave the layers with its speed: undamped cloth
-    /// never rested (docs/measured/contact.md).
-    static constexpr Real push_out = Real(0.25);
-
-    /// Stops the approach of two particles nearer than layers, and moves them apart by a share of the overlap that
-    /// there was before, each by its share of mobility; friction takes back the slip.
+    /// Corrects two particles nearer than layers, each by its share of mobility.
     void part(const ClothPair& pair) {
         auto &a = room_.particles[pair.first], &b = room_.particles[pair.second];
         const auto away = (a.position - b.position) + (a.displacement - b.displacement);
@@ -167,14 +163,9 @@ template <int D, class Real> class ClothContact {
         const Real mobility = a.mobility + b.mobility;
         if (!(length < apart) || mobility == Real(0)) return;
         const auto normal = length > Real(0) ? away * inverse_or_zero(length) : Vector::axis(D - 1);
-        const auto slip = a.displacement - b.displacement;
-        const Real along = dot(slip, normal);
-        const Real approach = max(-along, Real(0)), overlap = apart - length;
-        const Real pushed = min(overlap, approach) + push_out * max(overlap - approach, Real(0));
-        const auto across = slip - normal * along;
-        const Real max = min(a.friction, b.friction) * pushed;
         const auto change =
-            (normal * pushed - across * min(Real(1), max * inverse_or_zero(norm(across)))) * inverse_or_zero(mobility);
+            layer_correction(normal, a.displacement - b.displacement, apart - length, min(a.friction, b.friction)) *
+            inverse_or_zero(mobility);
         a.displacement += change * a.mobility;
         b.displacement -= change * b.mobility;
     }

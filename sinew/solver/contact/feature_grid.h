@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/collide/bounding_box.h"
+#include "sinew/collide/grid_cell.h"
 #include "sinew/math/lane.h"
 
 #include <algorithm>
@@ -139,16 +140,7 @@ template <int D, class Real> class FeatureGrid {
         }
     }
 
-    Cell cell_at(const Vector& point) const {
-        constexpr Real max = 1e9;
-        Cell cell{};
-        for (int i = 0; i < D; ++i) {
-            const Real scaled = clamp(point[i] * per_size_, -max, max);
-            const auto towards_zero = std::int64_t(scaled);
-            cell[std::size_t(i)] = towards_zero - (scaled < Real(towards_zero));
-        }
-        return cell;
-    }
+    Cell cell_at(const Vector& point) const { return collide::cell_at<std::int64_t>(point, per_size_); }
     std::uint32_t index_of(const Cell& cell) const {
         std::uint32_t index = 0;
         for (std::size_t i = D; i-- > 0;) index = index * cells_[i] + wrapped(cell[i], i);
@@ -183,7 +175,7 @@ template <int D, class Real> class FeatureGrid {
     static Pack load(const std::vector<Real>& column, std::uint32_t first) {
         return lane::load<Pack>(column.data() + first);
     }
-    /// Of the next points, 1 where the point counts for a segment.
+    /// Flags of the next points: 1 where the point counts for a segment.
     Flags find_near(std::uint32_t first, const Seeker& seeker, const Vector& along, Real per_square) const {
         const Pack zero{}, one = lane::spread<Pack>(Real(1));
         Pack from[D], part{}, far{};

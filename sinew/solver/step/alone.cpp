@@ -189,7 +189,7 @@ template <int D, class Real> class AloneFinder {
         if (a.has_several_figures || b.has_several_figures) return true;
         return a.figure != b.figure && touch(world_.figures[a.figure].filter, world_.figures[b.figure].filter);
     }
-    /// What has met somebody may fly off in any direction within the step.
+    /// A body that has met another may fly off in any direction within the step.
     void grow_those_met() {
         for (const auto i : room_.met) reach_ = max(reach_, room_.way[i]);
         for (const auto i : room_.met) room_.boxes[i] = room_.boxes[i].grown(reach_);
