@@ -32,7 +32,7 @@ struct Balls {
                               .unit = unit::length,
                               .low = 0,
                               .high = 1e6});
-        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-9, .high = 1e9});
+        visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
     }
 
     Sizes sizes() const { return {.particles = std::size_t(columns) * std::size_t(rows) * std::size_t(layers)}; }

@@ -1,8 +1,21 @@
 #include "sinew/prefab/prefabs.h"
 
 #include "sinew/math/format.h"
+#include "sinew/math/limit.h"
 
 namespace sinew {
+namespace {
+
+/// Reason why the particles of a prefab would be lighter than a particle can be; nothing if none is.
+template <class Prefab> std::optional<std::string> problem_of_mass(const Prefab& prefab) {
+    constexpr double lightest = 1 / limit::mass<double>;
+    const auto particles = prefab.sizes().particles;
+    if (prefab.mass >= lightest * double(particles)) return std::nullopt;
+    return format_text("a mass of {} is too little for {} particles: each weighs {} at least", prefab.mass, particles,
+                       lightest);
+}
+
+} // namespace
 
 std::optional<AnyPrefab> make_prefab(std::string_view name) {
     std::optional<AnyPrefab> made;
@@ -26,9 +39,8 @@ std::optional<std::string> problem_of(const AnyPrefab& prefab, int dimension) {
             if (!Prefab::dimensions.include(dimension))
                 return format_text("there is no {} in {} dimensions", Prefab::name, dimension);
             if constexpr (requires { chosen.problem(dimension); })
-                return chosen.problem(dimension);
-            else
-                return std::nullopt;
+                if (auto problem = chosen.problem(dimension)) return problem;
+            return problem_of_mass(chosen);
         },
         prefab);
 }

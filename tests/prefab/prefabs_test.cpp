@@ -173,6 +173,12 @@ TEST(EveryPrefab, IsRefusedInADimensionItDoesNotExistIn) {
     EXPECT_EQ(build(world, AnyPrefab(Rope{}), "rope"), FigureIndex(0));
 }
 
+TEST(EveryPrefab, IsRefusedIfItsParticlesWouldBeLighterThanAParticleCanBe) {
+    EXPECT_EQ(problem_of(Balls{.columns = 1000, .rows = 1000, .mass = 1e-6}, 2), std::nullopt);
+    EXPECT_EQ(problem_of(Balls{.columns = 1001, .rows = 1000, .mass = 1e-6}, 2),
+              "a mass of 1e-6 is too little for 1001000 particles: each weighs 1e-12 at least");
+}
+
 TEST(EveryPrefab, TellsItsSizesForBillionsWithoutMakingAny) {
     constexpr int billion = 1'000'000'000;
     EXPECT_EQ(Rope{.segments = billion}.sizes().particles, std::size_t(billion) + 1);
