@@ -35,8 +35,8 @@ endforeach()
 # A last -O0 keeps clang from running any wasm-opt of the machine.
 function(sinew_wasm_options name real)
     # Functions of 2D and 3D, of one record and another, are often the same code: compiled once, they save 14 KB.
-    target_compile_options(${name} PRIVATE -Oz -Xclang -fmerge-functions -ffp-contract=off -fvisibility=hidden
-        -fno-threadsafe-statics -fno-c++-static-destructors)
+    target_compile_options(${name} PRIVATE -Oz -Xclang -fmerge-functions -ffp-contract=off -fno-math-errno
+        -fvisibility=hidden -fno-threadsafe-statics -fno-c++-static-destructors)
     target_compile_definitions(${name} PRIVATE NDEBUG JSON_NOEXCEPTION
         SINEW_ONE_PRECISION=${real} SINEW_SMALL)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
