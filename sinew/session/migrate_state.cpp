@@ -44,6 +44,7 @@ template <class WorldT> class Transplant {
         target.previous[*to] = source.previous[*from];
         target.velocity[*to] = source.velocity[*from];
         target.residual[*to] = source.residual[*from];
+        target.energy_debt.set(*to, source.energy_debt[*from]);
         target.quarantined[*to] = source.quarantined[*from];
         if (target.quarantined[*to]) target.mobility[*to] = 0;
     }

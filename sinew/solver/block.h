@@ -219,7 +219,9 @@ struct BlockRoom {
     /// A connected component, with the properties that decide whether a block is built.
     struct Part {
         std::uint32_t first = 0, particles = 0; ///< range in `members`
-        std::uint32_t links = 0, inner_links = 0;
+        std::uint32_t links = 0, inner_links = 0, folds = 0;
+        double mass = 0;            ///< kg
+        double lightest_end = 1e30; ///< mass of the lightest particle that is linked to an immovable one, kg
         bool suits = true;
         bool wanted = false; ///< a direct solution is requested, however many loops there are
     };

@@ -44,6 +44,7 @@ template <int D> struct PortGroup {
     double share = 1;                            ///< factor of the velocities at the end of the substep, 0..1
     double lost = 0;              ///< energy that constraints took in the substep, J; negative if `share`
                                   ///< removes less than they added
+    double debt = 0;              ///< energy that constraints added before and that is not removed yet, J
     Vec<spins<D>, double> spin{}; ///< angular momentum due at the end of the substep, of a free one
 };
 

@@ -143,6 +143,7 @@ template <int D, class Real> class Splitter {
         const auto id = p.handles.append();
         detail::note_particle(world_);
         const Row twin = Row(p.size() - 1);
+        p.energy_debt.set(twin, 0); // stays with the original
         lighten(twin, share);
         if (const auto figure = p.figure[row]; figure < world_.figures.size())
             world_.figures[figure].particles.push_back(id);

@@ -53,7 +53,8 @@ template <int D, class Real> struct Particles {
     std::vector<char> quarantined; ///< frozen: the particle or the particle's figure was found non-finite
     Column<Real> rest_time;        ///< time for which the body of a particle, its first one, has been at rest
     Column<char> asleep;           ///< left out of the step until the body is woken (docs/concepts/contact.md)
-    Column<char> alone;            ///< of a colliding figure, but far from all it may touch: solved without contacts
+    Column<double> energy_debt; ///< energy that constraints of a joined figure still owe, J: a sum over its particles
+    Column<char> alone;         ///< of a colliding figure, but far from all it may touch: solved without contacts
     HandleMap<ParticleTag> handles;
 
     std::size_t size() const { return position.size(); }
@@ -72,6 +73,7 @@ template <int D, class Real> struct Particles {
         visit(self.quarantined);
         visit(self.rest_time);
         visit(self.asleep);
+        visit(self.energy_debt);
         visit(self.alone);
     }
 };

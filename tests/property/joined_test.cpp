@@ -130,27 +130,6 @@ template <int D> struct Joined {
     }
 };
 
-/// A law with a bound for every figure, and a tighter one that all but two in a hundred keep: what the masses of some
-/// ask for no sweep can give (docs/measured/joined.md).
-class Law {
-  public:
-    Law(const char* name, double tight, double loose) : name_(name), tight_(tight), loose_(loose) {}
-    ~Law() { EXPECT_LE(broken_, seen_ / 50) << name_; }
-    Law(const Law&) = delete;
-    Law& operator=(const Law&) = delete;
-
-    void hold(double worst, std::uint64_t seed) {
-        EXPECT_LE(worst, loose_) << name_ << ", seed " << seed;
-        ++seen_;
-        broken_ += worst > tight_;
-    }
-
-  private:
-    const char* name_;
-    double tight_, loose_;
-    int seen_ = 0, broken_ = 0;
-};
-
 /// The most energy it gains in so many seconds, as a part of its weight times its size.
 template <int D> double max_gain(Joined<D>& joined, double seconds) {
     const double before = energy(joined.world).total();
@@ -167,7 +146,8 @@ template <class Type> struct JoinedThings : ::testing::Test {};
 using Doubles = ::testing::Types<In<2, double>, In<3, double>>;
 TYPED_TEST_SUITE(JoinedThings, Doubles, Names);
 
-constexpr int few = 8, many = 200; // 2,000 figures in all
+constexpr int few = 8, many = 2000;
+constexpr double slight = 1e-3; // of weight times size
 
 /// Hangs a figure on one or two pins, and throws it.
 template <int D> void hang_and_throw(Joined<D>& joined) {
@@ -179,14 +159,13 @@ template <int D> void hang_and_throw(Joined<D>& joined) {
 }
 
 TYPED_TEST(JoinedThings, HungThrownAndReleasedGainNoEnergy) {
-    Law hung("hung and thrown", 1e-3, 1e-2), released("released", 1e-3, 1e-2);
     for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(few, many)); ++seed) {
         Joined<TypeParam::dimension> joined(seed);
         if (!joined.has_ports()) continue;
         hang_and_throw(joined);
-        hung.hold(max_gain(joined, 1), seed);
+        EXPECT_LE(max_gain(joined, 1), slight) << "hung and thrown, seed " << seed;
         joined.let_go();
-        released.hold(max_gain(joined, 0.5), seed);
+        EXPECT_LE(max_gain(joined, 0.5), slight) << "released, seed " << seed;
     }
 }
 
@@ -198,7 +177,7 @@ TYPED_TEST(JoinedThings, DrawnOutByALoadTheyGainNothingWhenLetGo) {
         hang_and_throw(joined);
         run(joined.world, 1);
         joined.let_go();
-        EXPECT_LE(max_gain(joined, 0.5), 1e-3) << "seed " << seed;
+        EXPECT_LE(max_gain(joined, 0.5), slight) << "seed " << seed;
     }
 }
 
@@ -249,7 +228,6 @@ TYPED_TEST(JoinedThings, LinksSolvedAtOnceKeepTheirLengthsWhereMotionIsHeldBack)
 
 /// A pin carries one particle about at 2 m/s and stops: from then on no energy comes in.
 TYPED_TEST(JoinedThings, DraggedGainNothingOnceTheyAreHeld) {
-    Law law("dragged", 1e-3, 1e-2);
     for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(few, many)); ++seed) {
         Joined<TypeParam::dimension> joined(seed);
         if (!joined.has_ports()) continue;
@@ -257,13 +235,14 @@ TYPED_TEST(JoinedThings, DraggedGainNothingOnceTheyAreHeld) {
         const auto carried = joined.any_particle();
         const auto from = *position_of(joined.world, carried);
         const auto held = *pin(joined.world, carried);
+        if (!joined.has_ports()) continue; // pieces that the pin parts
         for (int frame = 1; frame <= 30; ++frame) {
             move_pin(joined.world, held, from + at<typename TypeParam::Vector>(frame / 30.0, 0));
             step(joined.world, 1.0 / 60);
             ASSERT_TRUE(joined.is_finite_everywhere()) << "seed " << seed << ", frame " << frame;
         }
         step(joined.world, 1.0 / 60);
-        law.hold(max_gain(joined, 0.5), seed);
+        EXPECT_LE(max_gain(joined, 0.5), slight) << "seed " << seed;
     }
 }
 

@@ -95,10 +95,12 @@ template <int D, class Real> class BlockFinder {
         begin_search();
         make_room();
         const auto& handles = particles_.handles;
+        bool any_folds = false; // their skeletons are blocks or not by their masses
+        graph_.with_volumes([&](const auto& table) { any_folds = table.size() > 0; });
         for (const auto& touched : world_.journal.touched) {
             if (!handles.in_use(touched.particle)) continue;
-            if (touched.what == Touch::weight) continue;
             const Row row = handles.row_at(touched.particle);
+            if (touched.what == Touch::weight && !(any_folds && mobile(row))) continue;
             if (mobile(row)) {
                 spread(row);
                 continue;

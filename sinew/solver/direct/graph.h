@@ -33,6 +33,11 @@ template <int D, class Real> class BlockGraph {
 
     bool mobile(Row particle) const { return particles_.mobility[particle] > Real(0); }
 
+    /// Mass of a movable particle, kg; 0 for others.
+    double mass_of(Row particle) const { return inverse_or_zero(double(particles_.mobility[particle])); }
+    /// Mass at the movable end of a link, kg.
+    double mass_at_end(Row link) const { return mass_of(end(link, mobile(end(link, 0)) ? 0 : 1)); }
+
     /// Calls visit(row) for each constraint of a particle of the kind of `table`, in order.
     template <class Table, class Visit> void each(const Table& table, Row particle, Visit&& visit) const {
         for_each_row(world_, table, particle, visit);

@@ -102,7 +102,8 @@ template <int D, class Real> void pass_more_often(Solver<D, Real>& solver) {
     }
 }
 
-/// Connected components with ports. Immovable particles do not connect.
+/// Connected components with ports, and all others that hang on the same pins: an energy limit holds for all of a
+/// figure. Immovable particles do not connect.
 template <int D, class Real> class GroupFinder {
   public:
     GroupFinder(World<D, Real>& world, Solver<D, Real>& solver)
@@ -110,16 +111,12 @@ template <int D, class Real> class GroupFinder {
 
     void run() {
         ports_.reached.assign(world_.particles.size(), 0);
-        for (const auto& port : ports_.list) {
-            const Row row = solver_.blocks.nodes[port.node].row;
-            if (ports_.reached[row] || !mobile(row)) continue;
-            ports_.groups.push_back({.first = size(ports_.members),
-                                     .first_spring = size(ports_.springs),
-                                     .first_anchor = size(ports_.anchors)});
-            visit(row);
-            spread();
-            end_group();
-        }
+        for (const auto& port : ports_.list) add_group(solver_.blocks.nodes[port.node].row);
+        for (std::uint32_t a = 0; a < ports_.anchors.size(); ++a)
+            for_each_constraint(world_, solver_.sweep_state.row_of[ports_.anchors[a]],
+                                [&](const auto& table, Row constraint) {
+                                    for (const Row member : table.members[constraint]) add_group(member);
+                                });
     }
 
   private:
@@ -128,6 +125,17 @@ template <int D, class Real> class GroupFinder {
     Ports<D>& ports_;
 
     template <class Column> static std::uint32_t size(const Column& column) { return std::uint32_t(column.size()); }
+
+    /// Adds the component of a swept particle, if new.
+    void add_group(Row row) {
+        if (ports_.reached[row] || !mobile(row) || solver_.sweep_state.slot_of[row] == Ports<D>::none) return;
+        ports_.groups.push_back({.first = size(ports_.members),
+                                 .first_spring = size(ports_.springs),
+                                 .first_anchor = size(ports_.anchors)});
+        visit(row);
+        spread();
+        end_group();
+    }
 
     void visit(Row row) {
         if (std::exchange(ports_.reached[row], char(1))) return;
@@ -197,6 +205,7 @@ template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Rea
         for (std::uint32_t p = 0; p < block.ports; ++p)
             tethers.set_anchors(std::span(blocks.links).subspan(first_tether(block, p), max_tethers));
     GroupFinder<D, Real>(world, solver).run();
+    world.particles.energy_debt.set_apart(); // a step allocates nothing
     pass_more_often(solver);
     blocks.ports.free_moves.resize(solver.sweep_state.size());
     blocks.ports.last_displacements.resize(solver.sweep_state.size());

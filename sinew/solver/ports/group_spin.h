@@ -37,10 +37,20 @@ typename RigidMotion<D>::Spin affordable_rate(const GroupMotion<D, Real>& group,
     return present.rate + added.rate * clamp(f, 0.0, 1.0);
 }
 
+/// Rate of a rotation that has `owed` less energy, or none.
+template <int D, class Real>
+typename RigidMotion<D>::Spin slower_rate(const GroupMotion<D, Real>& group, const GroupFrame<D, Real>& present,
+                                          double owed) {
+    const GroupFrame<D, Real> still{present.center, present.velocity, {}};
+    const double share = 1 - owed * inverse_or_zero(group.energy_between(still, present));
+    return present.rate * square_root(max(share, 0.0));
+}
+
 /// Turns the velocities of a free group until its angular momentum is `spin`. The energy of the rotation is `lost`,
 /// what constraints have taken in the substep, and then a part of the rest of the motion: a lost spin gained back must
-/// not be gained twice. Without as much energy some of the spin stays lost, as where a mesh drawn out by a load
-/// contracts: the same spin would turn it faster. A motorized group is given any energy.
+/// not be gained twice. Energy that they have added, `lost` < 0, is taken from the rest of the motion, and then from
+/// the rotation. Without as much energy some of the spin stays lost, as where a mesh drawn out by a load contracts: the
+/// same spin would turn it faster. A motorized group is given any energy.
 template <int D, class Real>
 void restore_spin(const GroupMotion<D, Real>& group, const typename RigidMotion<D>::Spin& spin, double lost,
                   bool motorized) {
@@ -50,7 +60,10 @@ void restore_spin(const GroupMotion<D, Real>& group, const typename RigidMotion<
     const auto present = group.frame_of(now), added = group.frame_of(missing);
     const double inner = group.energy_beside(present);
     auto due = present;
-    due.rate = motorized ? present.rate + added.rate : affordable_rate(group, present, added, inner + lost);
+    const double left = inner + lost;
+    due.rate = motorized  ? present.rate + added.rate
+               : left < 0 ? slower_rate(group, present, -left)
+                          : affordable_rate(group, present, added, left);
     const double rise = group.energy_between(present, due) - lost;
     const double share = rise > 0 ? square_root(max(0.0, 1 - rise * inverse_or_zero(inner))) : 1;
     group.replace(present, due, share);
