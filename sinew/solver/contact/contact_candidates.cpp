@@ -25,9 +25,9 @@ template <int D, class Real> class CandidateFinder {
     void run() {
         set_aside();
         note_motion();
-        find_reaches();
-        list_.particles.fill(list_.position, std::span(list_.reach).first(room_.particles.size()), list_.velocity,
-                             list_.size, list_.figure);
+        find_radii();
+        list_.particles.fill(list_.position, std::span(list_.search_radius).first(room_.particles.size()),
+                             list_.velocity, list_.size, list_.figure);
         if constexpr (D == 3) list_.segments.fill(list_.middle, list_.segment_ball);
         search();
         sort_by_parts();
@@ -98,21 +98,21 @@ template <int D, class Real> class CandidateFinder {
     /// Time for which a relative speed brings features nearer to each other: rows look two substeps ahead.
     Real time_ahead() const { return list_.horizon + Real(2) * h_; }
 
-    void find_reaches() {
+    void find_radii() {
         Vector mean{};
         for (const auto& velocity : list_.velocity) mean += velocity;
         mean *= inverse_or_zero(Real(list_.velocity.size()));
-        list_.reach.clear(), list_.middle.clear(), list_.segment_ball.clear();
+        list_.search_radius.clear(), list_.middle.clear(), list_.segment_ball.clear();
         const auto way = [&](std::uint32_t i) { return norm(list_.velocity[i] - mean) * time_ahead(); };
         for (std::uint32_t i = 0; i < room_.particles.size(); ++i)
-            list_.reach.push_back(size_of(i) + Real(2) * list_.margin + list_.near_by + way(i));
+            list_.search_radius.push_back(size_of(i) + Real(2) * list_.margin + list_.near_by + way(i));
         for (const auto& s : room_.segments) {
             const auto &a = list_.position[s.number_a], &b = list_.position[s.number_b];
-            list_.reach.push_back(size_of(s) + Real(2) * list_.margin + list_.near_by +
-                                  max(way(s.number_a), way(s.number_b)));
+            list_.search_radius.push_back(size_of(s) + Real(2) * list_.margin + list_.near_by +
+                                          max(way(s.number_a), way(s.number_b)));
             if constexpr (D == 2) continue;
             list_.middle.push_back((a + b) * Real(0.5));
-            list_.segment_ball.push_back(Real(0.5) * distance(a, b) + list_.reach.back());
+            list_.segment_ball.push_back(Real(0.5) * distance(a, b) + list_.search_radius.back());
         }
     }
     Real size_of(std::uint32_t particle) const {
@@ -158,7 +158,7 @@ template <int D, class Real> class CandidateFinder {
             if (are_near(segment, feature, other) && may_touch(other, segment)) found.push_back({feature, other});
         });
         if constexpr (D == 3)
-            list_.segments.each_near(box_around(a, b).grown(list_.reach[feature]), [&](std::uint32_t other) {
+            list_.segments.each_near(box_around(a, b).grown(list_.search_radius[feature]), [&](std::uint32_t other) {
                 if (other + count < feature && are_near(segment, feature, room_.segments[other], other + count) &&
                     may_touch(segment, room_.segments[other]))
                     found.push_back({feature, other + count});
@@ -170,7 +170,7 @@ template <int D, class Real> class CandidateFinder {
                                                              .b = list_.position[b],
                                                              .velocity_a = list_.velocity[a],
                                                              .velocity_b = list_.velocity[b],
-                                                             .reach = list_.reach[feature],
+                                                             .radius = list_.search_radius[feature],
                                                              .near = size + slack(),
                                                              .ahead = time_ahead(),
                                                              .group = group_of(room_.particles[a].figure)};
@@ -196,13 +196,13 @@ template <int D, class Real> class CandidateFinder {
     }
     bool are_near(std::uint32_t a, std::uint32_t b) const {
         const Real far = squared(list_.position[a] - list_.position[b]);
-        return far <= square(list_.reach[a] + list_.reach[b]) &&
+        return far <= square(list_.search_radius[a] + list_.search_radius[b]) &&
                is_within(far, size_of(a) + size_of(b), squared(list_.velocity[a] - list_.velocity[b]));
     }
     bool are_near(const ContactSegment& s, std::uint32_t feature, std::uint32_t p) const {
         const auto &a = list_.position[s.number_a], &b = list_.position[s.number_b], &x = list_.position[p];
         const auto far = squared(x - (a + (b - a) * collide::nearest_parameter(a, b, x)));
-        if (!(far <= square(list_.reach[feature] + list_.reach[p]))) return false;
+        if (!(far <= square(list_.search_radius[feature] + list_.search_radius[p]))) return false;
         const auto& v = list_.velocity[p];
         const Real speed = max(squared(v - list_.velocity[s.number_a]), squared(v - list_.velocity[s.number_b]));
         return is_within(far, size_of(p) + size_of(s), speed);
@@ -213,7 +213,7 @@ template <int D, class Real> class CandidateFinder {
         const auto &c = list_.position[t.number_a], &d = list_.position[t.number_b];
         const auto at = collide::nearest_parameters(a, b, c, d);
         const auto far = squared(a + (b - a) * at.s - (c + (d - c) * at.t));
-        return far <= square(list_.reach[feature_s] + list_.reach[feature_t]);
+        return far <= square(list_.search_radius[feature_s] + list_.search_radius[feature_t]);
     }
 
     // --- kinds of pairs ----------------------------------------------------------------------------------------------

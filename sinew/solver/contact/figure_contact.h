@@ -34,7 +34,7 @@ template <int D, class Real> class FigureContact {
         room().projector.begin(state_, drag_changes_);
         each_row([&](RowT& row) {
             if (!row.keeps) row.multiplier = 0, row.tangent = {};
-            push(row, row.normal * row.multiplier + row.tangent);
+            apply(row, row.normal * row.multiplier + row.tangent);
         });
         room().joints.begin(world_, state_, scale);
         room().projector.project_velocities(state_, threads_);
@@ -108,7 +108,7 @@ template <int D, class Real> class FigureContact {
         list.margin = margin, list.near_by = near_by, list.widest = widest;
     }
 
-    void push(const RowT& row, const Vector& impulse) {
+    void apply(const RowT& row, const Vector& impulse) {
         for (int i = 0; i < row.members; ++i) {
             const auto slot = row.slot[std::size_t(i)];
             const Real share = row.weight[std::size_t(i)] * state_.mobility[slot];
@@ -133,7 +133,7 @@ template <int D, class Real> class FigureContact {
         auto tangent = row.tangent - slip * row.mass;
         const Real size = norm(tangent), max_friction = row.friction * next;
         if (size > max_friction) tangent *= max_friction * inverse_or_zero(size);
-        push(row, row.normal * (next - row.multiplier) + (tangent - row.tangent));
+        apply(row, row.normal * (next - row.multiplier) + (tangent - row.tangent));
         row.multiplier = next;
         row.tangent = tangent;
         row.max = max(row.max, next);
@@ -162,7 +162,7 @@ template <int D, class Real> class FigureContact {
         const std::span slots(row.slot.data(), members);
         const double response = room().projector.response(state_).along(slots, std::span(push_of).first(members));
         const Real impulse = min(missing(row) * Real(inverse_or_zero(response)), limit::multiplier<Real>);
-        push(row, row.normal * impulse);
+        apply(row, row.normal * impulse);
         row.max = max(row.max, row.multiplier + impulse);
         for (const Row slot : slots) room().projector.project_velocities(state_, slot);
         return impulse > Real(0);
@@ -174,7 +174,7 @@ template <int D, class Real> class FigureContact {
         if (row.restitution == Real(0) || row.max == Real(0) || row.approach <= resting) return false;
         const Real missing = row.restitution * row.approach - change(row);
         if (!(missing > Real(0))) return false;
-        push(row, row.normal * (missing * row.mass));
+        apply(row, row.normal * (missing * row.mass));
         row.multiplier += missing * row.mass;
         return true;
     }
@@ -221,7 +221,7 @@ template <int D, class Real> class FigureContact {
         const auto count = room().particles.size();
         const bool is_particle = feature < count;
         const Row row = is_particle ? room().particles[feature].row : room().segments[feature - count].a;
-        return {world_.particles.figure[row], world_.particles.slots.slot_of(row)};
+        return {world_.particles.figure[row], world_.particles.handles.index_of(row)};
     }
     void note(const RowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.max / h_); }
 };

@@ -45,7 +45,7 @@ template <int D, class Real> class RowBuilder {
 
     Vector position(Row row) const { return state_.position_at(state_.slot_of[row]); }
     Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
-    std::uint32_t id(Row row) const { return p_.slots.slot_of(row); }
+    std::uint32_t id(Row row) const { return p_.handles.index_of(row); }
 
     void add(const ContactCandidate& pair) {
         const auto count = room_.particles.size();
@@ -168,7 +168,7 @@ template <int D, class Real> class RowBuilder {
     // --- walls -------------------------------------------------------------------------------------------------------
 
     /// Distance from which a wall is looked at beyond the radius, so that what rests on it is never out of touch.
-    Real reach(Row row) const { return Real(0.05) * p_.radius[row] + norm(state_.gravity) * square(h_) * Real(4); }
+    Real margin(Row row) const { return Real(0.05) * p_.radius[row] + norm(state_.gravity) * square(h_) * Real(4); }
 
     void add_walls(Row p) {
         if (!(p_.mobility[p] > Real(0))) return;
@@ -176,7 +176,7 @@ template <int D, class Real> class RowBuilder {
         for (std::uint32_t i = 0; i < world_.bounds.size(); ++i) {
             const auto& plane = world_.bounds[i];
             const Real low = min(dot(plane.normal, from), dot(plane.normal, to)) - plane.offset - p_.radius[p];
-            if (low > reach(p)) continue;
+            if (low > margin(p)) continue;
             ContactRowT row;
             ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
                            .collider = plane_bit | i};
@@ -193,7 +193,7 @@ template <int D, class Real> class RowBuilder {
 
     void add_collider_rows(Row p, std::uint32_t index, const Vector& from, const Vector& to) {
         const auto& collider = world_.colliders[index];
-        const Real radius = p_.radius[p], within = radius + reach(p);
+        const Real radius = p_.radius[p], within = radius + margin(p);
         collide::BoundingBox<D, Real> near;
         near.include(from);
         near.include(to);
@@ -205,7 +205,7 @@ template <int D, class Real> class RowBuilder {
             const auto& surface = contact.surface;
             ContactRowT row;
             ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
-                           .collider = world_.collider_slots.slot_of(index),
+                           .collider = world_.collider_handles.index_of(index),
                            .feature = part_of(collider, surface.feature)};
             row.collider = index;
             row.normal = surface.normal;
@@ -222,7 +222,7 @@ template <int D, class Real> class RowBuilder {
         const auto& collider = world_.colliders[index];
         const auto a = position(s.a), b = position(s.b);
         const Real radius = min(p_.radius[s.a], p_.radius[s.b]);
-        const Real within = radius + reach(s.a) + max(norm(displacement(s.a)), norm(displacement(s.b)));
+        const Real within = radius + margin(s.a) + max(norm(displacement(s.a)), norm(displacement(s.b)));
         collide::BoundingBox<D, Real> near;
         near.include(a);
         near.include(b);
@@ -234,7 +234,7 @@ template <int D, class Real> class RowBuilder {
         if (!found || !(found->t > Real(0)) || !(found->t < Real(1))) return;
         ContactRowT row;
         ContactKey key{.particle = {id(s.a), id(s.b), ContactKey::none, ContactKey::none},
-                       .collider = world_.collider_slots.slot_of(index)};
+                       .collider = world_.collider_handles.index_of(index)};
         row.collider = index;
         row.normal = found->surface.normal;
         row.surface_displacement = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
