@@ -18,7 +18,7 @@ template <class Real> class BoxGrid {
     using Box = collide::BoundingBox<3, Real>;
 
     void reserve(std::size_t boxes) {
-        constexpr std::size_t cells_each = 12;
+        constexpr std::size_t cells_each = 24;
         start_.reserve(4 * boxes + min_buckets + 1);
         entries_.reserve(cells_each * boxes);
     }
