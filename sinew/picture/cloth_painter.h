@@ -114,13 +114,13 @@ template <class WorldT> class ClothPainter {
     /// Number of tiles along a side of a cell, 1 to 8: fine enough for smooth shading.
     int parts_of(const Patch& patch) const {
         constexpr float finest = 4.5F; // pixels, longest side of a tile
-        constexpr int max_parts = 8;
+        constexpr int finest_parts = 8;
         float side = 0;
         for (std::size_t i = 0; i < 4; ++i) {
             const auto a = view_.see(patch.corner[i]), b = view_.see(patch.corner[(i + 1) % 4]);
             if (a && b) side = max(side, distance(a->pixel, b->pixel));
         }
-        return 1 + int(min(side / (finest * max(unit_, 1.0F)), float(max_parts - 1)));
+        return 1 + int(min(side / (finest * max(unit_, 1.0F)), float(finest_parts - 1)));
     }
 
     /// Projects the corners of all tiles of a cell into corners_, row by row.

@@ -31,6 +31,7 @@ template <int D, class Real> class CandidateFinder {
         if constexpr (D == 3) list_.segments.fill(list_.middle, list_.segment_ball);
         search();
         sort_by_parts();
+        note_slots();
         list_.is_valid = true;
     }
 
@@ -261,6 +262,29 @@ template <int D, class Real> class CandidateFinder {
         for (const auto& found : list_.found)
             for (const auto& pair : found) list_.candidates[parts[part_of(room_, pair)].last++] = pair;
     }
+
+    /// Numbers for the first look at a pair in each substep (simd/near_pairs.h). Pairs of segments are always looked
+    /// at closely.
+    void note_slots() {
+        list_.near_p.clear(), list_.near_a.clear(), list_.near_b.clear(), list_.near_size.clear();
+        const auto count = room_.particles.size();
+        const auto add = [&](std::uint32_t p, std::uint32_t a, std::uint32_t b, Real size) {
+            list_.near_p.push_back(room_.particles[p].slot);
+            list_.near_a.push_back(room_.particles[a].slot), list_.near_b.push_back(room_.particles[b].slot);
+            list_.near_size.push_back(size + list_.near_by);
+        };
+        for (const auto& [first, second] : list_.candidates) {
+            if (first < count) {
+                add(first, second, second, size_of(first) + size_of(second));
+                continue;
+            }
+            const auto& s = room_.segments[first - count];
+            if (second < count)
+                add(second, s.number_a, s.number_b, size_of(second) + size_of(s));
+            else
+                add(s.number_a, s.number_a, s.number_b, std::numeric_limits<Real>::infinity());
+        }
+    }
 };
 
 } // namespace
@@ -273,8 +297,26 @@ bool find_contact_candidates(World<D, Real>& world, Solver<D, Real>& solver, Rea
     return true;
 }
 
+template <int D, class Real>
+void find_near_planes(const World<D, Real>& world, ContactRoom<D, Real>& room, Real reach) {
+    const auto& list = room.list;
+    const auto is_near = [&](std::uint32_t i) {
+        const Real far = norm(list.velocity[i]) * (list.horizon + Real(2) * list.h) + Real(2) * list.margin + reach +
+                         Real(1.1) * room.particles[i].radius;
+        return std::any_of(world.bounds.begin(), world.bounds.end(), [&](const auto& plane) {
+            return dot(plane.normal, list.position[i]) - plane.offset <= far;
+        });
+    };
+    for (auto& part : room.parts.list) {
+        part.near_planes.clear();
+        for (const auto i : part.particles)
+            if (is_near(i)) part.near_planes.push_back(i);
+    }
+}
+
 #define SINEW_CONTACT_CANDIDATES(D, Real)                                                                              \
-    template bool find_contact_candidates(World<D, Real>&, Solver<D, Real>&, Real, Real);
+    template bool find_contact_candidates(World<D, Real>&, Solver<D, Real>&, Real, Real);                              \
+    template void find_near_planes(const World<D, Real>&, ContactRoom<D, Real>&, Real);
 SINEW_INSTANTIATE(SINEW_CONTACT_CANDIDATES)
 
 } // namespace sinew

@@ -12,7 +12,9 @@ namespace sinew::detail {
 /// list was made.
 template <int D, class Real> struct ContactList {
     using Vector = Vec<D, Real>;
-    std::vector<ContactCandidate> candidates; ///< by parts, each in ascending order
+    std::vector<ContactCandidate> candidates;          ///< by parts, each in ascending order
+    std::vector<std::uint32_t> near_p, near_a, near_b; ///< per candidate: slots of a particle and a segment's ends
+    std::vector<Real> near_size; ///< per candidate: distance at which they may touch, without the approach
 
     bool is_valid = false;
     Real margin = 0;                        ///< deviation for which the list is valid, metres

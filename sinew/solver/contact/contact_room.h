@@ -89,5 +89,8 @@ template <int D, class Real> void find_contact_features(World<D, Real>& world, S
 /// the rest of the step, `h` a substep. True if the list is new.
 template <int D, class Real>
 bool find_contact_candidates(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h);
+/// Lists the particles of each part that may touch a plane of the world while the list of pairs is valid; `reach`:
+/// distance from which walls are looked at, apart from the radius.
+template <int D, class Real> void find_near_planes(const World<D, Real>& world, ContactRoom<D, Real>& room, Real reach);
 
 } // namespace sinew

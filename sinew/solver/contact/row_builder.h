@@ -11,6 +11,7 @@ template <int D, class Real> class RowBuilder {
   public:
     using Vector = Vec<D, Real>;
     using ContactRowT = ContactRow<D, Real>;
+    using Origin = ContactOrigin<D, Real>;
 
     RowBuilder(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, Real>& part, Real h, Real from_share,
                Real to_share)
@@ -18,18 +19,20 @@ template <int D, class Real> class RowBuilder {
           touches_(solver.touches), h_(h), near_by_(room_.list.near_by), margin_(room_.list.margin), from_(from_share),
           to_(to_share) {}
 
-    void run() {
-        part_.rows.clear();
+    void run(const Kernels<D, Real>& kernels) {
+        part_.rows.clear(), part_.origins.clear();
         part_.wall_keys.clear();
-        for (auto i = part_.first; i < part_.last; ++i) {
-            source_ = i;
-            add(room_.list.candidates[i]);
-        }
+        part_.least_deep = std::numeric_limits<Real>::max();
+        add_figures(kernels);
         part_.first_wall = part_.rows.size();
-        for (const auto number : part_.particles) add_walls(room_.particles[number].row);
-        for (const auto number : part_.segments)
-            for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) add_collider_row(room_.segments[number], i);
+        for (const auto number : part_.near_planes) add_planes(room_.particles[number].row);
+        for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
+            for (const auto number : part_.particles) add_collider_rows(room_.particles[number].row, i);
+            for (const auto number : part_.segments) add_collider_row(room_.segments[number], i);
+        }
     }
+    /// Distance from which a wall is looked at beyond the radius, so that what rests on it is never out of touch.
+    static Real reach(Real radius, Real gravity, Real h) { return Real(0.05) * radius + gravity * square(h) * Real(4); }
 
   private:
     using Particle = ContactParticle<Real>;
@@ -47,7 +50,32 @@ template <int D, class Real> class RowBuilder {
     Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
     std::uint32_t id(Row row) const { return p_.slots.slot_of(row); }
 
-    void add(const ContactCandidate& pair) {
+    /// Of all candidates those near each other, and those whose contact lasts.
+    void add_figures(const Kernels<D, Real>& kernels) {
+        const auto& list = room_.list;
+        part_.near.resize(part_.last - part_.first);
+        const auto count = kernels.near_pairs({.position = state_.position[0],
+                                               .displacement = state_.displacement[0],
+                                               .stride = state_.stride(),
+                                               .p = list.near_p.data(),
+                                               .a = list.near_a.data(),
+                                               .b = list.near_b.data(),
+                                               .size = list.near_size.data()},
+                                              part_.first, part_.last, part_.near.data());
+        auto next = part_.first;
+        const auto add_lasting = [&](std::uint32_t end) {
+            for (; next < end; ++next)
+                if (const auto& kept = room_.multipliers[next]; kept.normal > Real(0) || kept.side != 0) add(next);
+        };
+        for (std::uint32_t i = 0; i < count; ++i) {
+            add_lasting(part_.near[i]);
+            add(next++);
+        }
+        add_lasting(part_.last);
+    }
+    void add(std::uint32_t candidate) {
+        source_ = candidate;
+        const auto& pair = room_.list.candidates[candidate];
         const auto count = room_.particles.size();
         bool acts = false;
         if (pair.first < count)
@@ -69,13 +97,14 @@ template <int D, class Real> class RowBuilder {
     bool add(const Particle& a, const Particle& b) {
         const auto away = state_.position_at(a.slot) - state_.position_at(b.slot);
         ContactRowT row;
+        Origin origin;
         row.normal = normal_of(away, Vector::axis(1));
         const Real distance = norm(away), cover = max(a.cover, b.cover);
         row.gap = min(distance - a.radius - b.radius, distance - cover);
-        row.deep = share_of_deep * (a.radius + b.radius);
+        origin.deep = share_of_deep * (a.radius + b.radius);
         take(row, a.slot, Real(1));
         take(row, b.slot, Real(-1));
-        return finish(row, a, b);
+        return finish(row, origin, a, b);
     }
 
     bool add(const Particle& p, const ContactSegment& s) {
@@ -86,6 +115,7 @@ template <int D, class Real> class RowBuilder {
         const auto away = x - (a + (b - a) * t);
         const Real radius = min(end_a.radius, end_b.radius);
         ContactRowT row;
+        Origin origin;
         Real distance = norm(away);
         const Real per = inverse_or_zero(distance);
         row.normal = per > Real(0) ? away * per : side_of(a, b);
@@ -98,11 +128,11 @@ template <int D, class Real> class RowBuilder {
         if constexpr (D == 2)
             if (s.side == 0) remember_side(row, a, b, away, t, distance);
         row.gap = min(distance - p.radius - radius, distance - p.cover);
-        row.deep = share_of_deep * (p.radius + radius);
+        origin.deep = share_of_deep * (p.radius + radius);
         take(row, p.slot, Real(1));
         if (t < Real(1)) take(row, end_a.slot, t - Real(1));
         if (t > Real(0)) take(row, end_b.slot, -t);
-        return finish(row, p, end_a);
+        return finish(row, origin, p, end_a);
     }
 
     bool add(const ContactSegment& s, const ContactSegment& t) {
@@ -113,13 +143,14 @@ template <int D, class Real> class RowBuilder {
         if (!inside) return false; // rows of the ends
         const auto away = a + (b - a) * at.s - (c + (d - c) * at.t);
         ContactRowT row;
+        Origin origin;
         row.normal = normal_of(away, across(b - a, d - c));
         row.gap = norm(away) - min(p_.radius[s.a], p_.radius[s.b]) - min(p_.radius[t.a], p_.radius[t.b]);
         take(row, from.slot, Real(1) - at.s);
         take(row, room_.particles[s.number_b].slot, at.s);
         take(row, other.slot, at.t - Real(1));
         take(row, room_.particles[t.number_b].slot, -at.t);
-        return finish(row, from, other);
+        return finish(row, origin, from, other);
     }
 
     /// A particle pressed through the middle of a segment is pushed back, not through.
@@ -127,7 +158,7 @@ template <int D, class Real> class RowBuilder {
         const auto left = side_of(a, b);
         const int present = dot(left, away) < Real(0) ? -1 : 1, before = room_.multipliers[source_].side;
         const bool is_between_ends = t > Real(0) && t < Real(1);
-        row.side = is_between_ends && before != 0 ? before : present;
+        row.side = static_cast<signed char>(is_between_ends && before != 0 ? before : present);
         if (row.side == present || !is_between_ends) return;
         row.normal = left * Real(row.side);
         distance = -distance;
@@ -156,21 +187,20 @@ template <int D, class Real> class RowBuilder {
         return true;
     }
 
-    bool finish(ContactRowT& row, const Particle& first, const Particle& second) {
+    bool finish(ContactRowT& row, Origin& origin, const Particle& first, const Particle& second) {
         row.friction = min(first.friction, second.friction);
         const auto& kept = room_.multipliers[source_];
         row.multiplier = kept.normal, row.tangent = kept.tangent;
-        row.source = source_;
+        origin.source = source_;
         const Real slack = row.multiplier > Real(0) ? near_by_ + margin_ : near_by_;
-        return add(row, slack);
+        return add(row, origin, slack);
     }
 
     // --- walls -------------------------------------------------------------------------------------------------------
 
-    /// Distance from which a wall is looked at beyond the radius, so that what rests on it is never out of touch.
-    Real reach(Row row) const { return Real(0.05) * p_.radius[row] + norm(state_.gravity) * square(h_) * Real(4); }
+    Real reach(Row row) const { return reach(p_.radius[row], norm(state_.gravity), h_); }
 
-    void add_walls(Row p) {
+    void add_planes(Row p) {
         if (!(p_.mobility[p] > Real(0))) return;
         const auto from = position(p), to = from + displacement(p);
         for (std::uint32_t i = 0; i < world_.bounds.size(); ++i) {
@@ -178,20 +208,22 @@ template <int D, class Real> class RowBuilder {
             const Real low = min(dot(plane.normal, from), dot(plane.normal, to)) - plane.offset - p_.radius[p];
             if (low > reach(p)) continue;
             ContactRowT row;
+            Origin origin;
             ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
                            .collider = plane_bit | i};
             row.normal = plane.normal;
             row.gap = dot(plane.normal, from) - plane.offset - p_.radius[p];
-            row.deep = share_of_deep * p_.radius[p];
-            row.friction = plane.friction, row.restitution = plane.restitution;
+            origin.deep = share_of_deep * p_.radius[p];
+            row.friction = plane.friction, origin.restitution = plane.restitution;
             take(row, state_.slot_of[p], Real(1));
-            add(row, key);
+            add(row, origin, key);
         }
-        for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) add_collider_rows(p, i, from, to);
     }
     static constexpr std::uint32_t plane_bit = std::uint32_t(1) << 31U;
 
-    void add_collider_rows(Row p, std::uint32_t index, const Vector& from, const Vector& to) {
+    void add_collider_rows(Row p, std::uint32_t index) {
+        if (!(p_.mobility[p] > Real(0))) return;
+        const auto from = position(p), to = from + displacement(p);
         const auto& collider = world_.colliders[index];
         const Real radius = p_.radius[p], within = radius + reach(p);
         collide::BoundingBox<D, Real> near;
@@ -204,17 +236,18 @@ template <int D, class Real> class RowBuilder {
         moving.contacts(from, to, within, [&](const auto& contact) {
             const auto& surface = contact.surface;
             ContactRowT row;
+            Origin origin;
             ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
                            .collider = world_.collider_slots.slot_of(index),
                            .feature = part_of(collider, surface.feature)};
-            row.collider = index;
+            origin.collider = index;
             row.normal = surface.normal;
-            row.surface_displacement = contact.surface_displacement;
+            origin.surface_displacement = contact.surface_displacement;
             row.gap = dot(surface.normal, from - surface.point + contact.surface_displacement) - radius;
-            row.deep = share_of_deep * radius;
-            row.friction = collider.friction, row.restitution = collider.restitution;
+            origin.deep = share_of_deep * radius;
+            row.friction = collider.friction, origin.restitution = collider.restitution;
             take(row, state_.slot_of[p], Real(1));
-            add(row, key);
+            add(row, origin, key);
         });
     }
     /// A link over an edge or a round shape touches it between its ends, which have rows of their own.
@@ -233,16 +266,17 @@ template <int D, class Real> class RowBuilder {
         const auto found = collide::nearest_to_segment(collider.shape, before, a, b, within);
         if (!found || !(found->t > Real(0)) || !(found->t < Real(1))) return;
         ContactRowT row;
+        Origin origin;
         ContactKey key{.particle = {id(s.a), id(s.b), ContactKey::none, ContactKey::none},
                        .collider = world_.collider_slots.slot_of(index)};
-        row.collider = index;
+        origin.collider = index;
         row.normal = found->surface.normal;
-        row.surface_displacement = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
+        origin.surface_displacement = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
         row.gap = found->surface.distance - radius;
-        row.friction = collider.friction, row.restitution = collider.restitution;
+        row.friction = collider.friction, origin.restitution = collider.restitution;
         take(row, state_.slot_of[s.a], Real(1) - found->t);
         take(row, state_.slot_of[s.b], found->t);
-        add(row, key);
+        add(row, origin, key);
     }
 
     /// Lasting number of a contact: the part of a surface; a convex shape has one contact with a sphere.
@@ -257,11 +291,11 @@ template <int D, class Real> class RowBuilder {
             collider.shape);
     }
 
-    void add(ContactRowT& row, const ContactKey& key) {
+    void add(ContactRowT& row, Origin& origin, const ContactKey& key) {
         if (const auto* kept = find_kept(key)) row.multiplier = kept->multiplier, row.tangent = kept->friction;
-        row.source = std::uint32_t(part_.wall_keys.size());
+        origin.source = std::uint32_t(part_.wall_keys.size());
         const bool acts = row.multiplier > Real(0);
-        if (add(row, acts ? std::numeric_limits<Real>::max() : norm(state_.gravity) * square(h_) * Real(4)))
+        if (add(row, origin, acts ? std::numeric_limits<Real>::max() : norm(state_.gravity) * square(h_) * Real(4)))
             part_.wall_keys.push_back(key);
     }
     const KeptContact<D, Real>* find_kept(const ContactKey& key) const {
@@ -274,13 +308,13 @@ template <int D, class Real> class RowBuilder {
     // --- all ---------------------------------------------------------------------------------------------------------
 
     static void take(ContactRowT& row, Row slot, Real weight) {
-        row.slot[std::size_t(row.members)] = slot;
-        row.weight[std::size_t(row.members++)] = weight;
+        row.slot[row.members] = slot;
+        row.weight[row.members++] = weight;
     }
 
     /// Adds a row that may touch within the substep: gap <= 2 approach + slack. True if so.
-    bool add(ContactRowT& row, Real slack) {
-        Real response = 0, approach = dot(row.normal, row.surface_displacement);
+    bool add(ContactRowT& row, Origin& origin, Real slack) {
+        Real response = 0, approach = dot(row.normal, origin.surface_displacement);
         for (int i = 0; i < row.members; ++i) {
             const auto slot = row.slot[std::size_t(i)];
             const Real weight = row.weight[std::size_t(i)];
@@ -289,10 +323,13 @@ template <int D, class Real> class RowBuilder {
         }
         if (response == Real(0) || row.gap > Real(2) * absolute(approach) + slack) return false;
         for (int i = 0; i < row.members; ++i) row.keeps = row.keeps && room_.is_exact[row.slot[std::size_t(i)]];
+        for (std::size_t i = row.members; i < row.slot.size(); ++i) row.slot[i] = row.slot[0]; // of no weight
         row.mass = Real(1) / response;
-        row.approach = approach;
+        origin.approach = approach;
         row.tangent -= row.normal * dot(row.normal, row.tangent);
         part_.rows.push_back(row);
+        part_.origins.push_back(origin);
+        part_.least_deep = min(part_.least_deep, origin.deep);
         return true;
     }
 };
