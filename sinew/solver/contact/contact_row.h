@@ -80,7 +80,7 @@ template <int D, class Real> struct ContactPart {
     std::vector<ContactRow<D, Real>> rows;          ///< of the candidates, then of walls
     std::vector<ContactOrigin<D, Real>> origins;    ///< of the rows
     std::vector<std::uint32_t> near;                ///< scratch: candidates that may touch in this substep
-    Real least_deep = 0;                            ///< least depth from which a row is held as the figures answer
+    std::vector<std::uint32_t> deep;                ///< rows that may have to be held as the figures answer
     std::size_t first_wall = 0;                     ///< index of the first row of a wall
     std::vector<ContactKey> wall_keys;
 };

@@ -90,7 +90,7 @@ template <int D, class Real> class FigureContact {
         if (is_first_) set_margin();
         const bool is_new = find_contact_candidates(world_, solver_, left_, h_);
         if (is_first_ || is_new)
-            find_near_planes(world_, room(), RowBuilder<D, Real>::reach(0, norm(state_.gravity), h_));
+            find_near_planes(world_, room(), RowBuilder<D, Real>::reach(0, norm(state_.gravity), h_), is_first_);
         KeptContacts<D, Real> kept(world_, solver_);
         if (world_.contacts.lists_figures) note_figures();
         if (is_first_)
@@ -129,9 +129,7 @@ template <int D, class Real> class FigureContact {
     /// Rows that begin the substep no deeper than half of that are left to the next one.
     bool hold_deep(Part& part) {
         bool any = false;
-        const Real begun = Real(-0.5) * part.least_deep;
-        for (std::size_t i = 0; i < part.rows.size(); ++i)
-            if (auto& row = part.rows[i]; row.gap < begun && row.keeps) any = hold(row, part.origins[i]) || any;
+        for (const auto i : part.deep) any = hold(part.rows[i], part.origins[i]) || any;
         return any;
     }
     Real missing(const RowT& row, const Origin& origin) const {

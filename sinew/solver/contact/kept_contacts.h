@@ -26,7 +26,8 @@ template <int D, class Real> class KeptContacts {
         const auto is_same = [](const auto& a, const auto& b) {
             return a.key == b.key && a.multiplier == b.multiplier && a.friction == b.friction;
         };
-        if (!list_is_new && std::ranges::equal(kept, room_.written, is_same)) return;
+        if ((!list_is_new || room_.list.follows_last) && std::ranges::equal(kept, room_.written, is_same))
+            return list_is_new ? take_from_last_list() : void();
         room_.multipliers.assign(room_.list.candidates.size(), {});
         room_.kept_at_walls.clear();
         for (const auto& contact : kept)

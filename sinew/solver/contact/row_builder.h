@@ -22,7 +22,7 @@ template <int D, class Real> class RowBuilder {
     void run(const Kernels<D, Real>& kernels) {
         part_.rows.clear(), part_.origins.clear();
         part_.wall_keys.clear();
-        part_.least_deep = std::numeric_limits<Real>::max();
+        part_.deep.clear();
         add_figures(kernels);
         part_.first_wall = part_.rows.size();
         for (const auto number : part_.near_planes) add_planes(room_.particles[number].row);
@@ -118,15 +118,15 @@ template <int D, class Real> class RowBuilder {
         Origin origin;
         Real distance = norm(away);
         const Real per = inverse_or_zero(distance);
-        row.normal = per > Real(0) ? away * per : side_of(a, b);
+        row.normal = per > Real(0) ? away * per : left_of(a, b);
         if (s.side != 0 && t > Real(0) && t < Real(1)) {
-            row.normal = side_of(a, b) * Real(s.side);
+            row.normal = left_of(a, b) * Real(s.side);
             distance = dot(row.normal, away);
             if (distance < -Real(2) * room_.list.widest) return false;
             if (distance < Real(0) && !is_nearest_side(x, s, distance)) return false;
         }
         if constexpr (D == 2)
-            if (s.side == 0) remember_side(row, a, b, away, t, distance);
+            if (s.side == 0) remember_side(row, a, b, t, distance);
         row.gap = min(distance - p.radius - radius, distance - p.cover);
         origin.deep = share_of_deep * (p.radius + radius);
         take(row, p.slot, Real(1));
@@ -154,22 +154,23 @@ template <int D, class Real> class RowBuilder {
     }
 
     /// A particle pressed through the middle of a segment is pushed back, not through.
-    void remember_side(ContactRowT& row, const Vector& a, const Vector& b, const Vector& away, Real t, Real& distance) {
-        const auto left = side_of(a, b);
-        const int present = dot(left, away) < Real(0) ? -1 : 1, before = room_.multipliers[source_].side;
-        const bool is_between_ends = t > Real(0) && t < Real(1);
+    void remember_side(ContactRowT& row, const Vector& a, const Vector& b, Real t, Real& distance) {
+        const bool is_left = dot(row.normal, side_of(a, b)) >= Real(0), is_between_ends = t > Real(0) && t < Real(1);
+        const int present = is_left ? 1 : -1, before = room_.multipliers[source_].side;
         row.side = static_cast<signed char>(is_between_ends && before != 0 ? before : present);
         if (row.side == present || !is_between_ends) return;
-        row.normal = left * Real(row.side);
+        row.normal = -row.normal;
         distance = -distance;
     }
 
+    /// Vector to the left of a segment.
     static Vector side_of(const Vector& a, const Vector& b) {
         if constexpr (D == 2)
-            return direction(perpendicular(b - a));
+            return perpendicular(b - a);
         else
             return across(b - a, absolute((b - a)[0]) < absolute((b - a)[1]) ? Vector::axis(0) : Vector::axis(1));
     }
+    static Vector left_of(const Vector& a, const Vector& b) { return direction(side_of(a, b)); }
     static Vector across(const Vector& u, const Vector& v) {
         if constexpr (D == 3)
             return normal_of(cross(u, v), Vector::axis(1));
@@ -182,7 +183,7 @@ template <int D, class Real> class RowBuilder {
         for (auto i = s.first; i < s.first + s.count; ++i) {
             const auto& other = room_.segments[i];
             const auto a = position(other.a);
-            if (dot(side_of(a, position(other.b)) * Real(other.side), x - a) > distance) return false;
+            if (dot(left_of(a, position(other.b)) * Real(other.side), x - a) > distance) return false;
         }
         return true;
     }
@@ -329,7 +330,7 @@ template <int D, class Real> class RowBuilder {
         row.tangent -= row.normal * dot(row.normal, row.tangent);
         part_.rows.push_back(row);
         part_.origins.push_back(origin);
-        part_.least_deep = min(part_.least_deep, origin.deep);
+        if (row.keeps && row.gap < Real(-0.5) * origin.deep) part_.deep.push_back(std::uint32_t(part_.rows.size() - 1));
         return true;
     }
 };

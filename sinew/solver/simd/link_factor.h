@@ -40,12 +40,12 @@ template <int D, class V> class LinkLanes {
         return x >= number(std::numeric_limits<double>::min()) ? number(1) / x : V{};
     }
 
-    void factorise() const {
+    [[gnu::flatten, gnu::noinline]] void factorise() const {
         for (std::uint32_t k = 0; k < pack_.links; ++k) factorise_row(k);
     }
 
     /// Replaces the right side by the solution.
-    void solve() const {
+    [[gnu::flatten, gnu::noinline]] void solve() const {
         const double* const pivots = pack_.of_link(0, Fields::pivot) + lane_;
         double* const right = pack_.of_link(0, Fields::right) + lane_;
         const std::size_t apart = Fields::of_link * pack_.stride;

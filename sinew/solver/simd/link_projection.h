@@ -63,7 +63,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
     static constexpr double slight = 1e-9;   ///< change of a link that counts as none, as a share of its length
     /// Links that have turned by less, radians, since the last factorisation in the step are not factorised again: the
     /// velocities left along them are that share of those across.
-    static constexpr double slightly_turned = 3e-4;
+    static constexpr double slightly_turned = 1e-3;
 
     const LinkColumns<D, Real>& columns_;
     std::size_t first_, last_; ///< lanes in use
@@ -103,12 +103,12 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
         else
             return __builtin_convertvector((lane::gather<lane::Pack<Real, int(width)>, Real>(column, slots)), V);
     }
-    void load() const {
+    [[gnu::flatten, gnu::noinline]] void load() const {
         for (std::size_t i = 0; i < pack_.particles; ++i)
             for (std::size_t k = 0; k < D; ++k)
                 set_particle(i, Fields::displacement + k, gather(columns_.displacement + k * columns_.stride, i));
     }
-    void store() const {
+    [[gnu::flatten, gnu::noinline]] void store() const {
         for (std::size_t i = 0; i < pack_.particles; ++i) {
             if (!pack_.moves[i]) continue; // another pack may read an immovable particle
             const std::uint32_t* const slots = pack_.slots + i * pack_.stride + lane_;
@@ -124,7 +124,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
 
     /// Edges at the present places. A rope shorter than the share `taut` of its length lets go. Lanes in which that
     /// happened, or a link has turned since the directions were taken.
-    Mask measure() const {
+    [[gnu::flatten, gnu::noinline]] Mask measure() const {
         Vector at[2];
         V changed{};
         each_link([&](std::uint32_t k, const LinkRow& row) {
@@ -146,7 +146,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
         return changed > V{};
     }
     /// Directions of the edges, and inverse masses.
-    void take_directions(const Mask& mask) const {
+    [[gnu::flatten, gnu::noinline]] void take_directions(const Mask& mask) const {
         each_link([&](std::uint32_t k, const LinkRow& row) {
             const Vector edge = link_vector(k, Fields::edge);
             set_link_vector(k, Fields::along,
@@ -166,7 +166,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
 
     // --- projections -------------------------------------------------------------------------------------------------
 
-    void project_velocities(Mask live) const {
+    [[gnu::flatten, gnu::noinline]] void project_velocities(Mask live) const {
         for (int i = 0; i < max_rounds; ++i) {
             each_link([&](std::uint32_t k, const LinkRow& row) {
                 set_link(k, Fields::right, dot(link_vector(k, Fields::along), between(row)) * link(k, Fields::active));
@@ -192,7 +192,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
     /// One step along the gradients at the start leaves an error of second order, the next of third. Where a few do not
     /// suffice, the gradients are those at the end: they always correct. Steps far beyond the linear model are cut
     /// short.
-    void project_lengths() const {
+    [[gnu::flatten, gnu::noinline]] void project_lengths() const {
         constexpr double exact = sizeof(Real) == sizeof(float) ? 1e-6 : 1e-9;
         constexpr int usual_rounds = 4, all_rounds = 24;
         Mask live = live_;
@@ -215,7 +215,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
         }
     }
 
-    void apply(const Mask& mask) const {
+    [[gnu::flatten, gnu::noinline]] void apply(const Mask& mask) const {
         each_link([&](std::uint32_t k, const LinkRow& row) {
             const V right = mask ? link(k, Fields::right) : V{};
             const Vector along = link_vector(k, Fields::along);
@@ -227,7 +227,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
         });
     }
     /// Applies at most such a share of the solution that no link changes by more than `max_change` of its length.
-    void apply_within(const Mask& mask) const {
+    [[gnu::flatten, gnu::noinline]] void apply_within(const Mask& mask) const {
         constexpr double max_change = 0.2;
         for (std::size_t i = 0; i < pack_.particles; ++i) set_particle_vector(i, Fields::added, Vector{});
         each_link([&](std::uint32_t k, const LinkRow& row) {
@@ -290,7 +290,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
     // --- energy ------------------------------------------------------------------------------------------------------
 
     /// Displacement in which the energy is measured: of the first particle that cannot move, or the mean.
-    Vector frame() const {
+    [[gnu::flatten, gnu::noinline]] Vector frame() const {
         Vector frame{};
         V mass{};
         for (std::size_t i = 0; i < pack_.particles; ++i) {
@@ -305,7 +305,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
         return frame;
     }
     /// Kinetic energy in that frame, times 2 h^2.
-    V energy(const Vector& frame) const {
+    [[gnu::flatten, gnu::noinline]] V energy(const Vector& frame) const {
         V sum{};
         for (std::size_t i = 0; i < pack_.particles; ++i) {
             const Vector own = displacement(i) - frame;

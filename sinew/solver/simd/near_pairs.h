@@ -36,14 +36,15 @@ template <int D, class Real> class NearPairs {
   private:
     const PairColumns<D, Real>& c_;
 
-    template <class P> lane::Arrow<D, P> at(const Real* columns, const std::uint32_t* slots) const {
+    template <class P>
+    [[gnu::always_inline]] lane::Arrow<D, P> at(const Real* columns, const std::uint32_t* slots) const {
         lane::Arrow<D, P> v;
         for (std::size_t k = 0; k < D; ++k) v.at[k] = lane::gather<P>(columns + k * c_.stride, slots);
         return v;
     }
     /// 1 or 0. A gap shrinks by no more than the particle moves relative to either end. A little more than that counts
     /// as near, for the rounding of both looks.
-    template <class P> P is_near(std::uint32_t i) const {
+    template <class P> [[gnu::always_inline]] P is_near(std::uint32_t i) const {
         const P zero{}, one = lane::spread<P>(Real(1)), two = lane::spread<P>(Real(2)),
                         slack = lane::spread<P>(Real(1.001));
         const auto a = at<P>(c_.position, c_.a + i), along = at<P>(c_.position, c_.b + i) - a;
