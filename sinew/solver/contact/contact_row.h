@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/simd/kernel.h"
 #include "sinew/world/contacts.h"
 
 #include <limits>
@@ -79,7 +80,7 @@ template <int D, class Real> struct ContactPart {
     std::vector<std::uint32_t> near_planes;         ///< of these particles, those that may touch a plane
     std::vector<ContactRow<D, Real>> rows;          ///< of the candidates, then of walls
     std::vector<ContactOrigin<D, Real>> origins;    ///< of the rows
-    std::vector<std::uint32_t> near;                ///< scratch: candidates that may touch in this substep
+    std::vector<NearSegment<D, Real>> near;         ///< scratch: candidates that may touch in this substep
     std::vector<std::uint32_t> deep;                ///< rows that may have to be held as the figures answer
     std::size_t first_wall = 0;                     ///< index of the first row of a wall
     std::vector<ContactKey> wall_keys;

@@ -31,9 +31,7 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         const Real scale = scale_kept();
         list_candidates();
-        const auto& lanes = kernels<D, Real>(solver_.options.simd);
-        room().parts.run_all(
-            threads_, [&](Part& part) { RowBuilder<D, Real>(world_, solver_, part, h_, from_, to_).run(lanes); });
+        room().parts.run_all(threads_, [&](Part& part) { build_rows(world_, solver_, part, h_, from_, to_); });
         room().projector.begin(state_, drag_changes_, threads_);
         each_part([&](Part& part) {
             for (auto& row : part.rows) push_again(row);
@@ -90,7 +88,7 @@ template <int D, class Real> class FigureContact {
         if (is_first_) set_margin();
         const bool is_new = find_contact_candidates(world_, solver_, left_, h_);
         if (is_first_ || is_new)
-            find_near_planes(world_, room(), RowBuilder<D, Real>::reach(0, norm(state_.gravity), h_), is_first_);
+            find_near_planes(world_, room(), WallRows<D, Real>::reach(0, norm(state_.gravity), h_), is_first_);
         KeptContacts<D, Real> kept(world_, solver_);
         if (world_.contacts.lists_figures) note_figures();
         if (is_first_)

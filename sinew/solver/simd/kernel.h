@@ -141,8 +141,19 @@ template <int D, class Real> struct NodeExchange {
 template <int D, class Real> struct PairColumns {
     const Real *position, *displacement;
     std::size_t stride; ///< numbers between the columns of two components
+    const Real* mobility;
     const std::uint32_t *p, *a, *b;
     const Real* size; ///< distance at which the pair may touch, without the approach
+};
+/// Pair that may touch in a substep.
+template <int D, class Real> struct NearSegment {
+    std::uint32_t pair = 0;
+    Real t = 0;          ///< parameter of the nearest point on the segment, 0..1
+    Real distance = 0;   ///< metres
+    Real normal[D] = {}; ///< from there to the particle; 0 at a distance of 0
+    Real left = 0;       ///< in the plane: positive where the particle is to the left of a-b
+    Real response = 0;   ///< of the gap, 1 / kg
+    Real approach = 0;   ///< in the substep, metres
 };
 
 /// Kernel over the particles in slots [first, last).
@@ -181,9 +192,9 @@ template <int D, class Real> struct Kernels {
     void (*swing_programs)(ProgramPack<D>&);
     void (*swing_program)(ProgramPack<D>&);
     LinkKernels<D, Real> links;
-    /// Writes the numbers in [first, last) of the pairs that may touch in a substep; returns how many.
+    /// Writes those pairs in [first, last) that may touch in a substep; returns how many.
     std::uint32_t (*near_pairs)(const PairColumns<D, Real>&, std::uint32_t first, std::uint32_t last,
-                                std::uint32_t* to);
+                                NearSegment<D, Real>* to);
 };
 
 /// Kernels of an instruction set.
