@@ -131,8 +131,12 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         if (const auto* kept = find_kept(key)) row.multiplier = kept->multiplier, row.tangent = kept->friction;
         origin.source = std::uint32_t(part_.wall_keys.size());
         const bool acts = row.multiplier > Real(0);
-        if (add(row, origin, acts ? std::numeric_limits<Real>::max() : norm(state_.gravity) * square(h_) * Real(4)))
-            part_.wall_keys.push_back(key);
+        if (!add(row, origin, acts ? std::numeric_limits<Real>::max() : norm(state_.gravity) * square(h_) * Real(4)))
+            return;
+        part_.wall_keys.push_back(key);
+        // A hand may pull a limb into a wall within a single substep.
+        const auto number = std::uint32_t(part_.rows.size() - 1);
+        if (row.keeps && (part_.deep.empty() || part_.deep.back() != number)) part_.deep.push_back(number);
     }
     const KeptContact<D, Real>* find_kept(const ContactKey& key) const {
         const auto& kept = room_.kept_at_walls;
