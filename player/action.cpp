@@ -39,7 +39,7 @@ struct EventApplier {
 
 ParticleId id_at(const AnyWorld& world, Row row) {
     return std::visit(
-        [&](const auto& any) { return row < any.particles.size() ? any.particles.slots.id_of(row) : ParticleId{}; },
+        [&](const auto& any) { return row < any.particles.size() ? any.particles.handles.id_of(row) : ParticleId{}; },
         world);
 }
 

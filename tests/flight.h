@@ -41,7 +41,7 @@ template <int D, class Real = double> struct Flight {
         const auto center = center_of_mass(world);
         for (Row row = 0; row < world.particles.size(); ++row) {
             const auto arm = cast<double>(world.particles.position[row]) - center;
-            set_velocity(world, world.particles.slots.id_of(row), cast<Real>(velocity + turned(arm) * turn_rate));
+            set_velocity(world, world.particles.handles.id_of(row), cast<Real>(velocity + turned(arm) * turn_rate));
         }
     }
     bool direct() const {

@@ -31,8 +31,8 @@ template <class Real> double worst_angle(const World<2, Real>& world) {
     double worst = 0;
     const auto& angles = std::get<kind_number<Angle, 2>>(world.constraints);
     for (Row row = 0; row < angles.size(); ++row)
-        worst =
-            std::max(worst, std::abs(constraint_state(world, {kind_number<Angle, 2>, angles.slots.id_of(row)})->error));
+        worst = std::max(worst,
+                         std::abs(constraint_state(world, {kind_number<Angle, 2>, angles.handles.id_of(row)})->error));
     return worst * 180 / pi<double>;
 }
 

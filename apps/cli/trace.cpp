@@ -109,7 +109,7 @@ void Trace::choose_all(const Session& session) {
         [&](const auto& world) {
             if (traced_.size() == world.particles.size()) return;
             traced_.clear();
-            for (Row row = 0; row < world.particles.size(); ++row) trace(world.particles.slots.id_of(row), session);
+            for (Row row = 0; row < world.particles.size(); ++row) trace(world.particles.handles.id_of(row), session);
         },
         session.world());
 }

@@ -63,7 +63,7 @@ template <class WorldT> class Shown {
         for (Row i = 0; i < table.size() && shown < max; ++i) {
             const auto members = table.members[i];
             if (std::find(members.begin(), members.end(), row_) == members.end()) continue;
-            const auto state = constraint_state(world_, {kind, table.slots.id_of(i)});
+            const auto state = constraint_state(world_, {kind, table.handles.id_of(i)});
             if (!state) continue;
             ++shown;
             window::label(Kind::name + to_others(members),
@@ -77,7 +77,7 @@ template <class WorldT> class Shown {
     }
 
     std::string name_of(Row member) const {
-        return play::name_of(play_.session().world(), world_.particles.slots.id_of(member));
+        return play::name_of(play_.session().world(), world_.particles.handles.id_of(member));
     }
 
     /// For a constraint of two particles, the other one, by the last part of the name.

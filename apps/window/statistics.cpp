@@ -49,7 +49,7 @@ double largest_tension(const AnyWorld& world) {
             constexpr std::size_t few = 5000; // distances; beyond, the measurement takes too long
             if (any.settings.mode == Mode::classic || table.size() > few) return largest;
             for (Row row = 0; row < table.size(); ++row)
-                if (const auto state = constraint_state(any, {kind, table.slots.id_of(row)}))
+                if (const auto state = constraint_state(any, {kind, table.handles.id_of(row)}))
                     largest = std::max(largest, state->tension);
             return largest;
         },

@@ -24,7 +24,7 @@ template <class Real> void hold(World<3, Real>& world, int side, const char* pla
           "cloth");
     auto& particles = world.particles;
     for (Row row = 0; row < particles.size(); ++row) {
-        const auto id = particles.slots.id_of(row);
+        const auto id = particles.handles.id_of(row);
         set_mass(world, id, Real(1));
         if (particles.mobility[row] == 0) continue;
         auto place = particles.position[row];

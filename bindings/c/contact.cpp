@@ -13,8 +13,8 @@ namespace {
 
 /// Writes the sides of a contact; false if one of them is gone.
 template <class WorldT> bool set_sides(const WorldT& world, const ColliderTouch& touch, sinew_contact& contact) {
-    const auto& particles = world.particles.slots;
-    const auto& colliders = world.collider_slots;
+    const auto& particles = world.particles.handles;
+    const auto& colliders = world.collider_handles;
     if (!particles.in_use(touch.particle) || !colliders.in_use(touch.collider)) return false;
     const Row row = particles.row_at(touch.particle), collider = colliders.row_at(touch.collider);
     contact.particle = number_of(particles.id_of(row));
@@ -24,10 +24,10 @@ template <class WorldT> bool set_sides(const WorldT& world, const ColliderTouch&
     return true;
 }
 template <class WorldT> bool set_sides(const WorldT& world, const FigureTouch& touch, sinew_contact& contact) {
-    const auto& slots = world.particles.slots;
-    if (!slots.in_use(touch.particle[0]) || !slots.in_use(touch.particle[1])) return false;
-    contact.particle = number_of(slots.id_of(slots.row_at(touch.particle[0])));
-    contact.other = number_of(slots.id_of(slots.row_at(touch.particle[1])));
+    const auto& handles = world.particles.handles;
+    if (!handles.in_use(touch.particle[0]) || !handles.in_use(touch.particle[1])) return false;
+    contact.particle = number_of(handles.id_of(handles.row_at(touch.particle[0])));
+    contact.other = number_of(handles.id_of(handles.row_at(touch.particle[1])));
     contact.figure = touch.first;
     contact.other_figure = touch.second;
     return true;
@@ -60,7 +60,7 @@ template <class WorldT, class Visit> void each_contact(const WorldT& world, Visi
         contact.figure = event.figure;
         contact.other_figure = event.other;
         if (event.other != no_figure) contact.other = number_of(event.other_particle);
-        if (const auto row = world.collider_slots.find(event.collider)) {
+        if (const auto row = world.collider_handles.find(event.collider)) {
             contact.collider = number_of(event.collider);
             contact.collider_name = world.colliders[*row].name.c_str();
         }

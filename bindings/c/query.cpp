@@ -170,7 +170,7 @@ sinew_status sinew_particle_at(sinew_simulation simulation, uint32_t row, sinew_
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
             if (row >= world.particles.size()) return fail(SINEW_NOT_FOUND, "there are fewer particles");
-            *particle = number_of(world.particles.slots.id_of(row));
+            *particle = number_of(world.particles.handles.id_of(row));
             return SINEW_OK;
         });
     });
@@ -268,7 +268,7 @@ sinew_status sinew_constraint_at(sinew_simulation simulation, uint32_t kind, uin
             auto status = fail(SINEW_NOT_FOUND, "there are fewer constraints");
             const bool known = in_table(world, kind, [&](const auto& table) {
                 if (row >= table.size()) return;
-                *constraint = number_of(ConstraintId{int(kind), table.slots.id_of(row)});
+                *constraint = number_of(ConstraintId{int(kind), table.handles.id_of(row)});
                 status = SINEW_OK;
             });
             return known ? status : no_kind();

@@ -53,8 +53,8 @@ sinew_status add(Session session, sinew_simulation* handle) {
 } // namespace
 
 std::uint64_t number_of(const ConstraintId& id) {
-    if (id.kind < 0 || id.id.slot >= max_slots) return SINEW_NO_ID;
-    return number_of(std::uint32_t(id.kind) * max_slots + id.id.slot, id.id.generation);
+    if (id.kind < 0 || id.id.index >= max_slots) return SINEW_NO_ID;
+    return number_of(std::uint32_t(id.kind) * max_slots + id.id.index, id.id.generation);
 }
 
 ConstraintId constraint_of(std::uint64_t number) {

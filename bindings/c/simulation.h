@@ -74,7 +74,7 @@ template <int D, class Real> collide::Rotation<D, Real> rotation_of(double angle
 /// Ids as numbers: slot and generation; of constraints also the kind.
 std::uint64_t number_of(std::uint32_t slot, std::uint32_t generation);
 template <class Tag> std::uint64_t number_of(Id<Tag> id) {
-    return number_of(id.slot, id.generation);
+    return number_of(id.index, id.generation);
 }
 template <class Tag> Id<Tag> id_of(std::uint64_t number) {
     return {std::uint32_t(number), std::uint32_t(number >> 32)};

@@ -19,12 +19,12 @@ template <int D, class Real> struct Box {
         return sharp_point(inner, point, Vec<D, Real>::axis(1), feature(point));
     }
     BoundingBox<D, Real> bounds(const Pose<D, Real>& pose) const {
-        Vec<D, Real> reach{};
+        Vec<D, Real> extent{};
         for (int i = 0; i < D; ++i) {
             const auto edge = pose.turn(Vec<D, Real>::axis(i) * half[i]);
-            reach += Vec<D, Real>::map([&](int k) { return absolute(edge[k]); });
+            extent += Vec<D, Real>::map([&](int k) { return absolute(edge[k]); });
         }
-        return {pose.position - reach, pose.position + reach};
+        return {pose.position - extent, pose.position + extent};
     }
 
   private:

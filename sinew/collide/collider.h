@@ -52,18 +52,18 @@ template <int D, class Real> BoundingBox<D, Real> bounds_in_step(const Collider<
     box.include(end.low);
     box.include(end.high);
     if (collider.from.rotation == collider.target.rotation || !(box.high[0] < box.huge)) return box;
-    Real reach = 0;
+    Real radius = 0;
     for (const auto* pose : {&collider.from, &collider.target}) {
         const auto around = bounds(collider.shape, *pose);
         const auto far = Vec<D, Real>::map([&](int i) {
             return max(absolute(around.low[i] - pose->position[i]), absolute(around.high[i] - pose->position[i]));
         });
-        reach = max(reach, norm(far));
+        radius = max(radius, norm(far));
     }
     BoundingBox<D, Real> turned;
     turned.include(collider.from.position);
     turned.include(collider.target.position);
-    turned = turned.grown(reach);
+    turned = turned.grown(radius);
     turned.include(box.low);
     turned.include(box.high);
     return turned;

@@ -67,40 +67,41 @@ SurfacePoint<D, Real> to_world(const Pose<D, Real>& pose, const SurfacePoint<D, 
     return {pose.to_world(local.point), pose.turn(local.normal), local.distance, local.feature};
 }
 
-/// Calls visit(surface) with each contact of a sphere within `reach` of a shape. A sphere deeper than `depth` behind a
-/// surface has passed it.
+/// Calls visit(surface) with each contact of a sphere within `max_distance` of a shape. A sphere deeper than `depth`
+/// behind a surface has passed it.
 template <int D, class Real, class Visit>
-void contacts_of_sphere(const Shape<D, Real>& shape, const Pose<D, Real>& pose, const Vec<D, Real>& center, Real reach,
-                        Real depth, Visit&& visit) {
+void contacts_of_sphere(const Shape<D, Real>& shape, const Pose<D, Real>& pose, const Vec<D, Real>& center,
+                        Real max_distance, Real depth, Visit&& visit) {
     const auto local = pose.to_local(center);
     BoundingBox<D, Real> near;
     near.include(local);
     std::visit(
         [&]<class Held>(const Held& held) {
-            visit_parts(held, near.grown(max(reach, depth)), [&](const auto& part) {
+            visit_parts(held, near.grown(max(max_distance, depth)), [&](const auto& part) {
                 const auto surface = part.nearest(local);
-                if (surface.distance > reach || (IsSurface<Held> && surface.distance < -depth)) return;
+                if (surface.distance > max_distance || (IsSurface<Held> && surface.distance < -depth)) return;
                 if (owns(part, surface)) visit(to_world(pose, surface));
             });
         },
         shape);
 }
 
-/// Nearest point of a shape within `reach` of a point; nothing if there is none.
+/// Nearest point of a shape within `max_distance` of a point; nothing if there is none.
 template <int D, class Real>
 std::optional<SurfacePoint<D, Real>> nearest(const Shape<D, Real>& shape, const Pose<D, Real>& pose,
-                                             const Vec<D, Real>& point, Real reach) {
+                                             const Vec<D, Real>& point, Real max_distance) {
     std::optional<SurfacePoint<D, Real>> best;
-    contacts_of_sphere(shape, pose, point, reach, reach, [&](const SurfacePoint<D, Real>& surface) {
+    contacts_of_sphere(shape, pose, point, max_distance, max_distance, [&](const SurfacePoint<D, Real>& surface) {
         if (!best || absolute(surface.distance) < absolute(best->distance)) best = surface;
     });
     return best;
 }
 
-/// Nearest approach of the segment a-b and a shape within `reach`.
+/// Nearest approach of the segment a-b and a shape within `max_distance`.
 template <int D, class Real>
 std::optional<SegmentApproach<D, Real>> nearest_to_segment(const Shape<D, Real>& shape, const Pose<D, Real>& pose,
-                                                           const Vec<D, Real>& a, const Vec<D, Real>& b, Real reach) {
+                                                           const Vec<D, Real>& a, const Vec<D, Real>& b,
+                                                           Real max_distance) {
     std::optional<SegmentApproach<D, Real>> best;
     const auto local_a = pose.to_local(a), local_b = pose.to_local(b);
     BoundingBox<D, Real> near;
@@ -108,11 +109,11 @@ std::optional<SegmentApproach<D, Real>> nearest_to_segment(const Shape<D, Real>&
     near.include(local_b);
     const auto examine = [&](const auto& part) {
         const auto approach = nearest_to_segment(part, local_a, local_b);
-        if (approach.surface.distance > reach || !owns(part, approach.surface)) return;
+        if (approach.surface.distance > max_distance || !owns(part, approach.surface)) return;
         if (!best || approach.surface.distance < best->surface.distance)
             best = {approach.t, to_world(pose, approach.surface)};
     };
-    std::visit([&](const auto& held) { visit_parts(held, near.grown(reach), examine); }, shape);
+    std::visit([&](const auto& held) { visit_parts(held, near.grown(max_distance), examine); }, shape);
     return best;
 }
 

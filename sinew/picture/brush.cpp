@@ -207,12 +207,12 @@ void PieceRenderer::paint_quad(std::span<const Vec2<float>> corners, std::uint32
 }
 
 bool PieceRenderer::covers(const ProjectedPiece& piece, Vec2<float> pixel) {
-    constexpr float min_reach = 4; // nominal pixels, the radius around thinner pieces
-    const float reach = max(piece.width / 2, min_reach * unit_);
+    constexpr float min_radius = 4; // nominal pixels, the radius around thinner pieces
+    const float radius = max(piece.width / 2, min_radius * unit_);
     const auto& points = piece.points;
     if (points.empty()) return false;
     if (piece.mark == Mark::fill || is_cloth(piece.mark)) return is_inside(pixel, points);
-    if (piece.mark == Mark::tip) return distance(pixel, points.back()) <= reach;
+    if (piece.mark == Mark::tip) return distance(pixel, points.back()) <= radius;
     std::span<const Vec2<float>> line = points;
     if (piece.mark == Mark::limb) {
         limb_along(points, bends_);
@@ -220,10 +220,10 @@ bool PieceRenderer::covers(const ProjectedPiece& piece, Vec2<float> pixel) {
         line = spine_.place;
     }
     if (piece.mark == Mark::dot || line.size() == 1)
-        return std::any_of(line.begin(), line.end(), [&](const auto& p) { return distance(pixel, p) <= reach; });
+        return std::any_of(line.begin(), line.end(), [&](const auto& p) { return distance(pixel, p) <= radius; });
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        if (distance_to_segment(pixel, line[i], line[i + 1]) <= reach) return true;
-    return piece.mark == Mark::loop && distance_to_segment(pixel, line.back(), line.front()) <= reach;
+        if (distance_to_segment(pixel, line[i], line[i + 1]) <= radius) return true;
+    return piece.mark == Mark::loop && distance_to_segment(pixel, line.back(), line.front()) <= radius;
 }
 
 float PieceRenderer::aspect(std::uint32_t number) const {

@@ -129,9 +129,9 @@ template <class Real> void add_faces(Faces& faces, const collide::Box<3, Real>& 
         }
 }
 template <class Real> void add_faces(Faces& faces, const collide::HalfSpace<3, Real>& plane) {
-    constexpr double reach = 20;
+    constexpr double half_width = 20;
     const auto normal = placed_in_space(plane.normal);
-    const auto u = direction(cross(normal, absolute(normal[0]) < 0.8 ? Place::axis(0) : Place::axis(2))) * reach,
+    const auto u = direction(cross(normal, absolute(normal[0]) < 0.8 ? Place::axis(0) : Place::axis(2))) * half_width,
                v = cross(normal, u), middle = normal * double(plane.offset);
     add_face(faces, {middle - u - v, middle + u - v, middle + u + v, middle - u + v});
 }

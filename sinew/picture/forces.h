@@ -26,10 +26,10 @@ template <class WorldT> class Forces {
 
     /// Sum of all force fields on a particle: weight, wind, drag, attraction.
     Force of_fields(Row row) const {
-        const auto push = push_on(world_, row);
+        const auto forcing = forcing_on(world_, row);
         const double mass = double(inverse_or_zero(world_.particles.inverse_mass[row]));
-        return (cast<double>(push.acceleration) -
-                cast<double>(world_.particles.velocity[row]) * double(push.drag_rate)) *
+        return (cast<double>(forcing.acceleration) -
+                cast<double>(world_.particles.velocity[row]) * double(forcing.drag_rate)) *
                mass;
     }
 

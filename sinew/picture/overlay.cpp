@@ -189,7 +189,7 @@ template <class WorldT> class Overlayer {
         double largest = 0;
         const auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
         for (Row row = 0; row < table.size(); ++row) {
-            const auto state = constraint_state(world_, {kind_number<Distance, D>, table.slots.id_of(row)});
+            const auto state = constraint_state(world_, {kind_number<Distance, D>, table.handles.id_of(row)});
             const auto a = view_.see(in_space(world_.particles.position[table.members[row][0]]));
             const auto b = view_.see(in_space(world_.particles.position[table.members[row][1]]));
             if (!state || !a || !b) continue;

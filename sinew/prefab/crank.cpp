@@ -24,9 +24,9 @@ template <int D, class Real> void Crank::build(Builder<D, Real>& figure) const {
     }
     // End of the rod on the line through the hub, at distance s: s^2 - 2 s (pin . along) + radius^2 = rod^2.
     const double over = dot(on_rim, along);
-    const double reach = over + square_root(rod * rod - radius * radius + over * over);
-    const auto end = figure.particle("end", along * reach, mass / 4);
-    const auto face = figure.particle("face", along * (reach + skirt), mass / 4);
+    const double span = over + square_root(rod * rod - radius * radius + over * over);
+    const auto end = figure.particle("end", along * span, mass / 4);
+    const auto face = figure.particle("face", along * (span + skirt), mass / 4);
     const auto mouth = figure.particle("mouth", along * (rod - radius), mass / 12);
     const auto head = figure.particle("head", along * (rod + radius + 1.5 * skirt), mass / 12);
     figure.hold(mouth);

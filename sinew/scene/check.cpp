@@ -41,7 +41,7 @@ class ValueCheck {
         for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
             constraint(scene_.constraints[i], under("constraints", i));
         for (std::size_t i = 0; i < scene_.looks.size(); ++i)
-            look(scene_.looks[i].second, "/looks" + json::pointer_step(scene_.looks[i].first));
+            check_look(scene_.looks[i].second, "/looks" + json::pointer_step(scene_.looks[i].first));
         bounds();
         for (std::size_t i = 0; i < scene_.colliders.size(); ++i) collider(scene_.colliders[i], i);
         for (std::size_t i = 0; i < scene_.pins.size(); ++i)
@@ -112,7 +112,7 @@ class ValueCheck {
                 piece(by_hand->pieces[k], under("figures", i) + under("pieces", k));
         }
         for (const auto& [part, seen] : figure.looks)
-            look(seen, under("figures", i, "looks") + json::pointer_step(part));
+            check_look(seen, under("figures", i, "looks") + json::pointer_step(part));
     }
 
     /// Checks the number of particles a mark is drawn through. `counts` is in the order of mark_names.
@@ -168,7 +168,7 @@ class ValueCheck {
                             format_text("there is no {} in {} dimensions", kind.name, scene_.dimension));
     }
 
-    void look(const Look& look, const std::string& place) {
+    void check_look(const Look& look, const std::string& place) {
         for (const auto& [key, text] :
              {std::pair("/color", look.color), std::pair("/fill", look.fill), std::pair("/hover", look.hover)})
             if (!text.empty() && !parse_color(text) && std::ranges::find(theme_colors, text) == theme_colors.end())

@@ -23,7 +23,7 @@ template <int D, class Real> class ReferenceCheck {
         for (std::size_t i = 0; i < scene_.pins.size(); ++i)
             particle(scene_.pins[i].particle, under("pins", i, "particle"));
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
-        for (std::size_t i = 0; i < scene_.looks.size(); ++i) look(scene_.looks[i].first);
+        for (std::size_t i = 0; i < scene_.looks.size(); ++i) check_look(scene_.looks[i].first);
         for (std::size_t i = 0; i < scene_.events.size(); ++i) event(scene_.events[i], i);
         for (std::size_t i = 0; i < scene_.traces.size(); ++i)
             if (const auto& of = scene_.traces[i].of; !find_figure(world_, of)) particle(of, under("traces", i, "of"));
@@ -160,7 +160,7 @@ template <int D, class Real> class ReferenceCheck {
     }
 
     /// Checks a key of "looks": figure/part, figure, or a part of any figure.
-    void look(std::string_view key) {
+    void check_look(std::string_view key) {
         const auto place = "/looks" + json::pointer_step(key);
         const auto slash = key.find('/');
         if (slash != std::string_view::npos) {

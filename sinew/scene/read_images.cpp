@@ -17,12 +17,12 @@ class ReadingImages {
 
     Images read() {
         for (const auto& [key, seen] : opened_.scene.looks)
-            if (seen.image) look(*seen.image, "/looks" + json::pointer_step(key), "", key);
+            if (seen.image) read(*seen.image, "/looks" + json::pointer_step(key), "", key);
         const auto& figures = opened_.scene.figures;
         for (std::size_t i = 0; i < figures.size(); ++i)
             for (const auto& [part, seen] : figures[i].looks)
                 if (seen.image)
-                    look(*seen.image, format_text("/figures/{}/looks{}", i, json::pointer_step(part)),
+                    read(*seen.image, format_text("/figures/{}/looks{}", i, json::pointer_step(part)),
                          name_of(figures[i]), part);
         return std::move(images_);
     }
@@ -35,7 +35,7 @@ class ReadingImages {
     std::map<std::string, std::string> broken_; ///< error message of each unreadable file
     std::int64_t pixels_ = 0;
 
-    void look(const ImageLook& image, const std::string& place, std::string_view figure, std::string_view key) {
+    void read(const ImageLook& image, const std::string& place, std::string_view figure, std::string_view key) {
         if (has_no_room(figure, key))
             document_.error(place + "/image", format_text("nothing of {} takes an image", in_quotes(key)),
                             "an image goes on dots, sticks, links, limbs, ropes and polygons of four corners");

@@ -28,7 +28,7 @@ void move_colliders(const Scene& scene, const std::optional<Point>& pointer, dou
                 const auto& section = scene.colliders[tag];
                 const collide::Pose<D, Real> pose{position_of(section, pointer, time, up).template as<D, Real>(),
                                                   rotation_of<D, Real>(section, time, up)};
-                const auto id = any.collider_slots.id_of(row);
+                const auto id = any.collider_handles.id_of(row);
                 if (arrival == Arrival::at_once)
                     place_collider(any, id, pose);
                 else

@@ -68,21 +68,21 @@ template <class WorldT> class RuleMatch {
 
     Side side_of(const Event& event) const { return {event.figure, event.particle}; }
     Side other_side_of(const Event& event) const {
-        const auto row = world_.collider_slots.find(event.collider);
+        const auto row = world_.collider_handles.find(event.collider);
         return row ? collider_in(*row) : Side{event.other, event.other_particle};
     }
     Side figure_at(FigureIndex figure, std::uint32_t slot) const {
-        const auto& slots = world_.particles.slots;
-        return {figure, slots.in_use(slot) ? std::optional(slots.id_of(slots.row_at(slot))) : std::nullopt};
+        const auto& handles = world_.particles.handles;
+        return {figure, handles.in_use(slot) ? std::optional(handles.id_of(handles.row_at(slot))) : std::nullopt};
     }
     Side particle_at(std::uint32_t slot) const {
-        const auto& slots = world_.particles.slots;
-        return figure_at(slots.in_use(slot) ? world_.particles.figure[slots.row_at(slot)] : no_figure, slot);
+        const auto& handles = world_.particles.handles;
+        return figure_at(handles.in_use(slot) ? world_.particles.figure[handles.row_at(slot)] : no_figure, slot);
     }
     Side collider_in(Row row) const { return {no_figure, {}, world_.colliders[row].name, true}; }
     Side collider_at(const ColliderTouch& touch) const {
-        const auto& slots = world_.collider_slots;
-        return slots.in_use(touch.collider) ? collider_in(slots.row_at(touch.collider)) : Side{.is_collider = true};
+        const auto& handles = world_.collider_handles;
+        return handles.in_use(touch.collider) ? collider_in(handles.row_at(touch.collider)) : Side{.is_collider = true};
     }
 };
 

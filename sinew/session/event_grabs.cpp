@@ -46,7 +46,7 @@ void EventGrabs::hold_around(WorldT& world, const Scene& scene, ParticleId middl
     for (Row row = 0; row < world.particles.size(); ++row) {
         const auto offset = world.particles.position[row] - place;
         if (world.particles.figure[row] != figure || !(norm(offset) <= Real(grab.within))) continue;
-        const auto id = world.particles.slots.id_of(row);
+        const auto id = world.particles.handles.id_of(row);
         if (id == middle || world.particles.mobility[row] == Real(0)) continue;
         auto near = held;
         for (int i = 0; i < WorldT::dimension; ++i) {
@@ -104,7 +104,7 @@ void EventGrabs::go_on(AnyWorld& any, const AnyWorld& old) {
             std::erase_if(held_, [&](Held& held) {
                 if (held.stroke) return false;
                 const auto id = find_particle(world, held.particle);
-                const auto row = before ? before->pin_slots.find(held.pin) : std::nullopt;
+                const auto row = before ? before->pin_handles.find(held.pin) : std::nullopt;
                 if (!id || !row) return true;
                 const auto& spec = before->pins[*row];
                 if (find_particle(*before, held.particle) != spec.particle) return true; // held along with another

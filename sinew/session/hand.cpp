@@ -32,21 +32,21 @@ template <class WorldT> ParticleId add_handle(WorldT& world, std::span<const Par
     return handle;
 }
 
-/// Movable particles of the first member's figure within `reach` of `place`, members excluded.
+/// Movable particles of the first member's figure within `radius` of `place`, members excluded.
 template <class WorldT>
 std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> members, const Point& place,
-                             double reach) {
+                             double radius) {
     using Real = typename WorldT::Real;
     std::vector<ParticleId> found;
-    if (!(reach > 0)) return found;
+    if (!(radius > 0)) return found;
     const auto& p = world.particles;
     SINEW_ASSERT(!members.empty(), "a hand holds a particle");
     const auto figure = p.figure[*row_of(world, members.front())];
     const auto middle = place.template as<WorldT::dimension, Real>();
     for (Row row = 0; row < p.size(); ++row) {
         if (p.figure[row] != figure || p.mobility[row] == Real(0)) continue;
-        const auto id = p.slots.id_of(row);
-        if (distance(p.position[row], middle) <= Real(reach) &&
+        const auto id = p.handles.id_of(row);
+        if (distance(p.position[row], middle) <= Real(radius) &&
             std::find(members.begin(), members.end(), id) == members.end())
             found.push_back(id);
     }
@@ -56,7 +56,7 @@ std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> me
 } // namespace
 
 std::optional<PointerGrab> PointerGrab::take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
-                                             double acceleration, double reach, Hold hold) {
+                                             double acceleration, double radius, Hold hold) {
     return std::visit(
         [&]<class WorldT>(WorldT& any) -> std::optional<PointerGrab> {
             using Real = typename WorldT::Real;
@@ -69,7 +69,7 @@ std::optional<PointerGrab> PointerGrab::take(AnyWorld& world, std::span<const Pa
             if (!movable) return std::nullopt;
             PointerGrab hand{.members = {members.begin(), members.end()}, .target = place};
             const double mass = lifted_mass(any, *row_of(any, members.front()));
-            const auto others = near(any, members, place, reach);
+            const auto others = near(any, members, place, radius);
             const PinSpec<WorldT::dimension, Real> grip{
                 .max_force = Real(mass * acceleration / double(1 + others.size())), .hold = hold};
             auto held = members.front();

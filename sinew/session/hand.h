@@ -27,10 +27,10 @@ struct PointerGrab {
     };
     std::vector<Along> along{};
 
-    /// Pins the members at `place`. Empty if a member has been removed or none can move. `acceleration` and `reach` in
+    /// Pins the members at `place`. Empty if a member has been removed or none can move. `acceleration` and `radius` in
     /// the world's units; `hold`: rule of classic mode.
     static std::optional<PointerGrab> take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
-                                           double acceleration, double reach = 0, Hold hold = Hold::fixed);
+                                           double acceleration, double radius = 0, Hold hold = Hold::fixed);
 
     /// Sets the targets of the pins; a target behind a plane is projected onto the plane.
     void carry(AnyWorld& world) const;

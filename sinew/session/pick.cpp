@@ -66,7 +66,7 @@ template <class WorldT> class Picker {
             if (!seen || !movable(row)) continue;
             const float away = distance(seen->pixel, pixel_);
             if (away <= radius_)
-                offer(away, at({world_.particles.slots.id_of(row)}, in_space(world_.particles.position[row]),
+                offer(away, at({world_.particles.handles.id_of(row)}, in_space(world_.particles.position[row]),
                                world_.particles.figure[row]));
         }
     }

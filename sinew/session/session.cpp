@@ -35,7 +35,7 @@ constexpr std::array event_names = {"torn", "quarantined", "touched", "parted", 
 /// Touches are reported for sensors; of obstacles and the ground there would be too many.
 template <class WorldT> bool is_worth_noting(const WorldT& world, const Event& event) {
     if (event.type == EventType::torn || event.type == EventType::quarantined) return true;
-    const auto row = world.collider_slots.find(event.collider);
+    const auto row = world.collider_handles.find(event.collider);
     return row && world.colliders[*row].is_sensor;
 }
 
@@ -205,12 +205,12 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
 }
 
 std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double> within, const View& view) {
-    const double reach = within.value_or(scene_.pointer.cut_radius);
+    const double radius = within.value_or(scene_.pointer.cut_radius);
     return std::visit(
         [&]<class WorldT>(WorldT& world) {
             Cut done;
             if constexpr (WorldT::dimension == 2) {
-                done = sinew::cut(world, Blade{line[0].as<2, double>(), line[1].as<2, double>(), reach});
+                done = sinew::cut(world, Blade{line[0].as<2, double>(), line[1].as<2, double>(), radius});
             } else {
                 const auto from = view.see(line[0].as<3, double>()), to = view.see(line[1].as<3, double>());
                 if (!from || !to) return done.links;
@@ -220,7 +220,8 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
                     return seen ? cast<double>(seen->pixel) : Vec2<double>{{nowhere, nowhere}};
                 };
                 const double scale = (double(from->scale) + double(to->scale)) / 2;
-                done = sinew::cut(world, Blade{cast<double>(from->pixel), cast<double>(to->pixel), reach * scale}, see);
+                done =
+                    sinew::cut(world, Blade{cast<double>(from->pixel), cast<double>(to->pixel), radius * scale}, see);
             }
             for (const auto figure : done.figures)
                 note(std::string(CutEvent::name), figure < world.figures.size() ? world.figures[figure].name : "");
@@ -244,7 +245,7 @@ void Session::find_driven() {
                     if (!scene_.pins[i].driver) continue;
                     Point rest;
                     for (int k = 0; k < WorldT::dimension; ++k) rest[k] = double(world.pins[row].target[k]);
-                    driven_.push_back({world.pin_slots.id_of(Row(row)), i, rest});
+                    driven_.push_back({world.pin_handles.id_of(Row(row)), i, rest});
                 }
         },
         world_);
@@ -291,7 +292,7 @@ std::optional<PinId> Session::freeze_hovered() {
             for (Row row = Row(p.size()); row-- > 0;) {
                 const auto away = p.position[row] - place;
                 if (p.mobility[row] > Real(0) && clamp_components(away, half) == away)
-                    return pin(world, p.slots.id_of(row), {.hold = Hold::frozen});
+                    return pin(world, p.handles.id_of(row), {.hold = Hold::frozen});
             }
             return std::nullopt;
         },

@@ -16,16 +16,16 @@ void Stroke::go(AnyWorld& world, const Point& to) {
                 if (p.mobility[row] == Real(0)) continue;
                 const auto along =
                     clamp(dot(p.position[row] - from, way) * inverse_or_zero(dot(way, way)), Real(0), Real(1));
-                if (distance(p.position[row], from + way * along) < Real(reach))
-                    set_velocity(any, p.slots.id_of(row), velocity);
+                if (distance(p.position[row], from + way * along) < Real(radius))
+                    set_velocity(any, p.handles.id_of(row), velocity);
             }
         },
         world);
     at = to;
 }
 
-bool strokes(const AnyWorld& world, double reach) {
-    return reach > 0 && std::visit([](const auto& any) { return any.settings.mode == Mode::classic; }, world);
+bool strokes(const AnyWorld& world, double radius) {
+    return radius > 0 && std::visit([](const auto& any) { return any.settings.mode == Mode::classic; }, world);
 }
 
 } // namespace sinew

@@ -97,7 +97,7 @@ void Motors::find(const Scene& scene, const AnyWorld& any) {
                             const Row row = Row(table.size()) - ++after[std::size_t(kind)];
                             SINEW_ASSERT(row < table.size(), "the scene's constraints are the last of their kind");
                             if (scene.constraints[i].drive)
-                                driven_.push_back({{kind, table.slots.id_of(row)}, no_figure_of_scene, i});
+                                driven_.push_back({{kind, table.handles.id_of(row)}, no_figure_of_scene, i});
                         }
                     ++kind;
                 });
@@ -116,7 +116,7 @@ void Motors::run(const Scene& scene, AnyWorld& any) const {
                 SINEW_ASSERT(section.drive.has_value(), "constraints with a drive are driven");
                 const double in_program = kind_called(section.kind)->angle ? pi<double> / 180 : 1;
                 visit_table(world, driven.constraint.kind, [&](const auto& table) {
-                    const auto row = table.slots.find(driven.constraint.id);
+                    const auto row = table.handles.find(driven.constraint.id);
                     if (!row) return;
                     drive(world, driven.constraint,
                           Real(speed_at(*section.drive, world.time, dt, double(table.high(*row)), in_program)));

@@ -27,10 +27,10 @@ template <int D> struct BlockNode {
     Row row = 0;
     std::uint32_t slot = 0; ///< slot of the particle, stable while rows move (direct/look_up_rows.h)
     double mass = 0;
-    Vec<D, double> start{};    ///< position at the start of the substep, m
-    Vec<D, double> position{}; ///< position at the end of the substep, m
-    Vec<D, double> velocity{}; ///< at the start of the substep, drag taken off; in the end the new velocity, m/s
-    Vec<D, double> push{};     ///< acceleration by all force fields, m/s^2
+    Vec<D, double> start{};        ///< position at the start of the substep, m
+    Vec<D, double> position{};     ///< position at the end of the substep, m
+    Vec<D, double> velocity{};     ///< at the start of the substep, drag taken off; in the end the new velocity, m/s
+    Vec<D, double> acceleration{}; ///< acceleration by all force fields, m/s^2
     Vec<D, double>
         predicted{};    ///< position without constraints, m; in project_block_velocities the velocity before, m/s
     double inertia = 0; ///< stiffness towards `predicted`: mass / h^2, twice as much in a midpoint step, kg/s^2
@@ -192,7 +192,7 @@ struct SweepRun {
 };
 
 /// Flags by the slots of ids, which do not change when rows move.
-class SlotFlags {
+class IndexFlags {
   public:
     bool empty() const { return flags_.empty(); }
     bool has(std::uint32_t slot) const { return slot < flags_.size() && flags_[slot]; }
@@ -263,9 +263,9 @@ template <int D> struct Blocks {
     std::vector<std::uint32_t> first_pair; ///< first of a node's pairs of entries e < g
     std::vector<std::uint32_t> pairs;      ///< entry that receives the product of a pair
 
-    SlotFlags particles;                                            ///< moved by a block of `list`, not by the sweep
-    std::array<SlotFlags, std::size_t(Kinds<D>::size)> constraints; ///< by kind: held by a block, not by the sweep
-    std::vector<SweepRun> runs;                                     ///< constraints left to the sweep, in sweep order
+    IndexFlags particles;                                            ///< moved by a block of `list`, not by the sweep
+    std::array<IndexFlags, std::size_t(Kinds<D>::size)> constraints; ///< by kind: held by a block, not by the sweep
+    std::vector<SweepRun> runs;                                      ///< constraints left to the sweep, in sweep order
     Ports<D> ports;       ///< joints between blocks of `attached_trees` and the rest
     Chains<D> chains;     ///< blocks of `list` that are chains
     Programs<D> programs; ///< other blocks of `list` that are solved side by side
@@ -275,7 +275,7 @@ template <int D> struct Blocks {
 
     Elimination elimination;
     BlockRoom room;
-    std::uint32_t looks = 0;
+    std::uint32_t searches = 0;
 
     void clear() {
         columns([](auto& column) { column.clear(); });
@@ -285,13 +285,13 @@ template <int D> struct Blocks {
         particles.clear();
         for (auto& flags : constraints) flags.clear();
     }
-    template <class Table> SlotFlags& constraints_of(const Table&) {
+    template <class Table> IndexFlags& constraints_of(const Table&) {
         return constraints[std::size_t(Kinds<D>::template index_of<typename Table::Kind>)];
     }
     /// True for a row of a table that is held by a block.
     template <class Table> bool holds(const Table& table, Row row) const {
         return constraints[std::size_t(Kinds<D>::template index_of<typename Table::Kind>)].has(
-            table.slots.slot_of(row));
+            table.handles.index_of(row));
     }
     /// Calls visit(column) for each column that grows with every block.
     template <class Visit> void columns(Visit&& visit) {

@@ -10,13 +10,14 @@ namespace sinew {
 template <class Real> constexpr Real largest_acceleration = limit::force<Real>* limit::mass<Real>;
 
 /// sweep/forces.cpp: forces on a particle, at the present position or another: dv/dt = acceleration - drag_rate v.
-template <int D, class Real> struct Push {
+template <int D, class Real> struct Forcing {
     Vec<D, Real> acceleration{};
     Real drag_rate = 0;
 };
-template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& position);
-template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row) {
-    return push_on(world, row, world.particles.position[row]);
+template <int D, class Real>
+Forcing<D, Real> forcing_on(const World<D, Real>& world, Row row, const Vec<D, Real>& position);
+template <int D, class Real> Forcing<D, Real> forcing_on(const World<D, Real>& world, Row row) {
+    return forcing_on(world, row, world.particles.position[row]);
 }
 
 /// sweep/forces.cpp: hands out the forces that strike one particle a step, into particles.force.

@@ -25,11 +25,11 @@ struct Tile {
 };
 
 /// Distances solved together: of one direction, or of one or more greedy colours of a mesh. Links starting in tile j
-/// end in tiles j to j + reach.
+/// end in tiles j to j + tile_span.
 struct LinkColor {
     std::uint32_t first_batch = 0; ///< index in Plan::first_batch of the first tile's offset; one more entry than tiles
-    std::uint32_t reach = 0;
-    std::uint32_t wavefront_offset = 0; ///< sum of the reaches up to and including this colour's
+    std::uint32_t tile_span = 0;
+    std::uint32_t wavefront_offset = 0; ///< sum of the spans up to and including this colour's
 };
 
 /// Offsets into the lists of a plan, at the start or end of a component.
@@ -54,7 +54,7 @@ struct Component {
     std::uint32_t first_tile = 0, tiles = 0;
     std::uint32_t first_color = 0, colors = 0;
     std::uint32_t wavefront_offset = 0; ///< delay of the last colour
-    std::uint32_t reach = 0;            ///< largest reach of a colour
+    std::uint32_t tile_span = 0;        ///< largest span of a colour
     std::uint32_t first_tether = 0, tethers = 0;
     PlanPlace begin{}; ///< offsets of the component's entries
     Extent particles{}, links{};
@@ -78,7 +78,7 @@ inline constexpr std::size_t max_tethers = 4;
 struct Tether {
     std::uint32_t pin = 0;   ///< index in World::pins
     std::uint32_t at = 0;    ///< slot of the pinned particle, from the component's first
-    std::uint32_t first = 0; ///< offset in Plan::half_per_reach_square for the component's first slot
+    std::uint32_t first = 0; ///< offset in Plan::half_per_max_length_square for the component's first slot
 };
 
 /// Scratch memory of the planner.
@@ -150,10 +150,10 @@ template <class Real> struct Plan {
     std::vector<std::uint32_t> rows;           ///< rows of batches with row_step 0
     std::vector<PinnedSlot> pins;              ///< sorted by slot
     std::vector<Tether> tethers;
-    std::vector<Real> half_per_reach_square; ///< 1 / (2 reach^2) by tether and slot; 0: unlimited
-    bool may_tear = true;                    ///< some constraint of the world can tear
-    std::vector<SweepRun> others;            ///< constraints other than simple distances, in the order of the sweep
-    std::uint32_t row_moves = 0;             ///< Journal::row_moves when the plan was made
+    std::vector<Real> half_per_max_length_square; ///< 1 / (2 max_length^2) by tether and slot; 0: unlimited
+    bool may_tear = true;                         ///< some constraint of the world can tear
+    std::vector<SweepRun> others; ///< constraints other than simple distances, in the order of the sweep
+    std::uint32_t row_moves = 0;  ///< Journal::row_moves when the plan was made
 
     PlanPlace end() const {
         const auto size = [](const auto& column) { return std::uint32_t(column.size()); };
@@ -226,7 +226,7 @@ template <class Real> struct Plan {
         runs.clear();
         pins.clear();
         tethers.clear();
-        half_per_reach_square.clear();
+        half_per_max_length_square.clear();
         others.clear();
     }
 };

@@ -45,7 +45,7 @@ template <class Mover, class Real>
     const Real size = share * (extent > Real(0) ? extent : min(absolute(rest), limit::coordinate<Real>));
     for (std::size_t i = 0; i < members.size(); ++i) {
         const Real agility = mover.weight(members[i]) * inverse_or_zero(lightest);
-        mover.push(members[i], (own_direction<Mover::dimension, Real>(constraint, i) - mean) * (size * agility));
+        mover.displace(members[i], (own_direction<Mover::dimension, Real>(constraint, i) - mean) * (size * agility));
     }
 }
 
@@ -81,12 +81,12 @@ Real trusted(const Mover& mover, const Stencil& stencil, std::span<const Row> me
 }
 
 template <class Mover, class Stencil, class Real>
-void push_all(Mover& mover, const Stencil& stencil, std::span<const Row> members, Real split, Real change) {
+void displace_all(Mover& mover, const Stencil& stencil, std::span<const Row> members, Real split, Real change) {
     stencil.each([&](std::size_t i) {
         if constexpr (CouplesParticles<Mover>)
             mover.impart(members[i], stencil.direction[i] * (handicap(split, i) * change));
         else
-            mover.push(members[i], stencil.direction[i] * (mover.weight(members[i]) * handicap(split, i) * change));
+            mover.displace(members[i], stencil.direction[i] * (mover.weight(members[i]) * handicap(split, i) * change));
     });
 }
 
@@ -127,7 +127,7 @@ bool correct_row(std::span<Vec<D, Real>> scratch, Table& table, Row row, Mover& 
     const Real change = table.relaxation[row] * (solved - lambda);
     const Real next = lambda + trusted(mover, stencil, members, split, change);
     table.multiplier[row] = next;
-    push_all(mover, stencil, members, split, next - lambda);
+    displace_all(mover, stencil, members, split, next - lambda);
     return true;
 }
 

@@ -74,7 +74,7 @@ template <int D, class Real> struct Solver {
 template <int D, class Real>
 bool moves_any(const Blocks<D>& blocks, const World<D, Real>& world, std::span<const Row> particles) {
     return std::any_of(particles.begin(), particles.end(),
-                       [&](Row row) { return blocks.particles.has(world.particles.slots.slot_of(row)); });
+                       [&](Row row) { return blocks.particles.has(world.particles.handles.index_of(row)); });
 }
 
 } // namespace sinew

@@ -35,8 +35,8 @@ template <int D, class RealT> struct SubstepMover {
         });
         return own * damping_time;
     }
-    void push(Row row, const Vec<D, Real>& displacement) { push_at(sweep_state.slot_of[row], displacement); }
-    void push_at(Row slot, const Vec<D, Real>& displacement) {
+    void displace(Row row, const Vec<D, Real>& displacement) { displace_at(sweep_state.slot_of[row], displacement); }
+    void displace_at(Row slot, const Vec<D, Real>& displacement) {
         sweep_state.set_displacement(slot,
                                      clamp_components(sweep_state.displacement_at(slot) + displacement, furthest));
     }

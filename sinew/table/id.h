@@ -15,7 +15,7 @@ namespace sinew {
 /// Handle of a row, valid wherever the row moves. Copies of a world know the ids handed out before the copy; an id of a
 /// removed row, of another world, or handed out in an undone future resolves to nothing.
 template <class Tag> struct Id {
-    std::uint32_t slot = ~std::uint32_t(0);
+    std::uint32_t index = ~std::uint32_t(0);
     std::uint32_t generation = Stamp::none; ///< stamp of the table when the row was added
     friend constexpr bool operator==(const Id&, const Id&) = default;
 };
@@ -23,8 +23,8 @@ template <class Tag> struct Id {
 using Row = std::uint32_t;
 
 /// Map from ids to rows. Rows are dense and keep their order when others are removed. Until a row is removed, or a copy
-/// of a world is added to, slots equal rows, all of one generation, and no entry is stored.
-template <class Tag> class Slots {
+/// of a world is added to, indices equal rows, all of one generation, and no entry is stored.
+template <class Tag> class HandleMap {
   public:
     /// Id of a new row at the end.
     Id<Tag> append() {
@@ -33,36 +33,36 @@ template <class Tag> class Slots {
         if (stamp != plain_generation_) remember();
         if (plain_) return {rows_++, stamp};
         if (first_free_ == entries_.size()) entries_.push_back({.row = first_free_ + 1});
-        const std::uint32_t slot = first_free_;
-        SINEW_ASSERT(entries_[slot].row <= entries_.size(), "a free slot names the next free slot");
-        first_free_ = entries_[slot].row;
-        entries_[slot] = {.row = rows_++, .generation = stamp};
-        slot_of_row_.push_back(slot);
-        return {slot, stamp};
+        const std::uint32_t index = first_free_;
+        SINEW_ASSERT(entries_[index].row <= entries_.size(), "a free index names the next free one");
+        first_free_ = entries_[index].row;
+        entries_[index] = {.row = rows_++, .generation = stamp};
+        index_of_row_.push_back(index);
+        return {index, stamp};
     }
 
     /// Row of an id; nothing for an id not handed out by this table, or removed. Any bits are safe.
     std::optional<Row> find(Id<Tag> id) const {
-        if (id.slot >= slots() || generation(id.slot) != id.generation || !in_use(id.slot)) return std::nullopt;
-        return row_at(id.slot);
+        if (id.index >= indices() || generation(id.index) != id.generation || !in_use(id.index)) return std::nullopt;
+        return row_at(id.index);
     }
 
-    Id<Tag> id_of(Row row) const { return {slot_of(row), generation(slot_of(row))}; }
+    Id<Tag> id_of(Row row) const { return {index_of(row), generation(index_of(row))}; }
 
-    std::uint32_t slot_of(Row row) const {
+    std::uint32_t index_of(Row row) const {
         SINEW_ASSERT(row < rows_, "the row is in the table");
-        return plain_ ? row : slot_of_row_[row];
+        return plain_ ? row : index_of_row_[row];
     }
-    /// The slot must be in use.
-    Row row_at(std::uint32_t slot) const {
-        SINEW_ASSERT(slot < slots(), "the slot has been handed out");
-        return plain_ ? slot : entries_[slot].row;
+    /// The index must be in use.
+    Row row_at(std::uint32_t index) const {
+        SINEW_ASSERT(index < indices(), "the index has been handed out");
+        return plain_ ? index : entries_[index].row;
     }
-    bool in_use(std::uint32_t slot) const {
-        const Row row = row_at(slot);
-        return row < rows_ && slot_of(row) == slot;
+    bool in_use(std::uint32_t index) const {
+        const Row row = row_at(index);
+        return row < rows_ && index_of(row) == index;
     }
-    std::size_t slots() const { return plain_ ? rows_ : entries_.size(); } ///< in use or free
+    std::size_t indices() const { return plain_ ? rows_ : entries_.size(); } ///< in use or free
 
     /// Forgets the rows whose flag in `gone` is set; the others close up in order.
     void erase(std::span<const char> gone) {
@@ -72,28 +72,28 @@ template <class Tag> class Slots {
         remember();
         stamp_.forget();
         for (Row row = kept; row < rows_; ++row) {
-            const std::uint32_t slot = slot_of_row_[row];
+            const std::uint32_t index = index_of_row_[row];
             if (gone[row]) {
-                entries_[slot] = {.row = first_free_};
-                first_free_ = slot;
+                entries_[index] = {.row = first_free_};
+                first_free_ = index;
             } else {
-                entries_[slot].row = kept;
-                slot_of_row_[kept++] = slot;
+                entries_[index].row = kept;
+                index_of_row_[kept++] = index;
             }
         }
-        slot_of_row_.resize(kept);
+        index_of_row_.resize(kept);
         rows_ = kept;
-        SINEW_ASSERT(rows_ <= entries_.size(), "every row has a slot");
+        SINEW_ASSERT(rows_ <= entries_.size(), "every row has an index");
     }
 
     /// Allocates the entries: afterwards erase() allocates nothing.
     void remember() {
         if (!plain_) return;
         plain_ = false;
-        slot_of_row_.resize(rows_);
+        index_of_row_.resize(rows_);
         entries_.resize(rows_);
         for (Row row = 0; row < rows_; ++row) {
-            slot_of_row_[row] = row;
+            index_of_row_[row] = row;
             entries_[row] = {.row = row, .generation = plain_generation_};
         }
         first_free_ = rows_;
@@ -101,25 +101,25 @@ template <class Tag> class Slots {
 
     void reserve(std::size_t rows) {
         if (plain_) return;
-        slot_of_row_.reserve(rows);
+        index_of_row_.reserve(rows);
         entries_.reserve(rows);
     }
 
   private:
     struct Entry {
-        Row row = 0; ///< free slot: the next free slot
+        Row row = 0; ///< of a free index: the next free one
         std::uint32_t generation = Stamp::none;
     };
     Row rows_ = 0;
-    bool plain_ = true;                            ///< slots equal rows, and no entry is stored
+    bool plain_ = true;                            ///< indices equal rows, and no entry is stored
     Stamp stamp_;                                  ///< generation of the next row
-    std::uint32_t plain_generation_ = Stamp::none; ///< common to all rows while slots equal rows
-    std::vector<std::uint32_t> slot_of_row_;
+    std::uint32_t plain_generation_ = Stamp::none; ///< common to all rows while indices equal rows
+    std::vector<std::uint32_t> index_of_row_;
     std::vector<Entry> entries_;
-    std::uint32_t first_free_ = 0; ///< entries_.size(): no slot is free
+    std::uint32_t first_free_ = 0; ///< entries_.size(): no index is free
 
-    std::uint32_t generation(std::uint32_t slot) const {
-        return plain_ ? plain_generation_ : entries_[slot].generation;
+    std::uint32_t generation(std::uint32_t index) const {
+        return plain_ ? plain_generation_ : entries_[index].generation;
     }
 };
 

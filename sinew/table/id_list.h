@@ -13,22 +13,22 @@
 /// memory.
 namespace sinew {
 
-/// Id `slots` further on.
-template <class Tag> Id<Tag> further(const Id<Tag>& id, std::uint32_t slots) {
-    return {id.slot + slots, id.generation};
+/// Id `indices` further on.
+template <class Tag> Id<Tag> further(const Id<Tag>& id, std::uint32_t indices) {
+    return {id.index + indices, id.generation};
 }
-inline ConstraintId further(const ConstraintId& id, std::uint32_t slots) {
-    return {id.kind, further(id.id, slots)};
+inline ConstraintId further(const ConstraintId& id, std::uint32_t indices) {
+    return {id.kind, further(id.id, indices)};
 }
-template <class Tag> std::uint32_t slot_in(const Id<Tag>& id) {
-    return id.slot;
+template <class Tag> std::uint32_t index_in(const Id<Tag>& id) {
+    return id.index;
 }
-inline std::uint32_t slot_in(const ConstraintId& id) {
-    return id.id.slot;
+inline std::uint32_t index_in(const ConstraintId& id) {
+    return id.id.index;
 }
 
 template <class IdT> class IdList {
-    /// Arithmetic sequence: `first`, then an id every `step` slots.
+    /// Arithmetic sequence: `first`, then an id every `step` indices.
     struct Steps {
         IdT first{};
         std::uint32_t step = 0;
@@ -89,7 +89,7 @@ template <class IdT> class IdList {
     }
     void push_back(const IdT& id) {
         if (!steps_.empty() && size_ == steps_.back().begin + 1)
-            steps_.back().step = slot_in(id) - slot_in(steps_.back().first);
+            steps_.back().step = index_in(id) - index_in(steps_.back().first);
         if (steps_.empty() || steps_.back().at(size_) != id) steps_.push_back({.first = id, .begin = size_});
         ++size_;
     }

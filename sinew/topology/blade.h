@@ -9,7 +9,7 @@ namespace sinew {
 /// A straight cut across a picture plane.
 struct Blade {
     Vec2<double> from{}, to{};
-    double reach = 0; ///< half thickness: links nearer to the blade are cut, too
+    double radius = 0; ///< half thickness: links nearer to the blade are cut, too
 };
 
 /// Projection of a point to the picture plane; not finite where out of sight.

@@ -23,10 +23,10 @@ double distance_to(const Vec2<double>& point, const Vec2<double>& a, const Vec2<
 bool crosses(const Blade& blade, const Vec2<double>& a, const Vec2<double>& b) {
     const bool apart = (side_of(blade.from, blade.to, a) > 0) != (side_of(blade.from, blade.to, b) > 0);
     if (apart && (side_of(a, b, blade.from) > 0) != (side_of(a, b, blade.to) > 0)) return true;
-    return blade.reach > 0 &&
-           (distance_to(a, blade.from, blade.to) <= blade.reach ||
-            distance_to(b, blade.from, blade.to) <= blade.reach || distance_to(blade.from, a, b) <= blade.reach ||
-            distance_to(blade.to, a, b) <= blade.reach);
+    return blade.radius > 0 &&
+           (distance_to(a, blade.from, blade.to) <= blade.radius ||
+            distance_to(b, blade.from, blade.to) <= blade.radius || distance_to(blade.from, a, b) <= blade.radius ||
+            distance_to(blade.to, a, b) <= blade.radius);
 }
 
 /// Adds the dependents of a distance: constraints of other kinds with both ends among their members.
@@ -36,7 +36,7 @@ void add_what_hangs(const World<D, Real>& world, const std::array<Row, 2>& ends,
         constexpr int kind = kind_of<World<D, Real>, Table>;
         const auto members = table.members[row];
         const bool both = std::find(members.begin(), members.end(), ends[1]) != members.end();
-        if (both && kind != kind_number<Distance, D>) all.push_back({kind, table.slots.id_of(row)});
+        if (both && kind != kind_number<Distance, D>) all.push_back({kind, table.handles.id_of(row)});
     });
 }
 
@@ -51,7 +51,7 @@ std::vector<ConstraintId> crossed_by(const World<D, Real>& world, const Blade& b
         const auto ends = distances.members[row];
         const auto &a = places[ends[0]], &b = places[ends[1]];
         if (ties(distances, row) && is_finite(a) && is_finite(b) && crosses(blade, a, b))
-            crossed.push_back({kind_number<Distance, D>, distances.slots.id_of(row)});
+            crossed.push_back({kind_number<Distance, D>, distances.handles.id_of(row)});
     }
     return crossed;
 }
@@ -66,10 +66,10 @@ Cut cut(World<D, Real>& world, std::span<const ConstraintId> ids, const Slicer<D
     std::vector<Ends> gone;
     std::vector<ConstraintId> all(ids.begin(), ids.end());
     for (const auto& id : ids) {
-        const auto row = id.kind == link_kind ? distances.slots.find(id.id) : std::nullopt;
+        const auto row = id.kind == link_kind ? distances.handles.find(id.id) : std::nullopt;
         if (!row) continue;
         const auto ends = distances.members[*row];
-        gone.push_back({world.particles.slots.id_of(ends[0]), world.particles.slots.id_of(ends[1])});
+        gone.push_back({world.particles.handles.id_of(ends[0]), world.particles.handles.id_of(ends[1])});
         done.figures.push_back(distances.figure[*row]);
         add_what_hangs(world, distances.members.rows[*row], all);
     }

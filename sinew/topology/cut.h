@@ -15,7 +15,7 @@ struct Cut {
     std::vector<FigureIndex> figures; ///< figures of the distances removed, sorted and unique; no_figure last
 };
 
-/// Cuts every distance across the blade, or within reach of the blade, in the picture plane. Links with an end out of
+/// Cuts every distance across the blade, or within radius of the blade, in the picture plane. Links with an end out of
 /// sight stay, and so do distances without an upper limit. Cells of cloth are sliced along the blade.
 template <int D, class Real> Cut cut(World<D, Real>& world, const Blade& blade, const Projection<D>& see = along_z<D>);
 

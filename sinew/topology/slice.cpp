@@ -138,13 +138,13 @@ double area_of(std::span<const Corner> polygon) {
     return absolute(twice) / 2;
 }
 
-/// Regions around a blade of half thickness `reach`: left, right, behind and ahead.
-std::array<std::vector<HalfPlane>, 4> sides_of(double reach, double length) {
-    const HalfPlane above_low{&Corner::beside, 1, -reach}, below_high{&Corner::beside, -1, -reach};
-    return {{{{&Corner::beside, 1, reach}},
-             {{&Corner::beside, -1, reach}},
-             {above_low, below_high, {&Corner::along, -1, reach}},
-             {above_low, below_high, {&Corner::along, 1, length + reach}}}};
+/// Regions around a blade of half thickness `radius`: left, right, behind and ahead.
+std::array<std::vector<HalfPlane>, 4> sides_of(double radius, double length) {
+    const HalfPlane above_low{&Corner::beside, 1, -radius}, below_high{&Corner::beside, -1, -radius};
+    return {{{{&Corner::beside, 1, radius}},
+             {{&Corner::beside, -1, radius}},
+             {above_low, below_high, {&Corner::along, -1, radius}},
+             {above_low, below_high, {&Corner::along, 1, length + radius}}}};
 }
 
 template <int D, class Real> bool is_linked(const World<D, Real>& world, ParticleId a, ParticleId b) {
@@ -192,14 +192,14 @@ Slicer<D, Real>::Slicer(const World<D, Real>& world, const Blade& blade, const P
 template <int D, class Real> bool Slicer<D, Real>::runs_through(const Figure& figure, const Piece& piece) const {
     const auto cell = cell_of(world_, figure, piece);
     const BladeView<D> view{cell.place, blade_, see_, along_};
-    const double reach = blade_.reach;
+    const double radius = blade_.radius;
     bool left = false, right = false, near = false;
     each_tile(figure, piece, [&](std::span<const Uv> tile) {
         for (const auto& uv : tile) {
             const auto corner = view.at(uv);
-            left = left || corner.beside > -reach;
-            right = right || corner.beside < reach;
-            near = near || (corner.along > -reach && corner.along < length_ + reach);
+            left = left || corner.beside > -radius;
+            right = right || corner.beside < radius;
+            near = near || (corner.along > -radius && corner.along < length_ + radius);
         }
     });
     return left && right && near;
@@ -212,7 +212,7 @@ void Slicer<D, Real>::slice(const Figure& figure, const Piece& piece, PiecesLeft
     const BladeView<D> view{cell.place, blade_, see_, along_};
     std::vector<Corner> polygon, clipped;
     std::vector<Uv> tile;
-    for (const auto& side : sides_of(blade_.reach, length_)) {
+    for (const auto& side : sides_of(blade_.radius, length_)) {
         Fragment part;
         each_tile(figure, piece, [&](std::span<const Uv> whole) {
             polygon.clear();

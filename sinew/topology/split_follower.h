@@ -77,7 +77,7 @@ template <int D, class Real> class SplitFollower {
                 for (std::size_t i = 0; i < members.size(); ++i)
                     if (const auto* parting = splits_.at(members[i]))
                         whole = follow(*parting, members, moved[i]) && whole;
-                if (!whole) torn_apart.push_back({kind, table.slots.id_of(row)});
+                if (!whole) torn_apart.push_back({kind, table.handles.id_of(row)});
                 for (std::size_t i = 0; i < members.size(); ++i) move(table, kind, row, i, moved[i]);
             }
             ++kind;
@@ -133,7 +133,7 @@ template <int D, class Real> class SplitFollower {
             std::optional<Row> side;
             for (const auto other : piece.particles)
                 if (const auto near = row_of(world_, other); parting && near && !side) side = parting->side_of(*near);
-            ids.push_back(side ? world_.particles.slots.id_of(*side) : id);
+            ids.push_back(side ? world_.particles.handles.id_of(*side) : id);
         }
         piece.particles = std::move(ids);
         return piece;
@@ -146,7 +146,7 @@ template <int D, class Real> class SplitFollower {
         const auto id_on = [&](const VertexSplit& parting, ParticleId other) -> std::optional<ParticleId> {
             const auto row = row_of(world_, other);
             const auto side = row ? parting.side_of(*row) : std::nullopt;
-            return side ? std::optional(world_.particles.slots.id_of(*side)) : std::nullopt;
+            return side ? std::optional(world_.particles.handles.id_of(*side)) : std::nullopt;
         };
         Piece part = piece;
         part.particles.clear();

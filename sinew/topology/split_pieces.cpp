@@ -124,7 +124,7 @@ void split_pieces(World<D, Real>& world, std::span<const Ends> gone, const Slice
     std::vector<char> touched(world.figures.size(), 0);
     for (const auto& ends : gone)
         for (const auto id : ends)
-            if (const auto row = world.particles.slots.find(id))
+            if (const auto row = world.particles.handles.find(id))
                 if (const auto figure = world.particles.figure[*row]; figure < touched.size()) touched[figure] = 1;
     const Gaps gaps(gone);
     const PieceSplitter<D, Real> splitter(world, gaps, slicer);

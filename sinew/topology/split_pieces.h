@@ -22,7 +22,7 @@ class Gaps {
 
   private:
     static std::uint64_t key(ParticleId a, ParticleId b) {
-        return std::uint64_t(std::min(a.slot, b.slot)) << 32 | std::max(a.slot, b.slot);
+        return std::uint64_t(std::min(a.index, b.index)) << 32 | std::max(a.index, b.index);
     }
     std::vector<std::uint64_t> keys_;
 };

@@ -140,7 +140,7 @@ template <int D, class Real> class Splitter {
             const auto value = column[row];
             column.push_back(value);
         });
-        const auto id = p.slots.append();
+        const auto id = p.handles.append();
         detail::note_particle(world_);
         const Row twin = Row(p.size() - 1);
         lighten(twin, share);

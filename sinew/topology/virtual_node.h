@@ -82,7 +82,7 @@ template <int D, class Real> class NodeBinder {
         const auto depends_on = [&](Row other, std::uint8_t number) {
             node.of[number] = std::uint8_t(particles.size());
             node.count = std::uint8_t(number + 1);
-            particles.push_back(world_.particles.slots.id_of(other));
+            particles.push_back(world_.particles.handles.id_of(other));
         };
         if (const auto axes = axes_at(*row, near); axes.quality > min_quality) {
             const auto b = place(axes.b) - place(*row), c = place(axes.c) - place(*row), n = cross(b, c);

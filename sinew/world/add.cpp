@@ -65,7 +65,7 @@ void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& s
     if (table.breaking_strain.back() < limit::measure<Real>) // dependents of every kind tear along, within a step
         for_each_table(world, [](auto& any) { any.expect_tears(); });
     for (Row row = first; row < last; ++row) {
-        const ConstraintId id{kind, table.slots.append()};
+        const ConstraintId id{kind, table.handles.append()};
         for (const Row member : std::as_const(table).members[row]) detail::note_member(world, table, kind, row, member);
         if (!spec.limits) {
             constexpr double max = limit::measure<double>;
@@ -92,11 +92,11 @@ template <int D, class Real> Vec<D, Real> velocity_of(const World<D, Real>& worl
 
 template <int D, class Real> void reserve(World<D, Real>& world, Sizes sizes) {
     reserve_rows(world.particles, world.particles.size() + sizes.particles);
-    world.particles.slots.reserve(world.particles.size() + sizes.particles);
+    world.particles.handles.reserve(world.particles.size() + sizes.particles);
     auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     reserve_rows(distances, distances.size() + sizes.constraints);
     distances.members.rows.reserve(distances.size() + sizes.constraints);
-    distances.slots.reserve(distances.size() + sizes.constraints);
+    distances.handles.reserve(distances.size() + sizes.constraints);
 }
 
 template <int D, class Real> ParticleId add_particle(World<D, Real>& world, const ParticleSpec<D, Real>& spec) {
@@ -120,7 +120,7 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
     p.at_end.push_back(0);
     world.events.reserve(events_per_step);
     SINEW_ASSERT(p.at_end.size() == p.size(), "the columns of a table have one length");
-    const auto id = p.slots.append();
+    const auto id = p.handles.append();
     detail::note_particle(world);
     return id;
 }
@@ -132,7 +132,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
     std::vector<Row> wide(members.size() > few ? members.size() : 0);
     const auto rows = members.size() > few ? std::span(wide) : std::span(in_place).first(members.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto row = world.particles.slots.find(members[i]);
+        const auto row = world.particles.handles.find(members[i]);
         if (!row) return std::nullopt;
         rows[i] = *row;
     }
@@ -157,9 +157,9 @@ template <int D, class Real>
 void add_distances(World<D, Real>& world, std::span<const std::array<ParticleId, 2>> ends,
                    const ConstraintSpec<Real>& spec, IdList<ConstraintId>& added) {
     auto& table = std::get<kind_number<Distance, D>>(world.constraints);
-    const auto& slots = world.particles.slots;
+    const auto& handles = world.particles.handles;
     for (const auto& [a, b] : ends)
-        if (const auto from = slots.find(a), to = slots.find(b);
+        if (const auto from = handles.find(a), to = handles.find(b);
             from && to && from != to && table.members.size() < limit::rows)
             table.members.rows.push_back({*from, *to});
     complete(world, table, spec, [&](const ConstraintId& id) { added.push_back(id); });

@@ -14,7 +14,7 @@ template <int D, class Real> bool any_alone(const Particles<D, Real>& particles)
 
 /// True if the particle of a slot is asleep.
 template <int D, class Real> bool is_asleep(const Particles<D, Real>& particles, std::uint32_t slot) {
-    return particles.slots.in_use(slot) && particles.asleep[particles.slots.row_at(slot)] != 0;
+    return particles.handles.in_use(slot) && particles.asleep[particles.handles.row_at(slot)] != 0;
 }
 
 } // namespace sinew

@@ -15,13 +15,13 @@ template <int D, class Real> void list_constraints(World<D, Real>& world) {
     auto& adjacency = world.journal.adjacency;
     if (adjacency.listed()) return;
     static_assert(Kinds<D>::size <= 1 << (32 - limit::row_bits), "a kind and a row are packed into 32 bits");
-    const auto& particles = world.particles.slots;
-    adjacency.reset(particles.slots());
+    const auto& particles = world.particles.handles;
+    adjacency.reset(particles.indices());
     int kind = 0;
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
             for (const Row member : table.members[row])
-                adjacency.add(particles.slot_of(member), kind, table.slots.slot_of(row));
+                adjacency.add(particles.index_of(member), kind, table.handles.index_of(row));
         ++kind;
     });
 }
@@ -30,20 +30,20 @@ template <int D, class Real> void list_constraints(World<D, Real>& world) {
 template <int D, class Real> void note_particle(World<D, Real>& world) {
     auto& journal = world.journal;
     journal.changed = true;
-    const auto& slots = world.particles.slots;
+    const auto& handles = world.particles.handles;
     SINEW_ASSERT(world.particles.size() > 0, "a particle has been added");
-    if (journal.adjacency.listed()) journal.adjacency.make_room(slots.slots());
-    journal.touch(slots.slot_of(Row(world.particles.size() - 1)), Touch::joined);
+    if (journal.adjacency.listed()) journal.adjacency.make_room(handles.indices());
+    journal.touch(handles.index_of(Row(world.particles.size() - 1)), Touch::joined);
 }
 
 /// Records a particle becoming movable or immovable.
 template <int D, class Real> void note_mobility(World<D, Real>& world, Row particle) {
-    world.journal.touch(world.particles.slots.slot_of(particle), Touch::mobility);
+    world.journal.touch(world.particles.handles.index_of(particle), Touch::mobility);
 }
 
 /// Records a change of mass, on which the plan of the sweep depends.
 template <int D, class Real> void note_weight(World<D, Real>& world, Row particle) {
-    world.journal.touch(world.particles.slots.slot_of(particle), Touch::weight);
+    world.journal.touch(world.particles.handles.index_of(particle), Touch::weight);
 }
 
 /// Records a change of a particle's constraints; calls update(adjacency, particle) where the list has to follow.
@@ -51,7 +51,7 @@ template <int D, class Real, class Update> void note_member_change(World<D, Real
     auto& journal = world.journal;
     journal.changed = true;
     if (journal.stale && !journal.adjacency.listed()) return;
-    const auto particle = world.particles.slots.slot_of(member);
+    const auto particle = world.particles.handles.index_of(member);
     if (journal.adjacency.listed()) update(journal.adjacency, particle);
     journal.touch(particle, Touch::joined);
 }
@@ -60,7 +60,7 @@ template <int D, class Real, class Update> void note_member_change(World<D, Real
 template <int D, class Real, class Table>
 void note_member(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
     note_member_change(world, member, [&](auto& adjacency, std::uint32_t particle) {
-        adjacency.add(particle, kind, table.slots.slot_of(row));
+        adjacency.add(particle, kind, table.handles.index_of(row));
     });
 }
 
@@ -68,7 +68,7 @@ void note_member(World<D, Real>& world, const Table& table, int kind, Row row, R
 template <int D, class Real, class Table>
 void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row row, Row member) {
     note_member_change(world, member, [&](auto& adjacency, std::uint32_t particle) {
-        if (adjacency.remove(particle, kind, table.slots.slot_of(row))) return;
+        if (adjacency.remove(particle, kind, table.handles.index_of(row))) return;
         adjacency.forget();
         world.journal.stale = true;
     });
@@ -77,7 +77,7 @@ void note_member_gone(World<D, Real>& world, const Table& table, int kind, Row r
 /// Records a constraint with a new method of solution.
 template <int D, class Real, class Table> void note_feature(World<D, Real>& world, const Table& table, Row row) {
     for (const Row member : table.members[row])
-        world.journal.touch(world.particles.slots.slot_of(member), Touch::joined);
+        world.journal.touch(world.particles.handles.index_of(member), Touch::joined);
 }
 
 /// Records the compaction of rows, or added or removed pins.

@@ -22,21 +22,21 @@ ColliderId add_collider(World<D, Real>& world, const collide::Collider<D, Real>&
     added.from = added.target;
     added.restitution = clamp(added.restitution, Real(0), Real(1));
     added.friction = clamp(added.friction, Real(0), limit::measure<Real>);
-    return world.collider_slots.append();
+    return world.collider_handles.append();
 }
 
 template <int D, class Real> collide::Collider<D, Real>* find_collider(World<D, Real>& world, ColliderId id) {
-    const auto row = world.collider_slots.find(id);
+    const auto row = world.collider_handles.find(id);
     return row ? &world.colliders[*row] : nullptr;
 }
 
 template <int D, class Real> bool remove_collider(World<D, Real>& world, ColliderId id) {
-    const auto row = world.collider_slots.find(id);
+    const auto row = world.collider_handles.find(id);
     if (!row) return false;
     std::vector<char> gone(world.colliders.size(), 0);
     gone[*row] = 1;
     world.colliders.erase(world.colliders.begin() + std::ptrdiff_t(*row));
-    world.collider_slots.erase(gone);
+    world.collider_handles.erase(gone);
     return true;
 }
 
@@ -59,7 +59,7 @@ bool place_collider(World<D, Real>& world, ColliderId id, const collide::Pose<D,
 template <int D, class Real>
 std::optional<ColliderId> collider_called(const World<D, Real>& world, std::string_view name) {
     for (Row row = 0; row < world.colliders.size(); ++row)
-        if (world.colliders[row].name == name) return world.collider_slots.id_of(row);
+        if (world.colliders[row].name == name) return world.collider_handles.id_of(row);
     return std::nullopt;
 }
 

@@ -12,16 +12,16 @@ inline constexpr int kind_of = Kinds<WorldT::dimension>::template index_of<typen
 
 /// Calls visit(table, row) for each constraint of a particle, in the order of addition.
 template <class WorldT, class Visit> void for_each_constraint(WorldT& world, Row particle, Visit&& visit) {
-    world.journal.adjacency.each(world.particles.slots.slot_of(particle), [&](int kind, std::uint32_t slot) {
-        visit_table(world, kind, [&](auto& table) { visit(table, table.slots.row_at(slot)); });
+    world.journal.adjacency.each(world.particles.handles.index_of(particle), [&](int kind, std::uint32_t slot) {
+        visit_table(world, kind, [&](auto& table) { visit(table, table.handles.row_at(slot)); });
     });
 }
 
 /// Calls visit(row) for each constraint of a particle of the kind of `table`, in the order of addition.
 template <class WorldT, class Table, class Visit>
 void for_each_row(const WorldT& world, const Table& table, Row particle, Visit&& visit) {
-    world.journal.adjacency.each(world.particles.slots.slot_of(particle), [&](int kind, std::uint32_t slot) {
-        if (kind == kind_of<WorldT, Table>) visit(table.slots.row_at(slot));
+    world.journal.adjacency.each(world.particles.handles.index_of(particle), [&](int kind, std::uint32_t slot) {
+        if (kind == kind_of<WorldT, Table>) visit(table.handles.row_at(slot));
     });
 }
 

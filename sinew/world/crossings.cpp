@@ -48,7 +48,7 @@ template <class Real> ClothFaces faces_of(const World<3, Real>& world) {
             if (piece.mark != Mark::surface || piece.hidden) continue;
             std::vector<Row> corners;
             for (const auto id : piece.particles)
-                if (const auto row = world.particles.slots.find(id)) corners.push_back(*row);
+                if (const auto row = world.particles.handles.find(id)) corners.push_back(*row);
             if (corners.size() == piece.particles.size()) faces.add(corners);
         }
     faces.leave_each_edge_once();

@@ -11,7 +11,7 @@ template <int D, class Real> std::size_t remove_particles(World<D, Real>& world,
     auto& particles = world.particles;
     std::vector<char> gone(particles.size(), 0);
     for (const auto id : ids)
-        if (const auto row = particles.slots.find(id)) gone[*row] = 1;
+        if (const auto row = particles.handles.find(id)) gone[*row] = 1;
     const auto count = std::size_t(std::count(gone.begin(), gone.end(), char(1)));
     if (count == 0) return 0;
 
@@ -36,11 +36,11 @@ template <int D, class Real> std::size_t remove_particles(World<D, Real>& world,
 
     detail::note_rows(world);
     erase_rows(particles, gone);
-    particles.slots.erase(gone);
+    particles.handles.erase(gone);
     SINEW_ASSERT(particles.size() == kept, "the particles that are kept remain");
 
     std::vector<char> loose(world.pins.size(), 0);
-    for (std::size_t i = 0; i < loose.size(); ++i) loose[i] = !particles.slots.find(world.pins[i].particle);
+    for (std::size_t i = 0; i < loose.size(); ++i) loose[i] = !particles.handles.find(world.pins[i].particle);
     detail::erase_pins(world, loose);
     detail::forget_the_dead(world);
     return count;
@@ -54,7 +54,7 @@ template <int D, class Real> std::size_t remove_constraints(World<D, Real>& worl
         std::vector<char> gone;
         for (const auto& id : ids)
             if (id.kind == kind)
-                if (const auto row = table.slots.find(id.id)) gone.resize(before, 0), gone[*row] = 1;
+                if (const auto row = table.handles.find(id.id)) gone.resize(before, 0), gone[*row] = 1;
         if (!gone.empty()) detail::erase_constraints(world, table, kind, gone);
         count += before - table.size();
         ++kind;
@@ -75,7 +75,7 @@ template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintI
     if (is_no_number(rate)) return false;
     bool found = false;
     visit_table(world, id.kind, [&](auto& table) {
-        const auto row = table.slots.find(id.id);
+        const auto row = table.handles.find(id.id);
         if (!row) return;
         found = true;
         if (!table.motorized[*row]) detail::note_feature(world, table, *row);
@@ -89,7 +89,7 @@ template <int D, class Real> bool set_max_force(World<D, Real>& world, const Con
     if (is_no_number(max_force)) return false;
     bool found = false;
     visit_table(world, id.kind, [&](auto& table) {
-        const auto row = table.slots.find(id.id);
+        const auto row = table.handles.find(id.id);
         if (!row) return;
         found = true;
         const bool gave = table.gives(*row);
@@ -100,17 +100,17 @@ template <int D, class Real> bool set_max_force(World<D, Real>& world, const Con
 }
 
 template <int D, class Real> std::optional<Vec<D, Real>> position_of(const World<D, Real>& world, ParticleId id) {
-    const auto row = world.particles.slots.find(id);
+    const auto row = world.particles.handles.find(id);
     return row ? std::optional(world.particles.position[*row]) : std::nullopt;
 }
 
 template <int D, class Real> std::optional<Vec<D, Real>> velocity_of(const World<D, Real>& world, ParticleId id) {
-    const auto row = world.particles.slots.find(id);
+    const auto row = world.particles.handles.find(id);
     return row ? std::optional(world.particles.velocity[*row]) : std::nullopt;
 }
 
 template <int D, class Real> bool set_position(World<D, Real>& world, ParticleId id, const Vec<D, Real>& position) {
-    const auto row = world.particles.slots.find(id);
+    const auto row = world.particles.handles.find(id);
     if (!row) return false;
     auto& p = world.particles;
     constexpr auto furthest = limit::coordinate<Real>;
@@ -123,7 +123,7 @@ template <int D, class Real> bool set_position(World<D, Real>& world, ParticleId
 }
 
 template <int D, class Real> bool set_velocity(World<D, Real>& world, ParticleId id, const Vec<D, Real>& velocity) {
-    const auto row = world.particles.slots.find(id);
+    const auto row = world.particles.handles.find(id);
     if (!row) return false;
     auto& p = world.particles;
     p.velocity[*row] = clamp_finite(velocity, limit::speed<Real>);
@@ -133,7 +133,7 @@ template <int D, class Real> bool set_velocity(World<D, Real>& world, ParticleId
 }
 
 template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id, Real mass) {
-    const auto row = world.particles.slots.find(id);
+    const auto row = world.particles.handles.find(id);
     if (!row) return false;
     world.particles.inverse_mass[*row] = inverse_of_mass(mass);
     detail::refresh_mobility(world, *row);
@@ -142,7 +142,7 @@ template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id,
 }
 
 template <int D, class Real> bool apply_force(World<D, Real>& world, ParticleId id, const Vec<D, Real>& force) {
-    const auto row = world.particles.slots.find(id);
+    const auto row = world.particles.handles.find(id);
     if (!row) return false;
     constexpr auto max = limit::force<Real>;
     auto& sum = world.particles.force[*row];
@@ -151,7 +151,7 @@ template <int D, class Real> bool apply_force(World<D, Real>& world, ParticleId 
 }
 
 template <int D, class Real> bool apply_impulse(World<D, Real>& world, ParticleId id, const Vec<D, Real>& impulse) {
-    const auto row = world.particles.slots.find(id);
+    const auto row = world.particles.handles.find(id);
     if (!row) return false;
     const auto& p = world.particles;
     const Real per_mass = p.mobility[*row] > Real(0) ? p.inverse_mass[*row] : Real(0);
@@ -161,7 +161,7 @@ template <int D, class Real> bool apply_impulse(World<D, Real>& world, ParticleI
 
 template <int D, class Real>
 std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSpec<D, Real>& spec) {
-    const auto row = world.particles.slots.find(particle);
+    const auto row = world.particles.handles.find(particle);
     if (!row) return std::nullopt;
     const auto position = world.particles.position[*row];
     constexpr auto max = limit::measure<Real>;
@@ -179,24 +179,24 @@ std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSp
         detail::note_mobility(world, *row);
     }
     detail::note_rows(world);
-    return world.pin_slots.append();
+    return world.pin_handles.append();
 }
 
 template <int D, class Real> bool move_pin(World<D, Real>& world, PinId pin, const Vec<D, Real>& target) {
-    const auto row = world.pin_slots.find(pin);
+    const auto row = world.pin_handles.find(pin);
     if (!row) return false;
     world.pins[*row].target = clamp_finite(target, limit::coordinate<Real>);
     return true;
 }
 
 template <int D, class Real> bool unpin(World<D, Real>& world, PinId pin) {
-    const auto row = world.pin_slots.find(pin);
+    const auto row = world.pin_handles.find(pin);
     if (!row) return false;
     const auto particle = world.pins[*row].particle;
     std::vector<char> gone(world.pins.size(), 0);
     gone[*row] = 1;
     detail::erase_pins(world, gone);
-    if (const auto held = world.particles.slots.find(particle)) detail::refresh_mobility(world, *held);
+    if (const auto held = world.particles.handles.find(particle)) detail::refresh_mobility(world, *held);
     return true;
 }
 
@@ -205,7 +205,7 @@ template <int D, class Real> std::size_t unpin_all(World<D, Real>& world, Partic
     std::vector<char> gone(before, 0);
     for (std::size_t i = 0; i < gone.size(); ++i) gone[i] = world.pins[i].particle == particle;
     detail::erase_pins(world, gone);
-    if (const auto row = world.particles.slots.find(particle)) detail::refresh_mobility(world, *row);
+    if (const auto row = world.particles.handles.find(particle)) detail::refresh_mobility(world, *row);
     return before - world.pins.size();
 }
 

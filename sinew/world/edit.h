@@ -118,7 +118,7 @@ template <int D, class Real>
 std::optional<ConstraintState> constraint_state(const World<D, Real>& world, const ConstraintId& id);
 
 template <int D, class Real> std::optional<Row> row_of(const World<D, Real>& world, ParticleId id) {
-    return world.particles.slots.find(id);
+    return world.particles.handles.find(id);
 }
 template <int D, class Real> std::optional<Vec<D, Real>> position_of(const World<D, Real>& world, ParticleId id);
 template <int D, class Real> std::optional<Vec<D, Real>> velocity_of(const World<D, Real>& world, ParticleId id);

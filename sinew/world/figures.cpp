@@ -12,7 +12,7 @@ template <int D, class Real> std::vector<ParticleId> particles_of(const World<D,
     const auto& p = world.particles;
     std::vector<ParticleId> found;
     for (Row row = 0; row < p.size(); ++row)
-        if (p.figure[row] == figure) found.push_back(p.slots.id_of(row));
+        if (p.figure[row] == figure) found.push_back(p.handles.id_of(row));
     return found;
 }
 
@@ -22,7 +22,7 @@ template <int D, class Real> std::vector<ConstraintId> constraints_of(const Worl
     int kind = 0;
     for_each_table(world, [&](const auto& table) {
         for (Row row = 0; row < table.size(); ++row)
-            if (table.figure[row] == figure) found.push_back({kind, table.slots.id_of(row)});
+            if (table.figure[row] == figure) found.push_back({kind, table.handles.id_of(row)});
         ++kind;
     });
     return found;
@@ -55,8 +55,8 @@ template <int D, class Real> FigureId figure_id(const World<D, Real>& world, Fig
 
 template <int D, class Real>
 std::optional<FigureIndex> figure_index(const World<D, Real>& world, const FigureId& figure) {
-    const bool found = has_figure(world, figure.slot) && world.figures[figure.slot].generation == figure.generation;
-    return found ? std::optional(figure.slot) : std::nullopt;
+    const bool found = has_figure(world, figure.index) && world.figures[figure.index].generation == figure.generation;
+    return found ? std::optional(figure.index) : std::nullopt;
 }
 
 template <int D, class Real> bool remove_figure(World<D, Real>& world, FigureIndex figure) {
@@ -82,7 +82,7 @@ bool teleport(World<D, Real>& world, FigureIndex figure, const Vec<D, Real>& off
     const auto move = [&](Vec<D, Real>& position) { position = clamp_finite(position + by, furthest); };
     auto& p = world.particles;
     for (const auto id : world.figures[figure].particles) {
-        const auto row = p.slots.find(id);
+        const auto row = p.handles.find(id);
         if (!row) continue;
         move(p.position[*row]);
         move(p.previous[*row]);
@@ -92,7 +92,7 @@ bool teleport(World<D, Real>& world, FigureIndex figure, const Vec<D, Real>& off
         }
     }
     for (auto& pin : world.pins) {
-        const auto row = p.slots.find(pin.particle);
+        const auto row = p.handles.find(pin.particle);
         if (!row || p.figure[*row] != figure) continue;
         move(pin.from);
         move(pin.target);
@@ -104,7 +104,7 @@ template <int D, class Real> bool release_quarantine(World<D, Real>& world, Figu
     if (!has_figure(world, figure)) return false;
     world.figures[figure].quarantined = false;
     for (const auto id : world.figures[figure].particles) {
-        const auto row = world.particles.slots.find(id);
+        const auto row = world.particles.handles.find(id);
         if (!row) continue;
         world.particles.quarantined[*row] = 0;
         detail::refresh_mobility(world, *row);

@@ -41,7 +41,7 @@ std::optional<ParticleId> find_particle(const World<D, Real>& world, std::string
     const auto [figure, name] = split(world, path);
     if (!figure) return std::nullopt;
     const auto id = look_up(name, figure->particle_names, figure->particle_numbers, figure->particles);
-    return id && world.particles.slots.find(*id) ? id : std::nullopt;
+    return id && world.particles.handles.find(*id) ? id : std::nullopt;
 }
 
 template <int D, class Real>
@@ -53,11 +53,11 @@ std::vector<ParticleId> find_particles(const World<D, Real>& world, std::string_
     const auto& built = figure->particles;
     std::set<std::uint32_t> named;
     for (const auto& [name, id] : figure->particle_names)
-        if (name.starts_with(stem)) named.insert(id.slot);
+        if (name.starts_with(stem)) named.insert(id.index);
     std::vector<ParticleId> found;
     for (std::size_t i = 0; i < built.size(); ++i) {
-        if (!world.particles.slots.find(built[i])) continue;
-        if (named.contains(built[i].slot) || stem.empty() ||
+        if (!world.particles.handles.find(built[i])) continue;
+        if (named.contains(built[i].index) || stem.empty() ||
             name_of(i, figure->particle_numbers).starts_with(stem)) // unnamed particles match the empty stem only
             found.push_back(built[i]);
     }

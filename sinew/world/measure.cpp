@@ -120,7 +120,7 @@ template <int D, class Real>
 std::optional<ConstraintState> constraint_state(const World<D, Real>& world, const ConstraintId& id) {
     std::optional<ConstraintState> state;
     visit_table(world, id.kind, [&](const auto& table) {
-        const auto row = table.slots.find(id.id);
+        const auto row = table.handles.find(id.id);
         if (!row) return;
         const auto position = [&](Row particle) { return cast<double>(world.particles.position[particle]); };
         state = state_of(table, *row, measure_row(table, *row, position), world.last_substep);
@@ -163,7 +163,7 @@ template <int D, class Real, class Counts> Energy energy_where(const World<D, Re
         }
     });
     for (const auto& pin : world.pins) {
-        const auto row = p.slots.find(pin.particle);
+        const auto row = p.handles.find(pin.particle);
         if (!row || !(pin.compliance > Real(0)) || !counts(p.figure[*row])) continue;
         const auto offset = position_of_velocity(world, *row) - cast<double>(pin.target);
         sum.stored += 0.5 * dot(offset, offset) / double(pin.compliance);

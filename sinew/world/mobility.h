@@ -11,7 +11,7 @@ namespace sinew::detail {
 template <int D, class Real> void refresh_mobility(World<D, Real>& world, Row row) {
     auto& particles = world.particles;
     SINEW_ASSERT(row < particles.size(), "the row is in the table");
-    const auto id = particles.slots.id_of(row);
+    const auto id = particles.handles.id_of(row);
     const bool pinned = std::any_of(world.pins.begin(), world.pins.end(),
                                     [&](const auto& pin) { return pin.particle == id && pin.hard(); });
     const Real mobility = pinned || particles.quarantined[row] ? Real(0) : particles.inverse_mass[row];

@@ -11,7 +11,7 @@ template <int D, class Real, class Visit> void each_link(const World<D, Real>& w
     const auto& position = world.particles.position;
     for (Row row = 0; row < table.size(); ++row) {
         const auto ends = table.members[row];
-        if (ties(table, row)) visit(table.slots.id_of(row), position[ends[0]], position[ends[1]]);
+        if (ties(table, row)) visit(table.handles.id_of(row), position[ends[0]], position[ends[1]]);
     }
 }
 
@@ -28,23 +28,23 @@ template <int D, class Real> void keep_first(std::optional<RayHit<D, Real>>& fir
 
 template <int D, class Real>
 std::optional<NearParticle<D, Real>> nearest_particle(const World<D, Real>& world, const Vec<D, Real>& point,
-                                                      Real reach) {
+                                                      Real radius) {
     std::optional<NearParticle<D, Real>> best;
     const auto& p = world.particles;
     for (Row row = 0; row < p.size(); ++row) {
         const Real apart = distance(p.position[row], point) - p.radius[row];
-        if (apart <= reach && (!best || apart < best->distance)) best = {p.slots.id_of(row), apart};
+        if (apart <= radius && (!best || apart < best->distance)) best = {p.handles.id_of(row), apart};
     }
     return best;
 }
 
 template <int D, class Real>
-std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>& world, const Vec<D, Real>& point, Real reach) {
+std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>& world, const Vec<D, Real>& point, Real radius) {
     std::optional<NearLink<D, Real>> best;
     each_link(world, [&](const auto& id, const Vec<D, Real>& a, const Vec<D, Real>& b) {
         const Real t = collide::nearest_parameter(a, b, point);
         const Real apart = distance(a + (b - a) * t, point);
-        if (apart <= reach && (!best || apart < best->distance)) best = {{link_kind<D>, id}, t, apart};
+        if (apart <= radius && (!best || apart < best->distance)) best = {{link_kind<D>, id}, t, apart};
     });
     return best;
 }
@@ -61,7 +61,7 @@ std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D
             keep_first(first, {.time = impact->time,
                                .point = p.position[row] + impact->surface.point,
                                .normal = impact->surface.normal,
-                               .particle = p.slots.id_of(row)});
+                               .particle = p.handles.id_of(row)});
     }
     for (Row row = 0; row < world.colliders.size(); ++row) {
         const auto& collider = world.colliders[row];
@@ -70,7 +70,7 @@ std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D
             keep_first(first, {.time = impact->time,
                                .point = impact->surface.point,
                                .normal = impact->surface.normal,
-                               .collider = world.collider_slots.id_of(row),
+                               .collider = world.collider_handles.id_of(row),
                                .is_collider = true});
     }
     return first;
@@ -82,7 +82,7 @@ std::vector<ParticleId> overlapping_particles(const World<D, Real>& world, const
     std::vector<ParticleId> found;
     const auto& p = world.particles;
     for (Row row = 0; row < p.size(); ++row)
-        if (collide::nearest(shape, pose, p.position[row], p.radius[row])) found.push_back(p.slots.id_of(row));
+        if (collide::nearest(shape, pose, p.position[row], p.radius[row])) found.push_back(p.handles.id_of(row));
     return found;
 }
 

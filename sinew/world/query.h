@@ -12,19 +12,19 @@ template <int D, class Real> struct NearParticle {
     ParticleId particle{};
     Real distance = 0; ///< from the particle's surface; negative inside
 };
-/// Nearest particle whose surface is within `reach` of a point; the one added first among equals.
+/// Nearest particle whose surface is within `radius` of a point; the one added first among equals.
 template <int D, class Real>
 std::optional<NearParticle<D, Real>> nearest_particle(const World<D, Real>& world, const Vec<D, Real>& point,
-                                                      Real reach);
+                                                      Real radius);
 
 template <int D, class Real> struct NearLink {
     ConstraintId link{}; ///< a distance
     Real t = 0;          ///< parameter from the first end to the second, 0..1
     Real distance = 0;   ///< from the line between the ends
 };
-/// Nearest link within `reach` of a point: the segment between the ends of a distance that holds them together.
+/// Nearest link within `radius` of a point: the segment between the ends of a distance that holds them together.
 template <int D, class Real>
-std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>& world, const Vec<D, Real>& point, Real reach);
+std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>& world, const Vec<D, Real>& point, Real radius);
 
 /// First thing met by a ray, or by a sphere that moves.
 template <int D, class Real> struct RayHit {

@@ -28,15 +28,15 @@ void erase_constraints(World<D, Real>& world, Table& table, int kind, std::span<
     note_rows(world);
     erase_from_sweep(world.sweep, kind, gone);
     table.members.erase(gone);
-    table.slots.erase(gone);
+    table.handles.erase(gone);
     erase_rows(table, gone);
 }
 
 template <int D, class Real> void erase_pins(World<D, Real>& world, std::span<const char> gone) {
     note_rows(world);
     erase_rows(world.pins, gone);
-    world.pin_slots.erase(gone);
-    SINEW_ASSERT(world.pins.empty() || world.pin_slots.in_use(world.pin_slots.slot_of(Row(world.pins.size() - 1))),
+    world.pin_handles.erase(gone);
+    SINEW_ASSERT(world.pins.empty() || world.pin_handles.in_use(world.pin_handles.index_of(Row(world.pins.size() - 1))),
                  "every pin has an id");
 }
 
@@ -45,7 +45,7 @@ template <int D, class Real> void erase_pins(World<D, Real>& world, std::span<co
 template <int D, class Real> void forget_constraints(World<D, Real>& world) {
     const auto dead = [&](const ConstraintId& id) {
         bool found = false;
-        visit_table(world, id.kind, [&](const auto& table) { found = table.slots.find(id.id).has_value(); });
+        visit_table(world, id.kind, [&](const auto& table) { found = table.handles.find(id.id).has_value(); });
         return !found;
     };
     for (auto& figure : world.figures) figure.constraint_names.erase_if(dead);
@@ -54,7 +54,7 @@ template <int D, class Real> void forget_constraints(World<D, Real>& world) {
 /// As forget_constraints, and for names of particles and for pieces, too.
 template <int D, class Real> void forget_the_dead(World<D, Real>& world) {
     forget_constraints(world);
-    const auto dead = [&](ParticleId id) { return !world.particles.slots.find(id); };
+    const auto dead = [&](ParticleId id) { return !world.particles.handles.find(id); };
     for (auto& figure : world.figures) {
         figure.particle_names.erase_if(dead);
         std::erase_if(figure.pieces, [&](const Piece& piece) {

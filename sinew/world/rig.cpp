@@ -53,7 +53,7 @@ template <int D, class Real> class Inspector {
         if (index >= world_.figures.size()) return format_text("particle {}", row);
         const auto& figure = world_.figures[index];
         const auto name = name_in(figure.particle_names, figure.particle_numbers, figure.particles,
-                                  world_.particles.slots.id_of(row));
+                                  world_.particles.handles.id_of(row));
         return figure.name + "/" + (name.empty() ? format_text("particle {}", row) : name);
     }
 
@@ -61,7 +61,7 @@ template <int D, class Real> class Inspector {
         if (const auto index = table.figure[row]; index < world_.figures.size()) {
             const auto& figure = world_.figures[index];
             const auto name = name_in(figure.constraint_names, figure.constraint_numbers, figure.constraints,
-                                      ConstraintId{kind, table.slots.id_of(row)});
+                                      ConstraintId{kind, table.handles.id_of(row)});
             if (!name.empty()) return figure.name + "/" + name;
         }
         std::string text = format_text("{} of", Table::Kind::name);
@@ -85,7 +85,7 @@ template <int D, class Real> class Inspector {
                 continue;
             }
             if (!table.is_rigid(row)) continue;
-            const auto state = constraint_state(world_, ConstraintId{kind, table.slots.id_of(row)});
+            const auto state = constraint_state(world_, ConstraintId{kind, table.handles.id_of(row)});
             if (!state || !(absolute(state->strain) > min_strain)) continue;
             const auto members = table.members[row];
             const bool stuck = std::all_of(members.begin(), members.end(),

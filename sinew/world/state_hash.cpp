@@ -140,7 +140,7 @@ template <class Table> void add_parameters(const Table& table, Digest& digest) {
 template <class WorldT> void add_pins(const WorldT& world, Digest& digest) {
     const auto& p = world.particles;
     for (const auto& pin : world.pins)
-        digest.add(p.slots.find(pin.particle).value_or(Row(p.size())), pin.from, pin.target, pin.compliance,
+        digest.add(p.handles.find(pin.particle).value_or(Row(p.size())), pin.from, pin.target, pin.compliance,
                    pin.damping, pin.max_force);
     for (const auto& pin : world.pins)
         if (pin.hold != Hold::fixed || pin.steers()) digest.add(pin.hold, pin.steer, pin.steer_damping);
@@ -207,7 +207,7 @@ template <int D, class Real> std::uint64_t parameter_hash(const World<D, Real>& 
     add_sleepers(p, digest);
     for_each_table(world, [&](const auto& table) { add_parameters(table, digest); });
     for (const auto& pin : world.pins)
-        digest.add(p.slots.find(pin.particle).value_or(Row(p.size())), pin.compliance, pin.damping, pin.max_force);
+        digest.add(p.handles.find(pin.particle).value_or(Row(p.size())), pin.compliance, pin.damping, pin.max_force);
     add_figures(world.figures, digest);
     for (const auto& force : world.forces) digest.add(force);
     for (const auto& plane : world.bounds) digest.add(plane);

@@ -54,7 +54,7 @@ template <int D, class Real> struct Particles {
     Column<Real> rest_time;        ///< time for which the body of a particle, its first one, has been at rest
     Column<char> asleep;           ///< left out of the step until the body is woken (docs/concepts/contact.md)
     Column<char> alone;            ///< of a colliding figure, but far from all it may touch: solved without contacts
-    Slots<ParticleTag> slots;
+    HandleMap<ParticleTag> handles;
 
     std::size_t size() const { return position.size(); }
 
@@ -149,7 +149,7 @@ template <class KindT, class Real> struct Constraints {
     Column<Real> damage_limit;    ///< damage limit: excess strain times time borne before tearing; 0: tears at once
     Column<Real> damage;          ///< damage so far, excess strain times time
     Column<FigureIndex> figure;
-    Slots<ConstraintTag> slots;
+    HandleMap<ConstraintTag> handles;
 
     std::size_t size() const { return limits.size(); }
     Real low(Row row) const { return limits.low(row); }
@@ -167,7 +167,7 @@ template <class KindT, class Real> struct Constraints {
     }
     /// Allocates all the memory tearing needs.
     void expect_tears() {
-        slots.remember();
+        handles.remember();
         damage.set_apart();
     }
 
@@ -344,11 +344,11 @@ template <int D, class RealT> struct World {
     ConstraintTables<D, Real> constraints;
     std::vector<Run> sweep; ///< order in which the constraints are solved: as added
     std::vector<Pin<D, Real>> pins;
-    Slots<PinTag> pin_slots;
+    HandleMap<PinTag> pin_handles;
     std::vector<Force<D, Real>> forces;
     std::vector<HalfSpace<D, Real>> bounds;
     std::vector<collide::Collider<D, Real>> colliders; ///< colliders.h adds, moves and removes them
-    Slots<ColliderTag> collider_slots;
+    HandleMap<ColliderTag> collider_handles;
     Contacts<D, Real> contacts;
     std::vector<Figure> figures; ///< by FigureIndex; a removed figure leaves an unused entry
     NameTable<FigureIndex> figure_names;

@@ -335,7 +335,7 @@ TEST(Play, ASceneInSpaceIsTurnedAndItsClothIsTaken) {
     play.handle(Released{});
     EXPECT_GT(distance(play.view().towards_eye(), eye), 0.1);
     const auto id =
-        std::visit([](const auto& world) { return world.particles.slots.id_of(Row(world.particles.size() - 1)); },
+        std::visit([](const auto& world) { return world.particles.handles.id_of(Row(world.particles.size() - 1)); },
                    play.session().world());
     const auto pixel = [&] {
         return cast<double>(play.view().see(place_of(play.session().world(), {&id, 1})->as<3, double>())->pixel);

@@ -47,7 +47,7 @@ TEST(EveryPrefab, StandsInWorldsOfEitherUpWithEveryRigidConstraintMet) {
                 if (table.compliance[row] > Real(0))
                     continue; // a stiff rope that is built in an arc strives to be straight
                 const auto state =
-                    constraint_state(made.world, {Kinds<D>::template index_of<Kind>, table.slots.id_of(row)}).value();
+                    constraint_state(made.world, {Kinds<D>::template index_of<Kind>, table.handles.id_of(row)}).value();
                 double allowed = length_error;
                 if (Kind::length_power == 0) // radians; short pieces in a float world
                     allowed = 1e-3 + 4 * length_error / shortest_leg(made.world, table.members[row]);

@@ -88,7 +88,7 @@ TYPED_TEST(ExtremeCalls, AnImpulseAndTwoLeapsBeyondAllLimitsAreHeldAtThem) {
 TYPED_TEST(ExtremeCalls, AMotorOfNoNumberIsRefused) {
     typename TypeParam::World world;
     const auto ids = chain(world, 2, {}, at<typename TypeParam::Vector>(1, 0));
-    const ConstraintId link{0, std::get<0>(world.constraints).slots.id_of(0)};
+    const ConstraintId link{0, std::get<0>(world.constraints).handles.id_of(0)};
     const auto hash = state_hash(world);
     EXPECT_FALSE(drive(world, link, typename TypeParam::Real(NAN)));
     EXPECT_FALSE(set_max_force(world, link, typename TypeParam::Real(NAN)));

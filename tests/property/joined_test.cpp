@@ -61,7 +61,7 @@ template <int D> struct Joined {
         build_any("figure_" + std::to_string(figures.size()), position);
         auto& ids = figures.emplace_back();
         for (auto row = Row(before); row < world.particles.size(); ++row)
-            ids.push_back(world.particles.slots.id_of(row));
+            ids.push_back(world.particles.handles.id_of(row));
         if (first) return;
         const auto from = ids[std::size_t(dice.below(int(ids.size())))];
         const auto shift = position - *position_of(world, from);
@@ -105,7 +105,7 @@ template <int D> struct Joined {
         return ids[std::size_t(dice.below(int(ids.size())))];
     }
     void let_go() {
-        while (!world.pins.empty()) unpin(world, world.pin_slots.id_of(0));
+        while (!world.pins.empty()) unpin(world, world.pin_handles.id_of(0));
     }
     double weight() const { return total_mass(world) * gravity; }
 

@@ -47,7 +47,7 @@ template <class In> struct Lying {
         return std::any_of(links.begin(), links.end(),
                            [&](const auto& ends) { return ends[0] == row || ends[1] == row; });
     }
-    ParticleId id(Row row) const { return world.particles.slots.id_of(row); }
+    ParticleId id(Row row) const { return world.particles.handles.id_of(row); }
     std::string where(std::string_view prefab, Row row) const {
         return std::string(prefab) + " in " + std::to_string(D) + "D, particle " + std::to_string(row);
     }

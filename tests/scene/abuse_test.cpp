@@ -91,7 +91,7 @@ class Abuser {
                     if (p.figure[i] == p.figure[row]) mass += inverse_or_zero(double(p.inverse_mass[i]));
                 const auto units = session_.scene().measures();
                 const double strongest = 1000 * units.per_metre / (units.per_second * units.per_second);
-                grabbed_ = p.slots.id_of(row);
+                grabbed_ = p.handles.id_of(row);
                 for (int i = 0; i < WorldT::dimension; ++i) from_[i] = double(p.position[row][i]);
                 held_ = *pin(world, grabbed_, PinSpec<WorldT::dimension, Real>{.max_force = Real(mass * strongest)});
             },

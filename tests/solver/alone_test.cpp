@@ -64,7 +64,7 @@ template <class Real> Vec<2, Real> middle_of(const World<2, Real>& world, Figure
     return sum * (Real(1) / Real(world.figures[figure].particles.size()));
 }
 template <class Real> bool is_alone(const World<2, Real>& world, FigureIndex figure) {
-    return world.particles.alone[*world.particles.slots.find(world.figures[figure].particles[0])] != 0;
+    return world.particles.alone[*world.particles.handles.find(world.figures[figure].particles[0])] != 0;
 }
 
 TYPED_TEST(Alone, FiguresMeetBeforeTheyTouchAndAreAloneAgainAfterwards) {
@@ -84,7 +84,7 @@ TYPED_TEST(Alone, FiguresMeetBeforeTheyTouchAndAreAloneAgainAfterwards) {
         }
         EXPECT_TRUE(have_met) << speed;
         for (const auto& id : world.figures[right].particles)
-            world.particles.velocity[*world.particles.slots.find(id)][0] += Real(5);
+            world.particles.velocity[*world.particles.handles.find(id)][0] += Real(5);
         for (int i = 0; i < 60; ++i) simulation.step(Real(1) / 60);
         EXPECT_TRUE(is_alone(world, left)) << speed;
         EXPECT_LT(stretch(world).max, 1e-4);

@@ -299,7 +299,7 @@ TEST(Block, BracesDoNotPullAgainstEachOther) {
     run(world, 2);
     const auto& rods = std::get<kind_number<Distance, 3>>(world.constraints);
     for (Row row = 0; row < rods.size(); ++row) {
-        const auto state = constraint_state(world, {kind_number<Distance, 3>, rods.slots.id_of(row)});
+        const auto state = constraint_state(world, {kind_number<Distance, 3>, rods.handles.id_of(row)});
         EXPECT_LT(std::abs(state->tension), 1000) << "each corner weighs ten newtons";
         EXPECT_LT(std::abs(state->strain), 1e-5);
     }

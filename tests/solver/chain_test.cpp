@@ -110,9 +110,9 @@ template <int D> struct ThreeLinks {
             const auto lane = std::size_t(l);
             pack.active.lane[lane] = 1, pack.fresh.lane[lane] = 1;
             pack.h.lane[lane] = pack.longest, pack.keep.lane[lane] = 1, pack.yield.lane[lane] = 1;
-            pack.push[1].lane[lane] = -10;
+            pack.acceleration[1].lane[lane] = -10;
             for (int k = 0; k < D; ++k) pack.low[k].lane[lane] = -100, pack.high[k].lane[lane] = 100;
-            pack.reach.lane[lane] = 3, pack.weight_reach.lane[lane] = 3 * 6 * 10;
+            pack.total_length.lane[lane] = 3, pack.weight_length.lane[lane] = 3 * 6 * 10;
             for (std::size_t i = 1; i < 4; ++i) {
                 const double turn = 0.5 * double(i) + 0.1 * l;
                 for (std::size_t k = 0; k < D; ++k)

@@ -103,7 +103,7 @@ struct DrawnRing {
     void cut_after(std::initializer_list<Row> numbers) {
         std::vector<ConstraintId> ids;
         for (const Row number : numbers)
-            ids.push_back({kind_number<Distance, 2>, std::get<0>(world.constraints).slots.id_of(number)});
+            ids.push_back({kind_number<Distance, 2>, std::get<0>(world.constraints).handles.id_of(number)});
         cut(world, std::span<const ConstraintId>(ids));
     }
 

@@ -114,7 +114,7 @@ TEST(Edit, AnyHistoryOfAddingAndRemovingKeepsWhoIsWhoAndTheSweepsOrder) {
         for (const auto& link : links) {
             expected.push_back(link.rest);
             visit_table(world, link.id.kind, [&](const auto& table) {
-                const auto row = table.slots.find(link.id.id);
+                const auto row = table.handles.find(link.id.id);
                 RC_ASSERT(row.has_value());
                 RC_ASSERT(table.low(*row) == link.rest);
                 RC_ASSERT(table.members[*row][0] == *row_of(world, link.a));

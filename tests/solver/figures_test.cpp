@@ -25,7 +25,7 @@ TYPED_TEST(Figures, ARemovedOneTakesAllOfItsOwnAlong) {
     const auto rope = build(world, Rope{}, "late", {.at = at<typename TypeParam::Vector>(0, 5)});
     const auto loose = add_particle(world, {});
     const auto tied = add<Distance>(world, {world.figures[rope].particles[0], loose});
-    const auto own = add<Distance>(world, {loose, world.particles.slots.id_of(0)}, {.figure = rope});
+    const auto own = add<Distance>(world, {loose, world.particles.handles.id_of(0)}, {.figure = rope});
     pin(world, world.figures[rope].particles[3]);
     ASSERT_TRUE(find_figure(world, "late"));
     ASSERT_TRUE(remove_figure(world, rope));
@@ -111,12 +111,12 @@ TEST(Figures, AHundredThousandThatCameAndWentLeaveNoMoreThanTheFirstFew) {
     };
     come_and_go(500);
     const auto begun = bytes_in_use();
-    const auto slots = world.particles.slots.slots();
+    const auto slots = world.particles.handles.indices();
     const auto capacity = world.particles.position.capacity();
     come_and_go(sanitized ? 500 : 50'000);
     EXPECT_EQ(world.figures.size(), 1U);
     EXPECT_EQ(world.figure_names.size(), 1U);
-    EXPECT_EQ(world.particles.slots.slots(), slots);
+    EXPECT_EQ(world.particles.handles.indices(), slots);
     EXPECT_EQ(world.particles.position.capacity(), capacity);
     EXPECT_LE(bytes_in_use(), begun + 4096);
 }

@@ -75,7 +75,7 @@ class Calls {
         const auto row = row_of(world(), id);
         if (!row) return false;
         EXPECT_LT(*row, world().particles.size());
-        EXPECT_EQ(world().particles.slots.id_of(*row), id);
+        EXPECT_EQ(world().particles.handles.id_of(*row), id);
         return true;
     }
 

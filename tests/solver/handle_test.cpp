@@ -28,7 +28,7 @@ TEST(Handle, FromAFutureThatWasUndoneStandsForNothing) {
     world = snapshot;
     EXPECT_FALSE(row_of(world, undone)) << "its slot is free";
     const auto other = numbered(world, 5);
-    EXPECT_EQ(other.slot, undone.slot);
+    EXPECT_EQ(other.index, undone.index);
     EXPECT_FALSE(row_of(world, undone)) << "its slot is another's";
     EXPECT_FALSE(set_mass(world, undone, 7.0));
     EXPECT_TRUE(row_of(world, other));
@@ -117,12 +117,12 @@ TEST(Handle, StandsForTheSameThroughAnyHistory) {
             case 0:
             case 1:
                 all.push_back(numbered(world, number));
-                living[{all.back().slot, all.back().generation}] = number;
+                living[{all.back().index, all.back().generation}] = number;
                 break;
             case 2:
                 if (all.empty()) break;
                 if (const auto gone = all[below(all.size())]; remove_particles(world, std::vector{gone}) > 0)
-                    living.erase({gone.slot, gone.generation});
+                    living.erase({gone.index, gone.generation});
                 break;
             default:
                 if (below(4) == 0) ledgers[below(ledgers.size())] = Ledger(ledgers[below(ledgers.size())]);
@@ -130,7 +130,7 @@ TEST(Handle, StandsForTheSameThroughAnyHistory) {
             for (const auto& ledger : ledgers)
                 for (const auto id : all) {
                     const auto row = row_of(ledger.world, id);
-                    const auto known = ledger.living.find({id.slot, id.generation});
+                    const auto known = ledger.living.find({id.index, id.generation});
                     ASSERT_EQ(row.has_value(), known != ledger.living.end()) << "seed " << seed << ", " << number;
                     if (row) {
                         ASSERT_EQ(ledger.world.particles.radius[*row], known->second);

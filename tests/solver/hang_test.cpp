@@ -78,7 +78,7 @@ TEST(Hanging, ACopyGoesTheSameWay) {
 
 TEST(Hanging, LooseItKeepsItsMomentum) {
     Mat mat(3);
-    while (!mat.world.pins.empty()) unpin(mat.world, mat.world.pin_slots.id_of(0));
+    while (!mat.world.pins.empty()) unpin(mat.world, mat.world.pin_handles.id_of(0));
     mat.world.forces.clear();
     set_velocity(mat.world, mat.rope.back(), {{5, -2}});
     const auto before = momentum(mat.world);

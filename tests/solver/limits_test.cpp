@@ -309,7 +309,7 @@ TYPED_TEST(Limited, TensionOfAHangingChainIsTheWeightBelow) {
     world.settings.substeps = 8;
     run(world, 10);
     for (Row i = 0; i < 5; ++i) {
-        const ConstraintId link{0, std::get<0>(world.constraints).slots.id_of(i)};
+        const ConstraintId link{0, std::get<0>(world.constraints).handles.id_of(i)};
         const double weight = 10 * (5.0 - i + 1);
         // in float, one unit of the last place of a coordinate near 5 is 5e-7 m, or 5e-7 m kg / h^2 = 0.1 N
         EXPECT_NEAR(constraint_state(world, link)->tension, weight, TypeParam::precise ? 1e-6 : 0.4) << i;

@@ -223,7 +223,7 @@ TYPED_TEST(Planned, LinksOfAnyKindStayFinite) {
         add_cloth(world, {.columns = 20, .equal_mass = equal_mass});
         add_chains(world, 21);
         for (Row row = 0; row < world.particles.size(); ++row) {
-            const auto id = world.particles.slots.id_of(row);
+            const auto id = world.particles.handles.id_of(row);
             set_mass(world, id, limit::mass<Real> / Real(equal_mass ? 1 : 1 + row % 3));
             set_position(world, id, world.particles.position[row] * Real(1e-13));
         }
@@ -295,10 +295,10 @@ TEST(Tethers, FollowThePinsAndAreNotWhereThingsTearOrGive) {
     add_cloth(world, {.tethers = true});
     prepare(world);
     EXPECT_EQ(world.solver.sweep_state.plan.tethers.size(), 2U);
-    unpin(world, world.pin_slots.id_of(0));
+    unpin(world, world.pin_handles.id_of(0));
     prepare(world);
     EXPECT_EQ(world.solver.sweep_state.plan.tethers.size(), 1U);
-    unpin(world, world.pin_slots.id_of(0));
+    unpin(world, world.pin_handles.id_of(0));
     prepare(world);
     EXPECT_TRUE(world.solver.sweep_state.plan.tethers.empty());
 
@@ -317,11 +317,11 @@ TEST(Tethers, ReachAsFarAsTheThreads) {
     prepare(world);
     const auto& sweep_state = world.solver.sweep_state;
     for (const auto& tether : sweep_state.plan.tethers) {
-        const Row pinned = *world.particles.slots.find(world.pins[tether.pin].particle);
+        const Row pinned = *world.particles.handles.find(world.pins[tether.pin].particle);
         for (Row slot = 0; slot < sweep_state.size(); ++slot) {
             const double far =
                 distance(world.particles.position[sweep_state.row_of[slot]], world.particles.position[pinned]);
-            const double per_square = 2 * sweep_state.plan.half_per_reach_square[tether.first + slot];
+            const double per_square = 2 * sweep_state.plan.half_per_max_length_square[tether.first + slot];
             const double reach = per_square > 0 ? 1 / std::sqrt(per_square) : 0;
             EXPECT_LE(far, reach + 1e-6);
             EXPECT_GE(far * 1.1 + 1e-3, reach); // eight directions come within 8 %

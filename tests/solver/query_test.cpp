@@ -42,7 +42,7 @@ TYPED_TEST(Queries, TheNearestLinkTellsWhere) {
     ASSERT_TRUE(near);
     EXPECT_NEAR(double(near->t), 0.25, 1e-6);
     EXPECT_NEAR(double(near->distance), 0.5, 1e-6);
-    EXPECT_EQ(near->link.id.slot, 1U);
+    EXPECT_EQ(near->link.id.index, 1U);
     EXPECT_FALSE(nearest_link(world, at<Vector>(1.25, -0.5), Real(0.4)));
 }
 

@@ -164,7 +164,7 @@ TEST(Rebuild, ACutFindsNoMoreThanItsOwnRopeAgain) {
     prepare(world);
     const auto nodes = world.solver.blocks.nodes.size();
     const auto& links = std::get<kind_number<Distance, 2>>(world.constraints);
-    remove_constraints(world, std::vector{ConstraintId{kind_number<Distance, 2>, links.slots.id_of(60)}});
+    remove_constraints(world, std::vector{ConstraintId{kind_number<Distance, 2>, links.handles.id_of(60)}});
     prepare(world);
     EXPECT_EQ(world.solver.blocks.list.size(), 21U);
     EXPECT_EQ(world.solver.blocks.room.members.size(), 11U) << "its particles that move";

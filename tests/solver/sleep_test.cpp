@@ -22,7 +22,7 @@ template <class Real> struct Sleepers : ::testing::Test {
     }
     bool is_asleep(std::size_t crate) const {
         std::size_t count = 0;
-        for (const auto id : crates[crate]) count += world.particles.asleep[*world.particles.slots.find(id)] != 0;
+        for (const auto id : crates[crate]) count += world.particles.asleep[*world.particles.handles.find(id)] != 0;
         EXPECT_TRUE(count == 0 || count == crates[crate].size()) << "a body sleeps as a whole";
         return count > 0;
     }

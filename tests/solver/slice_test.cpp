@@ -78,8 +78,8 @@ double reach_across(const std::vector<std::vector<Vec3<double>>>& polygons, cons
         for (const auto& point : polygon) {
             const Vec2<double> way = Vec2<double>{{point[0], point[1]}} - blade.from;
             if (dot(way, along) < 0 || dot(way, along) > distance(blade.from, blade.to)) continue;
-            left = std::max(left, cross(along, way) + blade.reach);
-            right = std::max(right, blade.reach - cross(along, way));
+            left = std::max(left, cross(along, way) + blade.radius);
+            right = std::max(right, blade.radius - cross(along, way));
         }
         worst = std::max(worst, std::min(left, right));
     }

@@ -59,7 +59,7 @@ TEST(Split, TwoFlapsThatMeetAtAPointComeApart) {
     const auto reached = joined_to(world, *row_of(world, find_particle(world, "it/top_right").value()));
     EXPECT_EQ(std::count(reached.begin(), reached.end(), 1), 5);
     EXPECT_NE(reached[4], reached[9]);
-    for (const auto id : {world.particles.slots.id_of(9)})
+    for (const auto id : {world.particles.handles.id_of(9)})
         EXPECT_NE(std::find(made.figure().particles.begin(), made.figure().particles.end(), id),
                   made.figure().particles.end());
 }

@@ -83,7 +83,7 @@ TEST(Tethers, KeepShortWhatHangsFromTwoCorners) {
     for (Row row = 0; row < particles.size(); ++row) { // so that it can leave its plane
         auto position = particles.position[row];
         if (particles.mobility[row] > 0) position[2] = 3e-5F * random::symmetric<float>(1, 0, row);
-        set_position(world, particles.slots.id_of(row), position);
+        set_position(world, particles.handles.id_of(row), position);
     }
     double max = 0;
     for (int i = 0; i < few_or_many(60, 300); ++i) {

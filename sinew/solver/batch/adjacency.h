@@ -99,7 +99,7 @@ template <int D, class Real> class Adjacency {
     /// Gives particle s the entries behind the last list: an equal list, of the particle before or among the last 64,
     /// is shared; otherwise the entries become a new list. Returns the list's number.
     std::uint32_t share_last_list(std::uint32_t s) {
-        constexpr std::size_t looked_at = 64;
+        constexpr std::size_t window = 64;
         const auto lists = begin_.size() - 1;
         const auto own = std::span<const Spoke>(all_).subspan(begin_.back());
         const auto is_own = [&](std::size_t list) {
@@ -107,7 +107,7 @@ template <int D, class Real> class Adjacency {
             return std::equal(own.begin(), own.end(), other.begin(), other.end());
         };
         auto found = s > 0 && is_own(list_of_[s - 1]) ? list_of_[s - 1] : lists;
-        for (auto list = lists; found == lists && list > 0 && lists - list < looked_at;)
+        for (auto list = lists; found == lists && list > 0 && lists - list < window;)
             if (is_own(--list)) found = list;
         if (found == lists)
             begin_.push_back(std::uint32_t(all_.size()));
@@ -122,7 +122,7 @@ template <int D, class Real> class Adjacency {
     void each_rigid(const Component& component, std::uint32_t first, std::uint32_t last, Visit&& visit) const {
         for (auto f = component.first_color; f < component.first_color + component.colors; ++f) {
             const auto* const first_batch = plan_.first_batch.data() + plan_.colors[f].first_batch;
-            const auto from = first - std::min(first, plan_.colors[f].reach);
+            const auto from = first - std::min(first, plan_.colors[f].tile_span);
             for (auto run = first_batch[from]; run < first_batch[last]; ++run)
                 plan_.each_link(plan_.runs[run], [&](Row link, std::uint32_t a, std::uint32_t b) {
                     if (distances_.is_rigid(link) && distances_.high(link) < limit::coordinate<Real>)

@@ -22,8 +22,8 @@ template <int D, class Real> class RunWriter {
     /// Rows of the links of the component so far.
     const Extent& links() const { return links_; }
 
-    void begin_family(std::uint32_t reach = 0) {
-        plan_.colors.push_back({.first_batch = std::uint32_t(plan_.first_batch.size()), .reach = reach});
+    void begin_family(std::uint32_t tile_span = 0) {
+        plan_.colors.push_back({.first_batch = std::uint32_t(plan_.first_batch.size()), .tile_span = tile_span});
     }
     void begin_band() {
         SINEW_ASSERT(!plan_.colors.empty(), "a tile's batches belong to a color");

@@ -14,8 +14,8 @@ template <int D, class Real> class ComponentBuilder {
     ComponentBuilder(World<D, Real>& world, Solver<D, Real>& solver, ComponentFinder<D, Real>& parts)
         : world_(world), solver_(solver), swept_(solver.sweep_state), plan_(solver.sweep_state.plan),
           room_(solver.sweep_state.room), parts_(parts), runs_(world, solver), grid_(solver, parts, runs_),
-          mesh_(solver, parts, runs_), particle_ids_(world.particles.slots),
-          link_ids_(std::get<kind_number<Distance, D>>(world.constraints).slots) {}
+          mesh_(solver, parts, runs_), particle_ids_(world.particles.handles),
+          link_ids_(std::get<kind_number<Distance, D>>(world.constraints).handles) {}
 
     static constexpr std::size_t max_in_copies = 1024; ///< particles
 
@@ -35,8 +35,8 @@ template <int D, class Real> class ComponentBuilder {
     RunWriter<D, Real> runs_;
     GridBuilder<D, Real> grid_;
     MeshBuilder<D, Real> mesh_;
-    const Slots<ParticleTag>& particle_ids_;
-    const Slots<ConstraintTag>& link_ids_;
+    const HandleMap<ParticleTag>& particle_ids_;
+    const HandleMap<ConstraintTag>& link_ids_;
 
     std::size_t lay_out_alike(std::size_t part, std::size_t alike) {
         constexpr std::size_t many = 8;
@@ -114,8 +114,8 @@ template <int D, class Real> class ComponentBuilder {
         std::uint32_t wavefront_offset = 0;
         for (auto f = component.first_color; f < plan_.colors.size(); ++f) {
             auto& color = plan_.colors[f];
-            color.wavefront_offset = wavefront_offset += color.reach;
-            component.reach = std::max(component.reach, color.reach);
+            color.wavefront_offset = wavefront_offset += color.tile_span;
+            component.tile_span = std::max(component.tile_span, color.tile_span);
         }
         component.wavefront_offset = wavefront_offset;
         component.links = runs_.links();
@@ -126,9 +126,9 @@ template <int D, class Real> class ComponentBuilder {
         know(component.particles, particle_ids_);
         if (!component.links.empty()) know(component.links, link_ids_);
     }
-    template <class Slots> static void know(Extent& extent, const Slots& ids) {
-        extent.first_id = ids.slot_of(extent.first);
-        extent.last_id = ids.slot_of(extent.last);
+    template <class Handles> static void know(Extent& extent, const Handles& ids) {
+        extent.first_id = ids.index_of(extent.first);
+        extent.last_id = ids.index_of(extent.last);
     }
 
     void lay_out_list(std::size_t part) {

@@ -110,7 +110,7 @@ template <int D, class Real> class GridBuilder {
 
     void add_family(std::uint32_t first_tile, Row begin) {
         runs_.begin_family();
-        std::uint32_t reach = 0;
+        std::uint32_t tile_span = 0;
         for (auto tile = first_tile; tile < plan_.tiles.size(); ++tile) {
             runs_.begin_band();
             auto furthest = plan_.tiles[tile].first;
@@ -121,9 +121,9 @@ template <int D, class Real> class GridBuilder {
                 runs_.add(link, s, other);
                 furthest = std::max(furthest, other);
             }
-            reach = std::max(reach, plan_.tile_of(first_tile, furthest) - tile);
+            tile_span = std::max(tile_span, plan_.tile_of(first_tile, furthest) - tile);
         }
-        plan_.colors.back().reach = reach;
+        plan_.colors.back().tile_span = tile_span;
     }
 };
 

@@ -36,7 +36,7 @@ template <int D, class Real> class SequenceFinder {
     Links& links_;
     const ComponentFinder<D, Real>& parts_;
     std::uint32_t colors_ = 0;
-    std::array<std::uint32_t, max_colors> reaches_{}; ///< reach of each colour, in tiles
+    std::array<std::uint32_t, max_colors> tile_spans_{}; ///< tile_span of each colour, in tiles
 
     std::uint32_t first_tile() const { return plan_.components.back().first_tile; }
 
@@ -109,17 +109,17 @@ template <int D, class Real> class SequenceFinder {
         return end;
     }
 
-    /// First colour of the same reach which has hardly any of the sequence's particles yet. The reach must be equal
-    /// since a colour of reach 0 adds no delay.
+    /// First colour of the same span which has hardly any of the sequence's particles yet. The span must be equal
+    /// since a colour of span 0 adds no delay.
     std::uint32_t color_for(std::uint32_t tile, std::span<const Link> sequence) {
         constexpr std::size_t shared = 8; // at most one link of eight
-        const auto reach = plan_.tile_of(tile, Links::upper(sequence.front())) - tile;
+        const auto tile_span = plan_.tile_of(tile, Links::upper(sequence.front())) - tile;
         for (std::uint32_t color = 0; color < colors_; ++color) {
             std::size_t taken = 0;
             for (const auto& link : sequence) taken += links_.used(link) >> color & 1;
-            if (reaches_[color] == reach && taken * shared <= sequence.size()) return color;
+            if (tile_spans_[color] == tile_span && taken * shared <= sequence.size()) return color;
         }
-        if (colors_ < max_colors) reaches_[colors_] = reach;
+        if (colors_ < max_colors) tile_spans_[colors_] = tile_span;
         return colors_;
     }
 };

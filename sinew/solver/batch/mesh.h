@@ -125,14 +125,14 @@ template <int D, class Real> class MeshBuilder {
     /// Adds a colour to the plan. Calls add(tile, note) for each tile; `add` passes every link to `note`.
     template <class Add> void add_family(Add&& add) {
         runs_.begin_family();
-        std::uint32_t reach = 0;
+        std::uint32_t tile_span = 0;
         for (auto tile = first_tile(); tile < plan_.tiles.size(); ++tile) {
             runs_.begin_band();
             auto furthest = plan_.tiles[tile].first;
             add(tile, [&](const Link& link) { furthest = std::max(furthest, Links::upper(link)); });
-            reach = std::max(reach, plan_.tile_of(first_tile(), furthest) - tile);
+            tile_span = std::max(tile_span, plan_.tile_of(first_tile(), furthest) - tile);
         }
-        plan_.colors.back().reach = reach;
+        plan_.colors.back().tile_span = tile_span;
     }
 };
 

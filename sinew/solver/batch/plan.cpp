@@ -19,11 +19,11 @@ template <int D, class Real> class PlanBuilder {
 
     void run(bool anew) {
         const bool tore = std::exchange(plan_.may_tear, false);
-        look_around();
+        inspect_world();
         if (anew || tore != plan_.may_tear)
             keeper_.drop_all();
         else
-            keeper_.look();
+            keeper_.inspect();
         if (keeper_.rows_moved() || keeper_.any_dropped() || parts_.any()) {
             find_parts();
             solver_.report(0.3);
@@ -138,7 +138,7 @@ template <int D, class Real> class PlanBuilder {
 
     /// Determines may_tear, and reserves memory for the largest plan of a world that can tear: tearing must not
     /// allocate within a step. Large worlds are excepted, to save memory.
-    void look_around() {
+    void inspect_world() {
         std::size_t constraints = 0;
         for_each_table(world_, [&](const auto& table) {
             constraints += table.size();
@@ -165,7 +165,7 @@ template <int D, class Real> class PlanBuilder {
     void list_pins() {
         plan_.pins.clear();
         for (std::uint32_t i = 0; i < world_.pins.size(); ++i)
-            if (const auto row = world_.particles.slots.find(world_.pins[i].particle);
+            if (const auto row = world_.particles.handles.find(world_.pins[i].particle);
                 row && swept_.slot_of[*row] != none)
                 plan_.pins.push_back({swept_.slot_of[*row], i});
         sinew::sort(plan_.pins.begin(), plan_.pins.end(),

@@ -27,13 +27,13 @@ template <int D, class Real> class PlanReuse {
     }
 
     /// Decides which components to keep. Call after the blocks have been found.
-    void look() {
+    void inspect() {
         plan_.open();
         kept_.assign(plan_.components.size(), 1);
         follow_rows();
         for (const auto& touched : world_.journal.touched) {
-            if (!slots().in_use(touched.particle)) continue;
-            const Row row = slots().row_at(touched.particle);
+            if (!handles().in_use(touched.particle)) continue;
+            const Row row = handles().row_at(touched.particle);
             const auto slot = swept_.slot_of[row];
             if (slot == none) continue;
             const auto component = sheet_at(slot);
@@ -84,21 +84,21 @@ template <int D, class Real> class PlanReuse {
 
     static constexpr char heavier = 2; ///< kept, with changed mobilities
 
-    const Slots<ParticleTag>& slots() const { return world_.particles.slots; }
+    const HandleMap<ParticleTag>& handles() const { return world_.particles.handles; }
 
     void follow_rows() {
         rows_moved_ = plan_.row_moves != world_.journal.row_moves;
         if (!rows_moved_) return swept_.slot_of.resize(world_.particles.size(), none);
         swept_.slot_of.assign(world_.particles.size(), none);
-        const auto& links = std::get<kind_number<Distance, D>>(world_.constraints).slots;
+        const auto& links = std::get<kind_number<Distance, D>>(world_.constraints).handles;
         for (std::size_t i = 0; i < plan_.components.size(); ++i) {
             auto& component = plan_.components[i];
-            const bool stays = moved_as_one(component.particles, slots()) &&
+            const bool stays = moved_as_one(component.particles, handles()) &&
                                (!component.has_links() || moved_as_one(component.links, links));
             kept_[i] = stays;
             dropped_ = dropped_ || !stays;
             if (!stays) continue;
-            pieces_.shift(component, slots().row_at(component.particles.first_id) - component.particles.first,
+            pieces_.shift(component, handles().row_at(component.particles.first_id) - component.particles.first,
                           component.has_links() ? links.row_at(component.links.first_id) - component.links.first : 0);
             for (auto slot = component.begin.slot; slot < plan_.end_of(i).slot; ++slot)
                 swept_.slot_of[swept_.row_of[slot]] = slot;

@@ -46,7 +46,7 @@ template <int D, class Real> class TetherBuilder {
 
     void forget() {
         plan_.tethers.clear();
-        plan_.half_per_reach_square.clear();
+        plan_.half_per_max_length_square.clear();
         for (auto& component : plan_.components) component.first_tether = component.tethers = 0;
         for (auto& tile : plan_.tiles) tile.span_repairs = 0;
     }
@@ -91,32 +91,32 @@ template <int D, class Real> class TetherBuilder {
 
     void make_again() {
         const auto old = std::move(plan_.tethers);
-        const auto old_reaches = std::move(plan_.half_per_reach_square);
+        const auto old_lengths = std::move(plan_.half_per_max_length_square);
         plan_.tethers.clear();
-        plan_.half_per_reach_square.clear();
+        plan_.half_per_max_length_square.clear();
         make_room();
         std::size_t number = 0;
         for (auto& component : plan_.components) {
             const auto before = std::span(old).subspan(component.first_tether, component.tethers);
-            set_anchors(component, before, old_reaches, double(number++) / double(plan_.components.size()));
+            set_anchors(component, before, old_lengths, double(number++) / double(plan_.components.size()));
             find_spans(component);
         }
         if (!plan_.tethers.empty())
-            plan_.half_per_reach_square.resize(plan_.half_per_reach_square.size() + plan_.lanes);
+            plan_.half_per_max_length_square.resize(plan_.half_per_max_length_square.size() + plan_.lanes);
         spokes_.forget();
     }
 
     /// Reserves all memory at once: growing would double the peak.
     void make_room() {
-        std::size_t reaches = 0;
-        for (const auto& component : plan_.components) reaches += anchors(component).size() * size_of(component);
-        if (reaches > 0) plan_.half_per_reach_square.reserve(reaches + plan_.lanes);
+        std::size_t lengths = 0;
+        for (const auto& component : plan_.components) lengths += anchors(component).size() * size_of(component);
+        if (lengths > 0) plan_.half_per_max_length_square.reserve(lengths + plan_.lanes);
     }
     std::uint32_t size_of(const Component& component) const {
         return plan_.end_of(component).slot - component.begin.slot;
     }
 
-    void set_anchors(Component& component, std::span<const Tether> before, const std::vector<Real>& reaches,
+    void set_anchors(Component& component, std::span<const Tether> before, const std::vector<Real>& lengths,
                      double share) {
         const auto pins = anchors(component);
         const auto size = size_of(component);
@@ -124,19 +124,19 @@ template <int D, class Real> class TetherBuilder {
         component.tethers = std::uint32_t(pins.size());
         bool any_new = false;
         for (std::size_t i = 0; i < pins.size(); ++i) {
-            const auto first = plan_.half_per_reach_square.size();
+            const auto first = plan_.half_per_max_length_square.size();
             const auto at = pins[i].slot - component.begin.slot;
             plan_.tethers.push_back({.pin = pins[i].pin, .at = at, .first = std::uint32_t(first)});
             const auto same = std::find_if(before.begin(), before.end(), [&](const auto& b) { return b.at == at; });
             if (same != before.end()) {
-                const auto from = reaches.begin() + same->first;
-                plan_.half_per_reach_square.insert(plan_.half_per_reach_square.end(), from, from + size);
+                const auto from = lengths.begin() + same->first;
+                plan_.half_per_max_length_square.insert(plan_.half_per_max_length_square.end(), from, from + size);
                 continue;
             }
             if (!any_new) spokes_.list(component, size), corners_.begin();
             any_new = true;
-            plan_.half_per_reach_square.resize(first + size);
-            reach_from(at, std::span(plan_.half_per_reach_square).subspan(first));
+            plan_.half_per_max_length_square.resize(first + size);
+            measure_from(at, std::span(plan_.half_per_max_length_square).subspan(first));
             solver_.report(tethered(share + double(i + 1) / double(pins.size() * plan_.components.size())));
         }
     }
@@ -149,26 +149,26 @@ template <int D, class Real> class TetherBuilder {
         for (auto& tile : tiles) tile.span_repairs = 0;
         constexpr Real many = 128; // links from pin to pin: one sweep leaves much of the error of a longer row
         for (const auto& from : tethers) {
-            const Real half_a_link = Real(0.5) * shortest_reach(component, from);
+            const Real half_a_link = Real(0.5) * shortest_length(component, from);
             for (const auto& to : tethers.first(std::size_t(&from - tethers.data()))) {
-                const Real between_pins = reach(from, to.at), furthest = between_pins + half_a_link;
+                const Real between_pins = max_length(from, to.at), furthest = between_pins + half_a_link;
                 const std::uint32_t times = between_pins > many * Real(2) * half_a_link ? 2 : 1;
                 for (auto& tile : tiles) {
                     std::uint32_t between = 0;
                     for (auto s = tile.first - component.begin.slot; s < tile.last - component.begin.slot; ++s)
-                        between += reach(from, s) + reach(to, s) <= furthest;
+                        between += max_length(from, s) + max_length(to, s) <= furthest;
                     if (2 * between >= tile.last - tile.first) tile.span_repairs = std::max(tile.span_repairs, times);
                 }
             }
         }
     }
-    Real reach(const Tether& tether, std::uint32_t s) const {
-        return square_root(inverse_or_zero(2 * plan_.half_per_reach_square[tether.first + s]));
+    Real max_length(const Tether& tether, std::uint32_t s) const {
+        return square_root(inverse_or_zero(2 * plan_.half_per_max_length_square[tether.first + s]));
     }
-    /// Reach of the particle nearest to the pin: one link.
-    Real shortest_reach(const Component& component, const Tether& tether) const {
-        const auto reaches = std::span(plan_.half_per_reach_square).subspan(tether.first, size_of(component));
-        return square_root(inverse_or_zero(2 * *std::max_element(reaches.begin(), reaches.end())));
+    /// Maximum distance of the particle nearest to the pin: one link.
+    Real shortest_length(const Component& component, const Tether& tether) const {
+        const auto lengths = std::span(plan_.half_per_max_length_square).subspan(tether.first, size_of(component));
+        return square_root(inverse_or_zero(2 * *std::max_element(lengths.begin(), lengths.end())));
     }
 
     /// Geodesic distances from an anchor (Dijkstra 1959), along rigid links and across the triangles between them.
@@ -176,7 +176,7 @@ template <int D, class Real> class TetherBuilder {
     /// unfolded into the plane through two finished corners (Mitchell, Mount and Papadimitriou 1987, first step from
     /// each edge only). Lengthened by 1e-5, to leave straight hanging links alone. Particles are numbered in the
     /// component.
-    void reach_from(std::uint32_t anchor, std::span<Real> half_per_square) {
+    void measure_from(std::uint32_t anchor, std::span<Real> half_per_square) {
         constexpr double far = double(limit::coordinate<Real>) * 100, slack = 1.00001;
         const auto way = half_per_square; // path lengths until all are final; negative when final
         std::fill(way.begin(), way.end(), Real(far));
@@ -214,7 +214,7 @@ template <int D, class Real> class TetherBuilder {
         }
         for (auto& length : way) length = half_per_square_of(min(double(absolute(length)) * slack, far));
     }
-    static Real half_per_square_of(double reach) { return reach > 0 ? Real(0.5 / square(reach)) : Real(0); }
+    static Real half_per_square_of(double length) { return length > 0 ? Real(0.5 / square(length)) : Real(0); }
 };
 
 } // namespace sinew::detail

@@ -79,7 +79,7 @@ template <int D, class Real> class ClothMeshBuilder {
                 if (piece.mark != Mark::surface || piece.hidden) continue;
                 slots.clear();
                 for (const auto id : piece.particles)
-                    if (const auto row = world_.particles.slots.find(id); row && is_swept(*row))
+                    if (const auto row = world_.particles.handles.find(id); row && is_swept(*row))
                         slots.push_back(state_.slot_of[*row]);
                 if (slots.size() == piece.particles.size() && slots.size() >= 3) visit(i, slots);
             }

@@ -53,7 +53,7 @@ template <int D, class Real> class CandidateSearch {
             if (are_near(s, other) && may_touch(other, s)) visit(other);
         });
         if constexpr (D == 3)
-            list_.segments.each_near(box_around(s).grown(list_.reach[feature]), [&](std::uint32_t other) {
+            list_.segments.each_near(box_around(s).grown(list_.search_radius[feature]), [&](std::uint32_t other) {
                 const auto& t = room_.segments[other];
                 if (other + count_ < feature && are_near(s, feature, t, other + count_) && may_touch(s, t))
                     visit(other + count_);
@@ -127,7 +127,7 @@ template <int D, class Real> class CandidateSearch {
                                                      .b = list_.position[b],
                                                      .velocity_a = list_.velocity[a],
                                                      .velocity_b = list_.velocity[b],
-                                                     .reach = list_.reach[feature],
+                                                     .radius = list_.search_radius[feature],
                                                      .near = size + slack(),
                                                      .ahead = time_ahead(),
                                                      .group = group_of(room_.particles[a].figure)};
@@ -167,7 +167,7 @@ template <int D, class Real> class CandidateSearch {
         const auto a = place(s.number_a), b = place(s.number_b), c = place(t.number_a), d = place(t.number_b);
         const auto at = collide::nearest_parameters(a, b, c, d);
         const auto far = squared(a + (b - a) * at.s - (c + (d - c) * at.t));
-        return far <= square(list_.reach[feature_s] + list_.reach[feature_t]);
+        return far <= square(list_.search_radius[feature_s] + list_.search_radius[feature_t]);
     }
 
     // --- kinds of pairs ----------------------------------------------------------------------------------------------

@@ -56,7 +56,7 @@ template <int D, class Real> class ClothFeatures {
 
     static bool is_of_cloth(const Piece& piece) { return is_cloth(piece.mark) && !piece.hidden; }
     std::uint32_t slot_of(ParticleId id) const {
-        const auto row = p_.slots.find(id);
+        const auto row = p_.handles.find(id);
         return row ? state_.slot_of[*row] : none;
     }
     std::uint32_t number_of(std::uint32_t slot) const { return slot < number_.size() ? number_[slot] : none; }

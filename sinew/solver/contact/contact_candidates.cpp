@@ -89,9 +89,9 @@ template <int D, class Real> class CandidateFinder {
 
     void make() {
         note_motion();
-        find_reaches();
-        list_.particles.fill(list_.position, std::span(list_.reach).first(room_.particles.size()), list_.velocity,
-                             list_.size, list_.figure);
+        find_radii();
+        list_.particles.fill(list_.position, std::span(list_.search_radius).first(room_.particles.size()),
+                             list_.velocity, list_.size, list_.figure);
         list_.has_segments = false;
         if constexpr (D == 3) fill_segments();
         search();
@@ -123,14 +123,14 @@ template <int D, class Real> class CandidateFinder {
     }
     static constexpr Real shortest_horizon = 4; ///< substeps
 
-    void find_reaches() {
-        list_.reach.clear(), list_.middle.clear(), list_.segment_ball.clear();
-        for (std::uint32_t i = 0; i < particles(); ++i) list_.reach.push_back(search_.reach_of(i));
+    void find_radii() {
+        list_.search_radius.clear(), list_.middle.clear(), list_.segment_ball.clear();
+        for (std::uint32_t i = 0; i < particles(); ++i) list_.search_radius.push_back(search_.reach_of(i));
         for (const auto& s : room_.segments) {
-            list_.reach.push_back(search_.reach_of(s));
+            list_.search_radius.push_back(search_.reach_of(s));
             const auto &a = list_.position[s.number_a], &b = list_.position[s.number_b];
             list_.middle.push_back((a + b) * Real(0.5));
-            list_.segment_ball.push_back(Real(0.5) * distance(a, b) + list_.reach.back());
+            list_.segment_ball.push_back(Real(0.5) * distance(a, b) + list_.search_radius.back());
         }
     }
     void fill_segments() {
@@ -206,7 +206,7 @@ template <int D, class Real> class CandidateFinder {
             if (search_.is_renewed(s)) list_.renewed_segments.push_back(i);
             if (!search_.is_new(s)) continue;
             list_.astray_segments.push_back(i);
-            list_.reach[particles() + i] = search_.reach_of(s);
+            list_.search_radius[particles() + i] = search_.reach_of(s);
         }
     }
     void fill_renewed() {

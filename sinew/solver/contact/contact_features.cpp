@@ -159,7 +159,7 @@ template <int D, class Real> class FeatureFinder {
     }
 
     Row row_at(const Piece& piece, std::size_t i) const {
-        return world_.particles.slots.find(piece.particles[i % piece.particles.size()]).value_or(no_row);
+        return world_.particles.handles.find(piece.particles[i % piece.particles.size()]).value_or(no_row);
     }
     bool is_swept(Row row) const {
         return row != no_row && solver_.sweep_state.slot_of[row] < solver_.sweep_state.size();

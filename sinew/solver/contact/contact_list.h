@@ -41,8 +41,8 @@ template <int D, class Real> struct ContactList {
     std::vector<Vector> renewed_places;
     std::vector<Real> renewed_balls;
     std::vector<Vector> middle;                       ///< per segment
-    std::vector<Real> reach;                          ///< per particle, then per segment
-    std::vector<Real> segment_ball;                   ///< per segment: reach from the middle
+    std::vector<Real> search_radius;                  ///< per particle, then per segment
+    std::vector<Real> segment_ball;                   ///< per segment: search radius around the middle
     std::vector<std::vector<ContactCandidate>> found; ///< by chunks of features
     std::vector<ContactCandidate> before;             ///< the last list, by parts
     std::array<std::uint32_t, contact_parts> end_before{};

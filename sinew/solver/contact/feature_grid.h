@@ -42,7 +42,7 @@ template <int D, class Real> class FeatureGrid {
     /// Segment that looks for points.
     struct Seeker {
         Vector a{}, b{}, velocity_a{}, velocity_b{};
-        Real reach = 0;          ///< of the search, as for a ball
+        Real radius = 0;         ///< of the search, as for a ball
         Real near = 0;           ///< distance beyond a point's size at which it counts, without the approach
         Real ahead = 0;          ///< time for which relative speed brings a point nearer
         std::uint32_t group = 0; ///< whose points do not count
@@ -63,7 +63,7 @@ template <int D, class Real> class FeatureGrid {
         box.include(seeker.b);
         const auto along = seeker.b - seeker.a;
         const Real per_square = inverse_or_zero(dot(along, along));
-        each_run(box.grown(seeker.reach + widest_), [&](std::uint32_t first, std::uint32_t last) {
+        each_run(box.grown(seeker.radius + widest_), [&](std::uint32_t first, std::uint32_t last) {
             for (; first < last; first += width) {
                 const auto near = find_near(first, seeker, along, per_square);
                 if (!any(near)) continue;
@@ -190,7 +190,7 @@ template <int D, class Real> class FeatureGrid {
             from[k] = from[k] - part * along[k];
             far = far + from[k] * from[k];
         }
-        const Pack max = load(radius_, first) + seeker.reach;
+        const Pack max = load(radius_, first) + seeker.radius;
         Flags flags;
         lane::store(flags.data(), Pack(far <= max * max ? one : zero));
         if (any(flags)) find_near(flags, first, seeker, far);

@@ -205,7 +205,7 @@ template <int D, class Real> class FigureContact {
         const auto count = room().particles.size();
         const bool is_particle = feature < count;
         const Row row = is_particle ? room().particles[feature].row : room().segments[feature - count].a;
-        return {world_.particles.figure[row], world_.particles.slots.slot_of(row)};
+        return {world_.particles.figure[row], world_.particles.handles.index_of(row)};
     }
     void note(const RowT& row, const Origin& origin) {
         solver_.touches.add(state_.row_of[row.slot[0]], origin.collider, row.max / h_);

@@ -54,7 +54,7 @@ template <int D, class Real> class JointRows {
             visit_table(world, source.kind, [&]<class Table>(const Table& table) {
                 if constexpr (makes_joint_rows<typename Table::Kind>) add(table, source, state, scale);
             });
-        for (auto& row : rows_) push(state, row, row.multiplier);
+        for (auto& row : rows_) apply(state, row, row.multiplier);
     }
     void solve(SweepState<D, Real>& state, const Softness<Real>& soft) {
         for (auto& row : rows_) solve(state, row, soft);
@@ -124,7 +124,7 @@ template <int D, class Real> class JointRows {
         rows_.push_back(row);
     }
 
-    static void push(SweepState<D, Real>& state, const RowT& row, Real multiplier) {
+    static void apply(SweepState<D, Real>& state, const RowT& row, Real multiplier) {
         const Real furthest = max_displacement(Real(1) / state.per_h);
         for (std::size_t i = 0; i < row.members; ++i) {
             const auto moved = row.gradient[i] * (multiplier * state.mobility[row.slot[i]]);
@@ -144,7 +144,7 @@ template <int D, class Real> class JointRows {
     static void solve(SweepState<D, Real>& state, RowT& row, const Softness<Real>& soft) {
         const Real next =
             clamp(next_multiplier(row, change_of(state, row), soft), -limit::multiplier<Real>, limit::multiplier<Real>);
-        push(state, row, next - row.multiplier);
+        apply(state, row, next - row.multiplier);
         row.multiplier = next;
     }
 };

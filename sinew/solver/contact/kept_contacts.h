@@ -98,7 +98,7 @@ template <int D, class Real> class KeptContacts {
             sinew::sort(contacts.begin(), contacts.end(), by_key);
     }
 
-    std::uint32_t id(Row row) const { return world_.particles.slots.slot_of(row); }
+    std::uint32_t id(Row row) const { return world_.particles.handles.index_of(row); }
     ContactKey key_of(const ContactCandidate& pair) const {
         ContactKey key;
         const auto count = room_.particles.size();
@@ -127,8 +127,8 @@ template <int D, class Real> class KeptContacts {
     static constexpr auto none = ContactKey::none;
 
     std::uint32_t number_of(std::uint32_t slot) const {
-        if (!world_.particles.slots.in_use(slot)) return none;
-        return room_.number_of[world_.particles.slots.row_at(slot)];
+        if (!world_.particles.handles.in_use(slot)) return none;
+        return room_.number_of[world_.particles.handles.row_at(slot)];
     }
     /// Number of a feature of one or two particles.
     std::uint32_t feature_of(std::uint32_t slot_a, std::uint32_t slot_b) const {

@@ -27,9 +27,9 @@ template <int D, class Real> class PlaneContact {
         const auto along = displacement + plane.normal * approach;
         const Real stopped = min(depth, mover_.furthest);
         const Real slowed = min(Real(1), plane.friction * stopped * inverse_or_zero(norm(along)));
-        mover_.push_at(slot, plane.normal * stopped - along * slowed);
+        mover_.displace_at(slot, plane.normal * stopped - along * slowed);
         if (!mover_.first_iteration) return stopped;
-        const Real resting = Real(4) * mover_.h * norm(push_on(world_, row, swept_.position_at(slot)).acceleration);
+        const Real resting = Real(4) * mover_.h * norm(forcing_on(world_, row, swept_.position_at(slot)).acceleration);
         const Real carried = dot(plane.normal, surface_displacement) * mover_.per_h;
         if (approach * mover_.per_h > resting)
             swept_.rebound[slot] += plane.normal * max(Real(0), plane.restitution * approach * mover_.per_h + carried);

@@ -15,11 +15,11 @@ template <int D, class Real> void list_touches(World<D, Real>& world, const Coll
     touching.clear();
     for (Row row = 0; row < world.particles.size(); ++row)
         if (touches.collider[row] != 0)
-            touching.push_back({world.particles.slots.slot_of(row),
-                                world.collider_slots.slot_of(touches.collider[row] - 1),
+            touching.push_back({world.particles.handles.index_of(row),
+                                world.collider_handles.index_of(touches.collider[row] - 1),
                                 {.impulse = double(touches.impulse[row])}});
     for (const auto& pair : touches.before)
-        if (is_asleep(world.particles, pair.particle) && world.collider_slots.in_use(pair.collider))
+        if (is_asleep(world.particles, pair.particle) && world.collider_handles.in_use(pair.collider))
             touching.push_back(pair);
     sinew::sort(touching.begin(), touching.end());
     touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
@@ -47,8 +47,8 @@ template <int D, class Real> void list_figures(World<D, Real>& world, ColliderTo
 /// Event of a pair; nothing if a side of it is gone.
 template <int D, class Real>
 std::optional<Event> event_of(const World<D, Real>& world, EventType type, const ColliderTouch& pair) {
-    const auto& particles = world.particles.slots;
-    const auto& colliders = world.collider_slots;
+    const auto& particles = world.particles.handles;
+    const auto& colliders = world.collider_handles;
     if (!particles.in_use(pair.particle) || !colliders.in_use(pair.collider)) return std::nullopt;
     const Row row = particles.row_at(pair.particle);
     return Event{.type = type,
@@ -58,13 +58,13 @@ std::optional<Event> event_of(const World<D, Real>& world, EventType type, const
 }
 template <int D, class Real>
 std::optional<Event> event_of(const World<D, Real>& world, EventType type, const FigureTouch& touch) {
-    const auto& slots = world.particles.slots;
-    if (!slots.in_use(touch.particle[0]) || !slots.in_use(touch.particle[1])) return std::nullopt;
+    const auto& handles = world.particles.handles;
+    if (!handles.in_use(touch.particle[0]) || !handles.in_use(touch.particle[1])) return std::nullopt;
     return Event{.type = type,
                  .figure = touch.first,
-                 .particle = slots.id_of(slots.row_at(touch.particle[0])),
+                 .particle = handles.id_of(handles.row_at(touch.particle[0])),
                  .other = touch.second,
-                 .other_particle = slots.id_of(slots.row_at(touch.particle[1]))};
+                 .other_particle = handles.id_of(handles.row_at(touch.particle[1]))};
 }
 
 template <int D, class Real, class Touch>

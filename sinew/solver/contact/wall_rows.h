@@ -33,7 +33,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
     const ColliderTouches<D, Real>& touches_;
     Real from_, to_;
 
-    std::uint32_t id(Row row) const { return p_.slots.slot_of(row); }
+    std::uint32_t id(Row row) const { return p_.handles.index_of(row); }
     Real reach(Row row) const { return reach(p_.radius[row], norm(state_.gravity), h_); }
 
     void add_planes(Row p) {
@@ -74,7 +74,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
             ContactRowT row;
             Origin origin;
             ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
-                           .collider = world_.collider_slots.slot_of(index),
+                           .collider = world_.collider_handles.index_of(index),
                            .feature = part_of(collider, surface.feature)};
             origin.collider = index;
             row.normal = surface.normal;
@@ -104,7 +104,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         ContactRowT row;
         Origin origin;
         ContactKey key{.particle = {id(s.a), id(s.b), ContactKey::none, ContactKey::none},
-                       .collider = world_.collider_slots.slot_of(index)};
+                       .collider = world_.collider_handles.index_of(index)};
         origin.collider = index;
         row.normal = found->surface.normal;
         origin.surface_displacement = after.to_world(before.to_local(found->surface.point)) - found->surface.point;

@@ -59,7 +59,7 @@ template <int D, class Real> class BackwardEulerStep {
     /// Velocities as without links, for the projection. A position not found to the last digit, over a short substep,
     /// would give wrong velocities to everything heavy.
     void keep_flying() {
-        for (auto& node : state_.unknowns()) node.velocity += node.push * state_.substep();
+        for (auto& node : state_.unknowns()) node.velocity += node.acceleration * state_.substep();
     }
 
     /// Backward Euler takes energy, most of it from a light part that whips; an undamped block gets it back, but for a

@@ -36,7 +36,7 @@ template <int D, class Real> class BlockBuilder {
         }
         Block block{.first_node = std::uint32_t(blocks_.nodes.size()),
                     .unknowns = std::uint32_t(members.size()),
-                    .particle = particles_.slots.slot_of(members.front()),
+                    .particle = particles_.handles.index_of(members.front()),
                     .row_moves = world_.journal.row_moves};
         for (const Row row : elimination_.order()) add_node(row);
         add_entries(blocks_, elimination_, block);
@@ -88,7 +88,7 @@ template <int D, class Real> class BlockBuilder {
 
     void add_node(Row row) {
         scope_.room.node_of[row] = Row(blocks_.nodes.size());
-        blocks_.nodes.push_back({.row = row, .slot = particles_.slots.slot_of(row)});
+        blocks_.nodes.push_back({.row = row, .slot = particles_.handles.index_of(row)});
     }
 
     void add_rows(Block& block) {

@@ -94,19 +94,19 @@ template <int D, class Real> class BlockRowBuilder {
     const BlockScope<D, Real>& scope_;
 
     template <class Table> void hold(const Table& table, Row row) {
-        blocks_.constraints_of(table).set(table.slots.slot_of(row), true);
+        blocks_.constraints_of(table).set(table.handles.index_of(row), true);
     }
 
     /// Node of a particle. An immovable particle gets a new node at each use.
     std::uint32_t node_for(Row particle) {
         if (scope_.graph.mobile(particle)) return scope_.room.node_of[particle];
-        blocks_.nodes.push_back({.row = particle, .slot = particles_.slots.slot_of(particle)});
+        blocks_.nodes.push_back({.row = particle, .slot = particles_.handles.index_of(particle)});
         return std::uint32_t(blocks_.nodes.size() - 1);
     }
 
     template <class Table> static BlockLimit limit_of(const Table& table, Row row) {
         return {.constraint = row,
-                .slot = table.slots.slot_of(row),
+                .slot = table.handles.index_of(row),
                 .low = double(table.low(row)),
                 .high = double(table.high(row)),
                 .compliance = double(table.compliance[row])};

@@ -21,7 +21,7 @@ template <int D> class CableRows {
 
     /// Starts a substep; returns the total length of all cables.
     double set_out(double tautness) {
-        double reach = 0;
+        double total_length = 0;
         for (auto& way : all()) {
             double length = 0;
             const auto on = geometry_.nodes(way);
@@ -29,7 +29,7 @@ template <int D> class CableRows {
                 on[i].start = geometry_.node(on[i + 1]).start - geometry_.node(on[i]).start;
                 length += norm(on[i].start);
             }
-            reach += length;
+            total_length += length;
             way.flips = way.doubts = 0;
             way.slips = false;
             const double margin = tautness * length;
@@ -39,7 +39,7 @@ template <int D> class CableRows {
             else
                 way.side = way.tension < 0 || length < way.low + margin ? -1 : 0;
         }
-        return reach;
+        return total_length;
     }
 
     /// Adds the rows of all cables to the equations; returns the worst relative violation.

@@ -41,7 +41,7 @@ template <int D> class ChordSolve : public BlockSolve<D> {
   private:
     static constexpr int max_iterations = 4;
     static constexpr double slow = 0.25;     ///< ratio of moves, above which a factorisation is cheaper
-    static constexpr double precise = 1e-8;  ///< error left, as a fraction of the reach
+    static constexpr double precise = 1e-8;  ///< error left, as a fraction of the total_length
     static constexpr double unknown = 1e-10; ///< same for the first move, whose error has no estimate
 
     using Base::good_enough, Base::links_, Base::sizes_;
@@ -66,8 +66,8 @@ template <int D> class ChordSolve : public BlockSolve<D> {
     bool goes_well(int iteration) { return is_precise(iteration) && Base::worst_error() <= good_enough; }
     /// True if the next moves, of a geometric series, would not matter.
     bool is_precise(int iteration) const {
-        if (sizes_.moved <= unknown * Base::reach()) return true;
-        return iteration > 0 && square(sizes_.moved) <= precise * Base::reach() * sizes_.moved_before;
+        if (sizes_.moved <= unknown * Base::total_length()) return true;
+        return iteration > 0 && square(sizes_.moved) <= precise * Base::total_length() * sizes_.moved_before;
     }
 
     /// A slack link near its limit is not held before it is too long.

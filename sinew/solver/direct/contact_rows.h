@@ -20,19 +20,19 @@ template <int D, class Real> class BlockContact {
 
     /// Decides at the start of a substep whether the block may reach a plane. After a touch the block counts as near
     /// for the rest of the step.
-    void look() {
+    void find_near() {
         near_ = touched_;
         if (!planes_.any() || (near_ && world_.colliders.empty())) return;
         const double h = state_.substep();
         for (const auto& node : state_.unknowns()) {
-            const double reach = h * (norm(node.velocity) + h * norm(node.push)) * 2;
-            for (const auto& plane : world_.bounds) near_ = near_ || depth(node, plane.template as<double>()) > -reach;
-            if (planes_.is_any_collider_near(node, reach)) near_ = true;
+            const double margin = h * (norm(node.velocity) + h * norm(node.acceleration)) * 2;
+            for (const auto& plane : world_.bounds) near_ = near_ || depth(node, plane.template as<double>()) > -margin;
+            if (planes_.is_any_collider_near(node, margin)) near_ = true;
         }
     }
     bool near() const { return near_; }
 
-    /// True if a node is beyond a plane, even if `look` found all planes far away.
+    /// True if a node is beyond a plane, even if `find_near` found all planes far away.
     bool struck() {
         if (!planes_.any()) return false;
         bool any = false;
@@ -178,9 +178,9 @@ template <int D, class Real> class BlockContact {
         if (!(depth(node, plane) > 0)) return;
         const double h = state_.substep();
         const auto& normal = plane.normal;
-        const auto struck = cast<double>(world_.particles.velocity[node.row]) + node.push * h;
+        const auto struck = cast<double>(world_.particles.velocity[node.row]) + node.acceleration * h;
         const double carried = dot(normal, plane.surface_displacement) / h;
-        const double approach = carried - dot(normal, struck), resting = 4 * h * norm(node.push);
+        const double approach = carried - dot(normal, struck), resting = 4 * h * norm(node.acceleration);
         const double away = approach > resting ? plane.restitution * approach : 0;
         const double missing = away + carried - dot(normal, node.velocity);
         if (!(missing > 0)) return;

@@ -16,12 +16,14 @@ struct StepSizes {
     double tightened = 0;               ///< largest change of a tension in the last step, N
     double strongest = 0;               ///< largest tension, N
 
-    bool are_small(double reach, bool has_light_trees) const {
-        return moved <= (has_light_trees ? hardly_light : hardly) * reach && tightened <= hardly_pulled * strongest;
+    bool are_small(double total_length, bool has_light_trees) const {
+        return moved <= (has_light_trees ? hardly_light : hardly) * total_length &&
+               tightened <= hardly_pulled * strongest;
     }
     /// True if the last move was no more than rounding.
-    bool are_rounding(double reach) const {
-        return moved <= precise * reach || (moved <= nearly_precise * reach && moved > stagnant * moved_before);
+    bool are_rounding(double total_length) const {
+        return moved <= precise * total_length ||
+               (moved <= nearly_precise * total_length && moved > stagnant * moved_before);
     }
 };
 

@@ -34,13 +34,13 @@ template <int D> class DistanceRows {
     /// (direct/joint_stops.h), only limits on which a link rests are active.
     double set_out(bool bounce, double tautness) {
         bounce_ = bounce;
-        double reach = 0;
+        double total_length = 0;
         for (auto& link : all()) {
             link.start = node(link.b).start - node(link.a).start;
-            reach += link.length;
+            total_length += link.length;
             choose_side(link, tautness);
         }
-        return reach;
+        return total_length;
     }
 
     /// Adds the rows of all links to the equations; returns the worst violation of a rigid link, relative to the

@@ -18,7 +18,8 @@ template <int D> class BlockEnergy {
     /// Work of the force fields in the substep, less the increase of energy in springs.
     double work() const {
         double sum = 0;
-        for (const auto& node : solve_.unknowns()) sum += node.mass * dot(node.push, node.position - node.start);
+        for (const auto& node : solve_.unknowns())
+            sum += node.mass * dot(node.acceleration, node.position - node.start);
         if (!solve_.block().springy) return sum;
         for (const auto& link : solve_.links().all())
             sum -= solve_.links().stored(link, solve_.node(link.b).position - solve_.node(link.a).position) -
@@ -46,7 +47,7 @@ template <int D> class BlockEnergy {
         }
         due_ = before + work();
         const double inner = before + after_ - of_the_whole(momentum) - of_the_whole(momentum_after);
-        return (after_ - due_) * inverse_or_zero(rounding * inner + tiny * solve_.weight() * solve_.reach());
+        return (after_ - due_) * inverse_or_zero(rounding * inner + tiny * solve_.weight() * solve_.total_length());
     }
 
     /// The kinetic energy of a free block about its centre; of any other, all of it. No decision about a free one may
@@ -92,7 +93,7 @@ template <int D> class BlockEnergy {
         const auto center = (begun_.center + missing.center) * 0.5;
         Motion due = begun_;
         for (const auto& node : unknowns) {
-            const auto kick = node.push * (node.mass * solve_.substep());
+            const auto kick = node.acceleration * (node.mass * solve_.substep());
             due.momentum += kick;
             due.spin += moment((node.start + node.position) * 0.5 - center, kick);
         }

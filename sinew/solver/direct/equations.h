@@ -16,7 +16,7 @@ template <int D> struct NodeSums {
     explicit NodeSums(std::span<const BlockNode<D>> nodes) {
         for (const auto& node : nodes) {
             mass += node.mass;
-            weight += node.mass * norm(node.push);
+            weight += node.mass * norm(node.acceleration);
             lightest = min(lightest, node.mass);
         }
     }

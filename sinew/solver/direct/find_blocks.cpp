@@ -29,7 +29,7 @@ template <int D, class Real> class BlockFinder {
         const bool all = world_.journal.stale;
         if (all) find_all();
         for (Row row = 0; row < particles_.size(); ++row)
-            particles_.at_end[row] = blocks_.particles.has(particles_.slots.slot_of(row));
+            particles_.at_end[row] = blocks_.particles.has(particles_.handles.index_of(row));
         list_runs();
         return all;
     }
@@ -58,15 +58,15 @@ template <int D, class Real> class BlockFinder {
         blocks_.next_pin.resize(world_.pins.size());
         blocks_.elimination.make_room(count);
     }
-    void begin_look() {
-        ++blocks_.looks;
+    void begin_search() {
+        ++blocks_.searches;
         room_.parts.clear();
         room_.members.clear();
         room_.attached.clear();
     }
 
     void find_all() {
-        begin_look();
+        begin_search();
         blocks_.clear();
         world_.journal.adjacency.forget();
         std::size_t constraints = 0;
@@ -92,13 +92,13 @@ template <int D, class Real> class BlockFinder {
 
     /// Searches the components of all changed particles. Where there is no room for more, everything becomes stale.
     void find_again() {
-        begin_look();
+        begin_search();
         make_room();
-        const auto& slots = particles_.slots;
+        const auto& handles = particles_.handles;
         for (const auto& touched : world_.journal.touched) {
-            if (!slots.in_use(touched.particle)) continue;
+            if (!handles.in_use(touched.particle)) continue;
             if (touched.what == Touch::weight) continue;
-            const Row row = slots.row_at(touched.particle);
+            const Row row = handles.row_at(touched.particle);
             if (mobile(row)) {
                 spread(row);
                 continue;
@@ -109,9 +109,9 @@ template <int D, class Real> class BlockFinder {
             });
         }
         const auto gone = [&](const Block& block) {
-            if (!slots.in_use(block.particle)) return true;
-            const Row row = slots.row_at(block.particle);
-            return !mobile(row) || room_.met[row] == blocks_.looks;
+            if (!handles.in_use(block.particle)) return true;
+            const Row row = handles.row_at(block.particle);
+            return !mobile(row) || room_.met[row] == blocks_.searches;
         };
         std::erase_if(blocks_.list, gone);
         std::erase_if(blocks_.attached_trees, gone);
@@ -130,19 +130,19 @@ template <int D, class Real> class BlockFinder {
         for (auto next = first; next < room_.members.size(); ++next) {
             const Row row = room_.members[next];
             worth_.take_stock(room_.parts.back(), row);
-            for_each_constraint(world_, row, [&](const auto& table, Row constraint) { reach(table, constraint, row); });
+            for_each_constraint(world_, row, [&](const auto& table, Row constraint) { visit(table, constraint, row); });
         }
         const auto part = room_.members.begin() + std::ptrdiff_t(first);
         sinew::sort(part, room_.members.end());
     }
     bool meet(Row particle) {
-        if (room_.met[particle] == blocks_.looks) return false;
-        room_.met[particle] = blocks_.looks;
+        if (room_.met[particle] == blocks_.searches) return false;
+        room_.met[particle] = blocks_.searches;
         room_.members.push_back(particle);
         return true;
     }
     /// Meets the members of a constraint, which counts at its first movable particle.
-    template <class Table> void reach(const Table& table, Row row, Row from) {
+    template <class Table> void visit(const Table& table, Row row, Row from) {
         std::uint32_t moving = 0;
         bool is_first = false;
         for (const Row member : table.members[row]) {
@@ -152,7 +152,7 @@ template <int D, class Real> class BlockFinder {
             ++moving;
         }
         if (!is_first) return;
-        blocks_.constraints_of(table).set(table.slots.slot_of(row), false);
+        blocks_.constraints_of(table).set(table.handles.index_of(row), false);
         worth_.take_stock(room_.parts.back(), table, row, moving);
     }
 
@@ -163,7 +163,7 @@ template <int D, class Real> class BlockFinder {
 
     /// Collects the components of all members of a constraint, for an immovable particle among the members.
     template <class Table> void spread_over(const Table& table, Row row) {
-        blocks_.constraints_of(table).set(table.slots.slot_of(row), false);
+        blocks_.constraints_of(table).set(table.handles.index_of(row), false);
         for (const Row member : table.members[row]) spread(member);
     }
 
@@ -181,7 +181,7 @@ template <int D, class Real> class BlockFinder {
                 continue;
             }
             const bool built = worth_.worthwhile(part) && build(members, members.front(), blocks_.list, false);
-            for (const Row row : members) blocks_.particles.set(particles_.slots.slot_of(row), built);
+            for (const Row row : members) blocks_.particles.set(particles_.handles.index_of(row), built);
             if (built) continue;
             detail::AttachedPieces<D, Real>(world_, graph_, worth_, room_)
                 .find(members, [&](std::span<const Row> piece, Row root) {
@@ -193,9 +193,9 @@ template <int D, class Real> class BlockFinder {
     /// A body asleep is neither a block nor swept.
     void leave_out(std::span<const Row> members) {
         for (const Row row : members) {
-            blocks_.particles.set(particles_.slots.slot_of(row), true);
+            blocks_.particles.set(particles_.handles.index_of(row), true);
             for_each_constraint(world_, row, [&](const auto& table, Row constraint) {
-                blocks_.constraints_of(table).set(table.slots.slot_of(constraint), true);
+                blocks_.constraints_of(table).set(table.handles.index_of(constraint), true);
             });
         }
     }
@@ -223,7 +223,7 @@ template <int D, class Real> class BlockFinder {
                 const auto& held = blocks_.constraints_of(table);
                 if (held.empty()) return append_run(run.kind, {first, last});
                 for (Row i = first; i < last; ++i)
-                    if (!held.has(table.slots.slot_of(i))) append_run(run.kind, {i, i + 1});
+                    if (!held.has(table.handles.index_of(i))) append_run(run.kind, {i, i + 1});
             });
     }
 };

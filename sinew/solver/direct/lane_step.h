@@ -154,8 +154,8 @@ template <class Layout, int D, class Real> class LaneStep {
     double per_last2_;   ///< 1 / squared length of the substep that multipliers were reported for
     std::array<Decay<double>, LaneClock::deepest + 1> decay_;
     std::array<Lane, max_block_lanes> lanes_{};
-    std::array<Vec<D, double>, max_block_lanes> push_{}; ///< acceleration by gravity, m/s^2
-    std::array<double, max_block_lanes> weight_reach_{}; ///< weight times length, J
+    std::array<Vec<D, double>, max_block_lanes> acceleration_{}; ///< acceleration by gravity, m/s^2
+    std::array<double, max_block_lanes> weight_length_{};        ///< weight times length, J
 
     Layout& layout() { return static_cast<Layout&>(*this); }
 
@@ -179,9 +179,9 @@ template <class Layout, int D, class Real> class LaneStep {
             at += width;
             exchange_.has_last_row = exchange_.has_last_row || row + 1 == particles_.position.size();
         });
-        pack_.reach.lane[l] = layout().length_of(block);
-        push_[l] = cast<double>(push_on(world_, rows_[l]).acceleration);
-        weight_reach_[l] = pack_.total.lane[l] * norm(push_[l]) * pack_.reach.lane[l];
+        pack_.total_length.lane[l] = layout().length_of(block);
+        acceleration_[l] = cast<double>(forcing_on(world_, rows_[l]).acceleration);
+        weight_length_[l] = pack_.total.lane[l] * norm(acceleration_[l]) * pack_.total_length.lane[l];
         pack_.active.lane[l] = 1;
         moves_[l] = true;
     }
@@ -238,13 +238,13 @@ template <class Layout, int D, class Real> class LaneStep {
             thickness = max(thickness, double(particles_.radius[row]));
             any = row;
         });
-        const double push = norm(cast<double>(push_on(world_, any).acceleration));
+        const double acceleration = norm(cast<double>(forcing_on(world_, any).acceleration));
         std::optional<Vec<D, double>> held;
         layout().each_held(block, [&](Row row) { reached.include(*(held = held_position(row))); });
-        const auto reach = reached.grown(margin * frame_ * (square_root(fastest2) + frame_ * push) + thickness);
+        const auto ahead = reached.grown(margin * frame_ * (square_root(fastest2) + frame_ * acceleration) + thickness);
         const ChainRoom<D, Real> around(world_, solver_);
         const auto room =
-            held ? around.find(*held, 1.001 * layout().length_of(block) + thickness, reach) : around.find(reach);
+            held ? around.find(*held, 1.001 * layout().length_of(block) + thickness, ahead) : around.find(ahead);
         return room.grown(-thickness);
     }
 
@@ -257,8 +257,8 @@ template <class Layout, int D, class Real> class LaneStep {
         pack_.h.lane[l] = pack_.longest / double(1U << depth);
         pack_.keep.lane[l] = decay.keep;
         pack_.yield.lane[l] = decay.yield;
-        for (int k = 0; k < D; ++k) pack_.push[k].lane[l] = push_[l][k] * decay.yield;
-        pack_.weight_reach.lane[l] = weight_reach_[l] * decay.yield;
+        for (int k = 0; k < D; ++k) pack_.acceleration[k].lane[l] = acceleration_[l][k] * decay.yield;
+        pack_.weight_length.lane[l] = weight_length_[l] * decay.yield;
     }
 
     // --- on, and out of the lanes

@@ -19,13 +19,13 @@ template <int D, class Real> void look_up_rows(const World<D, Real>& world, Bloc
     const auto row_in = [](const auto& table) {
         return [&table](BlockLimit& limit) {
             if (limit.slot == no_row) return; // a load tether
-            SINEW_ASSERT(table.slots.in_use(limit.slot), "a block ends when a constraint of it is removed");
-            limit.constraint = table.slots.row_at(limit.slot);
+            SINEW_ASSERT(table.handles.in_use(limit.slot), "a block ends when a constraint of it is removed");
+            limit.constraint = table.handles.row_at(limit.slot);
         };
     };
     each(blocks.nodes, block.first_node, block.nodes, [&](BlockNode<D>& node) {
-        SINEW_ASSERT(world.particles.slots.in_use(node.slot), "a block ends when a particle of it is removed");
-        node.row = world.particles.slots.row_at(node.slot);
+        SINEW_ASSERT(world.particles.handles.in_use(node.slot), "a block ends when a particle of it is removed");
+        node.row = world.particles.handles.row_at(node.slot);
     });
     each(blocks.links, block.first_link, block.links, row_in(distances));
     each(blocks.bends, block.first_bend, block.bends, [&](AngleRow<D>& bend) {
@@ -35,7 +35,7 @@ template <int D, class Real> void look_up_rows(const World<D, Real>& world, Bloc
         row_in(angles)(bend);
     });
     each(blocks.ways, block.first_way, block.ways, [&](CableRow& way) {
-        way.constraint = way.is_pulley ? pulleys.slots.row_at(way.slot) : distances.slots.row_at(way.slot);
+        way.constraint = way.is_pulley ? pulleys.handles.row_at(way.slot) : distances.handles.row_at(way.slot);
     });
 }
 

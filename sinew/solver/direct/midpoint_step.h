@@ -76,7 +76,7 @@ template <int D, class Real> class MidpointStep {
     void bounce() {
         constexpr double part = 1e-5, tiny = 1e-7; // fractions of the energy, and of weight times length
         const double kinetic = solve_.kinetic();
-        const double little = part * energy_.inner() + tiny * solve_.weight() * solve_.reach();
+        const double little = part * energy_.inner() + tiny * solve_.weight() * solve_.total_length();
         if (BlockBounce<D>(solve_, little).run()) energy_.bring_to(min(kinetic, energy_.due()));
     }
 

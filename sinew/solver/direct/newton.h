@@ -29,7 +29,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     BlockNode<D>& node(std::uint32_t i) const { return Base::node(i); }
 
     /// Total length of links and cables, m.
-    double reach() const { return reach_; }
+    double total_length() const { return total_length_; }
     const SolveProgress& progress() const { return progress_; }
 
     /// Treats links as very stiff springs from now on: lengths that cannot all be kept share the error.
@@ -44,9 +44,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// Chooses the active limits at the start of the substep.
     void choose_active_limits(Rule rule) {
         const bool bounce = bounce_ && rule == Rule::midpoint;
-        reach_ = links_.set_out(bounce, as_good_as_taut);
+        total_length_ = links_.set_out(bounce, as_good_as_taut);
         bends_.set_out(bounce);
-        reach_ += ways_.set_out(as_good_as_taut);
+        total_length_ += ways_.set_out(as_good_as_taut);
     }
 
     /// Solves for every `position`. `hold()` adds external terms to the equations. False if the solve did not converge.
@@ -100,7 +100,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         1e-2; ///< an angle's error in radians counts as this fraction of a relative length error
 
     using Base::clear_entries, Base::links_, Base::bends_, Base::ways_, Base::block_, Base::h_, Base::per_h_;
-    double reach_ = 0;
+    double total_length_ = 0;
     SolveProgress progress_{};
     StepSizes sizes_;
     bool elastic_ = false, bounce_ = false, is_precise_ = false;
@@ -117,7 +117,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             hold();
             if (i > 0 && !(worst <= absurd)) return false;
             if (i > 1 && block_.braced() && worst <= braces_give && worst > 0.5 * last &&
-                sizes_.moved <= StepSizes::hardly * reach_)
+                sizes_.moved <= StepSizes::hardly * total_length_)
                 return true; // redundant links in a plane: Newton's method stagnates
             last = worst;
             if (i % patience == 0) { // the error falls if there is a solution
@@ -126,13 +126,13 @@ template <int D> class BlockSolve : public BlockEquations<D> {
                 let_go_ = false; // a rope goes slack link by link
             }
             // contacts that alternate: lengths are right, and nodes hardly move
-            const double small_displacement = slight * reach_ / double(block_.links + block_.ways);
+            const double small_displacement = slight * total_length_ / double(block_.links + block_.ways);
             if (rule == Rule::backward_euler && i >= undecided_after && worst <= acceptable &&
                 sizes_.moved <= small_displacement)
                 return true;
             if (i == max_iterations)
                 return worst <= acceptable &&
-                       sizes_.moved <= acceptable * reach_; // links that alternate between taut and slack
+                       sizes_.moved <= acceptable * total_length_; // links that alternate between taut and slack
             Base::solve();
             take_step(i >= undecided_after ? 0.5 : 1);
         }
@@ -154,10 +154,10 @@ template <int D> class BlockSolve : public BlockEquations<D> {
         const double share = rule == Rule::midpoint ? 0.5 : rule == Rule::backward_euler ? 1 : 0;
         for (auto& node : unknowns()) {
             node.inertia = node.mass * per_h_ * per_h_ * (rule == Rule::midpoint ? 2 : 1);
-            node.predicted = node.start + flight(rule, node) + node.push * (share * h_ * h_);
+            node.predicted = node.start + flight(rule, node) + node.acceleration * (share * h_ * h_);
         }
         choose_active_limits(rule);
-        slight_ = 1e-6 * Base::weight() * inverse_or_zero(reach_) * double(block_.links + block_.ways);
+        slight_ = 1e-6 * Base::weight() * inverse_or_zero(total_length_) * double(block_.links + block_.ways);
     }
 
     /// Assembles the equations at the present positions. Returns the worst violation of a rigid link, relative to the
@@ -196,7 +196,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     }
 
     bool is_steady() const {
-        return sizes_.are_small(reach_, links_.uses_shares()) && (!is_precise_ || sizes_.are_rounding(reach_));
+        return sizes_.are_small(total_length_, links_.uses_shares()) &&
+               (!is_precise_ || sizes_.are_rounding(total_length_));
     }
 
     void take_step(double max_share) {

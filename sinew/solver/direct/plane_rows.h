@@ -40,13 +40,13 @@ template <int D, class Real> class BlockPlanes {
         }
     }
 
-    /// True if a node may touch a collider within a reach of its place; moving colliders then drive the block.
-    bool is_any_collider_near(const BlockNode<D>& node, double reach) const {
+    /// True if a node may touch a collider within a distance of its position; moving colliders then drive the block.
+    bool is_any_collider_near(const BlockNode<D>& node, double margin) const {
         bool found = false;
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
-            if (!is_near(i, node, reach)) continue;
+            if (!is_near(i, node, margin)) continue;
             const auto& collider = world_.colliders[i];
-            const Real within = world_.particles.radius[node.row] + Real(reach);
+            const Real within = world_.particles.radius[node.row] + Real(margin);
             if (collider.is_at_rest() &&
                 !collide::nearest(collider.shape, collider.target, cast<Real>(node.position), within))
                 continue;
@@ -65,12 +65,12 @@ template <int D, class Real> class BlockPlanes {
     BlockState<D, Real>& state_;
     World<D, Real>& world_;
 
-    bool is_near(std::uint32_t collider, const BlockNode<D>& node, double reach) const {
+    bool is_near(std::uint32_t collider, const BlockNode<D>& node, double margin) const {
         collide::BoundingBox<D, Real> box;
         box.include(cast<Real>(node.start));
         box.include(cast<Real>(node.position));
         return touch(world_.colliders[collider].filter, filter_of(world_, node.row)) &&
-               state_.touches.boxes[collider].overlaps(box.grown(world_.particles.radius[node.row] + Real(reach)));
+               state_.touches.boxes[collider].overlaps(box.grown(world_.particles.radius[node.row] + Real(margin)));
     }
 
     static Plane plane_of(const collide::Collider<D, Real>& collider, const collide::ColliderContact<D, Real>& contact,

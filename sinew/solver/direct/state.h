@@ -62,7 +62,7 @@ template <int D, class Real> class BlockState {
         motorized_ = false;
         if (block.is_motorized) move_limits();
         Decay<double> decay;
-        Push<D, Real> fall; // common to particles under gravity only
+        Forcing<D, Real> fall; // common to particles under gravity only
         bool fall_known = false;
         const bool all_fall = std::all_of(world.forces.begin(), world.forces.end(), [](const auto& force) {
             return std::holds_alternative<Gravity<D, Real>>(force);
@@ -74,12 +74,12 @@ template <int D, class Real> class BlockState {
             const auto velocity = cast<double>(particles.velocity[row]);
             const auto middle = particles.position[row] + particles.velocity[row] * Real(0.5 * h_);
             const bool falls = all_fall && particles.force[row] == Vec<D, Real>{};
-            if (falls && !fall_known) fall = push_on(world, row, middle), fall_known = true;
-            const auto push = falls ? fall : push_on(world, row, middle);
-            const double rate = clamp(double(world.settings.damping + push.drag_rate), 0.0, limit::measure<double>);
+            if (falls && !fall_known) fall = forcing_on(world, row, middle), fall_known = true;
+            const auto forcing = falls ? fall : forcing_on(world, row, middle);
+            const double rate = clamp(double(world.settings.damping + forcing.drag_rate), 0.0, limit::measure<double>);
             if (rate != decay.rate) decay = Decay<double>::of(rate, h_);
             node.velocity = velocity * decay.keep;
-            node.push = cast<double>(push.acceleration) * decay.yield;
+            node.acceleration = cast<double>(forcing.acceleration) * decay.yield;
             node.mass = inverse_or_zero(double(particles.inverse_mass[row]) * decay.yield);
             motorized_ = motorized_ || blocks.pin_of[row] != Blocks<D>::none;
         }

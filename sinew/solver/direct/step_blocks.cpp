@@ -48,7 +48,7 @@ template <int D, class Real> class BlockStep {
 
     void load(double from, double to) {
         state_.load(from, to);
-        contact_.look();
+        contact_.find_near();
     }
 
     void advance(double from, double to, int depth) {
@@ -158,7 +158,7 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, R
     if (blocks.list.empty()) return;
     std::fill(blocks.pin_of.begin(), blocks.pin_of.end(), Blocks<D>::none);
     for (std::uint32_t i = 0; i < world.pins.size(); ++i) {
-        const auto row = world.particles.slots.find(world.pins[i].particle);
+        const auto row = world.particles.handles.find(world.pins[i].particle);
         if (!row) continue;
         blocks.next_pin[i] = blocks.pin_of[*row];
         blocks.pin_of[*row] = i;

@@ -47,13 +47,13 @@ template <int D> void list_ports(Blocks<D>& blocks) {
 template <int D, class Real> void mark_ports(World<D, Real>& world, Solver<D, Real>& solver) {
     auto& blocks = solver.blocks;
     auto& ports = blocks.ports;
-    const auto& slots = world.particles.slots;
+    const auto& handles = world.particles.handles;
     ports.at.assign(world.particles.size(), ports.none);
     for (std::uint32_t p = 0; p < ports.list.size(); ++p) ports.at[blocks.nodes[ports.list[p].node].row] = p;
-    ports.is_port.resize(slots.slots(), 0);
+    ports.is_port.resize(handles.indices(), 0);
     for (Row row = 0; row < world.particles.size(); ++row) {
         const char is_port = ports.at[row] != ports.none;
-        char& was_port = ports.is_port[slots.slot_of(row)];
+        char& was_port = ports.is_port[handles.index_of(row)];
         if (is_port != was_port) blocks.room.attached.push_back(row);
         was_port = is_port;
     }
@@ -116,7 +116,7 @@ template <int D, class Real> class GroupFinder {
             ports_.groups.push_back({.first = size(ports_.members),
                                      .first_spring = size(ports_.springs),
                                      .first_anchor = size(ports_.anchors)});
-            reach(row);
+            visit(row);
             spread();
             end_group();
         }
@@ -129,7 +129,7 @@ template <int D, class Real> class GroupFinder {
 
     template <class Column> static std::uint32_t size(const Column& column) { return std::uint32_t(column.size()); }
 
-    void reach(Row row) {
+    void visit(Row row) {
         if (std::exchange(ports_.reached[row], char(1))) return;
         SINEW_ASSERT(solver_.sweep_state.slot_of[row] != Ports<D>::none, "particles around a port have slots");
         (mobile(row) ? ports_.members : ports_.anchors).push_back(solver_.sweep_state.slot_of[row]);
@@ -140,7 +140,7 @@ template <int D, class Real> class GroupFinder {
             const Row row = solver_.sweep_state.row_of[ports_.members[next]];
             for_each_constraint(world_, row, [&]<class Table>(const Table& table, Row constraint) {
                 constexpr int kind = kind_of<World<D, Real>, Table>;
-                reach(group, kind, table, constraint, row);
+                visit(group, kind, table, constraint, row);
                 if (kind == kind_number<Distance, D>) measure(double(table.high(constraint)));
             });
         }
@@ -166,9 +166,9 @@ template <int D, class Real> class GroupFinder {
     }
     bool mobile(Row row) const { return world_.particles.mobility[row] > Real(0); }
     /// `from` is one of the mobile members; the first of them lists the constraint.
-    template <class Table> void reach(PortGroup<D>& group, int kind, const Table& table, Row constraint, Row from) {
+    template <class Table> void visit(PortGroup<D>& group, int kind, const Table& table, Row constraint, Row from) {
         const auto members = table.members[constraint];
-        for (const Row member : members) reach(member);
+        for (const Row member : members) visit(member);
         group.motorized = group.motorized || table.motorized[constraint] || table.gives(constraint);
         const bool first =
             std::none_of(members.begin(), members.end(), [&](Row row) { return row < from && mobile(row); });

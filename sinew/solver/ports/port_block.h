@@ -106,8 +106,8 @@ template <int D, class Real> class PortBlock {
     void find_nearest(BlockSolve<D>& solve) {
         constexpr int tries = 2, many = 20;
         for (auto& node : state_.unknowns()) {
-            node.start += node.velocity * state_.substep() + node.push * square(state_.substep());
-            node.velocity = node.push = {};
+            node.start += node.velocity * state_.substep() + node.acceleration * square(state_.substep());
+            node.velocity = node.acceleration = {};
         }
         state_.forget_tensions();
         for (int i = 0; i < tries; ++i) {

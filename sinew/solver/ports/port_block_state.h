@@ -45,11 +45,11 @@ template <int D, class Real> class PortBlockState {
             const double mass = inverse_or_zero(blocks_.ports.mobilities[s]);
             block_.is_factorised = block_.is_factorised && mass == node.mass;
             node.mass = mass;
-            node.push = {};
+            node.acceleration = {};
         }
         for (const auto& port : ports()) {
             auto& node = blocks_.nodes[port.node];
-            node.push = port.impulse * (inverse_or_zero(node.mass) / square(h_));
+            node.acceleration = port.impulse * (inverse_or_zero(node.mass) / square(h_));
         }
         for (auto& node : nodes().subspan(block_.unknowns)) {
             node.velocity = node.displacement = {};

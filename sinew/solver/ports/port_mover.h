@@ -36,8 +36,8 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
 
     /// Ports are never parted from coincident particles.
     Real weight(Row row) const { return is_port(row) ? Real(0) : Base::weight(row); }
-    void push(Row row, const Vec<D, Real>& displacement) {
-        if (!is_port(row)) Base::push(row, displacement);
+    void displace(Row row, const Vec<D, Real>& displacement) {
+        if (!is_port(row)) Base::displace(row, displacement);
     }
 
     template <class Stencil> void choose_direction(Stencil& stencil, std::span<const Row>) const {
@@ -74,7 +74,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
 
     void impart(Row row, const Vec<D, Real>& impulse) {
         if (impulse == Vec<D, Real>{}) return;
-        if (!is_port(row)) return Base::push(row, impulse * Base::weight(row));
+        if (!is_port(row)) return Base::displace(row, impulse * Base::weight(row));
         SINEW_ASSERT(ports_.at[row] < ports_.list.size(), "a particle's port is in the list");
         auto& pushed = ports_.list[ports_.at[row]];
         SINEW_ASSERT(pushed.block < blocks_.attached_trees.size(), "a port belongs to a block of the list");
@@ -83,7 +83,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
         for (std::uint32_t q = 0; q < block.ports; ++q) {
             const auto& node = blocks_.nodes[ports_.list[block.first_port + q].node];
             const auto moved = response(block, q, pushed.number) * cast<double>(impulse);
-            Base::push(node.row, cast<Real>(moved));
+            Base::displace(node.row, cast<Real>(moved));
         }
     }
 

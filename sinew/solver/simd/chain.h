@@ -48,7 +48,7 @@ template <int D, class V> class ChainSwing : ChainImpulses<D, V> {
     /// Free flight, and the tensions of the last substep.
     void set_out() {
         const V unit = half_h2_ * of(pack_.yield);
-        const Pair fall = Base::push() * half_h2_;
+        const Pair fall = Base::acceleration() * half_h2_;
         at(nodes_[0].start).to(nodes_[0].position);
         for (int i = 1; i <= links_; ++i) {
             auto& node = nodes_[i];
@@ -89,7 +89,7 @@ template <int D, class V> class ChainSwing : ChainImpulses<D, V> {
 
     void iterate(Mask& active, Mask& good) {
         active_at_start_ = active;
-        const V near = of(pack_.reach) * number(hardly), near2 = near * near;
+        const V near = of(pack_.total_length) * number(hardly), near2 = near * near;
         for (int i = 0; i < max_iterations && any(active); ++i) {
             eliminate();
             substitute_back();

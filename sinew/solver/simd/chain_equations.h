@@ -28,7 +28,8 @@ template <int D, class V> class ChainEquations : protected LaneSwing<D, V> {
 
     explicit ChainEquations(ChainPack<D>& pack)
         : Base(pack), pack_(pack), nodes_(reinterpret_cast<Node*>(pack.nodes)), links_(pack.links),
-          slight_(of(pack.weight_reach) * half_h2_ * number(1e-6 * pack.links) / (of(pack.reach) * of(pack.reach))) {}
+          slight_(of(pack.weight_length) * half_h2_ * number(1e-6 * pack.links) /
+                  (of(pack.total_length) * of(pack.total_length))) {}
 
     static Mask pulls_only(const Node& node) { return node.pulls_only > V{}; }
 

@@ -43,7 +43,7 @@ template <int D, class Real> void tether_all(const Motion<D, Real>& columns, std
                     e[k] = (load<V>(position[k] + at) + anchor.opposite[k]) + displacement[k];
                     e2 = k ? e2 + e[k] * e[k] : e[k] * e[k];
                 }
-                const V per = load<V>(anchor.half_per_reach_square + at);
+                const V per = load<V>(anchor.half_per_max_length_square + at);
                 const V half = e2 * (load<V>(motion.mobility + at) > zero ? per : zero);
                 const V back = lacking(
                     min(spread<V>(Real(0.5)) - half, zero),

@@ -77,8 +77,8 @@ template <class Real> struct DistancePass {
 
 /// Anchor of long-range attachments: an upper limit on each particle's distance from a point.
 template <int D, class Real> struct Anchor {
-    Real opposite[D];                  ///< anchor position, negated
-    const Real* half_per_reach_square; ///< 1 / (2 reach^2) by slot; 0: unlimited
+    Real opposite[D];                       ///< anchor position, negated
+    const Real* half_per_max_length_square; ///< 1 / (2 max_length^2) by slot; 0: unlimited
 };
 
 /// Motion of particles independently of each other, in a substep.

@@ -20,15 +20,15 @@ template <int D> struct LanePack {
     int width = 1;      ///< lanes of the kernel
     double longest = 0; ///< length of an undivided substep, s
 
-    Numbers active;       ///< 1 or 0
-    Numbers fresh;        ///< 1: lengths and velocities at the start are to be examined
-    Numbers shortest;     ///< 1: the substep is not to be divided any further
-    Numbers h;            ///< length of the substep, s
-    Numbers keep, yield;  ///< factors of drag (math/decay.h)
-    Numbers push[D];      ///< acceleration times `yield`, m/s^2
-    Numbers total;        ///< mass, kg
-    Numbers reach;        ///< total length, m
-    Numbers weight_reach; ///< weight times total length, J
+    Numbers active;          ///< 1 or 0
+    Numbers fresh;           ///< 1: lengths and velocities at the start are to be examined
+    Numbers shortest;        ///< 1: the substep is not to be divided any further
+    Numbers h;               ///< length of the substep, s
+    Numbers keep, yield;     ///< factors of drag (math/decay.h)
+    Numbers acceleration[D]; ///< acceleration times `yield`, m/s^2
+    Numbers total;           ///< mass, kg
+    Numbers total_length;    ///< total length, m
+    Numbers weight_length;   ///< weight times total length, J
 
     Numbers low[D], high[D]; ///< room in which the nodes meet nothing, m
 

@@ -42,10 +42,10 @@ template <int D, class V> class LaneSwing {
     static V number(double x) { return spread<V>(x); }
     static V of(const Numbers& numbers) { return load<V>(numbers.lane); }
     static Pair at(const V (&numbers)[D]) { return Pair::of(numbers); }
-    Pair push() const {
-        Pair push;
-        for (int k = 0; k < D; ++k) push.at[k] = of(lanes_.push[k]);
-        return push;
+    Pair acceleration() const {
+        Pair all;
+        for (int k = 0; k < D; ++k) all.at[k] = of(lanes_.acceleration[k]);
+        return all;
     }
 
     /// Trust region: the share of the Newton step at which no link changes by too much.
@@ -70,8 +70,8 @@ template <int D, class V> class LaneSwing {
     /// multipliers times changes of squared lengths. `inner`: energies of which rounding is a part. `may_lose`: lanes
     /// in which a link has tightened, which takes energy.
     Mask conserves(const Pair& carried, const V& slip, const V& inner, const Mask& may_lose = Mask{}) {
-        due_ = before_ + dot(push(), carried);
-        const V max_gain = inner * number(rounding) + of(lanes_.weight_reach) * number(tiny);
+        due_ = before_ + dot(acceleration(), carried);
+        const V max_gain = inner * number(rounding) + of(lanes_.weight_length) * number(tiny);
         const V gain = after_ - due_, unexplained = gain + slip / (h_ * h_);
         return both(both(gain <= max_gain, may_lose | (-gain <= max_gain)),
                     size_of(unexplained) <= max_gain * number(share_of_rounding));

@@ -60,7 +60,7 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
 
     /// Free flight, and the tensions of the last substep.
     void set_out() {
-        const Pair fall = Base::push() * half_h2_;
+        const Pair fall = Base::acceleration() * half_h2_;
         for (std::uint32_t i = 0; i < program_.nodes; ++i) {
             auto& node = nodes_[i];
             const Pair start = at(node.start);
@@ -118,16 +118,16 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
     /// Largest excess over the limits of ranges and folds, in their units; positive outside.
     template <auto where> V beyond_limits() const {
         V beyond = number(-1);
-        const auto look = [&](const Limit& limit, const V& value) {
+        const auto examine = [&](const Limit& limit, const V& value) {
             beyond = max(max(limit.low - value, value - limit.high) * limit.per_unit, beyond);
         };
         for (std::uint32_t j = 0; j < program_.ranges; ++j) {
             const Pair span = this->template span_of<where>(program_.range[j]);
-            look(limits_[j], dot(span, span));
+            examine(limits_[j], dot(span, span));
         }
         if constexpr (D == 3)
             for (std::uint32_t j = 0; j < program_.folds; ++j)
-                look(limits_[program_.ranges + j], this->template volume_of<where>(program_.fold[j].nodes));
+                examine(limits_[program_.ranges + j], this->template volume_of<where>(program_.fold[j].nodes));
         return beyond;
     }
 
@@ -148,7 +148,7 @@ template <int D, class V> class ProgramSwing : ProgramEquations<D, V> {
         }
     }
     Mask is_steady() const {
-        const V near = of(pack_.reach) * number(pack_.is_free ? precise : hardly);
+        const V near = of(pack_.total_length) * number(pack_.is_free ? precise : hardly);
         return moved2_ <= near * near;
     }
 

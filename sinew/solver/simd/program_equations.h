@@ -137,13 +137,13 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
         Matrix stiffness = outer(along * link.stiffness, e);
         stiffness.add_to_diagonal(max(link.pull, V{}) * number(0.5));
         const Pair force = along * link.next;
-        if (row.a < program_.unknowns) push(row.a, stiffness, force);
-        if (row.b < program_.unknowns) push(row.b, stiffness, Pair{} - force);
+        if (row.a < program_.unknowns) add(row.a, stiffness, force);
+        if (row.b < program_.unknowns) add(row.b, stiffness, Pair{} - force);
         if (row.entry == BlockProgram::none) return;
         stiffness.take_from(entries_[row.entry].lower);
         stiffness.take_from(entries_[row.entry].upper);
     }
-    void push(std::uint32_t i, const Matrix& stiffness, const Pair& force) {
+    void add(std::uint32_t i, const Matrix& stiffness, const Pair& force) {
         stiffness.add_to(nodes_[i].diagonal);
         (at(nodes_[i].residual) + force).to(nodes_[i].residual);
     }
@@ -175,7 +175,7 @@ template <int D, class V> class ProgramEquations : public LaneSwing<D, V> {
         plane.next = plane.pull + plane.stiffness * plane.volume;
         for (int i = 0, pair = 0; i < 4; ++i) {
             const Pair stiff = along[i] * plane.stiffness;
-            push(row.nodes[i], outer(stiff, gradient[i]), Pair{} - along[i] * plane.next);
+            add(row.nodes[i], outer(stiff, gradient[i]), Pair{} - along[i] * plane.next);
             for (int j = i + 1; j < 4; ++j, ++pair) {
                 auto& entry = entries_[row.entries[pair]];
                 outer(along[j] * plane.stiffness, gradient[i]).add_to(entry.lower);

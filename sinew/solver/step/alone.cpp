@@ -25,7 +25,7 @@ template <int D, class Real> class AloneFinder {
             detail::AloneBodyFinder<D, Real>(world_, room_).run();
             part_mixed();
         }
-        const bool may_become_alone = world_.steps % look == 0 && room_.any_may_be_block;
+        const bool may_become_alone = world_.steps % interval == 0 && room_.any_may_be_block;
         if (!may_become_alone && !any_alone(p_)) return;
         make_boxes();
         find_near();
@@ -43,7 +43,7 @@ template <int D, class Real> class AloneFinder {
     Real dt_;
 
     /// Steps from one search for bodies that have become alone to the next: the world is prepared anew for them.
-    static constexpr int look = 16;
+    static constexpr int interval = 16;
 
     Row first(std::size_t i) const { return room_.rows[room_.first_row[i]]; }
     bool may_stay_alone(std::size_t i) const { return room_.may_be_block[room_.bodies[i]] && !room_.is_near[i]; }
@@ -58,7 +58,7 @@ template <int D, class Real> class AloneFinder {
     }
     void set(std::size_t i, bool is_alone) {
         for (Row k = room_.first_row[i]; k < room_.first_row[i + 1]; ++k) p_.alone.set(room_.rows[k], char(is_alone));
-        world_.journal.touch(p_.slots.slot_of(first(i)), Touch::joined);
+        world_.journal.touch(p_.handles.index_of(first(i)), Touch::joined);
     }
 
     // --- boxes -------------------------------------------------------------------------------------------------------
@@ -85,7 +85,7 @@ template <int D, class Real> class AloneFinder {
         for (int k = 0; k < D; ++k) fastest = max(fastest, max(absolute(body.slowest[k]), absolute(body.fastest[k])));
         return min(fastest, limit::speed<Real>) * dt_;
     }
-    Real reach_ = 0; ///< way in a step of the fastest that may be struck
+    Real max_way_ = 0; ///< way in a step of the fastest that may be struck
 
     std::size_t size(std::size_t i) const { return room_.first_row[i + 1] - room_.first_row[i]; }
     Vector gravity() const {
@@ -97,7 +97,7 @@ template <int D, class Real> class AloneFinder {
     /// Pins may carry a particle along.
     void include_pins() {
         for (const auto& pin : world_.pins)
-            if (const auto row = p_.slots.find(pin.particle)) {
+            if (const auto row = p_.handles.find(pin.particle)) {
                 const auto at = room_.index_of[room_.all.body_of[*row]];
                 if (at == none || pin.from == pin.target) continue;
                 const auto wide = Vector::map([&](int) { return p_.radius[*row]; });
@@ -112,7 +112,7 @@ template <int D, class Real> class AloneFinder {
     void find_near() {
         room_.is_near.assign(room_.bodies.size(), 0);
         room_.met.clear();
-        reach_ = 0;
+        max_way_ = 0;
         for (std::uint32_t i = 0; i < room_.bodies.size(); ++i)
             if (body(i).is_movable && (!room_.may_be_block[room_.bodies[i]] || is_near_walls(i))) note_near(i);
         const int axis = widest_axis();
@@ -191,8 +191,8 @@ template <int D, class Real> class AloneFinder {
     }
     /// A body that has met another may fly off in any direction within the step.
     void grow_those_met() {
-        for (const auto i : room_.met) reach_ = max(reach_, room_.way[i]);
-        for (const auto i : room_.met) room_.boxes[i] = room_.boxes[i].grown(reach_);
+        for (const auto i : room_.met) max_way_ = max(max_way_, room_.way[i]);
+        for (const auto i : room_.met) room_.boxes[i] = room_.boxes[i].grown(max_way_);
         room_.met.clear();
     }
 };

@@ -25,7 +25,7 @@ template <int D, class RealT> struct ClassicMover {
     Real max_multiplier(Real) const { return limit::multiplier<Real>; }
     Real share(Real) const { return Real(0); }
     template <class Stencil> Real ahead(const Stencil&, std::span<const Row>, Real, Real) const { return Real(0); }
-    void push(Row row, const Vec<D, Real>& displacement) {
+    void displace(Row row, const Vec<D, Real>& displacement) {
         if (particles.mobility[row] == Real(0)) return;
         particles.position[row] = clamp_components(particles.position[row] + displacement, limit::coordinate<Real>);
     }
@@ -166,7 +166,7 @@ template <int D, class Real> class ClassicStep {
 
     template <class Visit> void each_pin(Visit&& visit) {
         for (const auto& pin : world_.pins)
-            if (const auto row = p_.slots.find(pin.particle); row && !p_.quarantined[*row]) visit(pin, *row);
+            if (const auto row = p_.handles.find(pin.particle); row && !p_.quarantined[*row]) visit(pin, *row);
     }
 
     /// Sets every x_prev before any x: the velocity of a particle with two pins is the way to the target of the last.
@@ -200,10 +200,10 @@ template <int D, class Real> class ClassicStep {
     /// Restores mobilities for physical mode, where only hard pins fix a particle.
     void let_go() {
         for (const auto& pin : world_.pins)
-            if (const auto row = p_.slots.find(pin.particle); row && !p_.quarantined[*row])
+            if (const auto row = p_.handles.find(pin.particle); row && !p_.quarantined[*row])
                 p_.mobility[*row] = p_.inverse_mass[*row];
         for (const auto& pin : world_.pins)
-            if (const auto row = p_.slots.find(pin.particle); row && pin.hard()) p_.mobility[*row] = Real(0);
+            if (const auto row = p_.handles.find(pin.particle); row && pin.hard()) p_.mobility[*row] = Real(0);
     }
 
     void move_all() {
@@ -216,13 +216,13 @@ template <int D, class Real> class ClassicStep {
 
     void move(Row row) {
         const auto integrator = integrator_of(world_, row);
-        goes_as_verlet(integrator) ? move_by(row, push_on(world_, row)) : integrate(integrator, row);
+        goes_as_verlet(integrator) ? move_by(row, forcing_on(world_, row)) : integrate(integrator, row);
     }
 
     /// v = x - x_prev; x_prev = x; x += keep v + a h^2
-    void move_by(Row row, const Push<D, Real>& push) {
+    void move_by(Row row, const Forcing<D, Real>& forcing) {
         const auto velocity = velocity_of(row);
-        const auto pushed = gained(push, velocity);
+        const auto pushed = gained(forcing, velocity);
         const auto moved =
             rules_.damp_after_force ? (velocity + pushed) * rules_.keep : velocity * rules_.keep + pushed;
         p_.previous[row] = p_.position[row];
@@ -235,11 +235,11 @@ template <int D, class Real> class ClassicStep {
         return (p_.position[row] - p_.previous[row]) * inertia;
     }
 
-    /// Change of velocity by a push, both as displacements per step.
-    Vec<D, Real> gained(const Push<D, Real>& push, const Vec<D, Real>& velocity) const {
+    /// Change of velocity by a forcing, both as displacements per step.
+    Vec<D, Real> gained(const Forcing<D, Real>& forcing, const Vec<D, Real>& velocity) const {
         const Real share = rules_.halved_acceleration ? Real(0.5) : Real(1);
-        const auto fallen = clamp_components(push.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
-        return fallen - velocity * min(Real(1), push.drag_rate * h_ * dragged_share());
+        const auto fallen = clamp_components(forcing.acceleration * (h_ * h_ * share), limit::coordinate<Real>);
+        return fallen - velocity * min(Real(1), forcing.drag_rate * h_ * dragged_share());
     }
 
     /// A displacement that is not scaled is the way of a frame: its drag is an acceleration like any other, over h^2.
@@ -250,7 +250,7 @@ template <int D, class Real> class ClassicStep {
     /// Step of an integrator other than Verlet: damping acts before or after; x_prev = x - v h.
     void integrate(Integrator integrator, Row row) {
         const auto gain = [&](const Vec<D, Real>& position, const Vec<D, Real>& change) {
-            return gained(push_on(world_, row, clamp_components(position, limit::coordinate<Real>)), change);
+            return gained(forcing_on(world_, row, clamp_components(position, limit::coordinate<Real>)), change);
         };
         const Real before = rules_.damp_after_force ? Real(1) : rules_.keep;
         const Real after = rules_.damp_after_force ? rules_.keep : Real(1);
@@ -271,7 +271,7 @@ template <int D, class Real> class ClassicStep {
         mover_.first_iteration = false;
         if constexpr (D == 2)
             detail::ClassicPolygons<Real>(world_).part_all(
-                [&](Row row, const Vec<D, Real>& by) { mover_.push(row, by); });
+                [&](Row row, const Vec<D, Real>& by) { mover_.displace(row, by); });
     }
 
     template <class Table> void project(Table& table, Row row) {
@@ -292,8 +292,8 @@ template <int D, class Real> class ClassicStep {
         const Real second = p_.inverse_mass[ends[1]] * detail::handicap(split, 1);
         const Real gap = clamp(clamp(Real(0), table.low(row), table.high(row)), Real(0), limit::coordinate<Real>);
         const auto apart = Vec<D, Real>::axis(1) * (gap * table.relaxation[row] * inverse_or_zero(first + second));
-        mover_.push(ends[0], apart * first);
-        mover_.push(ends[1], -apart * second);
+        mover_.displace(ends[0], apart * first);
+        mover_.displace(ends[1], -apart * second);
         return true;
     }
 
@@ -307,8 +307,8 @@ template <int D, class Real> class ClassicStep {
             clamp(squared, square(clamp(table.low(row), Real(0), max)), square(clamp(table.high(row), Real(0), max))));
         const Real s = rest * rest * inverse_or_zero(squared + rest * rest) - Real(0.5);
         const auto both = ab * (Real(2) * s * table.relaxation[row]);
-        mover_.push(ends[0], -both * table.split[row]);
-        mover_.push(ends[1], both * (Real(1) - table.split[row]));
+        mover_.displace(ends[0], -both * table.split[row]);
+        mover_.displace(ends[1], both * (Real(1) - table.split[row]));
     }
 
     /// Velocities for readers: classic mode itself uses x and x_prev.

@@ -52,12 +52,12 @@ template <class Real> class ClassicPolygons {
     }
     bool is_whole(const Piece& piece) const {
         for (const auto id : piece.particles)
-            if (!p_.slots.find(id)) return false;
+            if (!p_.handles.find(id)) return false;
         return piece.particles.size() >= 3;
     }
 
     Row row(const Piece& piece, std::size_t i) const {
-        return *p_.slots.find(piece.particles[i % piece.particles.size()]);
+        return *p_.handles.find(piece.particles[i % piece.particles.size()]);
     }
     Vector corner(const Piece& piece, std::size_t i) const { return p_.position[row(piece, i)]; }
     Vector middle(const Piece& piece) const {

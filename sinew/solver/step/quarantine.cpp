@@ -11,17 +11,17 @@ namespace {
 
 /// True if rows [first, first + count) are within the limits; `previous` is checked in classic mode only.
 template <int D, class Real>
-bool all_in_limits(const World<D, Real>& world, const Kernels<D, Real>& look, std::size_t first, std::size_t count) {
+bool all_in_limits(const World<D, Real>& world, const Kernels<D, Real>& checks, std::size_t first, std::size_t count) {
     const auto& p = world.particles;
     const auto vectors = [&](const std::vector<Vec<D, Real>>& column, Real limit) {
         static_assert(sizeof column[0] == D * sizeof limit);
-        return look.all_within(column[first].component.data(), count * D, limit);
+        return checks.all_within(column[first].component.data(), count * D, limit);
     };
     return vectors(p.position, limit::coordinate<Real>) &&
            (world.settings.mode == Mode::physical || vectors(p.previous, limit::coordinate<Real>)) &&
            vectors(p.velocity, limit::speed<Real>) && (!p.any_force || vectors(p.force, limit::force<Real>)) &&
-           look.all_within(p.inverse_mass.data() + first, count, limit::mass<Real>) &&
-           look.all_within_and_positive(p.radius.data() + first, count, limit::coordinate<Real>);
+           checks.all_within(p.inverse_mass.data() + first, count, limit::mass<Real>) &&
+           checks.all_within_and_positive(p.radius.data() + first, count, limit::coordinate<Real>);
 }
 
 /// Stores positions as `previous`, except in classic mode, where `previous` encodes velocity. In chunks of 64: for
@@ -36,13 +36,13 @@ template <int D, class Real> void note_previous(World<D, Real>& world, std::size
 
 /// True if all particles are within the limits, the usual case; updates `previous` while in cache.
 template <int D, class Real> bool all_in_limits(World<D, Real>& world, const SolverOptions& options) {
-    const auto& look = kernels<D, Real>(options.simd);
+    const auto& checks = kernels<D, Real>(options.simd);
     constexpr std::size_t a_part = 4096;
     const std::size_t size = world.particles.size();
     std::atomic<bool> all = true;
     Workers::run(threads_for(size, options.threads), int((size + a_part - 1) / a_part), [&](int part) {
         const auto first = std::size_t(part) * a_part, count = std::min(a_part, size - first);
-        if (all_in_limits(world, look, first, count))
+        if (all_in_limits(world, checks, first, count))
             note_previous(world, first, count);
         else
             all = false;
@@ -71,7 +71,7 @@ template <int D, class Real> void freeze(World<D, Real>& world, Row row) {
 template <int D, class Real> void freeze_figure(World<D, Real>& world, FigureIndex figure) {
     world.figures[figure].quarantined = true;
     for (const auto id : world.figures[figure].particles)
-        if (const auto row = world.particles.slots.find(id)) freeze(world, *row);
+        if (const auto row = world.particles.handles.find(id)) freeze(world, *row);
 }
 
 template <int D, class Real> void quarantine_non_finite(World<D, Real>& world) {
@@ -82,7 +82,8 @@ template <int D, class Real> void quarantine_non_finite(World<D, Real>& world) {
         freeze(world, row);
         if (figure < world.figures.size()) freeze_figure(world, figure);
         if (world.events.size() < events_per_step)
-            world.events.push_back({.type = EventType::quarantined, .figure = figure, .particle = p.slots.id_of(row)});
+            world.events.push_back(
+                {.type = EventType::quarantined, .figure = figure, .particle = p.handles.id_of(row)});
     }
 }
 

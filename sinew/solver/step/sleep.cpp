@@ -67,7 +67,7 @@ template <int D, class Real> class Sleep {
             if (!p_.asleep[row] || !is_woken(body)) continue;
             p_.asleep.set(row, 0);
             p_.rest_time.set(room_.bodies[body].first, Real(0));
-            world_.journal.touch(p_.slots.slot_of(row), Touch::joined);
+            world_.journal.touch(p_.handles.index_of(row), Touch::joined);
         }
     }
 
@@ -95,7 +95,7 @@ template <int D, class Real> class Sleep {
         p_.asleep.set(row, 1);
         p_.velocity[row] = {};
         p_.previous[row] = p_.position[row];
-        world_.journal.touch(p_.slots.slot_of(row), Touch::joined);
+        world_.journal.touch(p_.handles.index_of(row), Touch::joined);
     }
 };
 

@@ -21,7 +21,7 @@ template <int D, class Real> class SleepIslands {
         for (std::size_t i = 0; i < world_.colliders.size(); ++i)
             room_.is_restless[room_.bodies.size() + i] = !world_.colliders[i].is_at_rest();
         for (const auto& pin : world_.pins)
-            if (const auto row = p_.slots.find(pin.particle); row && pin.from != pin.target)
+            if (const auto row = p_.handles.find(pin.particle); row && pin.from != pin.target)
                 room_.is_carried[*row] = room_.is_restless[room_.body_of[*row]] = 1;
         for (const auto& [body, row] : room_.attached)
             if (room_.is_carried[row]) room_.is_restless[body] = 1;
@@ -73,7 +73,7 @@ template <int D, class Real> class SleepIslands {
         for (Row row = 0; row < p_.size(); ++row) include(room_.boxes[room_.body_of[row]], row);
         for (const auto& [body, row] : room_.attached) include(room_.boxes[body], row);
         for (const auto& pin : world_.pins)
-            if (const auto row = p_.slots.find(pin.particle)) room_.boxes[room_.body_of[*row]].include(pin.target);
+            if (const auto row = p_.handles.find(pin.particle)) room_.boxes[room_.body_of[*row]].include(pin.target);
         const Real half = Real(0.5) * margin();
         for (auto& box : room_.boxes) box = box.grown(half);
         for (const auto& collider : world_.colliders)

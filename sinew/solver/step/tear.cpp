@@ -29,7 +29,7 @@ template <int D, class Real> bool lost_a_link(const World<D, Real>& world, std::
     return std::any_of(world.events.begin(), world.events.end(), [&](const Event& event) {
         return event.type == EventType::torn && event.constraint.kind == kind_number<Distance, D> &&
                std::all_of(event.ends.begin(), event.ends.end(), [&](ParticleId end) {
-                   const auto row = world.particles.slots.find(end);
+                   const auto row = world.particles.handles.find(end);
                    return row && std::find(members.begin(), members.end(), *row) != members.end();
                });
     });
@@ -44,11 +44,11 @@ bool tears(const World<D, Real>& world, std::span<Vec<D, Real>> scratch, Table& 
 
 template <class Table, int D, class Real> void report(World<D, Real>& world, const Table& table, int kind, Row row) {
     const auto members = table.members[row];
-    const auto& slots = world.particles.slots;
+    const auto& handles = world.particles.handles;
     world.events.push_back({.type = EventType::torn,
                             .figure = table.figure[row],
-                            .constraint = {kind, table.slots.id_of(row)},
-                            .ends = {slots.id_of(members.front()), slots.id_of(members.back())}});
+                            .constraint = {kind, table.handles.id_of(row)},
+                            .ends = {handles.id_of(members.front()), handles.id_of(members.back())}});
 }
 
 } // namespace

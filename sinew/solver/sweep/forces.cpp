@@ -31,20 +31,20 @@ template <int D, class Real> struct Adder {
     const World<D, Real>& world;
     Row row;
     const Vec<D, Real>& position;
-    Push<D, Real>& push;
+    Forcing<D, Real>& forcing;
 
     Real rate(Real strength) const {
         return clamp(strength * world.particles.inverse_mass[row], Real(0), limit::measure<Real>);
     }
     void accelerate(const Vec<D, Real>& acceleration) const {
-        push.acceleration += clamp_components(acceleration, largest_acceleration<Real>);
+        forcing.acceleration += clamp_components(acceleration, largest_acceleration<Real>);
     }
 
     void operator()(const Gravity<D, Real>& gravity) const { accelerate(gravity.acceleration); }
-    void operator()(const Drag<D, Real>& drag) const { push.drag_rate += rate(drag.strength); }
+    void operator()(const Drag<D, Real>& drag) const { forcing.drag_rate += rate(drag.strength); }
     void operator()(const Wind<D, Real>& wind) const {
         accelerate(wind_at(wind, position, world.time) * rate(wind.strength));
-        push.drag_rate += rate(wind.strength);
+        forcing.drag_rate += rate(wind.strength);
     }
     void operator()(const Attractor<D, Real>& attractor) const {
         if (!pulls(attractor, world.particles.figure[row])) return;
@@ -60,14 +60,15 @@ template <int D, class Real> struct Adder {
 
 } // namespace
 
-template <int D, class Real> Push<D, Real> push_on(const World<D, Real>& world, Row row, const Vec<D, Real>& position) {
-    Push<D, Real> push;
-    const Adder<D, Real> add{world, row, position, push};
+template <int D, class Real>
+Forcing<D, Real> forcing_on(const World<D, Real>& world, Row row, const Vec<D, Real>& position) {
+    Forcing<D, Real> forcing;
+    const Adder<D, Real> add{world, row, position, forcing};
     for (const auto& force : world.forces) std::visit(add, force);
     add.accelerate(world.particles.force[row] * world.particles.inverse_mass[row]);
-    push.acceleration = clamp_components(push.acceleration, largest_acceleration<Real>);
-    push.drag_rate = min(push.drag_rate, limit::measure<Real>);
-    return push;
+    forcing.acceleration = clamp_components(forcing.acceleration, largest_acceleration<Real>);
+    forcing.drag_rate = min(forcing.drag_rate, limit::measure<Real>);
+    return forcing;
 }
 
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world) {
@@ -95,7 +96,7 @@ template <int D, class Real> void forget_forces(World<D, Real>& world) {
 }
 
 #define SINEW_FORCE(D, Real)                                                                                           \
-    template Push<D, Real> push_on(const World<D, Real>&, Row, const Vec<D, Real>&);                                   \
+    template Forcing<D, Real> forcing_on(const World<D, Real>&, Row, const Vec<D, Real>&);                             \
     template void apply_random_pushes(World<D, Real>&);                                                                \
     template void forget_forces(World<D, Real>&);
 SINEW_INSTANTIATE(SINEW_FORCE)

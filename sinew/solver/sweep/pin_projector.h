@@ -61,7 +61,7 @@ template <int D, class Real> class PinProjector {
                 const Real max = pin.max_force * mover_.h * mover_.h;
                 next *= min(Real(1), max * inverse_or_zero(norm(next)));
             }
-            mover_.push_at(slot, (next - lambda) * w);
+            mover_.displace_at(slot, (next - lambda) * w);
             pin.multiplier = next;
         }
     }

@@ -10,7 +10,7 @@
 namespace sinew::detail {
 
 /// Free motion in one substep: x* = x + h v + h^2 a, time-corrected when h changes: the kick spans from the middle of
-/// the last substep to the middle of this one. Drag scales mobilities by the same factor as the push, so a weight at
+/// the last substep to the middle of this one. Drag scales mobilities by the same factor as the forcing, so a weight at
 /// rest pulls with its full weight at any damping.
 template <int D, class Real> class Predictor {
   public:
@@ -38,11 +38,11 @@ template <int D, class Real> class Predictor {
             swept_.set_displacement(slot, {}); // immovable, unless carried by a pin
             return;
         }
-        const auto push = push_on(world_, swept_.row_of[slot], swept_.position_at(slot));
-        const Real rate = clamp(world_.settings.damping + push.drag_rate, Real(0), limit::measure<Real>);
+        const auto forcing = forcing_on(world_, swept_.row_of[slot], swept_.position_at(slot));
+        const Real rate = clamp(world_.settings.damping + forcing.drag_rate, Real(0), limit::measure<Real>);
         if (rate != decay_.rate) decay_ = Decay<Real>::of(rate, kick_);
         const auto pushed =
-            swept_.displacement_at(slot) * decay_.keep + push.acceleration * (kick_ * decay_.yield) * h_;
+            swept_.displacement_at(slot) * decay_.keep + forcing.acceleration * (kick_ * decay_.yield) * h_;
         swept_.set_displacement(slot, clamp_components(pushed, furthest_));
         weigh(slot);
     }
@@ -59,7 +59,7 @@ template <int D, class Real> class Predictor {
     SweepState<D, Real>& swept_;
     Real h_, furthest_;
     int number_;
-    Real kick_;         ///< duration of the push
+    Real kick_;         ///< duration of the forcing
     Decay<Real> decay_; ///< cached: most particles share a rate
 
     void weigh(Row slot) {

@@ -9,7 +9,7 @@ namespace sinew::detail {
 /// Number of tiles by which an iteration lags behind the iteration before.
 template <int D, class Real> std::uint32_t wavefront_offset(const World<D, Real>& world, const Component& component) {
     const bool repairs = world.repair_window > 0 && component.tethers > 0;
-    return component.wavefront_offset + (repairs ? world.repair_window - 1 + component.reach : 0);
+    return component.wavefront_offset + (repairs ? world.repair_window - 1 + component.tile_span : 0);
 }
 
 /// Calls visit(offset, work) for every pass: each colour, the repair of overstretched links, the rows between two pins.

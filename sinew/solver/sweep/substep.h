@@ -94,7 +94,7 @@ template <int D, class Real> class Substep {
 
     /// A row between two pins is supported by nearly horizontal tethers, which act only while the row is taut;
     /// without extra passes along the row it sags on the rows below, buckles and never comes to rest. Links within
-    /// the row (colours of reach 0) touch no other tile.
+    /// the row (colours of span 0) touch no other tile.
     void repair_spans(const Component& component, std::uint32_t number) {
         const auto& tile = swept_.plan.tiles[component.first_tile + number];
         if (tile.span_repairs == 0) return;
@@ -102,7 +102,7 @@ template <int D, class Real> class Substep {
         for (std::uint32_t i = 0; i < times * tile.span_repairs; ++i) {
             if (i % tile.span_repairs == 0) tether(tile);
             for (std::uint32_t color = 0; color < component.colors; ++color)
-                if (swept_.plan.colors[component.first_color + color].reach == 0)
+                if (swept_.plan.colors[component.first_color + color].tile_span == 0)
                     project(component, color, number, true);
         }
     }
@@ -116,7 +116,7 @@ template <int D, class Real> class Substep {
             const auto& pin = world_.pins[tether.pin];
             const auto goal = pin.target_at(share_);
             for (int k = 0; k < D; ++k) anchors_[i].opposite[k] = -goal[k];
-            anchors_[i].half_per_reach_square = plan.half_per_reach_square.data() + tether.first - first;
+            anchors_[i].half_per_max_length_square = plan.half_per_max_length_square.data() + tether.first - first;
         }
         motion_.anchors = anchors_.data();
         motion_.anchor_count = component.tethers;
