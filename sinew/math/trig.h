@@ -66,8 +66,18 @@ template <class T> T arctangent_of_fraction(T t) {
     const T u = t / (T(1) + square_root(T(1) + t * t)); // at most tan(pi/8)
     const T v = u / (T(1) + square_root(T(1) + u * u)); // at most tan(pi/16) = 0.199
     const T s = v * v;
-    T sum = T(0);
-    for (int n = 25; n >= 3; n -= 2) sum = s * (sum + (n % 4 == 1 ? T(1) : T(-1)) / T(n));
+    T sum = s * (T(1) / T(25));
+    sum = s * (sum + T(-1) / T(23));
+    sum = s * (sum + T(1) / T(21));
+    sum = s * (sum + T(-1) / T(19));
+    sum = s * (sum + T(1) / T(17));
+    sum = s * (sum + T(-1) / T(15));
+    sum = s * (sum + T(1) / T(13));
+    sum = s * (sum + T(-1) / T(11));
+    sum = s * (sum + T(1) / T(9));
+    sum = s * (sum + T(-1) / T(7));
+    sum = s * (sum + T(1) / T(5));
+    sum = s * (sum + T(-1) / T(3));
     return T(4) * (v + v * sum);
 }
 
@@ -103,5 +113,12 @@ template <std::floating_point T> T exponential(T x) {
     for (int n = 14; n >= 1; --n) sum = T(1) + sum * r / T(n);
     return std::ldexp(sum, int(k)); // scaling by a power of two: exact unless subnormal
 }
+
+// Compiled in trig.cpp: the linker must not prefer a copy of a source file that is compiled without optimization.
+extern template double detail::sine_shifted(double, double);
+extern template double detail::arctangent_of_fraction(double);
+extern template float detail::arctangent_of_fraction(float);
+extern template double arctangent(double, double);
+extern template float arctangent(float, float);
 
 } // namespace sinew
