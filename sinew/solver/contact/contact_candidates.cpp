@@ -1,10 +1,9 @@
 #include "sinew/math/sort.h"
-#include "sinew/solver/contact/collider_sweep.h"
-#include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/contact/candidate_search.h"
 
 #include <algorithm>
 
-/// Search for the pairs of features that may touch.
+/// List of the pairs of features that may touch: made anew, or renewed around what has left its forecast.
 namespace sinew {
 namespace {
 
@@ -13,38 +12,39 @@ template <int D, class Real> class CandidateFinder {
     using Vector = Vec<D, Real>;
 
     CandidateFinder(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h)
-        : world_(world), state_(solver.sweep_state), room_(contact_room(solver)), list_(room_.list), left_(left), h_(h),
-          threads_(threads_for(room_.particles.size(), solver.options.threads)) {}
+        : state_(solver.sweep_state), room_(contact_room(solver)), list_(room_.list), search_(world, room_),
+          left_(left), h_(h), threads_(threads_for(room_.particles.size(), solver.options.threads)) {}
 
     bool holds() {
         list_.age += h_;
-        return list_.is_valid && list_.h == h_ && list_.position.size() == room_.particles.size() && have_same_size() &&
-               move_as_expected();
+        if (!list_.is_valid || list_.h != h_ || list_.position.size() != room_.particles.size() || !have_same_size()) {
+            list_.is_valid = false;
+            return false;
+        }
+        find_astray();
+        return list_.astray.empty();
     }
-
     void run() {
         set_aside();
-        note_motion();
-        find_radii();
-        list_.particles.fill(list_.position, std::span(list_.search_radius).first(room_.particles.size()),
-                             list_.velocity, list_.size, list_.figure);
-        if constexpr (D == 3) list_.segments.fill(list_.middle, list_.segment_ball);
-        search();
-        sort_by_parts();
+        list_.was_renewed = can_renew();
+        list_.was_renewed ? renew() : make();
+        note_slots();
         list_.is_valid = true;
     }
 
   private:
-    World<D, Real>& world_;
     SweepState<D, Real>& state_;
     ContactRoom<D, Real>& room_;
     detail::ContactList<D, Real>& list_;
+    detail::CandidateSearch<D, Real> search_;
     Real left_, h_; ///< rest of the step, and a substep
     int threads_;
 
     static constexpr int chunks = 64;
+    static_assert(chunks >= int(contact_parts), "found pairs by chunks or by parts");
 
     Real squared(const Vector& v) const { return dot(v, v); }
+    std::uint32_t particles() const { return std::uint32_t(room_.particles.size()); }
 
     // --- validity ----------------------------------------------------------------------------------------------------
 
@@ -54,74 +54,88 @@ template <int D, class Real> class CandidateFinder {
                 return false;
         return true;
     }
-    /// True if nothing deviates by more than the margin from its expected place, nor its displacement in this substep
-    /// by more than a quarter of that: a blow hands on speed.
-    bool move_as_expected() const {
+    /// Lists what is astray: particles that deviate by more than the margin from their expected place, or whose
+    /// displacement in this substep does so by more than a quarter of that, since a blow hands on speed. With them come
+    /// those that are half as far off: else a list of many slow particles would be renewed in every substep.
+    void find_astray() {
         const Real time = min(list_.age, list_.horizon), next = list_.age < list_.horizon ? h_ : Real(0);
         const Real off = square(list_.margin), change = square(Real(0.25) * list_.margin);
-        for (std::size_t i = 0; i < room_.particles.size(); ++i) {
+        list_.astray.clear();
+        bool any = false;
+        for (std::uint32_t i = 0; i < particles(); ++i) {
             const Row slot = room_.particles[i].slot;
             const auto& v = list_.velocity[i];
-            if (!(squared(state_.position_at(slot) - list_.position[i] - v * time) <= off) ||
-                !(squared(state_.displacement_at(slot) - v * next) <= change))
-                return false;
+            const Real far = squared(state_.position_at(slot) - list_.position[i] - v * (time - list_.born[i]));
+            const Real faster = squared(state_.displacement_at(slot) - v * next);
+            if (far <= Real(0.25) * off && faster <= Real(0.25) * change) continue;
+            list_.astray.push_back(i);
+            any = any || !(far <= off) || !(faster <= change);
         }
-        return true;
+        if (!any) list_.astray.clear();
+    }
+    /// A list of which more than a quarter was renewed costs more than a new one.
+    bool can_renew() const {
+        return list_.is_valid && 4 * (list_.renewed.size() + list_.astray.size()) < room_.particles.size();
     }
 
     void set_aside() {
         list_.before.swap(list_.candidates);
         list_.multipliers_before.swap(room_.multipliers);
+        list_.follows_last = list_.is_valid;
         for (std::size_t i = 0; i < room_.parts.list.size(); ++i) list_.end_before[i] = room_.parts.list[i].last;
     }
 
-    // --- search ------------------------------------------------------------------------------------------------------
+    // --- a new list --------------------------------------------------------------------------------------------------
 
+    void make() {
+        note_motion();
+        find_radii();
+        list_.particles.fill(list_.position, std::span(list_.search_radius).first(room_.particles.size()),
+                             list_.velocity, list_.size, list_.figure);
+        list_.has_segments = false;
+        if constexpr (D == 3) fill_segments();
+        search();
+        sort_by_parts();
+    }
     void note_motion() {
         list_.position.clear(), list_.velocity.clear();
         list_.radius.clear(), list_.cover.clear(), list_.figure.clear(), list_.size.clear();
+        list_.renewed.clear(), list_.renewed_segments.clear();
+        list_.born.assign(room_.particles.size(), 0);
+        list_.is_new.assign(room_.particles.size(), 0), list_.is_renewed.assign(room_.particles.size(), 0);
         list_.horizon = horizon();
         list_.age = 0, list_.h = h_;
+        Vector sum{};
         for (const auto& particle : room_.particles) {
             list_.position.push_back(state_.position_at(particle.slot));
             list_.velocity.push_back(state_.displacement_at(particle.slot) * (Real(1) / h_));
             list_.radius.push_back(particle.radius), list_.cover.push_back(particle.cover);
             list_.figure.push_back(particle.figure), list_.size.push_back(max(particle.radius, particle.cover));
+            sum += list_.velocity.back();
         }
+        list_.mean = sum * inverse_or_zero(Real(list_.velocity.size()));
     }
-    /// Twice the time for which the last list was valid, between a substep and the rest of the step: among blows a list
-    /// that looks far ahead is long, and does not last.
+    /// Twice the time for which the last list was valid, between a few substeps and the rest of the step: among blows a
+    /// list that looks far ahead is long, and does not last.
     Real horizon() const {
         const Real last = list_.is_valid ? Real(2) * list_.age : left_;
-        return min(left_, max(last, h_));
+        return min(left_, max(last, shortest_horizon * h_));
     }
-    /// Time for which a relative speed brings features nearer to each other: rows look two substeps ahead.
-    Real time_ahead() const { return list_.horizon + Real(2) * h_; }
+    static constexpr Real shortest_horizon = 4; ///< substeps
 
     void find_radii() {
-        Vector mean{};
-        for (const auto& velocity : list_.velocity) mean += velocity;
-        mean *= inverse_or_zero(Real(list_.velocity.size()));
         list_.search_radius.clear(), list_.middle.clear(), list_.segment_ball.clear();
-        const auto way = [&](std::uint32_t i) { return norm(list_.velocity[i] - mean) * time_ahead(); };
-        for (std::uint32_t i = 0; i < room_.particles.size(); ++i)
-            list_.search_radius.push_back(size_of(i) + Real(2) * list_.margin + list_.near_by + way(i));
+        for (std::uint32_t i = 0; i < particles(); ++i) list_.search_radius.push_back(search_.reach_of(i));
         for (const auto& s : room_.segments) {
+            list_.search_radius.push_back(search_.reach_of(s));
             const auto &a = list_.position[s.number_a], &b = list_.position[s.number_b];
-            list_.search_radius.push_back(size_of(s) + Real(2) * list_.margin + list_.near_by +
-                                          max(way(s.number_a), way(s.number_b)));
-            if constexpr (D == 2) continue;
             list_.middle.push_back((a + b) * Real(0.5));
             list_.segment_ball.push_back(Real(0.5) * distance(a, b) + list_.search_radius.back());
         }
     }
-    Real size_of(std::uint32_t particle) const {
-        return max(room_.particles[particle].radius, room_.particles[particle].cover);
-    }
-    /// A filled area pushes out what is in its skin.
-    Real size_of(const ContactSegment& s) const {
-        const Real radius = min(room_.particles[s.number_a].radius, room_.particles[s.number_b].radius);
-        return s.side != 0 ? radius + Real(2) * list_.widest : radius;
+    void fill_segments() {
+        list_.segments.fill(list_.middle, list_.segment_ball);
+        list_.has_segments = true;
     }
 
     /// Features of a chunk find those with lower numbers.
@@ -135,116 +149,11 @@ template <int D, class Real> class CandidateFinder {
                        last = std::uint32_t(std::uint64_t(features) * std::uint64_t(chunk + 1) / chunks);
             for (auto feature = first; feature < last; ++feature) {
                 const auto begun = found.size();
-                search_around(feature, found);
+                search_.each_lower(feature, [&](std::uint32_t other) { found.push_back({feature, other}); });
                 sinew::sort(found.begin() + std::ptrdiff_t(begun), found.end());
             }
         });
     }
-    void search_around(std::uint32_t feature, std::vector<ContactCandidate>& found) const {
-        const auto count = std::uint32_t(room_.particles.size());
-        if (feature < count) {
-            const auto& particle = room_.particles[feature];
-            if (particle.in_segment) return;
-            list_.particles.each_near(seeker(feature, feature, feature, size_of(feature)), [&](auto other) {
-                if (other < feature && are_near(feature, other) && may_touch(feature, other))
-                    found.push_back({feature, other});
-            });
-            return;
-        }
-        const auto& segment = room_.segments[feature - count];
-        const auto &a = list_.position[segment.number_a], &b = list_.position[segment.number_b];
-        const auto number_a = segment.number_a, number_b = segment.number_b;
-        list_.particles.each_near(seeker(feature, number_a, number_b, size_of(segment)), [&](auto other) {
-            if (are_near(segment, feature, other) && may_touch(other, segment)) found.push_back({feature, other});
-        });
-        if constexpr (D == 3)
-            list_.segments.each_near(box_around(a, b).grown(list_.search_radius[feature]), [&](std::uint32_t other) {
-                if (other + count < feature && are_near(segment, feature, room_.segments[other], other + count) &&
-                    may_touch(segment, room_.segments[other]))
-                    found.push_back({feature, other + count});
-            });
-    }
-
-    auto seeker(std::uint32_t feature, std::uint32_t a, std::uint32_t b, Real size) const {
-        return typename detail::FeatureGrid<D, Real>::Seeker{.a = list_.position[a],
-                                                             .b = list_.position[b],
-                                                             .velocity_a = list_.velocity[a],
-                                                             .velocity_b = list_.velocity[b],
-                                                             .radius = list_.search_radius[feature],
-                                                             .near = size + slack(),
-                                                             .ahead = time_ahead(),
-                                                             .group = group_of(room_.particles[a].figure)};
-    }
-    static collide::BoundingBox<D, Real> box_around(const Vector& a, const Vector& b) {
-        collide::BoundingBox<D, Real> box;
-        box.include(a);
-        box.include(b);
-        return box;
-    }
-    /// Figure whose particles need not be looked at.
-    std::uint32_t group_of(FigureIndex figure) const {
-        return world_.figures[figure].touches_itself ? no_figure : figure;
-    }
-
-    // --- distances ---------------------------------------------------------------------------------------------------
-
-    Real slack() const { return Real(4) * list_.margin + Real(2) * list_.near_by; }
-    /// Largest distance at which features that close in at a relative speed may touch while the list holds.
-    bool is_within(Real squared_distance, Real sizes, Real squared_speed) const {
-        const Real max = sizes + slack() + square_root(squared_speed) * time_ahead();
-        return squared_distance <= square(max);
-    }
-    bool are_near(std::uint32_t a, std::uint32_t b) const {
-        const Real far = squared(list_.position[a] - list_.position[b]);
-        return far <= square(list_.search_radius[a] + list_.search_radius[b]) &&
-               is_within(far, size_of(a) + size_of(b), squared(list_.velocity[a] - list_.velocity[b]));
-    }
-    bool are_near(const ContactSegment& s, std::uint32_t feature, std::uint32_t p) const {
-        const auto &a = list_.position[s.number_a], &b = list_.position[s.number_b], &x = list_.position[p];
-        const auto far = squared(x - (a + (b - a) * collide::nearest_parameter(a, b, x)));
-        if (!(far <= square(list_.search_radius[feature] + list_.search_radius[p]))) return false;
-        const auto& v = list_.velocity[p];
-        const Real speed = max(squared(v - list_.velocity[s.number_a]), squared(v - list_.velocity[s.number_b]));
-        return is_within(far, size_of(p) + size_of(s), speed);
-    }
-    bool are_near(const ContactSegment& s, std::uint32_t feature_s, const ContactSegment& t,
-                  std::uint32_t feature_t) const {
-        const auto &a = list_.position[s.number_a], &b = list_.position[s.number_b];
-        const auto &c = list_.position[t.number_a], &d = list_.position[t.number_b];
-        const auto at = collide::nearest_parameters(a, b, c, d);
-        const auto far = squared(a + (b - a) * at.s - (c + (d - c) * at.t));
-        return far <= square(list_.search_radius[feature_s] + list_.search_radius[feature_t]);
-    }
-
-    // --- kinds of pairs ----------------------------------------------------------------------------------------------
-
-    bool may_touch(std::uint32_t i, std::uint32_t k) const {
-        const auto &a = room_.particles[i], &b = room_.particles[k];
-        return !a.in_segment && !b.in_segment && meets(a.row, b.row) && !are_linked(a.row, b.row);
-    }
-    bool may_touch(std::uint32_t particle, const ContactSegment& segment) const {
-        const Row row = room_.particles[particle].row;
-        return row != segment.a && row != segment.b && meets(row, segment.a) && !are_linked(row, segment.a) &&
-               !are_linked(row, segment.b);
-    }
-    bool may_touch(const ContactSegment& s, const ContactSegment& t) const {
-        return meets(s.a, t.a) && s.a != t.a && s.a != t.b && s.b != t.a && s.b != t.b && !are_linked(s.a, t.a) &&
-               !are_linked(s.a, t.b) && !are_linked(s.b, t.a) && !are_linked(s.b, t.b);
-    }
-    bool meets(Row a, Row b) const {
-        if (room_.is_of_cloth(a) && room_.is_of_cloth(b)) return false; // cloth_contact.h
-        const auto figure_a = world_.particles.figure[a], figure_b = world_.particles.figure[b];
-        if (figure_a == figure_b) return world_.figures[figure_a].touches_itself;
-        return touch(detail::filter_of(world_, a), detail::filter_of(world_, b));
-    }
-    bool are_linked(Row a, Row b) const {
-        if (room_.links.empty()) return false;
-        const std::array<Row, 2> pair = {std::min(a, b), std::max(a, b)};
-        return std::binary_search(room_.links.begin(), room_.links.end(), pair);
-    }
-
-    // --- order -------------------------------------------------------------------------------------------------------
-
     void sort_by_parts() {
         auto& parts = room_.parts.list;
         for (auto& part : parts) part.first = part.last = 0;
@@ -261,6 +170,112 @@ template <int D, class Real> class CandidateFinder {
         for (const auto& found : list_.found)
             for (const auto& pair : found) list_.candidates[parts[part_of(room_, pair)].last++] = pair;
     }
+
+    // --- renewal -----------------------------------------------------------------------------------------------------
+
+    /// New forecasts for what has gone astray, and a search around it; all other pairs stay. The grids of the list
+    /// remain good for the rest in the frame of the mean velocity, since its balls hold the expected motion.
+    void renew() {
+        if (!list_.has_segments) fill_segments();
+        forecast_anew();
+        fill_renewed();
+        for (auto& found : list_.found) found.clear();
+        const auto add = [&](std::uint32_t first, std::uint32_t second) {
+            const ContactCandidate pair{first, second};
+            list_.found[part_of(room_, pair)].push_back(pair);
+        };
+        for (const auto i : list_.astray) search_.each_around_particle(i, add);
+        for (const auto i : list_.astray_segments) search_.each_around_segment(i, add);
+        merge_by_parts();
+        for (const auto i : list_.astray) list_.is_new[i] = 0;
+    }
+    /// Behind the horizon everything is expected to stay.
+    void forecast_anew() {
+        const bool stays = list_.age >= list_.horizon;
+        for (const auto i : list_.astray) {
+            const Row slot = room_.particles[i].slot;
+            list_.position[i] = state_.position_at(slot);
+            list_.velocity[i] = stays ? Vector{} : state_.displacement_at(slot) * (Real(1) / h_);
+            list_.born[i] = min(list_.age, list_.horizon);
+            list_.is_new[i] = 1;
+            if (!std::exchange(list_.is_renewed[i], char(1))) list_.renewed.push_back(i);
+        }
+        list_.renewed_segments.clear(), list_.astray_segments.clear();
+        for (std::uint32_t i = 0; i < room_.segments.size(); ++i) {
+            const auto& s = room_.segments[i];
+            if (search_.is_renewed(s)) list_.renewed_segments.push_back(i);
+            if (!search_.is_new(s)) continue;
+            list_.astray_segments.push_back(i);
+            list_.search_radius[particles() + i] = search_.reach_of(s);
+        }
+    }
+    void fill_renewed() {
+        auto& places = list_.renewed_places;
+        auto& balls = list_.renewed_balls;
+        places.clear(), balls.clear();
+        for (const auto i : list_.renewed) {
+            places.push_back(search_.place_in_frame(i));
+            balls.push_back(search_.reach_of(i));
+        }
+        list_.renewed_particles.fill(places, balls);
+        places.clear(), balls.clear();
+        for (const auto i : list_.renewed_segments) {
+            const auto& s = room_.segments[i];
+            const auto a = search_.place_in_frame(s.number_a), b = search_.place_in_frame(s.number_b);
+            places.push_back((a + b) * Real(0.5));
+            balls.push_back(Real(0.5) * distance(a, b) + search_.reach_of(s));
+        }
+        list_.renewed_segment_grid.fill(places, balls);
+    }
+    bool is_new(std::uint32_t feature) const {
+        const auto count = particles();
+        return feature < count ? list_.is_new[feature] != 0 : search_.is_new(room_.segments[feature - count]);
+    }
+    /// Former pairs of what has kept to its forecast and those found, in order.
+    void merge_by_parts() {
+        auto& parts = room_.parts.list;
+        list_.candidates.clear();
+        std::uint32_t old = 0;
+        for (std::uint32_t number = 0; number < parts.size(); ++number) {
+            auto& found = list_.found[number];
+            sinew::sort(found.begin(), found.end());
+            parts[number].first = std::uint32_t(list_.candidates.size());
+            auto next = found.begin();
+            for (; old < list_.end_before[number]; ++old) {
+                const auto& pair = list_.before[old];
+                if (is_new(pair.first) || is_new(pair.second)) continue;
+                while (next != found.end() && *next < pair) list_.candidates.push_back(*next++);
+                list_.candidates.push_back(pair);
+            }
+            list_.candidates.insert(list_.candidates.end(), next, found.end());
+            parts[number].last = std::uint32_t(list_.candidates.size());
+        }
+    }
+
+    /// Numbers for the first look at a pair in each substep (simd/near_pairs.h). Pairs of segments are always looked
+    /// at closely.
+    void note_slots() {
+        const auto all = list_.candidates.size();
+        list_.near_p.resize(all), list_.near_a.resize(all), list_.near_b.resize(all), list_.near_size.resize(all);
+        const auto count = room_.particles.size();
+        const auto put = [&](std::size_t i, std::uint32_t p, std::uint32_t a, std::uint32_t b, Real size) {
+            list_.near_p[i] = room_.particles[p].slot;
+            list_.near_a[i] = room_.particles[a].slot, list_.near_b[i] = room_.particles[b].slot;
+            list_.near_size[i] = size + list_.near_by;
+        };
+        for (std::size_t i = 0; i < all; ++i) {
+            const auto [first, second] = list_.candidates[i];
+            if (first < count) {
+                put(i, first, second, second, search_.size_of(first) + search_.size_of(second));
+                continue;
+            }
+            const auto& s = room_.segments[first - count];
+            if (second < count)
+                put(i, second, s.number_a, s.number_b, search_.size_of(second) + search_.size_of(s));
+            else
+                put(i, s.number_a, s.number_a, s.number_b, std::numeric_limits<Real>::infinity());
+        }
+    }
 };
 
 } // namespace
@@ -273,8 +288,37 @@ bool find_contact_candidates(World<D, Real>& world, Solver<D, Real>& solver, Rea
     return true;
 }
 
+/// Adds the particles that have gone astray, in order.
+template <class Room, class IsNear> static void add_astray(Room& room, const IsNear& is_near) {
+    for (const auto i : room.list.astray) {
+        if (room.is_of_cloth(room.particles[i].row) || !is_near(i)) continue;
+        auto& listed = room.parts.list[room.particles[i].strip].near_planes;
+        const auto at = std::lower_bound(listed.begin(), listed.end(), i);
+        if (at == listed.end() || *at != i) listed.insert(at, i);
+    }
+}
+
+template <int D, class Real>
+void find_near_planes(const World<D, Real>& world, ContactRoom<D, Real>& room, Real reach, bool all) {
+    const auto& list = room.list;
+    const auto is_near = [&](std::uint32_t i) {
+        const Real far = norm(list.velocity[i]) * (list.horizon + Real(2) * list.h) + Real(2) * list.margin + reach +
+                         Real(1.1) * room.particles[i].radius;
+        return std::any_of(world.bounds.begin(), world.bounds.end(), [&](const auto& plane) {
+            return dot(plane.normal, list.position[i]) - plane.offset <= far;
+        });
+    };
+    if (!all && list.was_renewed) return add_astray(room, is_near);
+    for (auto& part : room.parts.list) {
+        part.near_planes.clear();
+        for (const auto i : part.particles)
+            if (is_near(i)) part.near_planes.push_back(i);
+    }
+}
+
 #define SINEW_CONTACT_CANDIDATES(D, Real)                                                                              \
-    template bool find_contact_candidates(World<D, Real>&, Solver<D, Real>&, Real, Real);
+    template bool find_contact_candidates(World<D, Real>&, Solver<D, Real>&, Real, Real);                              \
+    template void find_near_planes(const World<D, Real>&, ContactRoom<D, Real>&, Real, bool);
 SINEW_INSTANTIATE(SINEW_CONTACT_CANDIDATES)
 
 } // namespace sinew

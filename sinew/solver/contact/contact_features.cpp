@@ -41,6 +41,7 @@ template <int D, class Real> class FeatureFinder {
         list_particles();
         number_segments();
         if (room_.is_stale) room_.list.is_valid = false;
+        room_.all_by_rows = std::ranges::find(room_.by_rows, char(0)) == room_.by_rows.end();
         divide();
         room_.projector.find(world_, solver_, room_.by_rows, room_.is_exact);
         for (const Row slot : room_.cloth.slots) room_.is_exact[slot] = 0;

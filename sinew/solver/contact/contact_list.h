@@ -8,25 +8,38 @@
 namespace sinew::detail {
 
 /// Pairs of features that may touch, and the motion for which the list is valid: nothing deviates by more than a margin
-/// from its expected place. Every row that may act is then among the candidates, so results do not depend on when the
-/// list was made.
+/// from its expected place. What does is given a new forecast, and its pairs are searched for again. Every row that may
+/// act is then among the candidates, so results do not depend on when the list was made.
 template <int D, class Real> struct ContactList {
     using Vector = Vec<D, Real>;
-    std::vector<ContactCandidate> candidates; ///< by parts, each in ascending order
+    std::vector<ContactCandidate> candidates;          ///< by parts, each in ascending order
+    std::vector<std::uint32_t> near_p, near_a, near_b; ///< per candidate: slots of a particle and a segment's ends
+    std::vector<Real> near_size; ///< per candidate: distance at which they may touch, without the approach
 
     bool is_valid = false;
     Real margin = 0;                        ///< deviation for which the list is valid, metres
     Real near_by = 0;                       ///< gap at which rows begin, apart from the approach, metres
     Real h = 0, horizon = 0, age = 0;       ///< substep; duration of the expected motion, and since the list was made
     Real widest = 0;                        ///< largest radius or cover
-    std::vector<Vector> position, velocity; ///< per particle, when listed
-    std::vector<Real> radius, cover;        ///< per particle, when listed
-    std::vector<std::uint32_t> strip;       ///< per particle, when listed
+    std::vector<Vector> position, velocity; ///< per particle, when its forecast was made
+    std::vector<Real> born;                 ///< per particle: age of the list when its forecast was made
+    Vector mean{};                          ///< mean velocity, when listed: the grids move with it
+    bool follows_last = false;              ///< the numbers of features are those of the last list
+    bool was_renewed = false;               ///< the last change was a renewal
+    std::vector<std::uint32_t> renewed, astray; ///< particles renewed since the list was made, and in this substep
+    std::vector<std::uint32_t> renewed_segments, astray_segments; ///< with an end among these
+    std::vector<char> is_renewed, is_new;                         ///< per particle: whether it is among these
+    std::vector<Real> radius, cover;                              ///< per particle, when listed
+    std::vector<std::uint32_t> strip;                             ///< per particle, when listed
 
     // Scratch of the search.
-    std::vector<std::uint32_t> figure; ///< per particle
-    std::vector<Real> size;            ///< per particle: radius or cover
-    FeatureGrid<D, Real> particles, segments;
+    std::vector<std::uint32_t> figure;        ///< per particle
+    std::vector<Real> size;                   ///< per particle: radius or cover
+    FeatureGrid<D, Real> particles, segments; ///< when listed; segments where `has_segments`
+    bool has_segments = false;
+    FeatureGrid<D, Real> renewed_particles, renewed_segment_grid; ///< in the order of `renewed`
+    std::vector<Vector> renewed_places;
+    std::vector<Real> renewed_balls;
     std::vector<Vector> middle;                       ///< per segment
     std::vector<Real> search_radius;                  ///< per particle, then per segment
     std::vector<Real> segment_ball;                   ///< per segment: search radius around the middle

@@ -13,8 +13,9 @@ namespace sinew {
 
 /// Contacts of colliding figures during a step: everything that follows from the rest of the world.
 template <int D, class Real> struct ContactRoom {
-    bool is_active = false; ///< some figure collides
-    bool is_stale = true;   ///< constraints or figures have changed since the last step
+    bool is_active = false;   ///< some figure collides
+    bool all_by_rows = false; ///< rows of contact hold everything swept
+    bool is_stale = true;     ///< constraints or figures have changed since the last step
 
     // Features.
     std::vector<ContactParticle<Real>> particles; ///< of colliding figures, in the order of rows
@@ -89,5 +90,10 @@ template <int D, class Real> void find_contact_features(World<D, Real>& world, S
 /// the rest of the step, `h` a substep. True if the list is new.
 template <int D, class Real>
 bool find_contact_candidates(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h);
+/// Lists the particles of each part that may touch a plane of the world while the list of pairs is valid; `reach`:
+/// distance from which walls are looked at, apart from the radius. Unless `all`, after a renewal only its particles are
+/// looked at.
+template <int D, class Real>
+void find_near_planes(const World<D, Real>& world, ContactRoom<D, Real>& room, Real reach, bool all);
 
 } // namespace sinew

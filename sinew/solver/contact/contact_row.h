@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/simd/kernel.h"
 #include "sinew/world/contacts.h"
 
 #include <limits>
@@ -9,26 +10,32 @@ namespace sinew {
 /// A row of contact between features of figures, or of a figure and a wall, in one substep:
 ///
 ///     gap + sum of weight_i dot(normal, displacement_i) - dot(normal, surface_displacement)  >=  0
+///
+/// All passes over the rows read these numbers: 64 bytes in the plane, in floats.
 template <int D, class Real> struct ContactRow {
     using Vector = Vec<D, Real>;
-    std::array<Row, 4> slot{};    ///< slots of the sweep
-    std::array<Real, 4> weight{}; ///< shares of the contact point, positive on the normal's side
-    int members = 0;
-    bool keeps = true; ///< the multiplier outlasts the substep
-    int side = 0;      ///< 2D: of the segment on which the particle is, 1: left of a-b
+    std::array<Row, D + 1> slot{};    ///< slots of the sweep
+    std::array<Real, D + 1> weight{}; ///< shares of the contact point, positive on the normal's side
     Vector normal{};
-    Vector surface_displacement{};                ///< displacement of a wall in the substep
-    Real gap = 0;                                 ///< at the start of the substep, metres; negative for an overlap
-    Real mass = 0;                                ///< 1 / sum of weight^2 inverse mass
-    Real deep = std::numeric_limits<Real>::max(); ///< depth from which the row is held as the figures answer
+    Vector tangent{}; ///< multiplier of friction
+    Real gap = 0;     ///< at the start of the substep, metres; negative for an overlap
+    Real mass = 0;    ///< 1 / sum of weight^2 inverse mass
     Real friction = 0;
-    Real multiplier = 0;                        ///< h newton seconds, >= 0
-    Vector tangent{};                           ///< multiplier of friction
-    Real max = 0;                               ///< largest multiplier in this substep
+    Real multiplier = 0; ///< h newton seconds, >= 0
+    Real max = 0;        ///< largest multiplier in this substep
+    std::uint8_t members = 0;
+    bool keeps = true;    ///< the multiplier outlasts the substep
+    signed char side = 0; ///< 2D: of the segment on which the particle is, 1: left of a-b
+};
+
+/// The rest of a row.
+template <int D, class Real> struct ContactOrigin {
+    Vec<D, Real> surface_displacement{};          ///< displacement of a wall in the substep
+    Real deep = std::numeric_limits<Real>::max(); ///< depth from which the row is held as the figures answer
+    Real restitution = 0;
+    Real approach = 0;                          ///< approach in a substep before the contact acts, metres
     std::uint32_t source = 0;                   ///< index of the candidate, or of the key of a wall
     std::uint32_t collider = ~std::uint32_t(0); ///< index of a collider, if there is one
-    Real restitution = 0;
-    Real approach = 0; ///< approach in a substep before the contact acts, metres
 };
 
 /// Pair of features that may touch in a step. Particles are numbered first, then segments; first > second.
@@ -70,7 +77,11 @@ inline constexpr std::uint32_t contact_parts = 16;
 template <int D, class Real> struct ContactPart {
     std::uint32_t first = 0, last = 0;              ///< range of candidates
     std::vector<std::uint32_t> particles, segments; ///< numbers of those whose walls it looks after
+    std::vector<std::uint32_t> near_planes;         ///< of these particles, those that may touch a plane
     std::vector<ContactRow<D, Real>> rows;          ///< of the candidates, then of walls
+    std::vector<ContactOrigin<D, Real>> origins;    ///< of the rows
+    std::vector<NearSegment<D, Real>> near;         ///< scratch: candidates that may touch in this substep
+    std::vector<std::uint32_t> deep;                ///< rows that may have to be held as the figures answer
     std::size_t first_wall = 0;                     ///< index of the first row of a wall
     std::vector<ContactKey> wall_keys;
 };

@@ -4,6 +4,7 @@
 #include "sinew/solver/contact/merge_touches.h"
 #include "sinew/solver/contact/pin_rows.h"
 #include "sinew/solver/contact/row_builder.h"
+#include "sinew/solver/contact/row_solver.h"
 
 /// Contacts of colliding figures in a substep of the sweep: soft rows on displacements, whose multipliers are kept from
 /// substep to substep (Catto 2011; small steps: Macklin et al. 2019); after each pass over the rows the links of the
@@ -14,6 +15,7 @@ template <int D, class Real> class FigureContact {
   public:
     using Vector = Vec<D, Real>;
     using RowT = ContactRow<D, Real>;
+    using Origin = ContactOrigin<D, Real>;
     using Part = ContactPart<D, Real>;
     using Soft = Softness<Real>;
 
@@ -29,12 +31,10 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         const Real scale = scale_kept();
         list_candidates();
-        room().parts.run_all(threads_,
-                             [&](Part& part) { RowBuilder<D, Real>(world_, solver_, part, h_, from_, to_).run(); });
-        room().projector.begin(state_, drag_changes_);
-        each_row([&](RowT& row) {
-            if (!row.keeps) row.multiplier = 0, row.tangent = {};
-            apply(row, row.normal * row.multiplier + row.tangent);
+        room().parts.run_all(threads_, [&](Part& part) { build_rows(world_, solver_, part, h_, from_, to_); });
+        room().projector.begin(state_, drag_changes_, threads_);
+        each_part([&](Part& part) {
+            for (auto& row : part.rows) push_again(row);
         });
         room().joints.begin(world_, state_, scale);
         room().projector.project_velocities(state_, threads_);
@@ -45,11 +45,13 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         PinRows<D, Real>(world_, solver_, h_, from_, to_).solve();
         room().joints.solve(state_, Soft::contact());
-        each_row([&](RowT& row) { solve(row, row.keeps ? Soft::contact() : Soft::hard()); });
+        each_part([&](Part& part) { rows_.solve(part, Soft::contact(), Soft::hard()); });
         room().projector.project_velocities(state_, threads_);
         hold_deep();
         room().projector.project_lengths(state_, threads_);
-        each_row([&](RowT& row) { row.gap += change(row); });
+        each_part([&](Part& part) {
+            rows_.each(part, [&](RowT& row, const Vector& surface) { row.gap += rows_.change(row, surface); });
+        });
         room().joints.advance(state_);
     }
 
@@ -58,11 +60,12 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         room().projector.restore_energy(state_, threads_);
         room().joints.solve(state_, Soft::none());
-        each_row([&](RowT& row) { solve(row, Soft::none()); });
+        each_part([&](Part& part) { rows_.solve(part, Soft::none(), Soft::none()); });
         room().projector.project_velocities(state_, threads_);
         bool any = false;
         for (auto& part : room().parts.list)
-            for (auto i = part.first_wall; i < part.rows.size(); ++i) any = rebound(part.rows[i]) || any;
+            for (auto i = part.first_wall; i < part.rows.size(); ++i)
+                any = rebound(part.rows[i], part.origins[i]) || any;
         if (any) room().projector.project_velocities(state_, threads_);
         keep();
     }
@@ -73,21 +76,19 @@ template <int D, class Real> class FigureContact {
     SweepState<D, Real>& state_;
     bool is_active_;
     Real h_, from_, to_, left_; ///< substep; shares of the step at its ends; rest of the step
-    Real furthest_ = max_displacement(h_);
+    RowSolver<D, Real> rows_{state_, max_displacement(h_)};
     bool is_first_, is_last_, drag_changes_;
     int threads_;
 
     auto& room() { return *solver_.contacts; }
 
-    template <class Work> void each_row(const Work& work) {
-        room().parts.run(threads_, [&](Part& part) {
-            for (auto& row : part.rows) work(row);
-        });
-    }
+    template <class Work> void each_part(const Work& work) { room().parts.run(threads_, work); }
 
     void list_candidates() {
         if (is_first_) set_margin();
         const bool is_new = find_contact_candidates(world_, solver_, left_, h_);
+        if (is_first_ || is_new)
+            find_near_planes(world_, room(), WallRows<D, Real>::reach(0, norm(state_.gravity), h_), is_first_);
         KeptContacts<D, Real> kept(world_, solver_);
         if (world_.contacts.lists_figures) note_figures();
         if (is_first_)
@@ -108,35 +109,9 @@ template <int D, class Real> class FigureContact {
         list.margin = margin, list.near_by = near_by, list.widest = widest;
     }
 
-    void apply(const RowT& row, const Vector& impulse) {
-        for (int i = 0; i < row.members; ++i) {
-            const auto slot = row.slot[std::size_t(i)];
-            const Real share = row.weight[std::size_t(i)] * state_.mobility[slot];
-            if (share == Real(0)) continue; // another part may read an immovable particle
-            state_.set_displacement(slot, clamp_components(state_.displacement_at(slot) + impulse * share, furthest_));
-        }
-    }
-    Vector relative_displacement(const RowT& row) const {
-        Vector sum = -row.surface_displacement;
-        for (int i = 0; i < row.members; ++i)
-            sum += state_.displacement_at(row.slot[std::size_t(i)]) * row.weight[std::size_t(i)];
-        return sum;
-    }
-    Real change(const RowT& row) const { return dot(row.normal, relative_displacement(row)); }
-
-    void solve(RowT& row, const Soft& soft) {
-        const auto moved = relative_displacement(row);
-        const Real along = dot(row.normal, moved);
-        const Real next =
-            min(one_sided_multiplier(row.multiplier, row.mass, along, row.gap, soft), limit::multiplier<Real>);
-        const auto slip = moved - row.normal * along;
-        auto tangent = row.tangent - slip * row.mass;
-        const Real size = norm(tangent), max_friction = row.friction * next;
-        if (size > max_friction) tangent *= max_friction * inverse_or_zero(size);
-        apply(row, row.normal * (next - row.multiplier) + (tangent - row.tangent));
-        row.multiplier = next;
-        row.tangent = tangent;
-        row.max = max(row.max, next);
+    void push_again(RowT& row) {
+        if (!row.keeps) row.multiplier = 0, row.tangent = {};
+        if (row.multiplier > Real(0)) rows_.push(row, row.normal * row.multiplier + row.tangent);
     }
 
     /// A soft row of a light limb gives way where whole figures are pressed against each other or a wall. Beyond half
@@ -145,37 +120,44 @@ template <int D, class Real> class FigureContact {
         constexpr int rounds = 3;
         for (int i = 0; i < rounds; ++i) {
             bool any = false;
-            for (auto& part : room().parts.list)
-                for (auto& row : part.rows) any = (is_too_deep(row) && hold(row)) || any;
+            for (auto& part : room().parts.list) any = hold_deep(part) || any;
             if (!any) return;
         }
     }
-    bool is_too_deep(const RowT& row) const { return row.keeps && missing(row) > Real(0); }
-    Real missing(const RowT& row) const {
-        const Real beyond = -row.gap - row.deep;
-        return (beyond > Real(0) ? Soft::contact().rate * beyond : beyond) - change(row);
+    /// Rows that begin the substep no deeper than half of that are left to the next one.
+    bool hold_deep(Part& part) {
+        bool any = false;
+        for (const auto i : part.deep) any = hold(part.rows[i], part.origins[i]) || any;
+        return any;
     }
-    bool hold(RowT& row) {
-        std::array<Vec<D, double>, 4> push_of{};
+    Real missing(const RowT& row, const Origin& origin) const {
+        const Real beyond = -row.gap - origin.deep;
+        return (beyond > Real(0) ? Soft::contact().rate * beyond : beyond) -
+               rows_.change(row, origin.surface_displacement);
+    }
+    bool hold(RowT& row, const Origin& origin) {
+        const Real lacking = missing(row, origin);
+        if (!(lacking > Real(0))) return false;
+        std::array<Vec<D, double>, D + 1> push_of{};
         const auto members = std::size_t(row.members);
         for (std::size_t i = 0; i < members; ++i) push_of[i] = cast<double>(row.normal * row.weight[i]);
         const std::span slots(row.slot.data(), members);
         const double response = room().projector.response(state_).along(slots, std::span(push_of).first(members));
-        const Real impulse = min(missing(row) * Real(inverse_or_zero(response)), limit::multiplier<Real>);
-        apply(row, row.normal * impulse);
+        const Real impulse = min(lacking * Real(inverse_or_zero(response)), limit::multiplier<Real>);
+        rows_.push(row, row.normal * impulse);
         row.max = max(row.max, row.multiplier + impulse);
         for (const Row slot : slots) room().projector.project_velocities(state_, slot);
         return impulse > Real(0);
     }
 
     /// A blow faster than resting contact leaves with its share of the approach.
-    bool rebound(RowT& row) {
+    bool rebound(RowT& row, const Origin& origin) {
         const Real resting = Real(4) * square(h_) * norm(state_.gravity);
-        if (row.restitution == Real(0) || row.max == Real(0) || row.approach <= resting) return false;
-        const Real missing = row.restitution * row.approach - change(row);
-        if (!(missing > Real(0))) return false;
-        apply(row, row.normal * (missing * row.mass));
-        row.multiplier += missing * row.mass;
+        if (origin.restitution == Real(0) || row.max == Real(0) || origin.approach <= resting) return false;
+        const Real lacking = origin.restitution * origin.approach - rows_.change(row, origin.surface_displacement);
+        if (!(lacking > Real(0))) return false;
+        rows_.push(row, row.normal * (lacking * row.mass));
+        row.multiplier += lacking * row.mass;
         return true;
     }
 
@@ -194,11 +176,13 @@ template <int D, class Real> class FigureContact {
         KeptContacts<D, Real> kept(world_, solver_);
         for (const auto& part : room().parts.list)
             for (auto i = part.first_wall; i < part.rows.size(); ++i)
-                if (const auto& row = part.rows[i]; row.max > Real(0) && row.collider != ~std::uint32_t(0)) note(row);
+                if (part.rows[i].max > Real(0) && part.origins[i].collider != ~std::uint32_t(0))
+                    note(part.rows[i], part.origins[i]);
         kept.keep();
-        if (is_last_) kept.give_to_world();
         room().joints.store(world_);
-        room().projector.links().store(world_);
+        if (!is_last_) return;
+        kept.give_to_world();
+        room().projector.store(world_);
     }
     /// Lists the figures that press, and those so near that a touch goes on without a force.
     void note_figures() {
@@ -206,7 +190,7 @@ template <int D, class Real> class FigureContact {
         for (const auto& part : room().parts.list)
             for (std::size_t i = 0; i < part.first_wall; ++i)
                 if (const auto& row = part.rows[i]; row.max > Real(0) || row.gap <= near)
-                    solver_.touches.figures.push_back(touch_of(row, room().list.candidates[row.source]));
+                    solver_.touches.figures.push_back(touch_of(row, room().list.candidates[part.origins[i].source]));
         merge_touches(solver_.touches.figures);
     }
     FigureTouch touch_of(const RowT& row, const ContactCandidate& pair) {
@@ -223,7 +207,9 @@ template <int D, class Real> class FigureContact {
         const Row row = is_particle ? room().particles[feature].row : room().segments[feature - count].a;
         return {world_.particles.figure[row], world_.particles.handles.index_of(row)};
     }
-    void note(const RowT& row) { solver_.touches.add(state_.row_of[row.slot[0]], row.collider, row.max / h_); }
+    void note(const RowT& row, const Origin& origin) {
+        solver_.touches.add(state_.row_of[row.slot[0]], origin.collider, row.max / h_);
+    }
 };
 
 } // namespace sinew::detail

@@ -26,7 +26,8 @@ template <int D, class Real> class KeptContacts {
         const auto is_same = [](const auto& a, const auto& b) {
             return a.key == b.key && a.multiplier == b.multiplier && a.friction == b.friction;
         };
-        if (!list_is_new && std::ranges::equal(kept, room_.written, is_same)) return;
+        if ((!list_is_new || room_.list.follows_last) && std::ranges::equal(kept, room_.written, is_same))
+            return list_is_new ? take_from_last_list() : void();
         room_.multipliers.assign(room_.list.candidates.size(), {});
         room_.kept_at_walls.clear();
         for (const auto& contact : kept)
@@ -56,7 +57,7 @@ template <int D, class Real> class KeptContacts {
         for (auto& part : room_.parts.list)
             for (std::size_t i = 0; i < part.first_wall; ++i) {
                 const auto& row = part.rows[i];
-                room_.multipliers[row.source] =
+                room_.multipliers[part.origins[i].source] =
                     lasts(row) ? Multiplier{row.multiplier, row.tangent, row.side} : Multiplier{};
             }
         room_.kept_at_walls.clear();
@@ -64,7 +65,8 @@ template <int D, class Real> class KeptContacts {
             for (auto i = part.first_wall; i < part.rows.size(); ++i) {
                 const auto& row = part.rows[i];
                 if (row.keeps && row.multiplier > Real(0))
-                    room_.kept_at_walls.push_back({part.wall_keys[row.source], row.multiplier, row.tangent});
+                    room_.kept_at_walls.push_back(
+                        {part.wall_keys[part.origins[i].source], row.multiplier, row.tangent});
             }
         sort(room_.kept_at_walls);
     }
@@ -77,7 +79,7 @@ template <int D, class Real> class KeptContacts {
             for (std::size_t i = 0; i < part.first_wall; ++i) {
                 const auto& row = part.rows[i];
                 if (!lasts(row)) continue;
-                kept.push_back({key_of(room_.list.candidates[row.source]), row.multiplier, row.tangent});
+                kept.push_back({key_of(room_.list.candidates[part.origins[i].source]), row.multiplier, row.tangent});
                 kept.back().key.feature = feature_of_side(row.side);
             }
         sort(kept);

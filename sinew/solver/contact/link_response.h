@@ -1,7 +1,8 @@
 #pragma once
 
 #include "sinew/math/matrix.h"
-#include "sinew/solver/contact/link_factor.h"
+#include "sinew/solver/contact/link_packs.h"
+#include "sinew/solver/simd/link_factor.h"
 
 namespace sinew::detail {
 
@@ -11,21 +12,19 @@ template <int D, class Real> class LinkResponse {
     using Vector = Vec<D, double>;
     using Matrix = sinew::Matrix<D, double>;
 
-    /// `right`: room, per link.
-    LinkResponse(const RigidLinks<D, Real>& links, const LinkFactor<D>& factor, std::span<double> right,
-                 const SweepState<D, Real>& state)
-        : links_(links), factor_(factor), right_(right), state_(state) {}
+    LinkResponse(const RigidLinks<D, Real>& links, const LinkPacks<D, Real>& packs, const SweepState<D, Real>& state)
+        : links_(links), packs_(packs), state_(state) {}
 
     /// Displacement of a particle for an impulse on it: a symmetric matrix, 1 / kg.
     Matrix of(Row slot) const {
         auto matrix = Matrix::diagonal(double(state_.mobility[slot]));
         if (links_.component_of[slot] == none) return matrix;
-        const auto& component = links_.components[links_.component_of[slot]];
+        const auto lanes = lanes_of(links_.component_of[slot]);
         for (int i = 0; i < D; ++i) {
-            each(component, [&](const auto& link, double& right) { right = pull(link, slot) * link.along[i]; });
-            factor_.solve(links_.list, component, right_);
-            each(component, [&](const auto& link, double& right) {
-                matrix.column[std::size_t(i)] += link.along * (-pull(link, slot) * right);
+            each(lanes, [&](std::uint32_t k) { lanes.set_right(k, lanes.pull(k, slot) * lanes.along(k)[i]); });
+            lanes.solve();
+            each(lanes, [&](std::uint32_t k) {
+                matrix.column[std::size_t(i)] += lanes.along(k) * (-lanes.pull(k, slot) * lanes.right(k));
             });
         }
         return matrix;
@@ -39,38 +38,63 @@ template <int D, class Real> class LinkResponse {
             const auto earlier = slots.first(i);
             const bool is_new = std::none_of(earlier.begin(), earlier.end(),
                                              [&](Row slot) { return links_.component_of[slot] == component; });
-            if (component != none && is_new) sum -= held_back(links_.components[component], slots, pushes);
+            if (component != none && is_new) sum -= held_back(component, slots, pushes);
         }
         return max(sum, 0.0);
     }
 
   private:
-    using Link = RigidLink<D>;
     static constexpr auto none = RigidLinks<D, Real>::none;
     const RigidLinks<D, Real>& links_;
-    const LinkFactor<D>& factor_;
-    std::span<double> right_;
+    const LinkPacks<D, Real>& packs_;
     const SweepState<D, Real>& state_;
 
-    template <class Visit> void each(const LinkComponent& component, Visit&& visit) const {
-        for (auto k = component.first_link; k < component.last_link; ++k) visit(links_.list[k], right_[k]);
+    /// A component in its lane.
+    class Lane : LinkLanes<D, double> {
+        using Lanes = LinkLanes<D, double>;
+        using Fields = LinkFields<D>;
+        using Lanes::pack_, Lanes::lane_;
+
+      public:
+        using Lanes::Lanes, Lanes::solve;
+        std::uint32_t size() const { return pack_.links; }
+        double right(std::uint32_t k) const { return Lanes::link(k, Fields::right); }
+        void set_right(std::uint32_t k, double to) const { Lanes::set_link(k, Fields::right, to); }
+        bool is_active(std::uint32_t k) const { return Lanes::link(k, Fields::active) > 0; }
+        Vector along(std::uint32_t k) const {
+            const auto numbers = Lanes::link_vector(k, Fields::along);
+            return Vector::map([&](int i) { return numbers.at[i]; });
+        }
+        /// Change of a link's length for a unit displacement of a particle along it, times the inverse mass.
+        double pull(std::uint32_t k, Row slot) const {
+            const auto& row = pack_.rows[k];
+            const auto slot_of = [&](std::uint32_t i) { return pack_.slots[i * pack_.stride + lane_]; };
+            return (slot_of(row.b) == slot ? Lanes::link(k, Fields::weight_b) : 0) -
+                   (slot_of(row.a) == slot ? Lanes::link(k, Fields::weight_a) : 0);
+        }
+    };
+    Lane lanes_of(std::uint32_t component) const {
+        const auto [pack, lane] = packs_.place_of(component);
+        return {packs_.list[pack], std::size_t(lane)};
     }
-    /// Change of a link's length for a unit displacement of a particle along it, times the inverse mass.
-    static double pull(const Link& link, Row slot) {
-        return (link.b == slot ? link.weight_b : 0) - (link.a == slot ? link.weight_a : 0);
+
+    template <class Visit> static void each(const Lane& lane, Visit&& visit) {
+        for (std::uint32_t k = 0; k < lane.size(); ++k) visit(k);
     }
     /// Share of the displacement which the links of a component take back.
-    double held_back(const LinkComponent& component, std::span<const Row> slots, std::span<const Vector> pushes) const {
-        const auto change = [&](const Link& link) {
+    double held_back(std::uint32_t component, std::span<const Row> slots, std::span<const Vector> pushes) const {
+        const auto lane = lanes_of(component);
+        const auto change = [&](std::uint32_t k) {
             double sum = 0;
             for (std::size_t i = 0; i < slots.size(); ++i)
-                if (const double weight = pull(link, slots[i]); weight != 0) sum += weight * dot(link.along, pushes[i]);
-            return link.is_active ? sum : 0;
+                if (const double weight = lane.pull(k, slots[i]); weight != 0)
+                    sum += weight * dot(lane.along(k), pushes[i]);
+            return lane.is_active(k) ? sum : 0;
         };
-        each(component, [&](const auto& link, double& right) { right = change(link); });
-        factor_.solve(links_.list, component, right_);
+        each(lane, [&](std::uint32_t k) { lane.set_right(k, change(k)); });
+        lane.solve();
         double sum = 0;
-        each(component, [&](const auto& link, double& right) { sum += change(link) * right; });
+        each(lane, [&](std::uint32_t k) { sum += change(k) * lane.right(k); });
         return sum;
     }
 };

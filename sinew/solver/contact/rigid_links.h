@@ -25,70 +25,32 @@ template <int D, class Real> bool is_link(const Constraints<Distance<D>, Real>& 
 }
 
 /// Link of a colliding figure.
-template <int D> struct RigidLink {
+struct RigidLink {
     Row row = 0;             ///< in the table of distances
     Row a = 0, b = 0;        ///< slots of the sweep
     Row root = 0;            ///< component
-    std::uint32_t first = 0; ///< first column of the skyline
-    std::size_t start = 0;   ///< of the row's entries
+    std::uint32_t first = 0; ///< first column of the skyline, in the list
     bool is_rope = false;    ///< may be shorter
-    bool is_active = true;   ///< holds its length; a rope does while it pulls
-    double length = 0, weight_a = 0, weight_b = 0;
-    double tension = 0;             ///< multiplier of this substep, h newton seconds; positive pulls
-    Vec<D, double> edge{}, along{}; ///< from a to b, at the place of the factorisation
+    bool is_active = true;   ///< holds its length at first; a rope does while it pulls
+    double length = 0;
 };
 
 /// Connected component of rigid links.
 struct LinkComponent {
     std::uint32_t first_link = 0, last_link = 0;
     std::uint32_t first_slot = 0, last_slot = 0; ///< range of RigidLinks::slots
-    bool has_ropes = false;
-    double energy = 0; ///< due, in its frame, times 2 h^2
 };
 
 /// Rigid links of the figures that collide, by components, with a skyline for G M^-1 G^T. Components whose skyline is
 /// too wide (meshes) are left to the sweep.
 template <int D, class Real> struct RigidLinks {
-    std::vector<RigidLink<D>> list;
+    std::vector<RigidLink> list;
     std::vector<LinkComponent> components;
     std::vector<Row> slots;                  ///< by components, in order
     std::vector<std::uint32_t> component_of; ///< per slot that can move; `none` without rigid links
     std::vector<char> is_swept; ///< per slot: a distance that is not plain, or part of a mesh, is at the particle
-    std::size_t entries = 0;    ///< of all skylines
 
     static constexpr std::uint32_t none = ~std::uint32_t(0);
-
-    /// Edges at the present places. A rope shorter than the share `taut` of its length lets go. True if that happened,
-    /// or if a link has turned by more than `slight`, radians, since the directions were taken.
-    bool measure(const SweepState<D, Real>& state, const LinkComponent& component, double taut, double slight) {
-        bool changed = false;
-        for (auto k = component.first_link; k < component.last_link; ++k) {
-            auto& link = list[k];
-            link.edge = cast<double>(state.position_at(link.b)) - cast<double>(state.position_at(link.a));
-            const double length = norm(link.edge);
-            const auto off = link.edge - link.along * length;
-            changed = changed || dot(off, off) > square(slight * length);
-            if (!link.is_rope || !link.is_active || length >= taut * link.length) continue;
-            link.is_active = false;
-            changed = true;
-        }
-        return changed;
-    }
-    /// Directions of the edges, and inverse masses.
-    void take_directions(const SweepState<D, Real>& state, const LinkComponent& component) {
-        for (auto k = component.first_link; k < component.last_link; ++k) {
-            auto& link = list[k];
-            link.along = direction(link.edge);
-            link.weight_a = double(state.mobility[link.a]), link.weight_b = double(state.mobility[link.b]);
-        }
-    }
-
-    /// Stores the multipliers, as of constraints of the sweep.
-    void store(World<D, Real>& world) const {
-        auto& table = std::get<kind_number<Distance, D>>(world.constraints);
-        for (const auto& link : list)
-            table.multiplier[link.row] = clamp(Real(-link.tension), -limit::multiplier<Real>, limit::multiplier<Real>);
-    }
 
     /// `is_exact` receives 1 per slot of the sweep held exactly, or by no distance at all.
     void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
@@ -149,14 +111,12 @@ template <int D, class Real> struct RigidLinks {
         first_at_.assign(state.size(), none);
         components.clear();
         std::size_t kept = 0;
-        entries = 0;
         for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end) {
             while (end < list.size() && list[end].root == list[begin].root) ++end;
             const auto kept_before = kept;
             std::size_t size = 0;
             for (auto i = begin; i < end; ++i, ++kept) {
                 list[kept] = list[i];
-                list[kept].start = entries + size;
                 size += width_of(world, state, std::uint32_t(kept));
             }
             if (size > max_per_link * (end - begin)) {
@@ -164,12 +124,11 @@ template <int D, class Real> struct RigidLinks {
                 kept = kept_before;
                 continue;
             }
-            entries += size;
             components.push_back({.first_link = std::uint32_t(kept_before), .last_link = std::uint32_t(kept)});
         }
         list.resize(kept);
     }
-    void leave_to_sweep(const RigidLink<D>& link, std::vector<char>& is_exact) {
+    void leave_to_sweep(const RigidLink& link, std::vector<char>& is_exact) {
         is_exact[link.a] = is_exact[link.b] = 0;
         is_swept[link.a] = is_swept[link.b] = 1;
     }
@@ -191,7 +150,6 @@ template <int D, class Real> struct RigidLinks {
         for (std::uint32_t i = 0; i < components.size(); ++i) {
             auto& component = components[i];
             component.first_slot = std::uint32_t(slots.size());
-            for (auto k = component.first_link; k < component.last_link; ++k) component.has_ropes |= list[k].is_rope;
             for (auto k = component.first_link; k < component.last_link; ++k)
                 for (const Row slot : {list[k].a, list[k].b}) {
                     slots.push_back(slot);

@@ -3,6 +3,7 @@
 #include "sinew/math/limit.h"
 #include "sinew/math/moments.h"
 #include "sinew/solver/simd/chain_pack.h"
+#include "sinew/solver/simd/link_pack.h"
 #include "sinew/solver/simd/program_pack.h"
 #include "sinew/world/world_types.h"
 
@@ -136,6 +137,25 @@ template <int D, class Real> struct NodeExchange {
     const Real* inverse_mass = nullptr;
 };
 
+/// Pairs of a particle and a segment, by slots; a and b are the same for a particle.
+template <int D, class Real> struct PairColumns {
+    const Real *position, *displacement;
+    std::size_t stride; ///< numbers between the columns of two components
+    const Real* mobility;
+    const std::uint32_t *p, *a, *b;
+    const Real* size; ///< distance at which the pair may touch, without the approach
+};
+/// Pair that may touch in a substep.
+template <int D, class Real> struct NearSegment {
+    std::uint32_t pair = 0;
+    Real t = 0;          ///< parameter of the nearest point on the segment, 0..1
+    Real distance = 0;   ///< metres
+    Real normal[D] = {}; ///< from there to the particle; 0 at a distance of 0
+    Real left = 0;       ///< in the plane: positive where the particle is to the left of a-b
+    Real response = 0;   ///< of the gap, 1 / kg
+    Real approach = 0;   ///< in the substep, metres
+};
+
 /// Kernel over the particles in slots [first, last).
 template <int D, class Real> using Moving = void (*)(const Motion<D, Real>&, std::uint32_t first, std::uint32_t last);
 
@@ -171,6 +191,10 @@ template <int D, class Real> struct Kernels {
     void (*swing_chain)(ChainPack<D>&);
     void (*swing_programs)(ProgramPack<D>&);
     void (*swing_program)(ProgramPack<D>&);
+    LinkKernels<D, Real> links;
+    /// Writes those pairs in [first, last) that may touch in a substep; returns how many.
+    std::uint32_t (*near_pairs)(const PairColumns<D, Real>&, std::uint32_t first, std::uint32_t last,
+                                NearSegment<D, Real>* to);
 };
 
 /// Kernels of an instruction set.

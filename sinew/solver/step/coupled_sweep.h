@@ -150,6 +150,7 @@ template <int D, class Real> class CoupledSweep {
         if (has_thin_cloth())
             part_thin_cloth<D, Real>(world_, solver_.sweep_state, solver_.contacts->thin, span(number));
         for (const auto& tile : plan_.tiles) substep.pins().pull(tile);
+        if (has_figure_contacts(solver_) && solver_.contacts->all_by_rows && world_.colliders.empty()) return;
         for (const auto& tile : plan_.tiles) substep.keep_in_bounds(tile);
     }
 };

@@ -4,6 +4,8 @@
 #include "sinew/solver/simd/chain.h"
 #include "sinew/solver/simd/distance.h"
 #include "sinew/solver/simd/integrate.h"
+#include "sinew/solver/simd/link_projection.h"
+#include "sinew/solver/simd/near_pairs.h"
 #include "sinew/solver/simd/node_exchange.h"
 #include "sinew/solver/simd/program.h"
 #include "sinew/solver/simd/range_check.h"
@@ -34,7 +36,9 @@ template <int D, class Real> constexpr Kernels<D, Real> kernels_here(std::type_i
             .swing_chains = swing_chains<D, lane::widest<double>>,
             .swing_chain = swing_chains<D, min_block_lanes>,
             .swing_programs = swing_programs<D, lane::widest<double>>,
-            .swing_program = swing_programs<D, min_block_lanes>};
+            .swing_program = swing_programs<D, min_block_lanes>,
+            .links = link_kernels<D, Real>(),
+            .near_pairs = near_pairs<D, Real>};
 }
 
 template <class... Each> constexpr AllKernels<Each...> all_kernels_here(std::type_identity<AllKernels<Each...>>) {

@@ -1,0 +1,201 @@
+#pragma once
+
+#include "sinew/math/sort.h"
+#include "sinew/solver/contact/collider_sweep.h"
+#include "sinew/solver/contact/contact_room.h"
+
+namespace sinew::detail {
+
+/// Features that may touch each other while a list of pairs is valid.
+template <int D, class Real> class CandidateSearch {
+  public:
+    using Vector = Vec<D, Real>;
+
+    CandidateSearch(World<D, Real>& world, ContactRoom<D, Real>& room)
+        : world_(world), room_(room), list_(room.list), count_(std::uint32_t(room.particles.size())) {}
+
+    // --- forecast ----------------------------------------------------------------------------------------------------
+
+    /// Expected place of a particle at present.
+    Vector place(std::uint32_t i) const {
+        return list_.position[i] + list_.velocity[i] * (min(list_.age, list_.horizon) - list_.born[i]);
+    }
+    /// The same in the frame that moves with the mean velocity.
+    Vector place_in_frame(std::uint32_t i) const { return place(i) - list_.mean * min(list_.age, list_.horizon); }
+    /// Time for which a relative speed brings features nearer to each other: rows look two substeps ahead.
+    Real time_ahead() const { return list_.horizon - min(list_.age, list_.horizon) + Real(2) * list_.h; }
+
+    Real size_of(std::uint32_t particle) const {
+        return max(room_.particles[particle].radius, room_.particles[particle].cover);
+    }
+    /// A filled area pushes out what is in its skin.
+    Real size_of(const ContactSegment& s) const {
+        const Real radius = min(room_.particles[s.number_a].radius, room_.particles[s.number_b].radius);
+        return s.side != 0 ? radius + Real(2) * list_.widest : radius;
+    }
+    /// Reach of a feature from its place in the frame.
+    Real reach_of(std::uint32_t i) const { return size_of(i) + skin() + way(i); }
+    Real reach_of(const ContactSegment& s) const { return size_of(s) + skin() + max(way(s.number_a), way(s.number_b)); }
+
+    // --- search ------------------------------------------------------------------------------------------------------
+
+    /// Calls visit(other) for the features with lower numbers that may touch a feature. All forecasts are new.
+    template <class Visit> void each_lower(std::uint32_t feature, Visit&& visit) const {
+        if (feature < count_) {
+            if (room_.particles[feature].in_segment) return;
+            list_.particles.each_near(seeker(feature, feature, feature, size_of(feature)), [&](auto other) {
+                if (other < feature && are_near(feature, other) && may_touch(feature, other)) visit(other);
+            });
+            return;
+        }
+        const auto& s = room_.segments[feature - count_];
+        list_.particles.each_near(seeker(feature, s.number_a, s.number_b, size_of(s)), [&](auto other) {
+            if (are_near(s, other) && may_touch(other, s)) visit(other);
+        });
+        if constexpr (D == 3)
+            list_.segments.each_near(box_around(s).grown(list_.search_radius[feature]), [&](std::uint32_t other) {
+                const auto& t = room_.segments[other];
+                if (other + count_ < feature && are_near(s, feature, t, other + count_) && may_touch(s, t))
+                    visit(other + count_);
+            });
+    }
+
+    /// Calls visit(first, second) for the pairs of a feature with others that may touch it, in a round of renewal. Two
+    /// features renewed in the same round meet once.
+    template <class Visit> void each_around_particle(std::uint32_t p, Visit&& visit) const {
+        collide::BoundingBox<D, Real> box;
+        box.include(place_in_frame(p));
+        box = box.grown(reach_of(p));
+        if (!room_.particles[p].in_segment)
+            each_particle(box, [&](std::uint32_t other) {
+                if (other != p && (!list_.is_new[other] || other < p) && are_near(p, other) && may_touch(p, other))
+                    visit(std::max(p, other), std::min(p, other));
+            });
+        each_segment(box, [&](std::uint32_t other) {
+            const auto& s = room_.segments[other];
+            if (!is_new(s) && are_near(s, p) && may_touch(p, s)) visit(other + count_, p);
+        });
+    }
+    template <class Visit> void each_around_segment(std::uint32_t number, Visit&& visit) const {
+        const auto& s = room_.segments[number];
+        collide::BoundingBox<D, Real> box;
+        box.include(place_in_frame(s.number_a));
+        box.include(place_in_frame(s.number_b));
+        box = box.grown(reach_of(s));
+        each_particle(box, [&](std::uint32_t other) {
+            if (are_near(s, other) && may_touch(other, s)) visit(number + count_, other);
+        });
+        if constexpr (D == 3)
+            each_segment(box, [&](std::uint32_t other) {
+                const auto& t = room_.segments[other];
+                if (other == number || (is_new(t) && other > number)) return;
+                if (are_near(s, number + count_, t, other + count_) && may_touch(s, t))
+                    visit(std::max(number, other) + count_, std::min(number, other) + count_);
+            });
+    }
+
+    bool is_new(const ContactSegment& s) const { return list_.is_new[s.number_a] || list_.is_new[s.number_b]; }
+    bool is_renewed(const ContactSegment& s) const {
+        return list_.is_renewed[s.number_a] || list_.is_renewed[s.number_b];
+    }
+
+  private:
+    World<D, Real>& world_;
+    ContactRoom<D, Real>& room_;
+    ContactList<D, Real>& list_;
+    std::uint32_t count_; ///< particles
+
+    static Real squared(const Vector& v) { return dot(v, v); }
+    Real skin() const { return Real(2) * list_.margin + list_.near_by; }
+    Real way(std::uint32_t i) const { return norm(list_.velocity[i] - list_.mean) * time_ahead(); }
+
+    template <class Visit> void each_particle(const collide::BoundingBox<D, Real>& box, Visit&& visit) const {
+        list_.particles.each_near(box, [&](std::uint32_t i) {
+            if (!list_.is_renewed[i]) visit(i);
+        });
+        list_.renewed_particles.each_near(box, [&](std::uint32_t i) { visit(list_.renewed[i]); });
+    }
+    template <class Visit> void each_segment(const collide::BoundingBox<D, Real>& box, Visit&& visit) const {
+        list_.segments.each_near(box, [&](std::uint32_t i) {
+            if (!is_renewed(room_.segments[i])) visit(i);
+        });
+        list_.renewed_segment_grid.each_near(box, [&](std::uint32_t i) { visit(list_.renewed_segments[i]); });
+    }
+
+    auto seeker(std::uint32_t feature, std::uint32_t a, std::uint32_t b, Real size) const {
+        return typename FeatureGrid<D, Real>::Seeker{.a = list_.position[a],
+                                                     .b = list_.position[b],
+                                                     .velocity_a = list_.velocity[a],
+                                                     .velocity_b = list_.velocity[b],
+                                                     .radius = list_.search_radius[feature],
+                                                     .near = size + slack(),
+                                                     .ahead = time_ahead(),
+                                                     .group = group_of(room_.particles[a].figure)};
+    }
+    collide::BoundingBox<D, Real> box_around(const ContactSegment& s) const {
+        collide::BoundingBox<D, Real> box;
+        box.include(list_.position[s.number_a]);
+        box.include(list_.position[s.number_b]);
+        return box;
+    }
+    /// Figure whose particles need not be looked at.
+    std::uint32_t group_of(FigureIndex figure) const {
+        return world_.figures[figure].touches_itself ? no_figure : figure;
+    }
+
+    // --- distances ---------------------------------------------------------------------------------------------------
+
+    Real slack() const { return Real(4) * list_.margin + Real(2) * list_.near_by; }
+    /// Largest distance at which features that close in at a relative speed may touch while the list holds.
+    bool is_within(Real squared_distance, Real sizes, Real squared_speed) const {
+        const Real max = sizes + slack() + square_root(squared_speed) * time_ahead();
+        return squared_distance <= square(max);
+    }
+    bool are_near(std::uint32_t a, std::uint32_t b) const {
+        return is_within(squared(place(a) - place(b)), size_of(a) + size_of(b),
+                         squared(list_.velocity[a] - list_.velocity[b]));
+    }
+    bool are_near(const ContactSegment& s, std::uint32_t p) const {
+        const auto a = place(s.number_a), b = place(s.number_b), x = place(p);
+        const auto far = squared(x - (a + (b - a) * collide::nearest_parameter(a, b, x)));
+        const auto& v = list_.velocity[p];
+        const Real speed = max(squared(v - list_.velocity[s.number_a]), squared(v - list_.velocity[s.number_b]));
+        return is_within(far, size_of(p) + size_of(s), speed);
+    }
+    bool are_near(const ContactSegment& s, std::uint32_t feature_s, const ContactSegment& t,
+                  std::uint32_t feature_t) const {
+        const auto a = place(s.number_a), b = place(s.number_b), c = place(t.number_a), d = place(t.number_b);
+        const auto at = collide::nearest_parameters(a, b, c, d);
+        const auto far = squared(a + (b - a) * at.s - (c + (d - c) * at.t));
+        return far <= square(list_.search_radius[feature_s] + list_.search_radius[feature_t]);
+    }
+
+    // --- kinds of pairs ----------------------------------------------------------------------------------------------
+
+    bool may_touch(std::uint32_t i, std::uint32_t k) const {
+        const auto &a = room_.particles[i], &b = room_.particles[k];
+        return !a.in_segment && !b.in_segment && meets(a.row, b.row) && !are_linked(a.row, b.row);
+    }
+    bool may_touch(std::uint32_t particle, const ContactSegment& segment) const {
+        const Row row = room_.particles[particle].row;
+        return row != segment.a && row != segment.b && meets(row, segment.a) && !are_linked(row, segment.a) &&
+               !are_linked(row, segment.b);
+    }
+    bool may_touch(const ContactSegment& s, const ContactSegment& t) const {
+        return meets(s.a, t.a) && s.a != t.a && s.a != t.b && s.b != t.a && s.b != t.b && !are_linked(s.a, t.a) &&
+               !are_linked(s.a, t.b) && !are_linked(s.b, t.a) && !are_linked(s.b, t.b);
+    }
+    bool meets(Row a, Row b) const {
+        if (room_.is_of_cloth(a) && room_.is_of_cloth(b)) return false; // cloth_contact.h
+        const auto figure_a = world_.particles.figure[a], figure_b = world_.particles.figure[b];
+        if (figure_a == figure_b) return world_.figures[figure_a].touches_itself;
+        return touch(filter_of(world_, a), filter_of(world_, b));
+    }
+    bool are_linked(Row a, Row b) const {
+        if (room_.links.empty()) return false;
+        const std::array<Row, 2> pair = {std::min(a, b), std::max(a, b)};
+        return std::binary_search(room_.links.begin(), room_.links.end(), pair);
+    }
+};
+
+} // namespace sinew::detail

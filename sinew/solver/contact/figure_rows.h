@@ -1,0 +1,220 @@
+#pragma once
+
+#include "sinew/solver/contact/row_writer.h"
+
+namespace sinew::detail {
+
+/// Rows of contact between figures: nearest points, normals and gaps of the listed pairs.
+template <int D, class Real> class FigureRows : RowWriter<D, Real> {
+    using Base = RowWriter<D, Real>;
+    using Base::add, Base::admit, Base::take, Base::position, Base::share_of_deep;
+    using Base::state_, Base::room_, Base::part_, Base::p_;
+    using typename Base::ContactRowT;
+    using typename Base::Origin;
+    using typename Base::Vector;
+    using Particle = ContactParticle<Real>;
+
+  public:
+    FigureRows(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, Real>& part, Real h)
+        : Base(world, solver, part, h), near_by_(room_.list.near_by), margin_(room_.list.margin) {}
+
+    /// Adds, of all candidates, those near each other, and those whose contact lasts.
+    void add_all(const Kernels<D, Real>& kernels) {
+        const auto& list = room_.list;
+        part_.near.resize(part_.last - part_.first);
+        const auto count = kernels.near_pairs({.position = state_.position[0],
+                                               .displacement = state_.displacement[0],
+                                               .stride = state_.stride(),
+                                               .mobility = state_.mobility,
+                                               .p = list.near_p.data(),
+                                               .a = list.near_a.data(),
+                                               .b = list.near_b.data(),
+                                               .size = list.near_size.data()},
+                                              part_.first, part_.last, part_.near.data());
+        auto next = part_.first;
+        const auto add_lasting = [&](std::uint32_t end) {
+            for (; next < end; ++next)
+                if (const auto& kept = room_.multipliers[next]; kept.normal > Real(0) || kept.side != 0) add(next);
+        };
+        for (std::uint32_t i = 0; i < count; ++i) {
+            add_lasting(part_.near[i].pair);
+            add(part_.near[i]);
+            ++next;
+        }
+        add_lasting(part_.last);
+    }
+
+  private:
+    Real near_by_, margin_;
+    std::uint32_t source_ = 0; ///< the candidate
+
+    /// Of a pair whose nearest points are known.
+    void add(const NearSegment<D, Real>& near) {
+        const auto [first, second] = room_.list.candidates[near.pair];
+        const auto count = room_.particles.size();
+        const bool has_segment = first >= count;
+        if (!(near.distance >= std::numeric_limits<Real>::min()) || second >= count ||
+            (has_segment && room_.segments[first - count].side != 0))
+            return add(near.pair);
+        source_ = near.pair;
+        const bool acts = has_segment ? add(near, room_.particles[second], room_.segments[first - count])
+                                      : add(near, room_.particles[first], room_.particles[second]);
+        if (!acts) room_.multipliers[source_] = {};
+    }
+    bool add(const NearSegment<D, Real>& near, const Particle& p, const Particle& other) {
+        ContactRowT row;
+        row.normal = Vector::map([&](int k) { return near.normal[k]; });
+        row.gap = min(near.distance - p.radius - other.radius, near.distance - max(p.cover, other.cover));
+        take(row, p.slot, Real(1));
+        take(row, other.slot, Real(-1));
+        return finish(row, near, near.approach, p, other, other.radius);
+    }
+    bool add(const NearSegment<D, Real>& near, const Particle& p, const ContactSegment& s) {
+        const auto &end_a = room_.particles[s.number_a], &end_b = room_.particles[s.number_b];
+        ContactRowT row;
+        row.normal = Vector::map([&](int k) { return near.normal[k]; });
+        Real distance = near.distance, approach = near.approach;
+        if constexpr (D == 2)
+            if (remember_side(row, near.left >= Real(0), near.t, distance)) approach = -approach;
+        const Real radius = min(end_a.radius, end_b.radius);
+        row.gap = min(distance - p.radius - radius, distance - p.cover);
+        take(row, p.slot, Real(1));
+        if (near.t < Real(1)) take(row, end_a.slot, near.t - Real(1));
+        if (near.t > Real(0)) take(row, end_b.slot, -near.t);
+        return finish(row, near, approach, p, end_a, radius);
+    }
+    bool finish(ContactRowT& row, const NearSegment<D, Real>& near, Real approach, const Particle& p,
+                const Particle& other, Real radius) {
+        Origin origin{.deep = share_of_deep * (p.radius + radius)};
+        return admit(row, origin, near.response, approach, restore(row, origin, p, other));
+    }
+    void add(std::uint32_t candidate) {
+        source_ = candidate;
+        const auto& pair = room_.list.candidates[candidate];
+        const auto count = room_.particles.size();
+        bool acts = false;
+        if (pair.first < count)
+            acts = add(room_.particles[pair.first], room_.particles[pair.second]);
+        else if (pair.second < count)
+            acts = add(room_.particles[pair.second], room_.segments[pair.first - count]);
+        else if constexpr (D == 3)
+            acts = add(room_.segments[pair.first - count], room_.segments[pair.second - count]);
+        if (!acts) room_.multipliers[source_] = {};
+    }
+
+    // --- figures with each other -------------------------------------------------------------------------------------
+
+    static Vector normal_of(const Vector& away, const Vector& otherwise) {
+        const Real per = inverse_or_zero(norm(away));
+        return per > Real(0) ? away * per : otherwise;
+    }
+
+    bool add(const Particle& a, const Particle& b) {
+        const auto away = state_.position_at(a.slot) - state_.position_at(b.slot);
+        ContactRowT row;
+        Origin origin;
+        row.normal = normal_of(away, Vector::axis(1));
+        const Real distance = norm(away), cover = max(a.cover, b.cover);
+        row.gap = min(distance - a.radius - b.radius, distance - cover);
+        origin.deep = share_of_deep * (a.radius + b.radius);
+        take(row, a.slot, Real(1));
+        take(row, b.slot, Real(-1));
+        return finish(row, origin, a, b);
+    }
+
+    bool add(const Particle& p, const ContactSegment& s) {
+        const auto &end_a = room_.particles[s.number_a], &end_b = room_.particles[s.number_b];
+        const auto a = state_.position_at(end_a.slot), b = state_.position_at(end_b.slot),
+                   x = state_.position_at(p.slot);
+        const Real t = collide::nearest_parameter(a, b, x);
+        const auto away = x - (a + (b - a) * t);
+        const Real radius = min(end_a.radius, end_b.radius);
+        ContactRowT row;
+        Origin origin;
+        Real distance = norm(away);
+        const Real per = inverse_or_zero(distance);
+        row.normal = per > Real(0) ? away * per : left_of(a, b);
+        if (s.side != 0 && t > Real(0) && t < Real(1)) {
+            row.normal = left_of(a, b) * Real(s.side);
+            distance = dot(row.normal, away);
+            if (distance < -Real(2) * room_.list.widest) return false;
+            if (distance < Real(0) && !is_nearest_side(x, s, distance)) return false;
+        }
+        if constexpr (D == 2)
+            if (s.side == 0) remember_side(row, dot(row.normal, side_of(a, b)) >= Real(0), t, distance);
+        row.gap = min(distance - p.radius - radius, distance - p.cover);
+        origin.deep = share_of_deep * (p.radius + radius);
+        take(row, p.slot, Real(1));
+        if (t < Real(1)) take(row, end_a.slot, t - Real(1));
+        if (t > Real(0)) take(row, end_b.slot, -t);
+        return finish(row, origin, p, end_a);
+    }
+
+    bool add(const ContactSegment& s, const ContactSegment& t) {
+        const auto &from = room_.particles[s.number_a], &other = room_.particles[t.number_a];
+        const auto a = position(s.a), b = position(s.b), c = position(t.a), d = position(t.b);
+        const auto at = collide::nearest_parameters(a, b, c, d);
+        const bool inside = at.s > Real(0) && at.s < Real(1) && at.t > Real(0) && at.t < Real(1);
+        if (!inside) return false; // rows of the ends
+        const auto away = a + (b - a) * at.s - (c + (d - c) * at.t);
+        ContactRowT row;
+        Origin origin;
+        row.normal = normal_of(away, across(b - a, d - c));
+        row.gap = norm(away) - min(p_.radius[s.a], p_.radius[s.b]) - min(p_.radius[t.a], p_.radius[t.b]);
+        take(row, from.slot, Real(1) - at.s);
+        take(row, room_.particles[s.number_b].slot, at.s);
+        take(row, other.slot, at.t - Real(1));
+        take(row, room_.particles[t.number_b].slot, -at.t);
+        return finish(row, origin, from, other);
+    }
+
+    /// A particle pressed through the middle of a segment is pushed back, not through. True if it is beyond.
+    bool remember_side(ContactRowT& row, bool is_left, Real t, Real& distance) const {
+        const bool is_between_ends = t > Real(0) && t < Real(1);
+        const int present = is_left ? 1 : -1, before = room_.multipliers[source_].side;
+        row.side = static_cast<signed char>(is_between_ends && before != 0 ? before : present);
+        if (row.side == present || !is_between_ends) return false;
+        row.normal = -row.normal;
+        distance = -distance;
+        return true;
+    }
+
+    /// Vector to the left of a segment.
+    static Vector side_of(const Vector& a, const Vector& b) {
+        if constexpr (D == 2)
+            return perpendicular(b - a);
+        else
+            return across(b - a, absolute((b - a)[0]) < absolute((b - a)[1]) ? Vector::axis(0) : Vector::axis(1));
+    }
+    static Vector left_of(const Vector& a, const Vector& b) { return direction(side_of(a, b)); }
+    static Vector across(const Vector& u, const Vector& v) {
+        if constexpr (D == 3)
+            return normal_of(cross(u, v), Vector::axis(1));
+        else
+            return normal_of(perpendicular(u), Vector::axis(1));
+    }
+
+    /// True if no other side of the solid is nearer to a point inside.
+    bool is_nearest_side(const Vector& x, const ContactSegment& s, Real distance) const {
+        for (auto i = s.first; i < s.first + s.count; ++i) {
+            const auto& other = room_.segments[i];
+            const auto a = position(other.a);
+            if (dot(left_of(a, position(other.b)) * Real(other.side), x - a) > distance) return false;
+        }
+        return true;
+    }
+
+    bool finish(ContactRowT& row, Origin& origin, const Particle& first, const Particle& second) {
+        return add(row, origin, restore(row, origin, first, second));
+    }
+    /// Takes up the multipliers of the last substep; returns the gap up to which the row acts.
+    Real restore(ContactRowT& row, Origin& origin, const Particle& first, const Particle& second) const {
+        row.friction = min(first.friction, second.friction);
+        const auto& kept = room_.multipliers[source_];
+        row.multiplier = kept.normal, row.tangent = kept.tangent;
+        origin.source = source_;
+        return row.multiplier > Real(0) ? near_by_ + margin_ : near_by_;
+    }
+};
+
+} // namespace sinew::detail

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "sinew/solver/contact/contact_room.h"
+
+namespace sinew::detail {
+
+/// Adds rows of contact to a part at the start of a substep.
+template <int D, class Real> class RowWriter {
+  protected:
+    using Vector = Vec<D, Real>;
+    using ContactRowT = ContactRow<D, Real>;
+    using Origin = ContactOrigin<D, Real>;
+
+    World<D, Real>& world_;
+    Particles<D, Real>& p_;
+    SweepState<D, Real>& state_;
+    ContactRoom<D, Real>& room_;
+    ContactPart<D, Real>& part_;
+    Real h_;
+    static constexpr Real share_of_deep = Real(0.5); ///< of the radii
+
+    RowWriter(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, Real>& part, Real h)
+        : world_(world), p_(world.particles), state_(solver.sweep_state), room_(contact_room(solver)), part_(part),
+          h_(h) {}
+
+    Vector position(Row row) const { return state_.position_at(state_.slot_of[row]); }
+    Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
+
+    static void take(ContactRowT& row, Row slot, Real weight) {
+        row.slot[row.members] = slot;
+        row.weight[row.members++] = weight;
+    }
+
+    /// Adds a row that may touch within the substep: gap <= 2 approach + slack. True if so.
+    bool add(ContactRowT& row, Origin& origin, Real slack) {
+        Real response = 0, approach = dot(row.normal, origin.surface_displacement);
+        for (int i = 0; i < row.members; ++i) {
+            const auto slot = row.slot[std::size_t(i)];
+            const Real weight = row.weight[std::size_t(i)];
+            response += square(weight) * state_.mobility[slot];
+            approach -= weight * dot(row.normal, state_.displacement_at(slot));
+        }
+        return admit(row, origin, response, approach, slack);
+    }
+    bool admit(ContactRowT& row, Origin& origin, Real response, Real approach, Real slack) {
+        if (response == Real(0) || row.gap > Real(2) * absolute(approach) + slack) return false;
+        for (int i = 0; i < row.members; ++i) row.keeps = row.keeps && room_.is_exact[row.slot[std::size_t(i)]];
+        for (std::size_t i = row.members; i < row.slot.size(); ++i) row.slot[i] = row.slot[0]; // of no weight
+        row.mass = Real(1) / response;
+        origin.approach = approach;
+        row.tangent -= row.normal * dot(row.normal, row.tangent);
+        part_.rows.push_back(row);
+        part_.origins.push_back(origin);
+        if (row.keeps && row.gap < Real(-0.5) * origin.deep) part_.deep.push_back(std::uint32_t(part_.rows.size() - 1));
+        return true;
+    }
+};
+
+} // namespace sinew::detail

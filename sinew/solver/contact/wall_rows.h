@@ -1,0 +1,149 @@
+#pragma once
+
+#include "sinew/solver/contact/collider_sweep.h"
+#include "sinew/solver/contact/row_writer.h"
+
+namespace sinew::detail {
+
+/// Rows of contact with planes and colliders.
+template <int D, class Real> class WallRows : RowWriter<D, Real> {
+    using Base = RowWriter<D, Real>;
+    using Base::add, Base::admit, Base::take, Base::position, Base::share_of_deep;
+    using Base::world_, Base::h_, Base::displacement, Base::state_, Base::room_, Base::part_, Base::p_;
+    using typename Base::ContactRowT;
+    using typename Base::Origin;
+    using typename Base::Vector;
+
+  public:
+    /// `from`, `to`: shares of the step at the ends of the substep.
+    WallRows(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, Real>& part, Real h, Real from, Real to)
+        : Base(world, solver, part, h), touches_(solver.touches), from_(from), to_(to) {}
+
+    void add_all() {
+        for (const auto number : part_.near_planes) add_planes(room_.particles[number].row);
+        for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
+            for (const auto number : part_.particles) add_collider_rows(room_.particles[number].row, i);
+            for (const auto number : part_.segments) add_collider_row(room_.segments[number], i);
+        }
+    }
+    /// Distance from which a wall is looked at beyond the radius, so that what rests on it is never out of touch.
+    static Real reach(Real radius, Real gravity, Real h) { return Real(0.05) * radius + gravity * square(h) * Real(4); }
+
+  private:
+    const ColliderTouches<D, Real>& touches_;
+    Real from_, to_;
+
+    std::uint32_t id(Row row) const { return p_.handles.index_of(row); }
+    Real reach(Row row) const { return reach(p_.radius[row], norm(state_.gravity), h_); }
+
+    void add_planes(Row p) {
+        if (!(p_.mobility[p] > Real(0))) return;
+        const auto from = position(p), to = from + displacement(p);
+        for (std::uint32_t i = 0; i < world_.bounds.size(); ++i) {
+            const auto& plane = world_.bounds[i];
+            const Real low = min(dot(plane.normal, from), dot(plane.normal, to)) - plane.offset - p_.radius[p];
+            if (low > reach(p)) continue;
+            ContactRowT row;
+            Origin origin;
+            ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
+                           .collider = plane_bit | i};
+            row.normal = plane.normal;
+            row.gap = dot(plane.normal, from) - plane.offset - p_.radius[p];
+            origin.deep = share_of_deep * p_.radius[p];
+            row.friction = plane.friction, origin.restitution = plane.restitution;
+            take(row, state_.slot_of[p], Real(1));
+            add(row, origin, key);
+        }
+    }
+    static constexpr std::uint32_t plane_bit = std::uint32_t(1) << 31U;
+
+    void add_collider_rows(Row p, std::uint32_t index) {
+        if (!(p_.mobility[p] > Real(0))) return;
+        const auto from = position(p), to = from + displacement(p);
+        const auto& collider = world_.colliders[index];
+        const Real radius = p_.radius[p], within = radius + reach(p);
+        collide::BoundingBox<D, Real> near;
+        near.include(from);
+        near.include(to);
+        if (collider.is_sensor || !touches_.boxes[index].overlaps(near.grown(within)) ||
+            !touch(collider.filter, filter_of(world_, p)))
+            return;
+        const collide::MovingCollider<D, Real> moving(collider, from_, to_);
+        moving.contacts(from, to, within, [&](const auto& contact) {
+            const auto& surface = contact.surface;
+            ContactRowT row;
+            Origin origin;
+            ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
+                           .collider = world_.collider_handles.index_of(index),
+                           .feature = part_of(collider, surface.feature)};
+            origin.collider = index;
+            row.normal = surface.normal;
+            origin.surface_displacement = contact.surface_displacement;
+            row.gap = dot(surface.normal, from - surface.point + contact.surface_displacement) - radius;
+            origin.deep = share_of_deep * radius;
+            row.friction = collider.friction, origin.restitution = collider.restitution;
+            take(row, state_.slot_of[p], Real(1));
+            add(row, origin, key);
+        });
+    }
+    /// A link over an edge or a round shape touches it between its ends, which have rows of their own.
+    void add_collider_row(const ContactSegment& s, std::uint32_t index) {
+        const auto& collider = world_.colliders[index];
+        const auto a = position(s.a), b = position(s.b);
+        const Real radius = min(p_.radius[s.a], p_.radius[s.b]);
+        const Real within = radius + reach(s.a) + max(norm(displacement(s.a)), norm(displacement(s.b)));
+        collide::BoundingBox<D, Real> near;
+        near.include(a);
+        near.include(b);
+        if (collider.is_sensor || collider.one_way != Vector{} || !touches_.boxes[index].overlaps(near.grown(within)) ||
+            !touch(collider.filter, filter_of(world_, s.a)))
+            return;
+        const auto before = collider.pose_at(from_), after = collider.pose_at(to_);
+        const auto found = collide::nearest_to_segment(collider.shape, before, a, b, within);
+        if (!found || !(found->t > Real(0)) || !(found->t < Real(1))) return;
+        ContactRowT row;
+        Origin origin;
+        ContactKey key{.particle = {id(s.a), id(s.b), ContactKey::none, ContactKey::none},
+                       .collider = world_.collider_handles.index_of(index)};
+        origin.collider = index;
+        row.normal = found->surface.normal;
+        origin.surface_displacement = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
+        row.gap = found->surface.distance - radius;
+        row.friction = collider.friction, origin.restitution = collider.restitution;
+        take(row, state_.slot_of[s.a], Real(1) - found->t);
+        take(row, state_.slot_of[s.b], found->t);
+        add(row, origin, key);
+    }
+
+    /// Lasting number of a contact: the part of a surface; a convex shape has one contact with a sphere.
+    static std::uint32_t part_of(const collide::Collider<D, Real>& collider, std::uint32_t feature) {
+        return std::visit(
+            [&]<class Held>(const Held&) -> std::uint32_t {
+                if constexpr (!collide::IsSurface<Held>)
+                    return 0;
+                else
+                    return D == 2 ? feature / 3 : feature;
+            },
+            collider.shape);
+    }
+
+    void add(ContactRowT& row, Origin& origin, const ContactKey& key) {
+        if (const auto* kept = find_kept(key)) row.multiplier = kept->multiplier, row.tangent = kept->friction;
+        origin.source = std::uint32_t(part_.wall_keys.size());
+        const bool acts = row.multiplier > Real(0);
+        if (!add(row, origin, acts ? std::numeric_limits<Real>::max() : norm(state_.gravity) * square(h_) * Real(4)))
+            return;
+        part_.wall_keys.push_back(key);
+        // A hand may pull a limb into a wall within a single substep.
+        const auto number = std::uint32_t(part_.rows.size() - 1);
+        if (row.keeps && (part_.deep.empty() || part_.deep.back() != number)) part_.deep.push_back(number);
+    }
+    const KeptContact<D, Real>* find_kept(const ContactKey& key) const {
+        const auto& kept = room_.kept_at_walls;
+        const auto found = std::lower_bound(kept.begin(), kept.end(), key,
+                                            [](const auto& contact, const ContactKey& k) { return contact.key < k; });
+        return found != kept.end() && found->key == key ? &*found : nullptr;
+    }
+};
+
+} // namespace sinew::detail

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "sinew/math/scalar.h"
+#include "sinew/solver/simd/lane_vec.h"
+#include "sinew/solver/simd/link_pack.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace sinew {
+namespace {
+
+/// Factorisation L D L^T of G M^-1 G^T, with G the gradients of the lengths of a component's links, within the skyline;
+/// V holds a number for each of the lanes from `lane` on.
+template <int D, class V> class LinkLanes {
+  public:
+    using Fields = LinkFields<D>;
+    using Vector = lane::Arrow<D, V>;
+
+    LinkLanes(const LinkPack<D>& pack, std::size_t first_lane) : pack_(pack), lane_(first_lane) {}
+
+    V particle(std::size_t i, std::size_t field) const { return get(pack_.of_particle(i, field)); }
+    void set_particle(std::size_t i, std::size_t field, const V& to) const { put(pack_.of_particle(i, field), to); }
+    V link(std::size_t i, std::size_t field) const { return get(pack_.of_link(i, field)); }
+    void set_link(std::size_t i, std::size_t field, const V& to) const { put(pack_.of_link(i, field), to); }
+    V energy() const { return get(pack_.energy()); }
+    void set_energy(const V& to) const { put(pack_.energy(), to); }
+
+    Vector particle_vector(std::size_t i, std::size_t field) const { return get_vector(pack_.of_particle(i, field)); }
+    void set_particle_vector(std::size_t i, std::size_t field, const Vector& to) const {
+        put_vector(pack_.of_particle(i, field), to);
+    }
+    Vector link_vector(std::size_t i, std::size_t field) const { return get_vector(pack_.of_link(i, field)); }
+    void set_link_vector(std::size_t i, std::size_t field, const Vector& to) const {
+        put_vector(pack_.of_link(i, field), to);
+    }
+
+    static V number(double x) { return lane::spread<V>(x); }
+    static V inverse_or_zero(const V& x) {
+        return x >= number(std::numeric_limits<double>::min()) ? number(1) / x : V{};
+    }
+
+    [[gnu::flatten, gnu::noinline]] void factorise() const {
+        for (std::uint32_t k = 0; k < pack_.links; ++k) factorise_row(k);
+    }
+
+    /// Replaces the right side by the solution.
+    [[gnu::flatten, gnu::noinline]] void solve() const {
+        const double* const pivots = pack_.of_link(0, Fields::pivot) + lane_;
+        double* const right = pack_.of_link(0, Fields::right) + lane_;
+        const std::size_t apart = Fields::of_link * pack_.stride;
+        for (std::uint32_t k = 0; k < pack_.links; ++k) {
+            const auto& row = pack_.rows[k];
+            const double* entry = pack_.entry(row.start) + lane_;
+            V sum = lane::load<V>(right + k * apart);
+            for (auto m = row.first; m < k; ++m, entry += pack_.stride)
+                sum = sum - lane::load<V>(entry) * lane::load<V>(right + m * apart);
+            lane::store(right + k * apart, sum);
+        }
+        for (std::uint32_t k = 0; k < pack_.links; ++k)
+            lane::store(right + k * apart, V(lane::load<V>(right + k * apart) * lane::load<V>(pivots + k * apart)));
+        for (auto k = pack_.links; k-- > 0;) {
+            const auto& row = pack_.rows[k];
+            const double* entry = pack_.entry(row.start) + lane_;
+            const V own = lane::load<V>(right + k * apart);
+            for (auto m = row.first; m < k; ++m, entry += pack_.stride)
+                lane::store(right + m * apart, V(lane::load<V>(right + m * apart) - lane::load<V>(entry) * own));
+        }
+    }
+
+  protected:
+    const LinkPack<D>& pack_;
+    std::size_t lane_;
+
+  private:
+    V get(const double* from) const { return lane::load<V>(from + lane_); }
+    void put(double* to, const V& number) const { lane::store(to + lane_, number); }
+    Vector get_vector(const double* from) const {
+        Vector v;
+        for (std::size_t k = 0; k < D; ++k) v.at[k] = get(from + k * pack_.stride);
+        return v;
+    }
+    void put_vector(double* to, const Vector& v) const {
+        for (std::size_t k = 0; k < D; ++k) put(to + k * pack_.stride, v.at[k]);
+    }
+
+    V coupling(std::uint32_t i, std::uint32_t j) const {
+        const auto &k = pack_.rows[i], &m = pack_.rows[j];
+        V sum{};
+        if (k.a == m.a) sum = sum + link(i, Fields::weight_a);
+        if (k.b == m.b) sum = sum + link(i, Fields::weight_b);
+        if (k.a == m.b) sum = sum - link(i, Fields::weight_a);
+        if (k.b == m.a) sum = sum - link(i, Fields::weight_b);
+        if (k.a != m.a && k.b != m.b && k.a != m.b && k.b != m.a) return sum;
+        sum = sum * dot(link_vector(i, Fields::along), link_vector(j, Fields::along));
+        return sum * (link(i, Fields::active) * link(j, Fields::active));
+    }
+
+    /// The diagonal is raised by a little: redundant links share their load.
+    void factorise_row(std::uint32_t k) const {
+        constexpr double softness = 1e-7;
+        const auto& row = pack_.rows[k];
+        V pivot = (link(k, Fields::weight_a) + link(k, Fields::weight_b)) * number(1 + softness);
+        for (auto m = row.first; m < k; ++m) {
+            const auto& other = pack_.rows[m];
+            V sum = coupling(k, m);
+            for (auto j = std::max(row.first, other.first); j < m; ++j)
+                sum = sum -
+                      get(pack_.entry(row.start + (j - row.first))) * get(pack_.entry(other.start + (j - other.first)));
+            put(pack_.entry(row.start + (m - row.first)), sum); // times the pivot, for now
+        }
+        for (auto m = row.first; m < k; ++m) {
+            double* const entry = pack_.entry(row.start + (m - row.first));
+            const V scaled = get(entry) * link(m, Fields::pivot);
+            pivot = pivot - get(entry) * scaled;
+            put(entry, scaled);
+        }
+        set_link(k, Fields::pivot, link(k, Fields::active) > V{} ? inverse_or_zero(lane::max(pivot, V{})) : V{});
+    }
+};
+
+} // namespace
+} // namespace sinew

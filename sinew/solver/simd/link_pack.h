@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// Components of rigid links side by side in the lanes of packs, a component to a lane.
+namespace sinew {
+
+/// Most components of a pack.
+inline constexpr std::size_t max_link_lanes = 8;
+
+/// Link of a component, and its row in the skyline of G M^-1 G^T. Particles and links are numbered within the
+/// component.
+struct LinkRow {
+    std::uint32_t a = 0, b = 0; ///< particles
+    std::uint32_t first = 0;    ///< first column
+    std::uint32_t start = 0;    ///< first entry
+    std::uint32_t is_rope = 0;  ///< may be shorter than its length
+    std::uint32_t moves = 0;    ///< bits: a can move, b can move
+    friend constexpr bool operator==(const LinkRow&, const LinkRow&) = default;
+};
+
+/// Fields of the records of a pack.
+template <int D> struct LinkFields {
+    // Of a particle.
+    static constexpr std::size_t displacement = 0, before = D; ///< before: the lengths were corrected
+    static constexpr std::size_t added = 2 * D;                ///< correction
+    static constexpr std::size_t mobility = 3 * D, mass = mobility + 1, of_particle = mass + 1;
+    // Of a link.
+    static constexpr std::size_t edge = 0, along = D; ///< from a to b; along: at the place of the factorisation
+    static constexpr std::size_t length = 2 * D, per_length = length + 1, weight_a = length + 2, weight_b = length + 3;
+    static constexpr std::size_t tension = length + 4; ///< multiplier of this substep, h newton seconds; positive pulls
+    static constexpr std::size_t active = length + 5;  ///< 1: holds its length; a rope does while it pulls
+    static constexpr std::size_t right = length + 6;   ///< right side, then solution
+    static constexpr std::size_t pivot = length + 7, of_link = pivot + 1;
+};
+
+/// Components of equal structure. A field has `stride` numbers, one for each lane: records of the particles, of the
+/// links, entries of the factor, energy.
+template <int D> struct LinkPack {
+    const LinkRow* rows = nullptr;
+    std::uint32_t links = 0, particles = 0, entries = 0;
+    std::uint32_t count = 0; ///< components
+    std::size_t stride = 1;  ///< 1 or max_link_lanes
+    bool has_ropes = false;
+    const std::uint32_t* slots =
+        nullptr;                 ///< of the sweep, `stride` for each particle; unused lanes have those of the first
+    const char* moves = nullptr; ///< per particle
+    double* numbers = nullptr;
+
+    double* of_particle(std::size_t i, std::size_t field) const {
+        return numbers + (i * LinkFields<D>::of_particle + field) * stride;
+    }
+    double* of_link(std::size_t i, std::size_t field) const {
+        return of_particle(particles, 0) + (i * LinkFields<D>::of_link + field) * stride;
+    }
+    double* entry(std::size_t i) const { return of_link(links, 0) + i * stride; }
+    double* energy() const { return entry(entries); } ///< due, in its frame, times 2 h^2
+    std::size_t size() const {
+        return (particles * LinkFields<D>::of_particle + links * LinkFields<D>::of_link + entries + 1) * stride;
+    }
+};
+
+/// Columns of the particles (sweep_state.h).
+template <int D, class Real> struct LinkColumns {
+    const Real* position;
+    Real* displacement;
+    std::size_t stride; ///< numbers between the columns of two components
+    const Real* mobility;
+};
+
+/// Kernels of rigid links. `lane`: the only component that takes part, or -1 for all.
+template <int D, class Real> struct LinkKernels {
+    using Project = void (*)(const LinkColumns<D, Real>&, const LinkPack<D>&, int lane);
+    Project factorise;  ///< at the present places
+    Project velocities; ///< no link is about to change its length, to first order
+    Project lengths;    ///< right lengths at the end of the displacements
+    Project restore;    ///< after the particles have moved: velocities, with no more energy than before `lengths`
+};
+
+} // namespace sinew

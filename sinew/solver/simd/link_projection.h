@@ -1,0 +1,364 @@
+#pragma once
+
+#include "sinew/solver/simd/kernel.h"
+#include "sinew/solver/simd/link_factor.h"
+
+/// Kernels of rigid links (contact/link_projector.h).
+namespace sinew {
+namespace {
+
+/// Projections of the components in the lanes of V. A component that is not in the mask of a function stays as it is.
+template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
+    using Lanes = LinkLanes<D, V>;
+    using Fields = LinkFields<D>;
+    using Lanes::number, Lanes::inverse_or_zero, Lanes::link, Lanes::set_link, Lanes::particle, Lanes::set_particle;
+    using Lanes::pack_, Lanes::lane_;
+    using Lanes::particle_vector, Lanes::set_particle_vector, Lanes::link_vector, Lanes::set_link_vector;
+    using typename Lanes::Vector;
+    using Mask = decltype(V{} < V{});
+    static constexpr std::size_t width = sizeof(V) / sizeof(double);
+
+  public:
+    LinkProjection(const LinkColumns<D, Real>& columns, const LinkPack<D>& pack, std::size_t first_lane, int only)
+        : Lanes(pack, first_lane), columns_(columns), first_(only < 0 ? 0 : std::size_t(only) - first_lane),
+          last_(only < 0 ? std::min(width, pack.count - first_lane) : first_ + 1), live_(lanes_in_use()) {}
+
+    void factorise() {
+        for (std::uint32_t i = 0; i < pack_.particles; ++i) {
+            const V mobility = gather(columns_.mobility, i);
+            set_particle(i, Fields::mobility, mobility);
+            set_particle(i, Fields::mass, inverse_or_zero(mobility));
+        }
+        measure();
+        take_directions(live_);
+        Lanes::factorise();
+    }
+    void velocities() {
+        load();
+        project_velocities(live_);
+        store();
+    }
+    void lengths() {
+        load();
+        Lanes::set_energy(energy(frame()));
+        for (std::uint32_t i = 0; i < pack_.particles; ++i) set_particle_vector(i, Fields::before, displacement(i));
+        project_lengths();
+        store();
+    }
+    void restore() {
+        const Mask changed = lane::both(live_, measure());
+        if (lane::any(changed)) {
+            take_directions(changed);
+            Lanes::factorise();
+        }
+        load();
+        project_velocities(live_);
+        restore_energy();
+        store();
+    }
+
+  private:
+    static constexpr int max_rounds = 8;
+    static constexpr double taut = 1 - 1e-4; ///< share of its length at which a rope may begin to pull
+    static constexpr double slight = 1e-9;   ///< change of a link that counts as none, as a share of its length
+    /// Links that have turned by less, radians, since the last factorisation in the step are not factorised again: the
+    /// velocities left along them are that share of those across.
+    static constexpr double slightly_turned = 1e-3;
+
+    const LinkColumns<D, Real>& columns_;
+    std::size_t first_, last_; ///< lanes in use
+    Mask live_;
+
+    Mask lanes_in_use() const {
+        V flags{};
+        for (std::size_t i = first_; i < last_; ++i) lane::put_lane(flags, int(i), 1.0);
+        return flags > V{};
+    }
+    static Mask either(const Mask& a, const Mask& b) {
+        if constexpr (width == 1)
+            return a || b;
+        else
+            return a | b;
+    }
+    Vector displacement(std::size_t i) const { return particle_vector(i, Fields::displacement); }
+    Vector between(const LinkRow& row) const { return displacement(row.b) - displacement(row.a); }
+    static V norm(const Vector& v) { return lane::root(dot(v, v)); }
+    static Vector blend(const Mask& mask, const Vector& a, const Vector& b) {
+        Vector v;
+        for (int k = 0; k < D; ++k) v.at[k] = mask ? a.at[k] : b.at[k];
+        return v;
+    }
+    template <class Visit> void each_link(Visit&& visit) const {
+        for (std::uint32_t k = 0; k < pack_.links; ++k) visit(k, pack_.rows[k]);
+    }
+
+    // --- particles ---------------------------------------------------------------------------------------------------
+
+    V gather(const Real* column, std::size_t i) const {
+        const std::uint32_t* const slots = pack_.slots + i * pack_.stride + lane_;
+        if constexpr (width == 1)
+            return double(column[slots[0]]);
+        else if constexpr (width == 2)
+            return V{double(column[slots[0]]), double(column[slots[1]])};
+        else
+            return __builtin_convertvector((lane::gather<lane::Pack<Real, int(width)>, Real>(column, slots)), V);
+    }
+    [[gnu::flatten, gnu::noinline]] void load() const {
+        for (std::size_t i = 0; i < pack_.particles; ++i)
+            for (std::size_t k = 0; k < D; ++k)
+                set_particle(i, Fields::displacement + k, gather(columns_.displacement + k * columns_.stride, i));
+    }
+    [[gnu::flatten, gnu::noinline]] void store() const {
+        for (std::size_t i = 0; i < pack_.particles; ++i) {
+            if (!pack_.moves[i]) continue; // another pack may read an immovable particle
+            const std::uint32_t* const slots = pack_.slots + i * pack_.stride + lane_;
+            for (std::size_t k = 0; k < D; ++k) {
+                const V numbers = particle(i, Fields::displacement + k);
+                for (auto l = first_; l < last_; ++l)
+                    columns_.displacement[k * columns_.stride + slots[l]] = Real(lane::lane_of(numbers, int(l)));
+            }
+        }
+    }
+
+    // --- directions --------------------------------------------------------------------------------------------------
+
+    /// Edges at the present places. A rope shorter than the share `taut` of its length lets go. Lanes in which that
+    /// happened, or a link has turned since the directions were taken.
+    [[gnu::flatten, gnu::noinline]] Mask measure() const {
+        Vector at[2];
+        V changed{};
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            for (std::size_t c = 0; c < D; ++c) {
+                const Real* const column = columns_.position + c * columns_.stride;
+                at[0].at[c] = gather(column, row.a), at[1].at[c] = gather(column, row.b);
+            }
+            const Vector edge = at[1] - at[0];
+            set_link_vector(k, Fields::edge, edge);
+            const V length = norm(edge), off_by = length * number(slightly_turned);
+            const Vector off = edge - link_vector(k, Fields::along) * length;
+            changed = off_by * off_by < dot(off, off) ? number(1) : changed;
+            if (row.is_rope == 0) return;
+            const V active = link(k, Fields::active);
+            const Mask lets_go = lane::both(active > V{}, length < number(taut) * link(k, Fields::length));
+            set_link(k, Fields::active, lets_go ? V{} : active);
+            changed = lets_go ? number(1) : changed;
+        });
+        return changed > V{};
+    }
+    /// Directions of the edges, and inverse masses.
+    [[gnu::flatten, gnu::noinline]] void take_directions(const Mask& mask) const {
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            const Vector edge = link_vector(k, Fields::edge);
+            set_link_vector(k, Fields::along,
+                            blend(mask, edge * inverse_or_zero(norm(edge)), link_vector(k, Fields::along)));
+            set_link(k, Fields::weight_a, particle(row.a, Fields::mobility));
+            set_link(k, Fields::weight_b, particle(row.b, Fields::mobility));
+        });
+    }
+    void turn_gradients(const Mask& mask) const {
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            const Vector edge = link_vector(k, Fields::edge) + between(row);
+            set_link_vector(k, Fields::along,
+                            blend(mask, edge * inverse_or_zero(norm(edge)), link_vector(k, Fields::along)));
+        });
+        Lanes::factorise();
+    }
+
+    // --- projections -------------------------------------------------------------------------------------------------
+
+    [[gnu::flatten, gnu::noinline]] void project_velocities(Mask live) const {
+        for (int i = 0; i < max_rounds; ++i) {
+            each_link([&](std::uint32_t k, const LinkRow& row) {
+                set_link(k, Fields::right, dot(link_vector(k, Fields::along), between(row)) * link(k, Fields::active));
+            });
+            Lanes::solve();
+            if (!pack_.has_ropes) return apply(live);
+            const Mask released = i + 1 < max_rounds ? release(live) : lane::without(live, live);
+            const Mask applied = lane::without(live, released);
+            apply(applied);
+            live = either(released, activate(applied, [&](std::uint32_t k, const LinkRow& row) {
+                              const V length = link(k, Fields::length);
+                              return lane::both(norm(link_vector(k, Fields::edge)) >= length * number(taut),
+                                                dot(link_vector(k, Fields::along), between(row)) >
+                                                    length * number(slight));
+                          }));
+            if (!lane::any(live)) return;
+        }
+    }
+
+    V excess(std::uint32_t k, const LinkRow& row) const {
+        return norm(link_vector(k, Fields::edge) + between(row)) - link(k, Fields::length);
+    }
+    /// One step along the gradients at the start leaves an error of second order, the next of third. Where a few do not
+    /// suffice, the gradients are those at the end: they always correct. Steps far beyond the linear model are cut
+    /// short.
+    [[gnu::flatten, gnu::noinline]] void project_lengths() const {
+        constexpr double exact = sizeof(Real) == sizeof(float) ? 1e-6 : 1e-9;
+        constexpr int usual_rounds = 4, all_rounds = 24;
+        Mask live = live_;
+        for (int i = 0; i < all_rounds; ++i) {
+            if (i >= usual_rounds) turn_gradients(live);
+            activate(live, [&](std::uint32_t k, const LinkRow& row) {
+                return excess(k, row) > link(k, Fields::length) * number(exact);
+            });
+            V worst{};
+            each_link([&](std::uint32_t k, const LinkRow& row) {
+                const V right = excess(k, row) * link(k, Fields::active);
+                set_link(k, Fields::right, right);
+                worst = lane::max(worst, lane::size_of(right) * link(k, Fields::per_length));
+            });
+            live = lane::both(live, worst > number(exact));
+            if (!lane::any(live)) return;
+            Lanes::solve();
+            const Mask released = i + 1 < all_rounds ? release(live) : lane::without(live, live);
+            apply_within(lane::without(live, released));
+        }
+    }
+
+    [[gnu::flatten, gnu::noinline]] void apply(const Mask& mask) const {
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            const V right = mask ? link(k, Fields::right) : V{};
+            const Vector along = link_vector(k, Fields::along);
+            set_link(k, Fields::tension, link(k, Fields::tension) + right);
+            set_particle_vector(row.a, Fields::displacement,
+                                displacement(row.a) + along * (right * link(k, Fields::weight_a)));
+            set_particle_vector(row.b, Fields::displacement,
+                                displacement(row.b) - along * (right * link(k, Fields::weight_b)));
+        });
+    }
+    /// Applies at most such a share of the solution that no link changes by more than `max_change` of its length.
+    [[gnu::flatten, gnu::noinline]] void apply_within(const Mask& mask) const {
+        constexpr double max_change = 0.2;
+        for (std::size_t i = 0; i < pack_.particles; ++i) set_particle_vector(i, Fields::added, Vector{});
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            const Vector along = link_vector(k, Fields::along);
+            const V right = link(k, Fields::right);
+            set_particle_vector(row.a, Fields::added,
+                                particle_vector(row.a, Fields::added) + along * (right * link(k, Fields::weight_a)));
+            set_particle_vector(row.b, Fields::added,
+                                particle_vector(row.b, Fields::added) - along * (right * link(k, Fields::weight_b)));
+        });
+        V largest{};
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            const Vector change = particle_vector(row.b, Fields::added) - particle_vector(row.a, Fields::added);
+            largest = lane::max(largest, norm(change) * link(k, Fields::per_length));
+        });
+        V share = largest > number(max_change) ? number(max_change) / largest : number(1);
+        share = mask ? share : V{};
+        each_link([&](std::uint32_t k, const LinkRow&) {
+            set_link(k, Fields::tension, link(k, Fields::tension) + link(k, Fields::right) * share);
+        });
+        for (std::size_t i = 0; i < pack_.particles; ++i)
+            set_particle_vector(i, Fields::displacement, displacement(i) + particle_vector(i, Fields::added) * share);
+    }
+
+    // --- ropes -------------------------------------------------------------------------------------------------------
+
+    /// Lets go what would push. Lanes in which anything did.
+    Mask release(const Mask& mask) const {
+        if (!pack_.has_ropes) return lane::without(mask, mask);
+        V any{};
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            if (row.is_rope == 0) return;
+            const V active = link(k, Fields::active);
+            const V pull = link(k, Fields::tension) + link(k, Fields::right) * number(1 + slight);
+            const Mask pushes = lane::both(mask, lane::both(active > V{}, pull < V{}));
+            set_link(k, Fields::active, pushes ? V{} : active);
+            any = pushes ? number(1) : any;
+        });
+        return factorise_where(any > V{});
+    }
+    /// Takes hold of the ropes that `pulls` says are taut. Lanes with any.
+    template <class Pulls> Mask activate(const Mask& mask, Pulls&& pulls) const {
+        if (!pack_.has_ropes) return lane::without(mask, mask);
+        V any{};
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            if (row.is_rope == 0) return;
+            const V active = link(k, Fields::active);
+            const Mask taken = lane::both(lane::both(mask, active <= V{}), pulls(k, row));
+            set_link(k, Fields::active, taken ? number(1) : active);
+            any = taken ? number(1) : any;
+        });
+        return factorise_where(any > V{});
+    }
+    /// Lanes in which nothing has changed receive the same factor again.
+    Mask factorise_where(const Mask& mask) const {
+        if (lane::any(mask)) Lanes::factorise();
+        return mask;
+    }
+
+    // --- energy ------------------------------------------------------------------------------------------------------
+
+    /// Displacement in which the energy is measured: of the first particle that cannot move, or the mean.
+    [[gnu::flatten, gnu::noinline]] Vector frame() const {
+        Vector frame{};
+        V mass{};
+        for (std::size_t i = 0; i < pack_.particles; ++i) {
+            const V own = particle(i, Fields::mass);
+            mass = mass + own, frame = frame + displacement(i) * own;
+        }
+        frame = frame * inverse_or_zero(mass);
+        for (std::size_t i = pack_.particles; i-- > 0;) {
+            const Mask stands = particle(i, Fields::mobility) <= V{};
+            if (lane::any(stands)) frame = blend(stands, displacement(i), frame);
+        }
+        return frame;
+    }
+    /// Kinetic energy in that frame, times 2 h^2.
+    [[gnu::flatten, gnu::noinline]] V energy(const Vector& frame) const {
+        V sum{};
+        for (std::size_t i = 0; i < pack_.particles; ++i) {
+            const Vector own = displacement(i) - frame;
+            sum = sum + particle(i, Fields::mass) * dot(own, own);
+        }
+        return sum;
+    }
+    void restore_energy() const {
+        constexpr double much = 1.001;
+        const Vector drift = frame();
+        const V now = energy(drift), due = Lanes::energy();
+        const Mask gains = lane::both(live_, now > due);
+        if (!lane::any(gains)) return;
+        const Mask gains_much = lane::both(gains, now > due * number(much));
+        const V share = lane::without(gains, gains_much) ? lane::root(V(due / now)) : number(1);
+        for (std::size_t i = 0; i < pack_.particles; ++i) {
+            const Vector moved = displacement(i);
+            const Vector slower = blend(gains, drift + (moved - drift) * share, moved);
+            set_particle_vector(i, Fields::displacement, blend(gains_much, particle_vector(i, Fields::before), slower));
+        }
+        if (lane::any(gains_much)) project_velocities(gains_much);
+    }
+};
+
+/// Calls work(projection) for the lanes of a pack, or for those around one lane.
+template <int D, class Real, class Work>
+void each_lane(const LinkColumns<D, Real>& columns, const LinkPack<D>& pack, int only, const Work& work) {
+    if (pack.stride == 1) {
+        LinkProjection<D, Real, double> projection(columns, pack, 0, only);
+        return work(projection);
+    }
+    constexpr int width = lane::widest<double>;
+    for (int first = 0; first < int(pack.count); first += width) {
+        if (only >= 0 && (only < first || only >= first + width)) continue;
+        LinkProjection<D, Real, lane::Pack<double, width>> projection(columns, pack, std::size_t(first), only);
+        work(projection);
+    }
+}
+
+template <int D, class Real> constexpr LinkKernels<D, Real> link_kernels() {
+    using Columns = LinkColumns<D, Real>;
+    return {
+        .factorise = [](const Columns& columns, const LinkPack<D>& pack,
+                        int only) { each_lane(columns, pack, only, [](auto& projection) { projection.factorise(); }); },
+        .velocities =
+            [](const Columns& columns, const LinkPack<D>& pack, int only) {
+                each_lane(columns, pack, only, [](auto& projection) { projection.velocities(); });
+            },
+        .lengths = [](const Columns& columns, const LinkPack<D>& pack,
+                      int only) { each_lane(columns, pack, only, [](auto& projection) { projection.lengths(); }); },
+        .restore = [](const Columns& columns, const LinkPack<D>& pack,
+                      int only) { each_lane(columns, pack, only, [](auto& projection) { projection.restore(); }); }};
+}
+
+} // namespace
+} // namespace sinew
