@@ -235,14 +235,14 @@ TYPED_TEST(JoinedThings, DraggedGainNothingOnceTheyAreHeld) {
         const auto carried = joined.any_particle();
         const auto from = *position_of(joined.world, carried);
         const auto held = *pin(joined.world, carried);
-        if (!joined.has_ports()) continue; // pieces that the pin parts
+        const double max = joined.has_ports() ? slight : 0.05; // pieces that the pin parts are swept, each alone
         for (int frame = 1; frame <= 30; ++frame) {
             move_pin(joined.world, held, from + at<typename TypeParam::Vector>(frame / 30.0, 0));
             step(joined.world, 1.0 / 60);
             ASSERT_TRUE(joined.is_finite_everywhere()) << "seed " << seed << ", frame " << frame;
         }
         step(joined.world, 1.0 / 60);
-        EXPECT_LE(max_gain(joined, 0.5), slight) << "seed " << seed;
+        EXPECT_LE(max_gain(joined, 0.5), max) << "seed " << seed;
     }
 }
 

@@ -34,8 +34,10 @@ template <int D, class Real> class CandidateSearch {
         return s.side != 0 ? radius + Real(2) * list_.widest : radius;
     }
     /// Reach of a feature from its place in the frame.
-    Real reach_of(std::uint32_t i) const { return size_of(i) + skin() + way(i); }
-    Real reach_of(const ContactSegment& s) const { return size_of(s) + skin() + max(way(s.number_a), way(s.number_b)); }
+    Real radius_of(std::uint32_t i) const { return size_of(i) + skin() + way(i); }
+    Real radius_of(const ContactSegment& s) const {
+        return size_of(s) + skin() + max(way(s.number_a), way(s.number_b));
+    }
 
     // --- search ------------------------------------------------------------------------------------------------------
 
@@ -65,7 +67,7 @@ template <int D, class Real> class CandidateSearch {
     template <class Visit> void each_around_particle(std::uint32_t p, Visit&& visit) const {
         collide::BoundingBox<D, Real> box;
         box.include(place_in_frame(p));
-        box = box.grown(reach_of(p));
+        box = box.grown(radius_of(p));
         if (!room_.particles[p].in_segment)
             each_particle(box, [&](std::uint32_t other) {
                 if (other != p && (!list_.is_new[other] || other < p) && are_near(p, other) && may_touch(p, other))
@@ -81,7 +83,7 @@ template <int D, class Real> class CandidateSearch {
         collide::BoundingBox<D, Real> box;
         box.include(place_in_frame(s.number_a));
         box.include(place_in_frame(s.number_b));
-        box = box.grown(reach_of(s));
+        box = box.grown(radius_of(s));
         each_particle(box, [&](std::uint32_t other) {
             if (are_near(s, other) && may_touch(other, s)) visit(number + count_, other);
         });

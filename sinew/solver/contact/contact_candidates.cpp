@@ -125,9 +125,9 @@ template <int D, class Real> class CandidateFinder {
 
     void find_radii() {
         list_.search_radius.clear(), list_.middle.clear(), list_.segment_ball.clear();
-        for (std::uint32_t i = 0; i < particles(); ++i) list_.search_radius.push_back(search_.reach_of(i));
+        for (std::uint32_t i = 0; i < particles(); ++i) list_.search_radius.push_back(search_.radius_of(i));
         for (const auto& s : room_.segments) {
-            list_.search_radius.push_back(search_.reach_of(s));
+            list_.search_radius.push_back(search_.radius_of(s));
             const auto &a = list_.position[s.number_a], &b = list_.position[s.number_b];
             list_.middle.push_back((a + b) * Real(0.5));
             list_.segment_ball.push_back(Real(0.5) * distance(a, b) + list_.search_radius.back());
@@ -206,7 +206,7 @@ template <int D, class Real> class CandidateFinder {
             if (search_.is_renewed(s)) list_.renewed_segments.push_back(i);
             if (!search_.is_new(s)) continue;
             list_.astray_segments.push_back(i);
-            list_.search_radius[particles() + i] = search_.reach_of(s);
+            list_.search_radius[particles() + i] = search_.radius_of(s);
         }
     }
     void fill_renewed() {
@@ -215,7 +215,7 @@ template <int D, class Real> class CandidateFinder {
         places.clear(), balls.clear();
         for (const auto i : list_.renewed) {
             places.push_back(search_.place_in_frame(i));
-            balls.push_back(search_.reach_of(i));
+            balls.push_back(search_.radius_of(i));
         }
         list_.renewed_particles.fill(places, balls);
         places.clear(), balls.clear();
@@ -223,7 +223,7 @@ template <int D, class Real> class CandidateFinder {
             const auto& s = room_.segments[i];
             const auto a = search_.place_in_frame(s.number_a), b = search_.place_in_frame(s.number_b);
             places.push_back((a + b) * Real(0.5));
-            balls.push_back(Real(0.5) * distance(a, b) + search_.reach_of(s));
+            balls.push_back(Real(0.5) * distance(a, b) + search_.radius_of(s));
         }
         list_.renewed_segment_grid.fill(places, balls);
     }
@@ -299,10 +299,10 @@ template <class Room, class IsNear> static void add_astray(Room& room, const IsN
 }
 
 template <int D, class Real>
-void find_near_planes(const World<D, Real>& world, ContactRoom<D, Real>& room, Real reach, bool all) {
+void find_near_planes(const World<D, Real>& world, ContactRoom<D, Real>& room, Real margin, bool all) {
     const auto& list = room.list;
     const auto is_near = [&](std::uint32_t i) {
-        const Real far = norm(list.velocity[i]) * (list.horizon + Real(2) * list.h) + Real(2) * list.margin + reach +
+        const Real far = norm(list.velocity[i]) * (list.horizon + Real(2) * list.h) + Real(2) * list.margin + margin +
                          Real(1.1) * room.particles[i].radius;
         return std::any_of(world.bounds.begin(), world.bounds.end(), [&](const auto& plane) {
             return dot(plane.normal, list.position[i]) - plane.offset <= far;

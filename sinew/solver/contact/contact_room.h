@@ -90,10 +90,10 @@ template <int D, class Real> void find_contact_features(World<D, Real>& world, S
 /// the rest of the step, `h` a substep. True if the list is new.
 template <int D, class Real>
 bool find_contact_candidates(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h);
-/// Lists the particles of each part that may touch a plane of the world while the list of pairs is valid; `reach`:
+/// Lists the particles of each part that may touch a plane of the world while the list of pairs is valid; `margin`:
 /// distance from which walls are looked at, apart from the radius. Unless `all`, after a renewal only its particles are
 /// looked at.
 template <int D, class Real>
-void find_near_planes(const World<D, Real>& world, ContactRoom<D, Real>& room, Real reach, bool all);
+void find_near_planes(const World<D, Real>& world, ContactRoom<D, Real>& room, Real margin, bool all);
 
 } // namespace sinew

@@ -88,7 +88,7 @@ template <int D, class Real> class FigureContact {
         if (is_first_) set_margin();
         const bool is_new = find_contact_candidates(world_, solver_, left_, h_);
         if (is_first_ || is_new)
-            find_near_planes(world_, room(), WallRows<D, Real>::reach(0, norm(state_.gravity), h_), is_first_);
+            find_near_planes(world_, room(), WallRows<D, Real>::margin(0, norm(state_.gravity), h_), is_first_);
         KeptContacts<D, Real> kept(world_, solver_);
         if (world_.contacts.lists_figures) note_figures();
         if (is_first_)

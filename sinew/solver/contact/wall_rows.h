@@ -27,14 +27,16 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         }
     }
     /// Distance from which a wall is looked at beyond the radius, so that what rests on it is never out of touch.
-    static Real reach(Real radius, Real gravity, Real h) { return Real(0.05) * radius + gravity * square(h) * Real(4); }
+    static Real margin(Real radius, Real gravity, Real h) {
+        return Real(0.05) * radius + gravity * square(h) * Real(4);
+    }
 
   private:
     const ColliderTouches<D, Real>& touches_;
     Real from_, to_;
 
     std::uint32_t id(Row row) const { return p_.handles.index_of(row); }
-    Real reach(Row row) const { return reach(p_.radius[row], norm(state_.gravity), h_); }
+    Real margin(Row row) const { return margin(p_.radius[row], norm(state_.gravity), h_); }
 
     void add_planes(Row p) {
         if (!(p_.mobility[p] > Real(0))) return;
@@ -42,7 +44,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         for (std::uint32_t i = 0; i < world_.bounds.size(); ++i) {
             const auto& plane = world_.bounds[i];
             const Real low = min(dot(plane.normal, from), dot(plane.normal, to)) - plane.offset - p_.radius[p];
-            if (low > reach(p)) continue;
+            if (low > margin(p)) continue;
             ContactRowT row;
             Origin origin;
             ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
@@ -61,7 +63,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         if (!(p_.mobility[p] > Real(0))) return;
         const auto from = position(p), to = from + displacement(p);
         const auto& collider = world_.colliders[index];
-        const Real radius = p_.radius[p], within = radius + reach(p);
+        const Real radius = p_.radius[p], within = radius + margin(p);
         collide::BoundingBox<D, Real> near;
         near.include(from);
         near.include(to);
@@ -91,7 +93,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         const auto& collider = world_.colliders[index];
         const auto a = position(s.a), b = position(s.b);
         const Real radius = min(p_.radius[s.a], p_.radius[s.b]);
-        const Real within = radius + reach(s.a) + max(norm(displacement(s.a)), norm(displacement(s.b)));
+        const Real within = radius + margin(s.a) + max(norm(displacement(s.a)), norm(displacement(s.b)));
         collide::BoundingBox<D, Real> near;
         near.include(a);
         near.include(b);

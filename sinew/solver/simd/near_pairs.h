@@ -47,9 +47,9 @@ template <int D, class Real> class NearPairs {
         const auto moved = at<V>(c_.displacement, c_.p + i);
         const auto from_a = moved - at<V>(c_.displacement, c_.a + i), from_b = moved - at<V>(c_.displacement, c_.b + i);
         const V way = lane::root(lane::max(dot(from_a, from_a), dot(from_b, from_b)));
-        const V reach = (lane::load<V>(c_.size + i) + way * lane::spread<V>(Real(2))) * slack;
+        const V radius = (lane::load<V>(c_.size + i) + way * lane::spread<V>(Real(2))) * slack;
         const V far2 = dot(off, off);
-        const V near = far2 <= reach * reach ? one : zero;
+        const V near = far2 <= radius * radius ? one : zero;
         if (!lane::any(near > zero)) return;
 
         const V distance = lane::root(far2);
