@@ -10,7 +10,8 @@ namespace sinew {
 
 template <std::floating_point T> inline constexpr T pi = T(3.14159265358979323846L);
 
-template <std::floating_point T> T square_root(T x) {
+/// An instruction, also in sources compiled without optimization, whose copies the linker may prefer.
+template <std::floating_point T> [[gnu::always_inline]] inline T square_root(T x) {
     return std::sqrt(x);
 }
 

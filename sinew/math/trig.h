@@ -114,11 +114,4 @@ template <std::floating_point T> T exponential(T x) {
     return std::ldexp(sum, int(k)); // scaling by a power of two: exact unless subnormal
 }
 
-// Compiled in trig.cpp: the linker must not prefer a copy of a source file that is compiled without optimization.
-extern template double detail::sine_shifted(double, double);
-extern template double detail::arctangent_of_fraction(double);
-extern template float detail::arctangent_of_fraction(float);
-extern template double arctangent(double, double);
-extern template float arctangent(float, float);
-
 } // namespace sinew
