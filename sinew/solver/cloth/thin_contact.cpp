@@ -26,7 +26,7 @@ template <class Real> class ThinContact {
         motion_.write();
     }
 
-    /// What is held back is off its forecast, and may be met by others: pairs are looked at again.
+    /// Vertices held back are off their forecast, and may be met by others: pairs are looked at again.
     void truncate() {
         motion_.read_displacements();
         Truncation<Real> truncation(room_);

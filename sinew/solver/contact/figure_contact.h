@@ -34,7 +34,7 @@ template <int D, class Real> class FigureContact {
         room().parts.run_all(threads_, [&](Part& part) { build_rows(world_, solver_, part, h_, from_, to_); });
         room().projector.begin(state_, drag_changes_, threads_);
         each_part([&](Part& part) {
-            for (auto& row : part.rows) push_again(row);
+            for (auto& row : part.rows) apply_again(row);
         });
         room().joints.begin(world_, state_, scale);
         room().projector.project_velocities(state_, threads_);
@@ -109,9 +109,9 @@ template <int D, class Real> class FigureContact {
         list.margin = margin, list.near_by = near_by, list.widest = widest;
     }
 
-    void push_again(RowT& row) {
+    void apply_again(RowT& row) {
         if (!row.keeps) row.multiplier = 0, row.tangent = {};
-        if (row.multiplier > Real(0)) rows_.push(row, row.normal * row.multiplier + row.tangent);
+        if (row.multiplier > Real(0)) rows_.apply(row, row.normal * row.multiplier + row.tangent);
     }
 
     /// A soft row of a light limb gives way where whole figures are pressed against each other or a wall. Beyond half
@@ -144,7 +144,7 @@ template <int D, class Real> class FigureContact {
         const std::span slots(row.slot.data(), members);
         const double response = room().projector.response(state_).along(slots, std::span(push_of).first(members));
         const Real impulse = min(lacking * Real(inverse_or_zero(response)), limit::multiplier<Real>);
-        rows_.push(row, row.normal * impulse);
+        rows_.apply(row, row.normal * impulse);
         row.max = max(row.max, row.multiplier + impulse);
         for (const Row slot : slots) room().projector.project_velocities(state_, slot);
         return impulse > Real(0);
@@ -156,7 +156,7 @@ template <int D, class Real> class FigureContact {
         if (origin.restitution == Real(0) || row.max == Real(0) || origin.approach <= resting) return false;
         const Real lacking = origin.restitution * origin.approach - rows_.change(row, origin.surface_displacement);
         if (!(lacking > Real(0))) return false;
-        rows_.push(row, row.normal * (lacking * row.mass));
+        rows_.apply(row, row.normal * (lacking * row.mass));
         row.multiplier += lacking * row.mass;
         return true;
     }

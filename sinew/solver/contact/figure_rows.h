@@ -48,7 +48,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
     Real near_by_, margin_;
     std::uint32_t source_ = 0; ///< the candidate
 
-    /// Of a pair whose nearest points are known.
+    /// Adds the row of a pair whose nearest points are known.
     void add(const NearSegment<D, Real>& near) {
         const auto [first, second] = room_.list.candidates[near.pair];
         const auto count = room_.particles.size();

@@ -16,7 +16,7 @@ template <int D, class Real> class RowSolver {
     /// `furthest`: bound on the components of a displacement.
     RowSolver(SweepState<D, Real>& state, Real furthest) : state_(state), furthest_(furthest) {}
 
-    void push(const RowT& row, const Vector& impulse) const {
+    void apply(const RowT& row, const Vector& impulse) const {
         for (std::size_t i = 0; i < row.slot.size(); ++i) {
             const Real mobility = state_.mobility[row.slot[i]];
             if (mobility == Real(0)) continue; // another part may read an immovable particle
@@ -45,7 +45,7 @@ template <int D, class Real> class RowSolver {
         if (square_size > square(max_friction)) tangent *= max_friction * inverse_or_zero(square_root(square_size));
         row.max = max(row.max, next);
         if (next == row.multiplier && tangent == row.tangent) return;
-        push(row, row.normal * (next - row.multiplier) + (tangent - row.tangent));
+        apply(row, row.normal * (next - row.multiplier) + (tangent - row.tangent));
         row.multiplier = next;
         row.tangent = tangent;
     }

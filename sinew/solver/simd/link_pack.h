@@ -22,11 +22,11 @@ struct LinkRow {
 
 /// Fields of the records of a pack.
 template <int D> struct LinkFields {
-    // Of a particle.
+    // Numbers of a particle.
     static constexpr std::size_t displacement = 0, before = D; ///< before: the lengths were corrected
     static constexpr std::size_t added = 2 * D;                ///< correction
     static constexpr std::size_t mobility = 3 * D, mass = mobility + 1, of_particle = mass + 1;
-    // Of a link.
+    // Numbers of a link.
     static constexpr std::size_t edge = 0, along = D; ///< from a to b; along: at the place of the factorisation
     static constexpr std::size_t length = 2 * D, per_length = length + 1, weight_a = length + 2, weight_b = length + 3;
     static constexpr std::size_t tension = length + 4; ///< multiplier of this substep, h newton seconds; positive pulls

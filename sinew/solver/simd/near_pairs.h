@@ -20,8 +20,8 @@ template <int D, class Real> class NearPairs {
     std::uint32_t list(std::uint32_t first, std::uint32_t last, Near* to) const {
         Near* next = to;
         for (; first + std::uint32_t(width) <= last; first += std::uint32_t(width))
-            look<lane::Pack<Real, width>>(first, next);
-        for (; first < last; ++first) look<Real>(first, next);
+            measure<lane::Pack<Real, width>>(first, next);
+        for (; first < last; ++first) measure<Real>(first, next);
         return std::uint32_t(next - to);
     }
 
@@ -36,7 +36,7 @@ template <int D, class Real> class NearPairs {
     }
     /// A gap shrinks by no more than the particle moves relative to either end. A little more than that counts as near,
     /// for rounding.
-    template <class V> [[gnu::always_inline]] void look(std::uint32_t i, Near*& next) const {
+    template <class V> [[gnu::always_inline]] void measure(std::uint32_t i, Near*& next) const {
         const V zero{}, one = lane::spread<V>(Real(1)), slack = lane::spread<V>(Real(1.001));
         const auto a = at<V>(c_.position, c_.a + i), along = at<V>(c_.position, c_.b + i) - a;
         auto off = at<V>(c_.position, c_.p + i) - a;
