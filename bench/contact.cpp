@@ -182,7 +182,7 @@ World<2, float> contact_world(const ContactWork& work, int substeps, bool contac
     for (const auto& stick : work.sticks) {
         const auto body = FigureIndex(work.particles[stick.a].body);
         const auto id =
-            add<Distance>(world, {ids[stick.a], ids[stick.b]}, {.limits = exactly(stick.rest), .figure = body});
+            add<Distance>(world, {ids[stick.a], ids[stick.b]}, {.limits = exactly(float(stick.rest)), .figure = body});
         world.figures[body].constraints.push_back(*id);
     }
     for (const auto& outline : work.outlines) {
@@ -230,7 +230,7 @@ ContactState look_at(const ContactWork& work, const World<2, float>& world) {
     for (const auto& stick : work.sticks) {
         const auto a = cast<double>(world.particles.position[stick.a]),
                    b = cast<double>(world.particles.position[stick.b]);
-        state.longest = std::max(state.longest, std::abs(distance(a, b) / double(stick.rest) - 1));
+        state.longest = std::max(state.longest, std::abs(distance(a, b) / stick.rest - 1));
     }
     for (const auto& velocity : world.particles.velocity)
         state.speed += double(norm(velocity)) / double(world.particles.size());

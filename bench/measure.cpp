@@ -176,7 +176,7 @@ int usual_steps(const Work& work) {
 }
 
 Work work_of(const Case& chosen) {
-    return work_of(world_of<float>(chosen));
+    return work_of(world_of<double>(chosen));
 }
 
 std::unique_ptr<Simulation> simulate(const Case& chosen, const Engine& engine, const Effort& effort) {

@@ -7,12 +7,14 @@
 namespace sinew::bench {
 
 Textbook::Textbook(const Work& work, const Effort& effort, Order order)
-    : effort_(effort), gravity_(work.gravity), sticks_(work.sticks), struts_(work.struts) {
+    : effort_(effort), gravity_(work.gravity) {
     const float h = float(frame / effort.substeps);
     for (std::size_t i = 0; i < work.places.size(); ++i) {
         const auto now = work.places[i], before = now - work.velocities[i] * h;
         points_.push_back({now[0], now[1], now[2], before[0], before[1], before[2], work.inverse_masses[i]});
     }
+    for (const auto& stick : work.sticks) sticks_.push_back({stick.a, stick.b, float(stick.rest)});
+    for (const auto& strut : work.struts) struts_.push_back({strut.a, strut.b, float(strut.min)});
     if (order == Order::shuffled) shuffle(sticks_, 1);
 }
 
@@ -46,8 +48,8 @@ void Textbook::satisfy() {
         a.x += dx * s * a.inverse_mass, a.y += dy * s * a.inverse_mass, a.z += dz * s * a.inverse_mass;
         b.x -= dx * s * b.inverse_mass, b.y -= dy * s * b.inverse_mass, b.z -= dz * s * b.inverse_mass;
     };
-    for (const auto& stick : sticks_) correct(stick.a, stick.b, stick.rest, false);
-    for (const auto& strut : struts_) correct(strut.a, strut.b, strut.min, true);
+    for (const auto& stick : sticks_) correct(stick.a, stick.b, stick.length, false);
+    for (const auto& strut : struts_) correct(strut.a, strut.b, strut.length, true);
 }
 
 Found Textbook::place(std::size_t particle) const {

@@ -25,11 +25,15 @@ class Textbook final : public Simulation {
         float inverse_mass;
     };
 
+    struct Link {
+        std::uint32_t a, b;
+        float length;
+    };
+
     Effort effort_;
     Place gravity_;
     std::vector<Point> points_;
-    std::vector<Stick> sticks_;
-    std::vector<Strut> struts_;
+    std::vector<Link> sticks_, struts_;
 
     void move(float h);
     void satisfy();

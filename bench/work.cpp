@@ -24,9 +24,9 @@ template <class Real> Work work_of(const World<3, Real>& world) {
     for (Row row = 0; row < distances.size(); ++row) {
         const auto ends = distances.members[row];
         if (ties(distances, row))
-            work.sticks.push_back({ends[0], ends[1], float(distances.high(row))});
+            work.sticks.push_back({ends[0], ends[1], double(distances.high(row))});
         else
-            work.struts.push_back({ends[0], ends[1], float(distances.low(row))});
+            work.struts.push_back({ends[0], ends[1], double(distances.low(row))});
     }
     return work;
 }
@@ -35,7 +35,7 @@ Strain strain_of(const Work& work, std::span<const Found> places) {
     Strain strain;
     for (const auto& stick : work.sticks) {
         const double length = distance(places[stick.a], places[stick.b]);
-        const double off = absolute(length / double(stick.rest) - 1);
+        const double off = absolute(length / stick.rest - 1);
         if (!is_finite(off)) {
             constexpr double lost = std::numeric_limits<double>::quiet_NaN();
             return {lost, lost, lost};

@@ -15,13 +15,13 @@ using Found = Vec<3, double>; ///< position found by a solver, in full precision
 
 struct Stick {
     std::uint32_t a = 0, b = 0;
-    float rest = 0;
+    double rest = 0; ///< in full precision: a stretch is measured against it
 };
 
 /// A distance of at least `min`: limits the folding of a limb.
 struct Strut {
     std::uint32_t a = 0, b = 0;
-    float min = 0;
+    double min = 0;
 };
 
 struct Work {

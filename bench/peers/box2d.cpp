@@ -24,8 +24,8 @@ class Box2D final : public Simulation {
             mass.I = 0;
             bodies_.back()->SetMassData(&mass);
         }
-        for (const auto& stick : work.sticks) tie(stick.a, stick.b, stick.rest, stick.rest);
-        for (const auto& strut : work.struts) tie(strut.a, strut.b, strut.min, b2_maxFloat);
+        for (const auto& stick : work.sticks) tie(stick.a, stick.b, float(stick.rest), float(stick.rest));
+        for (const auto& strut : work.struts) tie(strut.a, strut.b, float(strut.min), b2_maxFloat);
     }
 
     void step() override {

@@ -57,7 +57,7 @@ std::vector<std::array<float, 7>> segments(const Work& work) {
         };
         auto from = place(a), to = place(b);
         if (to < from) std::swap(from, to);
-        all.push_back({from[0], from[1], to[0], to[1], std::round(stick.rest * 1e4F)});
+        all.push_back({from[0], from[1], to[0], to[1], float(std::round(stick.rest * 1e4))});
     }
     std::ranges::sort(all);
     return all;
