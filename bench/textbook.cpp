@@ -6,8 +6,7 @@
 
 namespace sinew::bench {
 
-Textbook::Textbook(const Work& work, const Effort& effort, Order order)
-    : effort_(effort), gravity_(work.gravity) {
+Textbook::Textbook(const Work& work, const Effort& effort, Order order) : effort_(effort), gravity_(work.gravity) {
     const float h = float(frame / effort.substeps);
     for (std::size_t i = 0; i < work.places.size(); ++i) {
         const auto now = work.places[i], before = now - work.velocities[i] * h;
