@@ -33,7 +33,7 @@ struct PortRow {
     double multiplier = 0; ///< in this substep so far
 };
 
-/// Connected component of particles around a port, by all constraints.
+/// Connected component of particles around a port or of a jelly that is held, by all constraints.
 template <int D> struct PortGroup {
     std::uint32_t first = 0, members = 0;        ///< range of Ports::members
     std::uint32_t first_spring = 0, springs = 0; ///< range of Ports::springs
@@ -76,6 +76,9 @@ template <int D> struct Ports {
         rows.clear();
         passes.clear();
         responses.clear();
+        clear_groups();
+    }
+    void clear_groups() {
         groups.clear();
         members.clear();
         springs.clear();

@@ -227,23 +227,31 @@ TYPED_TEST(JoinedThings, LinksSolvedAtOnceKeepTheirLengthsWhereMotionIsHeldBack)
 }
 
 /// A pin carries one particle about at 2 m/s and stops: from then on no energy comes in.
-TYPED_TEST(JoinedThings, DraggedGainNothingOnceTheyAreHeld) {
-    for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(few, many)); ++seed) {
-        Joined<TypeParam::dimension> joined(seed);
-        if (!joined.has_ports()) continue;
-        fall(joined.world, gravity);
-        const auto carried = joined.any_particle();
-        const auto from = *position_of(joined.world, carried);
-        const auto held = *pin(joined.world, carried);
-        const double max = joined.has_ports() ? slight : 1e-2; // pieces that the pin parts are swept, each alone
-        for (int frame = 1; frame <= 30; ++frame) {
-            move_pin(joined.world, held, from + at<typename TypeParam::Vector>(frame / 30.0, 0));
-            step(joined.world, 1.0 / 60);
-            ASSERT_TRUE(joined.is_finite_everywhere()) << "seed " << seed << ", frame " << frame;
-        }
+template <int D> void expect_no_gain_after_a_drag(std::uint64_t seed) {
+    Joined<D> joined(seed);
+    if (!joined.has_ports()) return;
+    fall(joined.world, gravity);
+    const auto carried = joined.any_particle();
+    const auto from = *position_of(joined.world, carried);
+    const auto held = *pin(joined.world, carried);
+    for (int frame = 1; frame <= 30; ++frame) {
+        move_pin(joined.world, held, from + at<typename Joined<D>::Vector>(frame / 30.0, 0));
         step(joined.world, 1.0 / 60);
-        EXPECT_LE(max_gain(joined, 0.5), max) << "seed " << seed;
+        ASSERT_TRUE(joined.is_finite_everywhere()) << "seed " << seed << ", frame " << frame;
     }
+    step(joined.world, 1.0 / 60);
+    EXPECT_LE(max_gain(joined, 0.5), slight) << "seed " << seed;
+}
+
+TYPED_TEST(JoinedThings, DraggedGainNothingOnceTheyAreHeld) {
+    for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(few, many)); ++seed)
+        expect_no_gain_after_a_drag<TypeParam::dimension>(seed);
+}
+
+// The pin holds a jelly by a corner of its own, and parts it from all else: it has no port any more.
+TYPED_TEST(JoinedThings, AJellyPartedByThePinGainsNothing) {
+    if constexpr (TypeParam::dimension == 2)
+        for (const std::uint64_t seed : {1517, 1609, 1731, 1833, 1963}) expect_no_gain_after_a_drag<2>(seed);
 }
 
 TYPED_TEST(JoinedThings, ACopyStepsAsItsOriginalOnAnyNumberOfThreads) {

@@ -57,18 +57,20 @@ template <int D, class Real> class AttachedPieces {
         const auto& all = room_.tree;
         const auto joints =
             std::size_t(std::count_if(all.begin(), all.end(), [&](Row row) { return !room_.direct[row]; }));
-        if (all.size() < 2 || joints > max_joints || !build(all, root)) return;
+        if (joints > max_joints || !build(all, root)) return;
         for (const Row row : all)
             if (room_.direct[row]) room_.attached.push_back(row);
     }
 
-    /// Unites a particle with neighbours over links with a direct end, and over links between different figures.
+    /// Unites a particle with neighbours over links with a direct end, and over links between different figures. A link
+    /// to what is fixed is a piece by itself.
     void unite_with_neighbours(Row row) {
         if (room_.direct[row]) room_.part_of[row] = row;
         for_each_link(world_, row, [&](Row link, Row other) {
             const bool joins = particles_.figure[row] != particles_.figure[other];
-            if (!mobile(other) || !graph_.may_hang(link) || !(room_.direct[row] || joins)) return;
+            if (!graph_.may_hang(link) || !(room_.direct[row] || joins)) return;
             room_.part_of[row] = row;
+            if (!mobile(other)) return;
             room_.part_of[other] = other;
             room_.pieces.join(row, other);
         });

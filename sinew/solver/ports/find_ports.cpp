@@ -1,5 +1,6 @@
 #include "sinew/assert/assert.h"
 #include "sinew/math/sort.h"
+#include "sinew/solver/direct/graph.h"
 #include "sinew/solver/direct/look_up_rows.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/ports/load_tethers.h"
@@ -102,16 +103,18 @@ template <int D, class Real> void pass_more_often(Solver<D, Real>& solver) {
     }
 }
 
-/// Connected components with ports, and all others that hang on the same pins: an energy limit holds for all of a
-/// figure. Immovable particles do not connect.
+/// Connected components with ports, those of held jellies, and all others that hang on the same pins: an energy limit
+/// holds for all of a figure. Immovable particles do not connect.
 template <int D, class Real> class GroupFinder {
   public:
     GroupFinder(World<D, Real>& world, Solver<D, Real>& solver)
         : world_(world), solver_(solver), ports_(solver.blocks.ports) {}
 
     void run() {
+        ports_.clear_groups();
         ports_.reached.assign(world_.particles.size(), 0);
         for (const auto& port : ports_.list) add_group(solver_.blocks.nodes[port.node].row);
+        for_each_table(world_, [&](const auto& table) { add_jellies(table); });
         for (std::uint32_t a = 0; a < ports_.anchors.size(); ++a)
             for_each_constraint(world_, solver_.sweep_state.row_of[ports_.anchors[a]],
                                 [&](const auto& table, Row constraint) {
@@ -126,15 +129,34 @@ template <int D, class Real> class GroupFinder {
 
     template <class Column> static std::uint32_t size(const Column& column) { return std::uint32_t(column.size()); }
 
-    /// Adds the component of a swept particle, if new.
-    void add_group(Row row) {
-        if (ports_.reached[row] || !mobile(row) || solver_.sweep_state.slot_of[row] == Ports<D>::none) return;
+    /// Adds the components that a pin holds and an area or volume fills: the sweep alone gains energy there.
+    template <class Table> void add_jellies(const Table& table) {
+        using Kind = typename Table::Kind;
+        if constexpr (std::is_same_v<Kind, Area<D>> || std::is_same_v<Kind, Volume<D>>)
+            for (Row constraint = 0; constraint < table.size(); ++constraint) {
+                if (detail::BlockGraph<D, Real>::is_fold(table, constraint)) continue;
+                for (const Row member : table.members[constraint])
+                    if (add_group(member) && ports_.groups.back().anchors == 0) forget_last_group();
+            }
+    }
+    void forget_last_group() {
+        const auto& group = ports_.groups.back();
+        ports_.members.resize(group.first);
+        ports_.springs.resize(group.first_spring);
+        ports_.anchors.resize(group.first_anchor);
+        ports_.groups.pop_back();
+    }
+
+    /// Adds the component of a swept particle. False if there is none, or if it is listed already.
+    bool add_group(Row row) {
+        if (ports_.reached[row] || !mobile(row) || solver_.sweep_state.slot_of[row] == Ports<D>::none) return false;
         ports_.groups.push_back({.first = size(ports_.members),
                                  .first_spring = size(ports_.springs),
                                  .first_anchor = size(ports_.anchors)});
         visit(row);
         spread();
         end_group();
+        return true;
     }
 
     void visit(Row row) {
@@ -197,16 +219,18 @@ template <int D, class Real> void find_ports(World<D, Real>& world, Solver<D, Re
 
 template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Real>& solver) {
     auto& blocks = solver.blocks;
-    if (blocks.attached_trees.empty()) return;
-    list_rows(world, solver);
-    mark_sheets(solver);
-    const detail::LoadTethers<D, Real> tethers(world, solver);
-    for (const auto& block : blocks.attached_trees)
-        for (std::uint32_t p = 0; p < block.ports; ++p)
-            tethers.set_anchors(std::span(blocks.links).subspan(first_tether(block, p), max_tethers));
+    if (!blocks.attached_trees.empty()) {
+        list_rows(world, solver);
+        mark_sheets(solver);
+        const detail::LoadTethers<D, Real> tethers(world, solver);
+        for (const auto& block : blocks.attached_trees)
+            for (std::uint32_t p = 0; p < block.ports; ++p)
+                tethers.set_anchors(std::span(blocks.links).subspan(first_tether(block, p), max_tethers));
+    }
     GroupFinder<D, Real>(world, solver).run();
+    if (blocks.ports.groups.empty()) return;
     world.particles.energy_debt.set_apart(); // a step allocates nothing
-    pass_more_often(solver);
+    if (!blocks.ports.list.empty()) pass_more_often(solver);
     blocks.ports.free_moves.resize(solver.sweep_state.size());
     blocks.ports.last_displacements.resize(solver.sweep_state.size());
     blocks.ports.mobilities.resize(solver.sweep_state.size());

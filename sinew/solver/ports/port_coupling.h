@@ -16,8 +16,8 @@ template <int D, class Real> class PortCoupling {
 
     /// Called after the prediction. Guesses come from the last substep, in the first one from the stored multipliers.
     void begin() {
+        if (!blocks_.ports.groups.empty()) note_free_moves();
         if (!any()) return;
-        note_free_moves();
         if (number_ == 1) begin_step();
         each([&](Block&, PortBlock<D, Real> block) { block.predict(), block.state().show(); });
         begin_rows();
