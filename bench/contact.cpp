@@ -193,10 +193,7 @@ World<2, float> contact_world(const ContactWork& work, int substeps, bool contac
     return world;
 }
 
-namespace {
-
-/// Number of pairs of sides of different bodies that cross.
-int crossed_sides(const ContactWork& work, const World<2, float>& world) {
+int crossed_sides(const ContactWork& work, std::span<const Vec<2, double>> places) {
     struct Side {
         Vec<2, double> a, b;
         std::uint32_t body;
@@ -204,12 +201,11 @@ int crossed_sides(const ContactWork& work, const World<2, float>& world) {
         double high() const { return std::max(a[0], b[0]); }
     };
     std::vector<Side> sides;
-    const auto at = [&](std::uint32_t i) { return cast<double>(world.particles.position[i]); };
     for (const auto& outline : work.outlines) {
         const auto& corners = outline.corners;
         const auto n = corners.size();
         for (std::size_t i = 0; i < (n == 2 ? 1 : n); ++i)
-            sides.push_back({at(corners[i]), at(corners[(i + 1) % n]), work.particles[corners[0]].body});
+            sides.push_back({places[corners[i]], places[corners[(i + 1) % n]], work.particles[corners[0]].body});
     }
     std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) { return s.low() < t.low(); });
     const auto is_left = [](const auto& a, const auto& b, const auto& c) { return cross(b - a, c - a) > 0; };
@@ -223,19 +219,16 @@ int crossed_sides(const ContactWork& work, const World<2, float>& world) {
     return count;
 }
 
-} // namespace
-
 ContactState look_at(const ContactWork& work, const World<2, float>& world) {
     ContactState state;
-    for (const auto& stick : work.sticks) {
-        const auto a = cast<double>(world.particles.position[stick.a]),
-                   b = cast<double>(world.particles.position[stick.b]);
-        state.longest = std::max(state.longest, std::abs(distance(a, b) / stick.rest - 1));
-    }
+    std::vector<Vec<2, double>> places;
+    for (const auto& place : world.particles.position) places.push_back(cast<double>(place));
+    for (const auto& stick : work.sticks)
+        state.longest = std::max(state.longest, std::abs(distance(places[stick.a], places[stick.b]) / stick.rest - 1));
     for (const auto& velocity : world.particles.velocity)
         state.speed += double(norm(velocity)) / double(world.particles.size());
     state.is_lost = !std::isfinite(state.speed) || !std::isfinite(state.longest);
-    state.crossed = crossed_sides(work, world);
+    state.crossed = crossed_sides(work, places);
     return state;
 }
 

@@ -3,6 +3,7 @@
 #include "bench/simulation.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,5 +65,8 @@ struct ContactState {
     bool is_lost = false; ///< a place is not finite
 };
 ContactState look_at(const ContactWork& work, const World<2, float>& world);
+
+/// Number of pairs of sides of different bodies that cross.
+int crossed_sides(const ContactWork& work, std::span<const Vec<2, double>> places);
 
 } // namespace sinew::bench

@@ -46,7 +46,8 @@ class BenchCommand final : public Command {
         declare_text(parser, "--start", options.start, "S", "of rope: hang or level; else both");
         declare_number(parser, "-s,--seconds", options.seconds, {0.1, 1e6}, "S",
                        "of rope and contact: how long, simulated; else 5 and 10");
-        declare_number(parser, "--substeps", options.substeps, {1, 1e4}, "N", "of contact: substeps a step; else 16");
+        declare_number(parser, "--substeps", options.substeps, {1, 1e4}, "N",
+                       "of contact: substeps a step; else 16, of other engines 1");
         declare_text(parser, "--plot", options.plot, "FILE", "of quality and weights: an SVG file to draw into");
         declare_flag(parser, "--json", options.as_json, "one line of JSON a case");
         declare_flag(parser, "--markdown", options.as_markdown, "tables as Markdown has them");

@@ -1,26 +1,11 @@
+#include "bench/peers/chipmunk_space.h"
 #include "bench/peers/peers.h"
 
-#include <chipmunk/chipmunk.h>
-#include <cstdio>
-#include <fcntl.h>
 #include <limits>
-#include <unistd.h>
 
 /// Chipmunk 7 (Lembcke): bodies, pin joints, and slide joints for limits, in the xy plane.
 namespace sinew::bench {
 namespace {
-
-/// Silences cpSpaceNew: Debian's Chipmunk prints a greeting on standard output, where results are printed.
-cpSpace* make_space() {
-    std::fflush(stdout);
-    const int kept = dup(STDOUT_FILENO), nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    auto* space = cpSpaceNew();
-    std::fflush(stdout);
-    dup2(kept, STDOUT_FILENO);
-    close(kept), close(nowhere);
-    return space;
-}
 
 class Chipmunk final : public Simulation {
   public:

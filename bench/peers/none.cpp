@@ -1,9 +1,14 @@
+#include "bench/bodies.h"
 #include "bench/simulation.h"
 
-/// Empty list of peers, for builds without SINEW_PEERS.
+/// Empty lists of peers, for builds without SINEW_PEERS.
 namespace sinew::bench {
 
 std::span<const Solver> peers() {
+    return {};
+}
+
+std::span<const BodySolver> body_peers() {
     return {};
 }
 
