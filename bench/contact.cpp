@@ -12,7 +12,7 @@
 namespace sinew::bench {
 namespace {
 
-/// Fifteen particles, twenty-one links, 72 kg, eight limbs, a trunk and a head.
+/// Fifteen particles, twenty-one links, 70 kg, eight limbs, a trunk and a head.
 struct RagdollModel {
     enum Part { head, neck, ls, rs, le, re, lh, rh, pelvis, lp, rp, lk, rk, lf, rf, parts };
     using Pair = std::array<std::uint32_t, 2>;
