@@ -1,26 +1,27 @@
 #pragma once
 
 #include "sinew/solver/simd/kernel.h"
-#include "sinew/solver/simd/link_factor.h"
+#include "sinew/solver/simd/link_solution.h"
 
 /// Kernels of rigid links (contact/link_projector.h).
 namespace sinew {
 namespace {
 
 /// Projections of the components in the lanes of V. A component that is not in the mask of a function stays as it is.
-template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
-    using Lanes = LinkLanes<D, V>;
+template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> {
+    using Solution = LinkSolution<D, V>;
     using Fields = LinkFields<D>;
-    using Lanes::number, Lanes::inverse_or_zero, Lanes::link, Lanes::set_link, Lanes::particle, Lanes::set_particle;
-    using Lanes::pack_, Lanes::lane_;
-    using Lanes::particle_vector, Lanes::set_particle_vector, Lanes::link_vector, Lanes::set_link_vector;
-    using typename Lanes::Vector;
-    using Mask = decltype(V{} < V{});
-    static constexpr std::size_t width = sizeof(V) / sizeof(double);
+    using Solution::activate, Solution::apply, Solution::apply_within, Solution::release;
+    using Solution::between, Solution::blend, Solution::displacement, Solution::each_link, Solution::norm;
+    using Solution::energy_in, Solution::frame, Solution::slight, Solution::width;
+    using Solution::number, Solution::inverse_or_zero, Solution::link, Solution::set_link, Solution::particle;
+    using Solution::pack_, Solution::lane_, Solution::set_particle;
+    using Solution::particle_vector, Solution::set_particle_vector, Solution::link_vector, Solution::set_link_vector;
+    using typename Solution::Mask, typename Solution::Vector;
 
   public:
     LinkProjection(const LinkColumns<D, Real>& columns, const LinkPack<D>& pack, std::size_t first_lane, int only)
-        : Lanes(pack, first_lane), columns_(columns), first_(only < 0 ? 0 : std::size_t(only) - first_lane),
+        : Solution(pack, first_lane), columns_(columns), first_(only < 0 ? 0 : std::size_t(only) - first_lane),
           last_(only < 0 ? std::min(width, pack.count - first_lane) : first_ + 1), live_(lanes_in_use()) {}
 
     void factorise() {
@@ -31,7 +32,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
         }
         measure();
         take_directions(live_);
-        Lanes::factorise();
+        Solution::factorise();
     }
     void velocities() {
         load();
@@ -40,7 +41,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
     }
     void lengths() {
         load();
-        Lanes::set_energy(energy(frame()));
+        Solution::set_energy(energy_in(frame()));
         for (std::uint32_t i = 0; i < pack_.particles; ++i) set_particle_vector(i, Fields::before, displacement(i));
         project_lengths();
         store();
@@ -49,7 +50,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
         const Mask changed = lane::both(live_, measure());
         if (lane::any(changed)) {
             take_directions(changed);
-            Lanes::factorise();
+            Solution::factorise();
         }
         load();
         project_velocities(live_);
@@ -60,7 +61,6 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
   private:
     static constexpr int max_rounds = 8;
     static constexpr double taut = 1 - 1e-4; ///< share of its length at which a rope may begin to pull
-    static constexpr double slight = 1e-9;   ///< change of a link that counts as none, as a share of its length
     /// Links that have turned by less, radians, since the last factorisation in the step are not factorised again: the
     /// velocities left along them are that share of those across.
     static constexpr double slightly_turned = 1e-3;
@@ -74,24 +74,6 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
         for (std::size_t i = first_; i < last_; ++i) lane::put_lane(flags, int(i), 1.0);
         return flags > V{};
     }
-    static Mask either(const Mask& a, const Mask& b) {
-        if constexpr (width == 1)
-            return a || b;
-        else
-            return a | b;
-    }
-    Vector displacement(std::size_t i) const { return particle_vector(i, Fields::displacement); }
-    Vector between(const LinkRow& row) const { return displacement(row.b) - displacement(row.a); }
-    static V norm(const Vector& v) { return lane::root(dot(v, v)); }
-    static Vector blend(const Mask& mask, const Vector& a, const Vector& b) {
-        Vector v;
-        for (int k = 0; k < D; ++k) v.at[k] = mask ? a.at[k] : b.at[k];
-        return v;
-    }
-    template <class Visit> void each_link(Visit&& visit) const {
-        for (std::uint32_t k = 0; k < pack_.links; ++k) visit(k, pack_.rows[k]);
-    }
-
     // --- particles ---------------------------------------------------------------------------------------------------
 
     V gather(const Real* column, std::size_t i) const {
@@ -161,7 +143,7 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
             set_link_vector(k, Fields::along,
                             blend(mask, edge * inverse_or_zero(norm(edge)), link_vector(k, Fields::along)));
         });
-        Lanes::factorise();
+        Solution::factorise();
     }
 
     // --- projections -------------------------------------------------------------------------------------------------
@@ -171,17 +153,17 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
             each_link([&](std::uint32_t k, const LinkRow& row) {
                 set_link(k, Fields::right, dot(link_vector(k, Fields::along), between(row)) * link(k, Fields::active));
             });
-            Lanes::solve();
+            Solution::solve();
             if (!pack_.has_ropes) return apply(live);
             const Mask released = i + 1 < max_rounds ? release(live) : lane::without(live, live);
             const Mask applied = lane::without(live, released);
             apply(applied);
-            live = either(released, activate(applied, [&](std::uint32_t k, const LinkRow& row) {
-                              const V length = link(k, Fields::length);
-                              return lane::both(norm(link_vector(k, Fields::edge)) >= length * number(taut),
-                                                dot(link_vector(k, Fields::along), between(row)) >
-                                                    length * number(slight));
-                          }));
+            live = Solution::either(released, activate(applied, [&](std::uint32_t k, const LinkRow& row) {
+                                        const V length = link(k, Fields::length);
+                                        return lane::both(norm(link_vector(k, Fields::edge)) >= length * number(taut),
+                                                          dot(link_vector(k, Fields::along), between(row)) >
+                                                              length * number(slight));
+                                    }));
             if (!lane::any(live)) return;
         }
     }
@@ -209,114 +191,18 @@ template <int D, class Real, class V> class LinkProjection : LinkLanes<D, V> {
             });
             live = lane::both(live, worst > number(exact));
             if (!lane::any(live)) return;
-            Lanes::solve();
+            Solution::solve();
             const Mask released = i + 1 < all_rounds ? release(live) : lane::without(live, live);
             apply_within(lane::without(live, released));
         }
     }
 
-    [[gnu::flatten, gnu::noinline]] void apply(const Mask& mask) const {
-        each_link([&](std::uint32_t k, const LinkRow& row) {
-            const V right = mask ? link(k, Fields::right) : V{};
-            const Vector along = link_vector(k, Fields::along);
-            set_link(k, Fields::tension, link(k, Fields::tension) + right);
-            set_particle_vector(row.a, Fields::displacement,
-                                displacement(row.a) + along * (right * link(k, Fields::weight_a)));
-            set_particle_vector(row.b, Fields::displacement,
-                                displacement(row.b) - along * (right * link(k, Fields::weight_b)));
-        });
-    }
-    /// Applies at most such a share of the solution that no link changes by more than `max_change` of its length.
-    [[gnu::flatten, gnu::noinline]] void apply_within(const Mask& mask) const {
-        constexpr double max_change = 0.2;
-        for (std::size_t i = 0; i < pack_.particles; ++i) set_particle_vector(i, Fields::added, Vector{});
-        each_link([&](std::uint32_t k, const LinkRow& row) {
-            const Vector along = link_vector(k, Fields::along);
-            const V right = link(k, Fields::right);
-            set_particle_vector(row.a, Fields::added,
-                                particle_vector(row.a, Fields::added) + along * (right * link(k, Fields::weight_a)));
-            set_particle_vector(row.b, Fields::added,
-                                particle_vector(row.b, Fields::added) - along * (right * link(k, Fields::weight_b)));
-        });
-        V largest{};
-        each_link([&](std::uint32_t k, const LinkRow& row) {
-            const Vector change = particle_vector(row.b, Fields::added) - particle_vector(row.a, Fields::added);
-            largest = lane::max(largest, norm(change) * link(k, Fields::per_length));
-        });
-        V share = largest > number(max_change) ? number(max_change) / largest : number(1);
-        share = mask ? share : V{};
-        each_link([&](std::uint32_t k, const LinkRow&) {
-            set_link(k, Fields::tension, link(k, Fields::tension) + link(k, Fields::right) * share);
-        });
-        for (std::size_t i = 0; i < pack_.particles; ++i)
-            set_particle_vector(i, Fields::displacement, displacement(i) + particle_vector(i, Fields::added) * share);
-    }
-
-    // --- ropes -------------------------------------------------------------------------------------------------------
-
-    /// Lets go what would push. Lanes in which anything did.
-    Mask release(const Mask& mask) const {
-        if (!pack_.has_ropes) return lane::without(mask, mask);
-        V any{};
-        each_link([&](std::uint32_t k, const LinkRow& row) {
-            if (row.is_rope == 0) return;
-            const V active = link(k, Fields::active);
-            const V pull = link(k, Fields::tension) + link(k, Fields::right) * number(1 + slight);
-            const Mask pushes = lane::both(mask, lane::both(active > V{}, pull < V{}));
-            set_link(k, Fields::active, pushes ? V{} : active);
-            any = pushes ? number(1) : any;
-        });
-        return factorise_where(any > V{});
-    }
-    /// Takes hold of the ropes that `pulls` says are taut. Lanes with any.
-    template <class Pulls> Mask activate(const Mask& mask, Pulls&& pulls) const {
-        if (!pack_.has_ropes) return lane::without(mask, mask);
-        V any{};
-        each_link([&](std::uint32_t k, const LinkRow& row) {
-            if (row.is_rope == 0) return;
-            const V active = link(k, Fields::active);
-            const Mask taken = lane::both(lane::both(mask, active <= V{}), pulls(k, row));
-            set_link(k, Fields::active, taken ? number(1) : active);
-            any = taken ? number(1) : any;
-        });
-        return factorise_where(any > V{});
-    }
-    /// Lanes in which nothing has changed receive the same factor again.
-    Mask factorise_where(const Mask& mask) const {
-        if (lane::any(mask)) Lanes::factorise();
-        return mask;
-    }
-
     // --- energy ------------------------------------------------------------------------------------------------------
 
-    /// Displacement in which the energy is measured: of the first particle that cannot move, or the mean.
-    [[gnu::flatten, gnu::noinline]] Vector frame() const {
-        Vector frame{};
-        V mass{};
-        for (std::size_t i = 0; i < pack_.particles; ++i) {
-            const V own = particle(i, Fields::mass);
-            mass = mass + own, frame = frame + displacement(i) * own;
-        }
-        frame = frame * inverse_or_zero(mass);
-        for (std::size_t i = pack_.particles; i-- > 0;) {
-            const Mask stands = particle(i, Fields::mobility) <= V{};
-            if (lane::any(stands)) frame = blend(stands, displacement(i), frame);
-        }
-        return frame;
-    }
-    /// Kinetic energy in that frame, times 2 h^2.
-    [[gnu::flatten, gnu::noinline]] V energy(const Vector& frame) const {
-        V sum{};
-        for (std::size_t i = 0; i < pack_.particles; ++i) {
-            const Vector own = displacement(i) - frame;
-            sum = sum + particle(i, Fields::mass) * dot(own, own);
-        }
-        return sum;
-    }
     void restore_energy() const {
         constexpr double much = 1.001;
         const Vector drift = frame();
-        const V now = energy(drift), due = Lanes::energy();
+        const V now = energy_in(drift), due = Solution::energy();
         const Mask gains = lane::both(live_, now > due);
         if (!lane::any(gains)) return;
         const Mask gains_much = lane::both(gains, now > due * number(much));
