@@ -47,6 +47,12 @@ template <int D, class Real> struct ContactList {
     std::vector<ContactCandidate> before;             ///< the last list, by parts
     std::array<std::uint32_t, contact_parts> end_before{};
     std::vector<ContactMultiplier<D, Real>> multipliers_before;
+
+    /// Fills the grid of the segments.
+    void fill_segments() {
+        segments.fill(middle, segment_ball);
+        has_segments = true;
+    }
 };
 
 } // namespace sinew::detail
