@@ -1,4 +1,5 @@
 #include "sinew/picture/draw.h"
+#include "sinew/world/crossings.h"
 
 #include "tests/paths.h"
 #include "tests/sanitized.h"
@@ -65,6 +66,16 @@ TEST_P(CatalogueRun, RunsItsTimeWhole) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, CatalogueRun, testing::ValuesIn(watched_runs()), name_of_run);
+
+// As its description says.
+TEST(Catalogue, NoPartOfTheFoldingClothGoesThroughAnother) {
+    if (test::sanitized) GTEST_SKIP() << "takes a minute";
+    auto session = open("folding_cloth", "physical", "double");
+    for (int second = 1; second <= 5; ++second) {
+        while (session->seconds() < second) session->step();
+        std::visit([&](const auto& world) { EXPECT_EQ(count_crossings(world), 0U) << second; }, session->world());
+    }
+}
 
 // The numbers of the originals, in pixels and frames.
 struct Original {
