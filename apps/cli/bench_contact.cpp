@@ -109,11 +109,17 @@ std::string in_hex(const ContactResult& result) {
 
 json::Object in_json(const bench::ContactCase& chosen, const std::string& engine, int threads,
                      const ContactResult& result) {
-    return {{"case", chosen.name},          {"engine", engine},
-            {"threads", threads},           {"ms_moving", result.moving},
-            {"ms_resting", result.resting}, {"ms_percentile_99", result.percentile_99},
-            {"ms_worst", result.worst},     {"stretch_max", result.longest},
-            {"speed", result.end.speed},    {"crossed", result.end.crossed},
+    return {{"case", chosen.name},
+            {"engine", engine},
+            {"threads", threads},
+            {"steps", result.steps},
+            {"ms_moving", result.moving},
+            {"ms_resting", result.resting},
+            {"ms_percentile_99", result.percentile_99},
+            {"ms_worst", result.worst},
+            {"stretch_max", result.longest},
+            {"speed", result.end.speed},
+            {"crossed", result.end.crossed},
             {"hash", in_hex(result)}};
 }
 
