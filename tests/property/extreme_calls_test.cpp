@@ -48,6 +48,16 @@ TYPED_TEST(ExtremeCalls, LeaveEverythingWithinItsLimits) {
     }
 }
 
+// A free group of joined figures in one point at the edge of the world: it has no inertia by which to turn.
+TEST(ExtremeRounds, AGroupThatIsAPointIsNoFasterThanAnything) {
+    RandomCalls<In<2, double>::World> calls(382, Numbers::extreme);
+    for (int i = 0; i < 40; ++i) {
+        calls.call();
+        if (i % 4 == 3) step(calls.world, 1.0 / 60);
+        ASSERT_TRUE(is_within_limits(calls.world)) << "call " << i;
+    }
+}
+
 // Walls go, particles come, and a joined figure has to be swept twice: rebounds from walls must not be forgotten then,
 // because there is no room for them.
 TEST(ExtremeRounds, WallsThatAreGoneLeaveNoRebounds) {

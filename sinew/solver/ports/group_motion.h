@@ -78,7 +78,7 @@ template <int D, class Real> class GroupMotion {
     void replace(const Frame& frame, const Frame& other, double share) const {
         for (const auto s : members()) {
             const auto own = displacement(s) - frame.at(position(s));
-            swept_.set_displacement(s, cast<Real>(other.at(position(s)) + own * share));
+            put(s, other.at(position(s)) + own * share);
         }
     }
     /// Takes the mean motion that constraints have added: they act within, and what they add is the rounding of the
@@ -88,17 +88,23 @@ template <int D, class Real> class GroupMotion {
         double whole = 0;
         for (const auto s : members()) added += (displacement(s) - free_move(s)) * mass(s), whole += mass(s);
         const auto drift = added * inverse_or_zero(whole);
-        for (const auto s : members()) swept_.set_displacement(s, cast<Real>(displacement(s) - drift));
+        for (const auto s : members()) put(s, displacement(s) - drift);
     }
     /// Moves all members with a frame.
     void stiffen(const Frame& frame) const {
-        for (const auto s : members()) swept_.set_displacement(s, cast<Real>(frame.at(position(s))));
+        for (const auto s : members()) put(s, frame.at(position(s)));
     }
 
   private:
     SweepState<D, Real>& swept_;
     const Ports<D>& ports_;
     const PortGroup<D>& group_;
+
+    /// Displaces a particle, no faster than anything may be: a group that is a point has no inertia to turn with.
+    void put(Row slot, const Vector& displacement) const {
+        const auto furthest = double(max_displacement(Real(1) / swept_.per_h));
+        swept_.set_displacement(slot, cast<Real>(clamp_components(displacement, furthest)));
+    }
 
     /// A particle with its displacement in the substep as its velocity.
     struct Body {
