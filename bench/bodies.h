@@ -49,7 +49,7 @@ class BodySimulation {
 };
 
 struct BodySolver {
-    std::string_view name, about;
+    std::string_view name;
     std::unique_ptr<BodySimulation> (*make)(const ContactWork& work, const Bodies& bodies, int substeps);
 };
 

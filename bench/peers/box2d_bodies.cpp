@@ -99,11 +99,7 @@ class Box2DBodies final : public BodySimulation {
 } // namespace
 
 BodySolver peer::box2d_bodies() {
-    return {.name = "box2d 2.4",
-            .about = "Box2D 2.4, 8 velocity and 3 position iterations a step",
-            .make = [](const ContactWork& work, const Bodies& bodies, int substeps) -> std::unique_ptr<BodySimulation> {
-                return std::make_unique<Box2DBodies>(work, bodies, substeps);
-            }};
+    return body_solver<Box2DBodies>("box2d 2.4");
 }
 
 } // namespace sinew::bench

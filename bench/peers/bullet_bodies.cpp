@@ -117,11 +117,7 @@ class BulletBodies final : public BodySimulation {
 } // namespace
 
 BodySolver peer::bullet_bodies() {
-    return {.name = "bullet",
-            .about = "Bullet 3, 10 iterations a step, its bodies kept in a plane",
-            .make = [](const ContactWork& work, const Bodies& bodies, int substeps) -> std::unique_ptr<BodySimulation> {
-                return std::make_unique<BulletBodies>(work, bodies, substeps);
-            }};
+    return body_solver<BulletBodies>("bullet");
 }
 
 } // namespace sinew::bench

@@ -85,11 +85,7 @@ class ChipmunkBodies final : public BodySimulation {
 } // namespace
 
 BodySolver peer::chipmunk_bodies() {
-    return {.name = "chipmunk",
-            .about = "Chipmunk 7, 10 iterations a step",
-            .make = [](const ContactWork& work, const Bodies& bodies, int substeps) -> std::unique_ptr<BodySimulation> {
-                return std::make_unique<ChipmunkBodies>(work, bodies, substeps);
-            }};
+    return body_solver<ChipmunkBodies>("chipmunk");
 }
 
 } // namespace sinew::bench

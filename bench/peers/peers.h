@@ -19,6 +19,12 @@ SINEW_PEER_LIST(SINEW_DECLARE)
 #define SINEW_DECLARE(name) BodySolver name();
 SINEW_BODY_PEER_LIST(SINEW_DECLARE)
 #undef SINEW_DECLARE
+/// A solver whose simulations are of one class.
+template <class Simulation> BodySolver body_solver(std::string_view name) {
+    return {name, [](const ContactWork& work, const Bodies& bodies, int substeps) -> std::unique_ptr<BodySimulation> {
+                return std::make_unique<Simulation>(work, bodies, substeps);
+            }};
+}
 } // namespace peer
 
 } // namespace sinew::bench

@@ -35,38 +35,33 @@ template <class World>::testing::AssertionResult is_within_limits(const World& w
     return ::testing::AssertionSuccess();
 }
 
+/// Forty calls, and a step after every fourth.
+template <class World> void expect_limits_are_kept(std::uint64_t seed) {
+    RandomCalls<World> calls(seed, Numbers::extreme);
+    for (int i = 0; i < 40; ++i) {
+        calls.call();
+        ASSERT_TRUE(is_within_limits(calls.world)) << "seed " << seed << ", call " << i;
+        if (i % 4 == 3) step(calls.world, typename World::Real(1.0 / 60));
+        ASSERT_TRUE(is_within_limits(calls.world)) << "seed " << seed << ", after call " << i;
+    }
+}
+
 TYPED_TEST(ExtremeCalls, LeaveEverythingWithinItsLimits) {
-    using Real = typename TypeParam::Real;
     for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(20, 500)); ++seed) {
-        RandomCalls<typename TypeParam::World> calls(seed, Numbers::extreme);
-        for (int i = 0; i < 40; ++i) {
-            calls.call();
-            ASSERT_TRUE(is_within_limits(calls.world)) << "seed " << seed << ", call " << i;
-            if (i % 4 == 3) step(calls.world, Real(1.0 / 60));
-            ASSERT_TRUE(is_within_limits(calls.world)) << "seed " << seed << ", after call " << i;
-        }
+        expect_limits_are_kept<typename TypeParam::World>(seed);
+        if (::testing::Test::HasFatalFailure()) return;
     }
 }
 
 // A free group of joined figures in one point at the edge of the world: it has no inertia by which to turn.
 TEST(ExtremeRounds, AGroupThatIsAPointIsNoFasterThanAnything) {
-    RandomCalls<In<2, double>::World> calls(382, Numbers::extreme);
-    for (int i = 0; i < 40; ++i) {
-        calls.call();
-        if (i % 4 == 3) step(calls.world, 1.0 / 60);
-        ASSERT_TRUE(is_within_limits(calls.world)) << "call " << i;
-    }
+    expect_limits_are_kept<In<2, double>::World>(382);
 }
 
 // Walls go, particles come, and a joined figure has to be swept twice: rebounds from walls must not be forgotten then,
 // because there is no room for them.
 TEST(ExtremeRounds, WallsThatAreGoneLeaveNoRebounds) {
-    RandomCalls<In<2, float>::World> calls(107, Numbers::extreme);
-    for (int i = 0; i < 40; ++i) {
-        calls.call();
-        if (i % 4 == 3) step(calls.world, 1.0F / 60);
-        ASSERT_TRUE(is_within_limits(calls.world)) << "call " << i;
-    }
+    expect_limits_are_kept<In<2, float>::World>(107);
 }
 
 TYPED_TEST(ExtremeCalls, AnImpulseAndTwoLeapsBeyondAllLimitsAreHeldAtThem) {
