@@ -8,6 +8,7 @@
 #include "sinew/solver/elimination.h"
 #include "sinew/solver/ports.h"
 #include "sinew/solver/programs.h"
+#include "sinew/solver/sweep_run.h"
 #include "sinew/world/constraint_adjacency.h"
 
 #include <array>
@@ -179,16 +180,6 @@ struct Block {
     bool braced() const { return links - ranges - load_tethers > unknowns + 2 * flat_squares + 1; }
     /// True if an immovable particle holds the block, load tethers aside.
     bool fixed() const { return nodes > unknowns + load_tethers; }
-};
-
-/// Rows [first, last) of a table.
-struct Rows {
-    Row first = 0, last = 0;
-};
-
-struct SweepRun {
-    int kind = 0;
-    Rows rows;
 };
 
 /// Flags by the slots of ids, which do not change when rows move.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/math/random.h"
+#include "sinew/solver/sweep_run.h"
 #include "sinew/world/stencil.h"
 
 /// Solution of one constraint: the same text for every kind, dimension, precision and mode.
