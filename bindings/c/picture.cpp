@@ -54,14 +54,14 @@ sinew_status no_size() {
 
 extern "C" {
 
-sinew_status sinew_draw(sinew_simulation simulation, uint32_t width, uint32_t height, uint32_t overlays,
+sinew_status sinew_draw(sinew_simulation simulation, uint32_t width, uint32_t height, uint32_t overlay_bits,
                         sinew_picture* picture) {
     if (!picture) return null_argument();
     if (!is_size(width, height)) return no_size();
     return read(simulation, [&](Simulation& known, const Session& session) {
         auto& shown = known.drawn.picture;
         shown.width = int(width), shown.height = int(height);
-        draw(session, session.view(int(width), int(height)), shown, OverlaySet(overlays));
+        draw(session, session.view(int(width), int(height)), shown, OverlaySet(overlay_bits));
         known.drawn.hand_out(*picture);
         return SINEW_OK;
     });

@@ -396,8 +396,8 @@ sinew_status sinew_player_prefab(sinew_player player, const char* prefab, const 
     });
 }
 
-sinew_status sinew_player_overlays(sinew_player player, uint32_t overlays) {
-    return with(player, [&](Player& known) { known.play->overlay = OverlaySet(overlays); });
+sinew_status sinew_player_overlays(sinew_player player, uint32_t overlay_bits) {
+    return with(player, [&](Player& known) { known.play->overlay = OverlaySet(overlay_bits); });
 }
 
 sinew_status sinew_player_theme(sinew_player player, const char* theme) {

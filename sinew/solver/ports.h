@@ -22,7 +22,8 @@ template <int D> struct Port {
     std::uint32_t number = 0; ///< among the ports of its block
     Vector impulse{};         ///< sum of the swept constraints in this substep
     Vector guess{};           ///< impulse of the last substep, about which the block is linear
-    double radius = 0;        ///< trust region of the linear model, metres: half the shortest link
+    double radius = 0;        ///< trust region of the linear model about `linear_move`, metres
+    Vector linear_move{};     ///< displacement in this substep about which the block is linear
     Vector free_move{};       ///< displacement in this substep without impulses, by the linear model
 };
 

@@ -38,6 +38,10 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// Iterates until rounding is all that is left, from now on.
     void be_precise() { is_precise_ = true; }
 
+    /// Maximum lengths form a convex set, with one solution in which no link pushes: from now on an iteration that
+    /// would end with links that push releases the strongest of them and goes on (a primal active-set method).
+    void be_convex() { convex_ = true; }
+
     /// Lets joints swing past their limits from now on, and bounce afterwards (direct/joint_stops.h).
     void allow_overshoot() { bounce_ = true; }
 
@@ -103,7 +107,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     double total_length_ = 0;
     SolveProgress progress_{};
     StepSizes sizes_;
-    bool elastic_ = false, bounce_ = false, is_precise_ = false;
+    bool elastic_ = false, bounce_ = false, is_precise_ = false, convex_ = false;
     bool releases_ = true; ///< limits may be released in this iteration
     bool let_go_ = false;  ///< a limit was released since `patience` was last checked
     double slight_ = 0;    ///< tension that counts as zero
@@ -111,7 +115,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     template <class Hold> bool iterate(Rule rule, int max_iterations, Hold&& hold) {
         double before = 0, last = 0;
         for (int i = 0;; ++i) {
-            if (i > 0 && is_steady() && worst_error() <= good_enough && agrees(hold)) return true;
+            if (i > 0 && is_steady() && worst_error() <= good_enough && agrees(hold) && !releases_strongest_push())
+                return true;
             const double worst = assemble(rule);
             releases_ = !links_.uses_shares() || worst <= crude;
             hold();
@@ -128,14 +133,29 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             // contacts that alternate: lengths are right, and nodes hardly move
             const double small_displacement = slight * total_length_ / double(block_.links + block_.ways);
             if (rule == Rule::backward_euler && i >= undecided_after && worst <= acceptable &&
-                sizes_.moved <= small_displacement)
+                sizes_.moved <= small_displacement && !releases_strongest_push())
                 return true;
             if (i == max_iterations)
                 return worst <= acceptable &&
                        sizes_.moved <= acceptable * total_length_; // links that alternate between taut and slack
             Base::solve();
-            take_step(i >= undecided_after ? 0.5 : 1);
+            take_step(i >= undecided_after && !convex_ ? 0.5 : 1);
         }
+    }
+
+    /// For a convex set: releases the link that pushes most. False if none pushes.
+    bool releases_strongest_push() {
+        if (!convex_) return false;
+        DistanceRow<D>* strongest = nullptr;
+        double most = 0;
+        for (auto& link : links_.all()) {
+            if (!link.one_sided() || links_.soft(link)) continue;
+            const double push = -link.tension * link.side;
+            if (push > slight_ * links_.share(link) && push * link.length > most)
+                most = push * link.length, strongest = &link;
+        }
+        if (strongest) strongest->side = 0, strongest->tension = 0, let_go_ = true;
+        return strongest != nullptr;
     }
 
     Vector flight(Rule rule, const BlockNode<D>& node) const {

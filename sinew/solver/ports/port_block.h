@@ -62,7 +62,7 @@ template <int D, class Real> class PortBlock {
     Block& block_;
     PortBlockState<D, Real> state_;
 
-    static constexpr int enough = 20; ///< iterations
+    static constexpr int enough = 60; ///< iterations, with the releases of a convex set
 
     /// Solution by the factors of an earlier substep, where they serve, or by new ones.
     bool solve_by_chord() {
@@ -81,20 +81,30 @@ template <int D, class Real> class PortBlock {
     void solve() {
         state_.load();
         BlockSolve<D> solve(blocks_, block_, state_.substep());
+        solve.be_convex();
         if (!solve.run(Rule::backward_euler, enough, [] {})) find_nearest(solve);
         note_slack();
     }
     /// Solution with the last one for a guess.
     void solve_again() {
         state_.load();
-        if (block_.is_factorised && ChordSolve<D>(blocks_, block_, state_.substep()).run_again()) return note_slack();
-        block_.is_factorised = false;
+        if (block_.is_factorised) {
+            if (ChordSolve<D>(blocks_, block_, state_.substep()).run_again()) return note_slack();
+            block_.is_factorised = false;
+            start_anew();
+        }
         BlockSolve<D> solve(blocks_, block_, state_.substep());
+        solve.be_convex();
         if (!solve.run_again(Rule::backward_euler, enough, [] {})) {
             state_.start_tensions();
             if (!solve.run(Rule::backward_euler, enough, [] {})) find_nearest(solve);
         }
         note_slack();
+    }
+    /// Positions and tensions of the last substep: a chord method that failed has left them far from any solution.
+    void start_anew() {
+        for (auto& node : state_.unknowns()) node.position = node.start + state_.last_displacement_of(node);
+        state_.start_tensions();
     }
     void note_slack() {
         for (auto& link : state_.links())
@@ -136,7 +146,8 @@ template <int D, class Real> class PortBlock {
     void find_free_moves() {
         for (auto& port : state_.ports()) {
             const auto& node = blocks_.nodes[port.node];
-            port.free_move = node.position - state_.begin_of(node);
+            port.linear_move = node.position - state_.begin_of(node);
+            port.free_move = port.linear_move;
             for (const auto& other : state_.ports())
                 port.free_move -= PortResponse<D>::response(blocks_, block_, port.number, other.number) * other.impulse;
         }

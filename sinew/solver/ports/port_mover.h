@@ -56,7 +56,7 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
         return Real(max(sum, 0.0));
     }
 
-    /// Trust region of the linear model: half a link about the place of linearisation.
+    /// Trust region of the linear model: half the shortest link about the place of linearisation.
     template <class Stencil>
     Real trusted_share(const Stencil& stencil, std::span<const Row> members, Real split, Real change) const {
         double share = 1;
@@ -94,12 +94,14 @@ template <int D, class Real> class PortMover : public SubstepMover<D, Real> {
     bool is_port(Row row) const { return ports_.at[row] != ports_.none; }
 
     double trusted_share(const Port<D>& port, Row row, const Vec<D, double>& displacement) const {
-        const auto moved =
-            cast<double>(this->sweep_state.displacement_at(this->sweep_state.slot_of[row])) - port.free_move;
-        if (dot(moved, displacement) < 0) return 1;
-        const double left = max(0.0, port.radius - norm(moved));
-        const double length = norm(displacement);
-        return length > left ? left / length : 1;
+        const auto seen = cast<double>(this->sweep_state.displacement_at(this->sweep_state.slot_of[row]));
+        const auto moved = seen - port.linear_move;
+        // |moved + share displacement| = radius
+        const double radius = max(port.radius, norm(moved)), along = dot(moved, displacement);
+        const double left = max(0.0, square(radius) - dot(moved, moved)), length = dot(displacement, displacement);
+        const double root = square_root(square(along) + length * left);
+        const double reached = along > 0 ? left : root - along, by = along > 0 ? along + root : length;
+        return reached < by ? reached / by : 1;
     }
     const Matrix<D, double>& response(const Block& block, std::uint32_t q, std::uint32_t p) const {
         return PortResponse<D>::response(blocks_, block, q, p);
