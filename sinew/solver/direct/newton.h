@@ -132,8 +132,8 @@ template <int D> class BlockSolve : public BlockEquations<D> {
             }
             // contacts that alternate: lengths are right, and nodes hardly move
             const double small_displacement = slight * total_length_ / double(block_.links + block_.ways);
-            if (rule == Rule::backward_euler && i >= undecided_after && worst <= acceptable &&
-                sizes_.moved <= small_displacement && !releases_strongest_push())
+            if (rule == Rule::backward_euler && !convex_ && i >= undecided_after && worst <= acceptable &&
+                sizes_.moved <= small_displacement)
                 return true;
             if (i == max_iterations)
                 return worst <= acceptable &&
