@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/math/scalar.h" // before any `using namespace lane`: its min and max would be ambiguous in there
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
