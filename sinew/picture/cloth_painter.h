@@ -3,8 +3,8 @@
 #include "sinew/picture/order.h"
 #include "sinew/picture/outline.h"
 #include "sinew/picture/picture.h"
+#include "sinew/picture/style_resolver.h"
 #include "sinew/picture/surface.h"
-#include "sinew/picture/wardrobe.h"
 #include "sinew/session/view.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ template <class WorldT> class ClothPainter {
         : world_(world), view_(view), light_(light), unit_(unit), picture_(picture) {}
 
     /// Vertex normals of a figure's cloth: area-weighted means over the adjacent cells.
-    void find_normals(const Figure& figure, const std::vector<Drawn>& order) {
+    void find_normals(const Figure& figure, const std::vector<DrawItem>& order) {
         normals_.clear();
         for (const auto& [piece, depth, group] : order) {
             if (!is_cloth(piece->mark)) continue;

@@ -1,15 +1,15 @@
 #include "sinew/picture/draw.h"
 
 #include "sinew/picture/backdrop.h"
-#include "sinew/picture/brush.h"
 #include "sinew/picture/cloth_painter.h"
 #include "sinew/picture/collider_painter.h"
 #include "sinew/picture/face.h"
 #include "sinew/picture/order.h"
 #include "sinew/picture/piece_projector.h"
+#include "sinew/picture/piece_renderer.h"
 #include "sinew/picture/shadow_painter.h"
+#include "sinew/picture/style_resolver.h"
 #include "sinew/picture/traces.h"
-#include "sinew/picture/wardrobe.h"
 #include "sinew/world/edit.h"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 namespace sinew {
 
 /// A piece with a depth and an outline group. Pieces of one group are consecutive and share one outline.
-struct Drawn {
+struct DrawItem {
     const Piece* piece = nullptr;
     float depth = 0;
     std::uint32_t group = 0;
@@ -25,7 +25,7 @@ template <class WorldT> class DrawOrder {
 
     /// `is_hidden(piece)` and `depth_of(piece)` classify a piece; `depth_of` is called in 3D only.
     template <class Hidden, class Depth>
-    const std::vector<Drawn>& of(const Figure& figure, Hidden&& is_hidden, Depth&& depth_of) {
+    const std::vector<DrawItem>& of(const Figure& figure, Hidden&& is_hidden, Depth&& depth_of) {
         pieces_.clear();
         for (const auto& piece : figure.pieces)
             if (!is_hidden(piece))
@@ -33,7 +33,7 @@ template <class WorldT> class DrawOrder {
                     {&piece, WorldT::dimension == 3 ? depth_of(piece) : 0, std::uint32_t(pieces_.size())});
         if (WorldT::dimension == 3) {
             sinew::stable_sort(pieces_.begin(), pieces_.end(),
-                               [](const Drawn& a, const Drawn& b) { return a.depth > b.depth; });
+                               [](const DrawItem& a, const DrawItem& b) { return a.depth > b.depth; });
             group_alike();
         } else {
             group();
@@ -64,7 +64,7 @@ template <class WorldT> class DrawOrder {
             }
         }
         sinew::stable_sort(pieces_.begin(), pieces_.end(),
-                           [](const Drawn& a, const Drawn& b) { return a.group < b.group; });
+                           [](const DrawItem& a, const DrawItem& b) { return a.group < b.group; });
     }
 
     /// Merges two groups of a run.
@@ -80,7 +80,7 @@ template <class WorldT> class DrawOrder {
     }
 
     const WorldT& world_;
-    std::vector<Drawn> pieces_;
+    std::vector<DrawItem> pieces_;
     std::vector<std::uint32_t> group_of_row_;
 };
 

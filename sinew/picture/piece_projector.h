@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sinew/picture/brush.h"
-#include "sinew/picture/wardrobe.h"
+#include "sinew/picture/piece_renderer.h"
+#include "sinew/picture/style_resolver.h"
 #include "sinew/scene/scene.h"
 #include "sinew/session/view.h"
 #include "sinew/world/edit.h"

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "sinew/picture/brush.h"
 #include "sinew/picture/cloth_painter.h"
 #include "sinew/picture/piece_projector.h"
+#include "sinew/picture/piece_renderer.h"
+#include "sinew/picture/style_resolver.h"
 #include "sinew/picture/surface.h"
 #include "sinew/picture/theme.h"
-#include "sinew/picture/wardrobe.h"
 #include "sinew/scene/image.h"
 #include "sinew/scene/scene.h"
 #include "sinew/session/view.h"

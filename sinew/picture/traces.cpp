@@ -1,7 +1,7 @@
 #include "sinew/picture/traces.h"
 
+#include "sinew/picture/style_resolver.h"
 #include "sinew/picture/theme.h"
-#include "sinew/picture/wardrobe.h"
 #include "sinew/scene/check.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "sinew/assert/assert.h"
 #include "sinew/scene/reader.h"
 #include "sinew/session/collider_motion.h"
-#include "sinew/session/doer.h"
+#include "sinew/session/event_applier.h"
 #include "sinew/session/focus.h"
 #include "sinew/session/view.h"
 #include "sinew/solver/solver.h"

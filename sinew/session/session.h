@@ -4,11 +4,11 @@
 #include "sinew/session/contact_rules.h"
 #include "sinew/session/driver.h"
 #include "sinew/session/event_grabs.h"
-#include "sinew/session/hand.h"
 #include "sinew/session/history.h"
+#include "sinew/session/motors.h"
+#include "sinew/session/pointer_grab.h"
 #include "sinew/session/stroke.h"
 #include "sinew/session/view.h"
-#include "sinew/session/winder.h"
 #include "sinew/solver/solver.h"
 
 #include <array>

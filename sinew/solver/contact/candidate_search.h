@@ -45,13 +45,13 @@ template <int D, class Real> class CandidateSearch {
     template <class Visit> void each_lower(std::uint32_t feature, Visit&& visit) const {
         if (feature < count_) {
             if (room_.particles[feature].in_segment) return;
-            list_.particles.each_near(seeker(feature, feature, feature, size_of(feature)), [&](auto other) {
+            list_.particles.each_near(searched(feature, feature, feature, size_of(feature)), [&](auto other) {
                 if (other < feature && are_near(feature, other) && may_touch(feature, other)) visit(other);
             });
             return;
         }
         const auto& s = room_.segments[feature - count_];
-        list_.particles.each_near(seeker(feature, s.number_a, s.number_b, size_of(s)), [&](auto other) {
+        list_.particles.each_near(searched(feature, s.number_a, s.number_b, size_of(s)), [&](auto other) {
             if (are_near(s, other) && may_touch(other, s)) visit(other);
         });
         if constexpr (D == 3)
@@ -124,15 +124,15 @@ template <int D, class Real> class CandidateSearch {
         list_.renewed_segment_grid.each_near(box, [&](std::uint32_t i) { visit(list_.renewed_segments[i]); });
     }
 
-    auto seeker(std::uint32_t feature, std::uint32_t a, std::uint32_t b, Real size) const {
-        return typename FeatureGrid<D, Real>::Seeker{.a = list_.position[a],
-                                                     .b = list_.position[b],
-                                                     .velocity_a = list_.velocity[a],
-                                                     .velocity_b = list_.velocity[b],
-                                                     .radius = list_.search_radius[feature],
-                                                     .near = size + slack(),
-                                                     .ahead = time_ahead(),
-                                                     .group = group_of(room_.particles[a].figure)};
+    auto searched(std::uint32_t feature, std::uint32_t a, std::uint32_t b, Real size) const {
+        return typename FeatureGrid<D, Real>::SearchedFeature{.a = list_.position[a],
+                                                              .b = list_.position[b],
+                                                              .velocity_a = list_.velocity[a],
+                                                              .velocity_b = list_.velocity[b],
+                                                              .radius = list_.search_radius[feature],
+                                                              .near = size + slack(),
+                                                              .ahead = time_ahead(),
+                                                              .group = group_of(room_.particles[a].figure)};
     }
     collide::BoundingBox<D, Real> box_around(const ContactSegment& s) const {
         collide::BoundingBox<D, Real> box;

@@ -40,7 +40,7 @@ template <int D, class Real> class FeatureGrid {
     }
 
     /// Segment that looks for points.
-    struct Seeker {
+    struct SearchedFeature {
         Vector a{}, b{}, velocity_a{}, velocity_b{};
         Real radius = 0;         ///< of the search, as for a ball
         Real near = 0;           ///< distance beyond a point's size at which it counts, without the approach
@@ -57,19 +57,19 @@ template <int D, class Real> class FeatureGrid {
     }
 
     /// Calls visit(number) for all points that count for a segment, and for some more, in no useful order.
-    template <class Visit> void each_near(const Seeker& seeker, Visit&& visit) const {
+    template <class Visit> void each_near(const SearchedFeature& searched, Visit&& visit) const {
         collide::BoundingBox<D, Real> box;
-        box.include(seeker.a);
-        box.include(seeker.b);
-        const auto along = seeker.b - seeker.a;
+        box.include(searched.a);
+        box.include(searched.b);
+        const auto along = searched.b - searched.a;
         const Real per_square = inverse_or_zero(dot(along, along));
-        each_run(box.grown(seeker.radius + widest_), [&](std::uint32_t first, std::uint32_t last) {
+        each_run(box.grown(searched.radius + widest_), [&](std::uint32_t first, std::uint32_t last) {
             for (; first < last; first += width) {
-                const auto near = find_near(first, seeker, along, per_square);
+                const auto near = find_near(first, searched, along, per_square);
                 if (!any(near)) continue;
                 const auto count = std::min(last - first, width);
                 for (std::uint32_t i = 0; i < count; ++i)
-                    if (near[i] != Real(0) && group_[first + i] != seeker.group) visit(number_[first + i]);
+                    if (near[i] != Real(0) && group_[first + i] != searched.group) visit(number_[first + i]);
             }
         });
         for (const auto number : large_) visit(number);
@@ -176,11 +176,11 @@ template <int D, class Real> class FeatureGrid {
         return lane::load<Pack>(column.data() + first);
     }
     /// Flags of the next points: 1 where the point counts for a segment.
-    Flags find_near(std::uint32_t first, const Seeker& seeker, const Vector& along, Real per_square) const {
+    Flags find_near(std::uint32_t first, const SearchedFeature& searched, const Vector& along, Real per_square) const {
         const Pack zero{}, one = lane::spread<Pack>(Real(1));
         Pack from[D], part{}, far{};
         for (int k = 0; k < D; ++k) {
-            from[k] = load(position_[std::size_t(k)], first) - seeker.a[k];
+            from[k] = load(position_[std::size_t(k)], first) - searched.a[k];
             part = part + from[k] * along[k];
         }
         part = part * per_square;
@@ -190,23 +190,23 @@ template <int D, class Real> class FeatureGrid {
             from[k] = from[k] - part * along[k];
             far = far + from[k] * from[k];
         }
-        const Pack max = load(radius_, first) + seeker.radius;
+        const Pack max = load(radius_, first) + searched.radius;
         Flags flags;
         lane::store(flags.data(), Pack(far <= max * max ? one : zero));
-        if (any(flags)) find_near(flags, first, seeker, far);
+        if (any(flags)) find_near(flags, first, searched, far);
         return flags;
     }
     /// Leaves 1 where the point is near enough for its speed relative to the ends.
-    void find_near(Flags& flags, std::uint32_t first, const Seeker& seeker, const Pack& far) const {
+    void find_near(Flags& flags, std::uint32_t first, const SearchedFeature& searched, const Pack& far) const {
         const Pack zero{}, one = lane::spread<Pack>(Real(1));
         Pack square_a{}, square_b{};
         for (int k = 0; k < D; ++k) {
             const Pack velocity = load(velocity_[std::size_t(k)], first);
-            const Pack off_a = velocity - seeker.velocity_a[k], off_b = velocity - seeker.velocity_b[k];
+            const Pack off_a = velocity - searched.velocity_a[k], off_b = velocity - searched.velocity_b[k];
             square_a = square_a + off_a * off_a, square_b = square_b + off_b * off_b;
         }
         const Pack speed = lane::root(lane::max(square_a, square_b));
-        const Pack max = load(size_, first) + (speed * seeker.ahead + seeker.near);
+        const Pack max = load(size_, first) + (speed * searched.ahead + searched.near);
         const Pack near = far <= max * max ? one : zero;
         lane::store(flags.data(), Pack(near * lane::load<Pack>(flags.data())));
     }

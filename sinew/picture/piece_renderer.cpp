@@ -1,4 +1,4 @@
-#include "sinew/picture/brush.h"
+#include "sinew/picture/piece_renderer.h"
 
 #include "sinew/math/trig.h"
 

@@ -1,4 +1,4 @@
-#include "sinew/session/winder.h"
+#include "sinew/session/motors.h"
 
 #include "sinew/assert/assert.h"
 #include "sinew/constraint/kind_table.h"

@@ -1,4 +1,4 @@
-#include "sinew/session/hand.h"
+#include "sinew/session/pointer_grab.h"
 
 #include "sinew/assert/assert.h"
 

@@ -2,7 +2,7 @@
 
 #include "sinew/picture/picture.h"
 #include "sinew/picture/spine.h"
-#include "sinew/picture/wardrobe.h"
+#include "sinew/picture/style_resolver.h"
 #include "sinew/world/figure.h"
 
 namespace sinew {

@@ -1,4 +1,4 @@
-#include "sinew/picture/wardrobe.h"
+#include "sinew/picture/style_resolver.h"
 
 #include "sinew/scene/check.h"
 
