@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/contact/kept_contacts.h"
 #include "sinew/solver/contact/merge_touches.h"
 #include "sinew/solver/contact/pin_rows.h"
@@ -152,9 +153,10 @@ template <int D, class Real> class FigureContact {
 
     /// A blow faster than resting contact leaves with its share of the approach.
     bool rebound(RowT& row, const Origin& origin) {
-        const Real resting = Real(4) * square(h_) * norm(state_.gravity);
-        if (origin.restitution == Real(0) || row.max == Real(0) || origin.approach <= resting) return false;
-        const Real lacking = origin.restitution * origin.approach - rows_.change(row, origin.surface_displacement);
+        if (origin.restitution == Real(0) || row.max == Real(0)) return false;
+        const auto away = rebound_after(origin.approach, origin.restitution, square(h_) * norm(state_.gravity));
+        if (!away) return false;
+        const Real lacking = *away - rows_.change(row, origin.surface_displacement);
         if (!(lacking > Real(0))) return false;
         rows_.apply(row, row.normal * (lacking * row.mass));
         row.multiplier += lacking * row.mass;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/substep_mover.h"
@@ -22,17 +23,15 @@ template <int D, class Real> class PlaneContact {
         const Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[row]);
         if (!(depth > Real(0))) return 0;
         if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
-        const auto displacement = swept_.displacement_at(slot) - surface_displacement;
-        const Real approach = -dot(plane.normal, displacement);
-        const auto along = displacement + plane.normal * approach;
+        const RelativeMotion<D, Real> motion(plane.normal, swept_.displacement_at(slot) - surface_displacement);
         const Real stopped = min(depth, mover_.furthest);
-        const Real slowed = min(Real(1), plane.friction * stopped * inverse_or_zero(norm(along)));
-        mover_.displace_at(slot, plane.normal * stopped - along * slowed);
+        const Real slowed = coulomb_share(plane.friction * stopped, norm(motion.along));
+        mover_.displace_at(slot, plane.normal * stopped - motion.along * slowed);
         if (!mover_.first_iteration) return stopped;
-        const Real resting = Real(4) * mover_.h * norm(forcing_on(world_, row, swept_.position_at(slot)).acceleration);
+        const Real added = mover_.h * norm(forcing_on(world_, row, swept_.position_at(slot)).acceleration);
         const Real carried = dot(plane.normal, surface_displacement) * mover_.per_h;
-        if (approach * mover_.per_h > resting)
-            swept_.rebound[slot] += plane.normal * max(Real(0), plane.restitution * approach * mover_.per_h + carried);
+        if (const auto away = rebound_after(motion.approach * mover_.per_h, plane.restitution, added))
+            swept_.rebound[slot] += plane.normal * max(Real(0), *away + carried);
         return stopped;
     }
 

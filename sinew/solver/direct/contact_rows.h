@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/math/random.h"
+#include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/direct/newton.h"
 #include "sinew/solver/direct/plane_rows.h"
 #include "sinew/solver/direct/state.h"
@@ -122,10 +123,10 @@ template <int D, class Real> class BlockContact {
         node.diagonal += outer(normal * k, normal);
         node.residual += normal * pressure;
         if (!(plane.friction > 0)) return;
-        const auto displacement = node.position - node.start - plane.surface_displacement;
-        const auto slip = displacement - normal * dot(normal, displacement);
-        const auto last = last_displacement(node);
-        const bool across = led_across(slip, last - normal * dot(normal, last));
+        const auto slip =
+            RelativeMotion<D, double>(normal, node.position - node.start - plane.surface_displacement).along;
+        const auto last = RelativeMotion<D, double>(normal, last_displacement(node)).along;
+        const bool across = led_across(slip, last);
         const double pressing = pressing_depth(node, plane), friction = plane.friction;
         auto force = slip * k;
         Matrix growth;
@@ -164,7 +165,7 @@ template <int D, class Real> class BlockContact {
         const double size = norm(force);
         growth = Matrix::diagonal(stiffness);
         if (max > 0 && (size <= max || across)) return false;
-        const double share = max * inverse_or_zero(size);
+        const double share = coulomb_share(max, size);
         const auto along = force * inverse_or_zero(size);
         force *= share;
         growth = Matrix::diagonal(stiffness * share);
@@ -180,9 +181,8 @@ template <int D, class Real> class BlockContact {
         const auto& normal = plane.normal;
         const auto struck = cast<double>(world_.particles.velocity[node.row]) + node.acceleration * h;
         const double carried = dot(normal, plane.surface_displacement) / h;
-        const double approach = carried - dot(normal, struck), resting = 4 * h * norm(node.acceleration);
-        const double away = approach > resting ? plane.restitution * approach : 0;
-        const double missing = away + carried - dot(normal, node.velocity);
+        const auto away = rebound_after(carried - dot(normal, struck), plane.restitution, h * norm(node.acceleration));
+        const double missing = away.value_or(0) + carried - dot(normal, node.velocity);
         if (!(missing > 0)) return;
         node.diagonal += outer(normal * k, normal);
         node.residual += normal * (k * missing);

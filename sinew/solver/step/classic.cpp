@@ -1,4 +1,5 @@
 #include "sinew/solver/contact/collider_sweep.h"
+#include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/project.h"
 #include "sinew/solver/step/classic_polygons.h"
@@ -85,11 +86,11 @@ template <int D, class Real> class ClassicWalls {
         const auto velocity = position - p_.previous[row];
         p_.position[row] = clamp_components(position + plane.normal * depth, limit::coordinate<Real>);
         if (rules_.bounce == Real(0) && rules_.floor_keep == Real(1)) return;
-        const Real approach = -dot(plane.normal, velocity);
-        const auto along = velocity + plane.normal * approach;
-        const Real away = approach * rules_.bounce;
+        const detail::RelativeMotion<D, Real> motion(plane.normal, velocity);
+        const Real away = motion.approach * rules_.bounce;
         const auto leaving = plane.normal * (faces_wrong_way(plane) ? -away : away);
-        p_.previous[row] = p_.position[row] - leaving - along * (is_floor(plane, away) ? rules_.floor_keep : Real(1));
+        const Real kept = is_floor(plane, away) ? rules_.floor_keep : Real(1);
+        p_.previous[row] = p_.position[row] - leaving - motion.along * kept;
     }
 
     /// Rounding error of a depth: a particle on the wall is not struck again.
