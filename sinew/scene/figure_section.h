@@ -221,6 +221,7 @@ struct FigureSection {
     std::optional<double> relaxation, split;
     std::string direct;
     std::string integrator;
+    double internal_damping = 0;
     ContactSection contact;
     std::vector<std::pair<std::string, Look>> looks;
     detail::WithByHand<Prefabs>::type made; ///< a prefab with its parameters, or by hand
@@ -249,6 +250,12 @@ struct FigureSection {
         visit(self.integrator, Field{.name = "integrator",
                                      .help = "solver.rules.integrator for this figure; the rules' value if left out",
                                      .choices = integrator_names});
+        visit(self.internal_damping,
+              Field{.name = "internal_damping",
+                    .help = "Rate of decay of motion inside the figure; its flight and spin are kept (physical mode)",
+                    .unit = unit::per_time,
+                    .low = 0,
+                    .high = 1e6});
         visit(self.contact, Field{.name = "contact", .help = "Contact with colliders and other figures"});
         visit(self.looks, Field{.name = "looks", .help = "Looks by part; \"all\" for the whole figure"});
         visit(self.made, Field{.name = "prefab", .help = "Type of the figure; by_hand if left out"});

@@ -50,6 +50,7 @@ template <int D, class Real> class WorldBuilder {
         SINEW_ASSERT(has_figure(world_, figure), "a section of the scene makes a figure");
         world_.figures[figure].direct = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
         if (!section.integrator.empty()) world_.figures[figure].integrator = integrator_called(section.integrator);
+        world_.figures[figure].internal_damping = section.internal_damping;
         touch(figure, section.contact);
         for (const auto id : world_.figures[figure].particles) speed_up(id, section.velocity);
         for (const auto& [particle, kick] : section.kicks)

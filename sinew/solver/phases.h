@@ -71,6 +71,9 @@ template <int D, class Real> void wake(World<D, Real>& world, Solver<D, Real>& s
 template <int D, class Real> void fall_asleep(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 template <int D, class Real> void note_sleep_parameters(World<D, Real>& world);
 
+/// internal_damping.cpp: before a step of physical mode, damps the motion inside figures that have internal damping.
+template <int D, class Real> void damp_internally(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
+
 /// alone.cpp: before a step, finds the bodies of colliding figures that are far from everything.
 template <int D, class Real> void find_alone(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 

@@ -157,6 +157,8 @@ void add_figures(const std::vector<Figure>& figures, Digest& digest) {
         if (figures[i].cloth != ClothContactKind::spheres) digest.add(i, figures[i].cloth);
     for (std::size_t i = 0; i < figures.size(); ++i)
         if (figures[i].integrator) digest.add(i, *figures[i].integrator);
+    for (std::size_t i = 0; i < figures.size(); ++i)
+        if (figures[i].internal_damping != 0) digest.add(i, figures[i].internal_damping);
 }
 
 /// Positions of the sleepers, by runs of rows.

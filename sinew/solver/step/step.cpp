@@ -10,6 +10,7 @@ namespace {
 template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
     world.events.clear();
     wake(world, solver, dt);
+    damp_internally(world, solver, dt);
     find_alone(world, solver, dt);
     if (world.settings.mode == Mode::classic) detail::make_room_for_widest(world, solver.scratch);
     hold_in_limits(world, solver);
