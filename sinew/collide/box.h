@@ -18,6 +18,7 @@ template <int D, class Real> struct Box {
         if (inner == point) return nearest_face(point);
         return sharp_point(inner, point, Vec<D, Real>::axis(1), feature(point));
     }
+    template <class T> Box<D, T> as() const { return {cast<T>(half)}; }
     BoundingBox<D, Real> bounds(const Pose<D, Real>& pose) const {
         Vec<D, Real> extent{};
         for (int i = 0; i < D; ++i) {

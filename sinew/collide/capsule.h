@@ -23,6 +23,7 @@ template <int D, class Real> struct Capsule {
         surface.distance -= radius;
         return surface;
     }
+    template <class T> Capsule<D, T> as() const { return {cast<T>(a), cast<T>(b), T(radius)}; }
     BoundingBox<D, Real> bounds(const Pose<D, Real>& pose) const {
         BoundingBox<D, Real> box;
         box.include(pose.to_world(a));

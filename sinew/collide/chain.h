@@ -19,6 +19,9 @@ template <class Real> struct ChainEdge {
     bool is_first = false;    ///< the chain begins at a
     bool is_last = false;     ///< the chain ends at b
 
+    template <class T> ChainEdge<T> as() const {
+        return {cast<T>(a), cast<T>(b), cast<T>(after), number, is_first, is_last};
+    }
     Vector normal() const { return direction(perpendicular(b - a)); }
 
     /// Features: 3 number for the edge, one more for its beginning, two more for its end.

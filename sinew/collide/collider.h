@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <string>
+#include <type_traits>
 
 namespace sinew::collide {
 
@@ -24,8 +25,9 @@ template <int D, class Real> struct Collider {
 
     bool is_at_rest() const { return from == target; }
     /// Pose after a fraction of the step.
-    Pose<D, Real> pose_at(Real share) const {
-        return is_at_rest() ? target : Pose<D, Real>::between(from, target, share);
+    template <class T = Real> Pose<D, T> pose_at(std::type_identity_t<T> share) const {
+        const auto end = target.template as<T>();
+        return is_at_rest() ? end : Pose<D, T>::between(from.template as<T>(), end, share);
     }
     bool is_solid_along(const Vec<D, Real>& local_normal) const {
         constexpr Real half = Real(0.5);
@@ -73,29 +75,33 @@ template <int D, class Real> BoundingBox<D, Real> bounds_in_step(const Collider<
 template <int D, class Real> struct ColliderContact {
     SurfacePoint<D, Real> surface{};     ///< at the end
     Vec<D, Real> surface_displacement{}; ///< displacement of the surface
+    Real begun_depth = 0;                ///< depth of the sphere at the start, negative in front
 };
 
-/// Contacts of spheres with one collider that moves between two poses.
-template <int D, class Real> class MovingCollider {
+/// Contacts of spheres with one collider that moves between two poses, computed in the precision T.
+template <int D, class Real, class T = Real> class MovingCollider {
   public:
-    using Vector = Vec<D, Real>;
+    using Vector = Vec<D, T>;
 
-    MovingCollider(const Collider<D, Real>& collider, Real from_share, Real to_share)
-        : collider_(collider), before_(collider.pose_at(from_share)), after_(collider.pose_at(to_share)) {}
+    MovingCollider(const Collider<D, Real>& collider, T from_share, T to_share)
+        : collider_(collider), one_way_(cast<T>(collider.one_way)), before_(collider.template pose_at<T>(from_share)),
+          after_(collider.template pose_at<T>(to_share)) {}
 
     /// Calls visit(contact) with the contacts of a sphere that moves from one place to another. A motion long against
     /// the radius is swept: the contact is the first one on the way, and no wall is too thin. Seen from the collider.
-    template <class Visit> void contacts(const Vector& from, const Vector& to, Real radius, Visit&& visit) const {
+    template <class Visit> void contacts(const Vector& from, const Vector& to, T radius, Visit&& visit) const {
         const auto begun = before_.to_local(from), ended = after_.to_local(to);
         BoundingBox<D, Real> near;
-        near.include(begun);
-        near.include(ended);
+        near.include(cast<Real>(begun));
+        near.include(cast<Real>(ended));
         std::visit(
             [&](const auto& shape) {
-                visit_parts(shape, near.grown(radius), [&](const auto& part) {
-                    const auto surface = contact_of(part, begun, ended, radius);
+                visit_parts(shape, near.grown(Real(radius)), [&](const auto& part) {
+                    const auto& exact = part.template as<T>();
+                    const auto surface = contact_of(exact, begun, ended, radius);
                     if (surface)
-                        visit(ColliderContact<D, Real>{to_world(after_, *surface), displacement_of(surface->point)});
+                        visit(ColliderContact<D, T>{to_world(after_, *surface), displacement_of(surface->point),
+                                                    radius - exact.nearest(begun).distance});
                 });
             },
             collider_.shape);
@@ -103,49 +109,50 @@ template <int D, class Real> class MovingCollider {
 
   private:
     const Collider<D, Real>& collider_;
-    Pose<D, Real> before_, after_;
+    Vector one_way_;
+    Pose<D, T> before_, after_;
 
     Vector displacement_of(const Vector& local) const {
         return collider_.is_at_rest() ? Vector{} : after_.to_world(local) - before_.to_world(local);
     }
 
     template <class Part>
-    std::optional<SurfacePoint<D, Real>> contact_of(const Part& part, const Vector& begun, const Vector& ended,
-                                                    Real radius) const {
-        constexpr Real half = Real(0.5);
+    std::optional<SurfacePoint<D, T>> contact_of(const Part& part, const Vector& begun, const Vector& ended,
+                                                 T radius) const {
+        constexpr T half = T(0.5);
         const auto displacement = ended - begun;
         if (one_sided<Part>() && part.nearest(begun).distance < -depth_of(part, begun, displacement, radius))
             return std::nullopt;
-        std::optional<SurfacePoint<D, Real>> surface;
+        std::optional<SurfacePoint<D, T>> surface;
         if (dot(displacement, displacement) > square(half * radius))
             if (const auto impact = sweep(part, begun, displacement, radius)) surface = impact->surface;
         if (!surface) surface = part.nearest(ended);
         const bool touches = dot(surface->normal, ended - surface->point) < radius;
-        if (!touches || !owns(part, *surface) || !collider_.is_solid_along(surface->normal)) return std::nullopt;
-        if (collider_.one_way != Vector{} && !comes_from_outside(part, *surface, begun, displacement, radius))
+        if (!touches || !owns(part, *surface) || !collider_.is_solid_along(cast<Real>(surface->normal)))
+            return std::nullopt;
+        if (one_way_ != Vector{} && !comes_from_outside(part, *surface, begun, displacement, radius))
             return std::nullopt;
         return surface;
     }
 
     /// Depth behind a one-sided part from which a sphere is still pushed out: contacts give a little.
     template <class Part>
-    static Real depth_of(const Part& part, const Vector& begun, const Vector& displacement, Real radius) {
-        constexpr Real half = Real(0.5), little = Real(64) * std::numeric_limits<Real>::epsilon(),
-                       some = share_behind<Real>;
-        Real size = 0;
+    static T depth_of(const Part& part, const Vector& begun, const Vector& displacement, T radius) {
+        constexpr T half = T(0.5), little = T(64) * std::numeric_limits<T>::epsilon(), some = share_behind<T>;
+        T size = 0;
         if constexpr (one_sided<Part>()) size = norm(part.b - part.a);
         return half * radius + little * norm(begun) + some * (norm(displacement) + size);
     }
     /// True for a sphere that approaches, and began in front.
     template <class Part>
-    static bool comes_from_outside(const Part& part, const SurfacePoint<D, Real>& surface, const Vector& begun,
-                                   const Vector& displacement, Real radius) {
-        constexpr Real little = Real(64) * std::numeric_limits<Real>::epsilon(), some = Real(0.02);
-        const Real slop = some * (radius + norm(displacement)) + little * norm(begun);
-        return dot(surface.normal, displacement) < Real(0) && part.nearest(begun).distance >= radius - slop;
+    static bool comes_from_outside(const Part& part, const SurfacePoint<D, T>& surface, const Vector& begun,
+                                   const Vector& displacement, T radius) {
+        constexpr T little = T(64) * std::numeric_limits<T>::epsilon(), some = T(0.02);
+        const T slop = some * (radius + norm(displacement)) + little * norm(begun);
+        return dot(surface.normal, displacement) < T(0) && part.nearest(begun).distance >= radius - slop;
     }
     template <class Part> static constexpr bool one_sided() {
-        return requires(const Part& part, SurfacePoint<D, Real> surface) {
+        return requires(const Part& part, SurfacePoint<D, T> surface) {
             part.owns(surface);
         };
     }

@@ -19,16 +19,19 @@ template <int D, class Real> struct Polygon {
     using Vector = Vec<2, Real>;
     std::vector<Vector> corners;
 
-    SurfacePoint<2, Real> nearest(const Vector& point) const {
-        SurfacePoint<2, Real> inside, outside;
-        inside.distance = -std::numeric_limits<Real>::max();
+    /// Polygons have no copy in another precision: points may have any.
+    template <class T> const Polygon& as() const { return *this; }
+
+    template <class T> SurfacePoint<2, T> nearest(const Vec<2, T>& point) const {
+        SurfacePoint<2, T> inside, outside;
+        inside.distance = -std::numeric_limits<T>::max();
         for (std::uint32_t i = 0; i < corners.size(); ++i) {
             const auto face = nearest_line(point, i);
             if (face.distance > inside.distance) inside = face;
             const auto edge = nearest_edge(point, i);
             if (edge.distance < outside.distance) outside = edge;
         }
-        return inside.distance <= Real(0) ? inside : outside;
+        return inside.distance <= T(0) ? inside : outside;
     }
     BoundingBox<2, Real> bounds(const Pose<2, Real>& pose) const {
         BoundingBox<2, Real> box;
@@ -37,21 +40,23 @@ template <int D, class Real> struct Polygon {
     }
 
   private:
-    const Vector& next(std::uint32_t i) const { return corners[i + 1 < corners.size() ? i + 1 : 0]; }
-    Vector normal(std::uint32_t i) const { return -direction(perpendicular(next(i) - corners[i])); }
+    template <class T> Vec<2, T> corner(std::size_t i) const { return cast<T>(corners[i < corners.size() ? i : 0]); }
+    template <class T> Vec<2, T> normal(std::size_t i) const {
+        return -direction(perpendicular(corner<T>(i + 1) - corner<T>(i)));
+    }
 
-    SurfacePoint<2, Real> nearest_line(const Vector& point, std::uint32_t i) const {
-        const auto n = normal(i);
-        const Real distance = dot(n, point - corners[i]);
+    template <class T> SurfacePoint<2, T> nearest_line(const Vec<2, T>& point, std::uint32_t i) const {
+        const auto n = normal<T>(i);
+        const T distance = dot(n, point - corner<T>(i));
         return {point - n * distance, n, distance, 2 * i};
     }
-    SurfacePoint<2, Real> nearest_edge(const Vector& point, std::uint32_t i) const {
-        const Real t = nearest_parameter(corners[i], next(i), point);
-        const std::uint32_t corner = 2 * (t == Real(0) ? i : (i + 1) % std::uint32_t(corners.size())) + 1;
-        const bool is_corner = t == Real(0) || t == Real(1);
-        auto surface =
-            sharp_point(corners[i] + (next(i) - corners[i]) * t, point, normal(i), is_corner ? corner : 2 * i);
-        if (!is_corner) surface.normal = normal(i); // free of the rounding error of a short difference
+    template <class T> SurfacePoint<2, T> nearest_edge(const Vec<2, T>& point, std::uint32_t i) const {
+        const auto a = corner<T>(i), b = corner<T>(i + 1);
+        const T t = nearest_parameter(a, b, point);
+        const std::uint32_t end = 2 * (t == T(0) ? i : (i + 1) % std::uint32_t(corners.size())) + 1;
+        const bool is_corner = t == T(0) || t == T(1);
+        auto surface = sharp_point(a + (b - a) * t, point, normal<T>(i), is_corner ? end : 2 * i);
+        if (!is_corner) surface.normal = normal<T>(i); // free of the rounding error of a short difference
         return surface;
     }
 };

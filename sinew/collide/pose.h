@@ -3,6 +3,8 @@
 #include "sinew/math/trig.h"
 #include "sinew/math/vec.h"
 
+#include <type_traits>
+
 namespace sinew::collide {
 
 /// Rotation: (cosine, sine) in the plane, a unit quaternion (x, y, z, w) in space.
@@ -19,6 +21,13 @@ template <int D, class Real> struct Rotation {
     static Rotation of(const Vec<3, Real>& axis, Real angle) requires(D == 3) {
         const auto n = direction(axis) * sine(angle * Real(0.5));
         return n == Vec<3, Real>{} ? Rotation{} : Rotation{{{n[0], n[1], n[2], cosine(angle * Real(0.5))}}};
+    }
+
+    /// The same rotation, of length 1 in another precision.
+    template <class T> Rotation<D, T> as() const {
+        if constexpr (std::is_same_v<T, Real>) return *this;
+        const auto wide = cast<T>(number);
+        return {wide * inverse_or_zero(norm(wide))};
     }
 
     Rotation inverse() const {
@@ -56,6 +65,7 @@ template <int D, class Real> struct Pose {
 
     friend constexpr bool operator==(const Pose&, const Pose&) = default;
 
+    template <class T> Pose<D, T> as() const { return {cast<T>(position), rotation.template as<T>()}; }
     Vector to_world(const Vector& local) const { return position + rotation * local; }
     Vector to_local(const Vector& point) const { return rotation.inverse() * (point - position); }
     Vector turn(const Vector& local) const { return rotation * local; }

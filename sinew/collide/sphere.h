@@ -19,6 +19,7 @@ template <int D, class Real> struct Sphere {
         surface.distance -= radius;
         return surface;
     }
+    template <class T> Sphere<D, T> as() const { return {T(radius)}; }
     BoundingBox<D, Real> bounds(const Pose<D, Real>& pose) const {
         BoundingBox<D, Real> box;
         box.include(pose.position);

@@ -11,6 +11,7 @@ template <class Real> struct Triangle {
     Vector a{}, b{}, c{};
     std::uint32_t number = 0; ///< index of the triangle in its surface
 
+    template <class T> Triangle<T> as() const { return {cast<T>(a), cast<T>(b), cast<T>(c), number}; }
     Vector normal() const { return direction(cross(b - a, c - a)); }
 
     SurfacePoint<3, Real> nearest(const Vector& point) const {

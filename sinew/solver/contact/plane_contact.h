@@ -17,11 +17,20 @@ template <int D, class Real> class PlaneContact {
     /// Non-penetration, and Coulomb friction, which shortens the tangential displacement relative to the surface by
     /// friction times the normal correction. Approaches too fast for resting contact are recorded for rebound().
     /// Returns the normal correction.
-    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_displacement = {}) const {
+    Real keep_in(const HalfSpace<D, Real>& plane, Row slot) const {
+        return keep_in(plane, slot, {}, plane.depth_of(swept_.position_at(slot), p_.radius[swept_.row_of[slot]]));
+    }
+    /// Same for a surface that moves; `begun` is the depth at the start of the substep.
+    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_displacement,
+                 Real begun) const {
         if (swept_.mobility[slot] == Real(0) || (by_rows_ && by_rows_[slot])) return 0;
         const Row row = swept_.row_of[slot];
-        const Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[row]);
+        Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[row]);
         if (!(depth > Real(0))) return 0;
+        if (begun > Real(0)) {
+            depth -= depth_left(begun, norm(forcing_on(world_, row, swept_.position_at(slot)).acceleration), mover_.h);
+            if (!(depth > Real(0))) return 0;
+        }
         if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
         const RelativeMotion<D, Real> motion(plane.normal, swept_.displacement_at(slot) - surface_displacement);
         const Real stopped = min(depth, mover_.furthest);

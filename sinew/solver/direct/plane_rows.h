@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/contact/collider_sweep.h"
+#include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/direct/state.h"
 
 /// Planes that hold the nodes of a block: those of the world, and one at each contact with a collider.
@@ -27,15 +28,19 @@ template <int D, class Real> class BlockPlanes {
 
     /// Calls visit(plane) for the planes of the world, and the contacts of a node with colliders at its present place.
     template <class Visit> void each(const BlockNode<D>& node, Visit&& visit) const {
-        for (const auto& plane : world_.bounds) visit(Plane{plane.template as<double>()});
+        for (const auto& plane : world_.bounds) {
+            const auto wall = plane.template as<double>();
+            visit(eased(node, {wall}, wall.depth_of(node.start, double(world_.particles.radius[node.row]))));
+        }
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
             if (!is_near(i, node, 0)) continue;
             const auto& collider = world_.colliders[i];
-            const collide::MovingCollider<D, Real> moving(collider, Real(state_.from()), Real(state_.to()));
-            moving.contacts(cast<Real>(node.start), cast<Real>(node.position), world_.particles.radius[node.row],
+            const collide::MovingCollider<D, Real, double> moving(collider, state_.from(), state_.to());
+            moving.contacts(node.start, node.position, double(world_.particles.radius[node.row]),
                             [&](const auto& contact) {
                                 note(i, node.row, 0);
-                                if (!collider.is_sensor) visit(plane_of(collider, contact, i));
+                                if (!collider.is_sensor)
+                                    visit(eased(node, plane_of(collider, contact, i), contact.begun_depth));
                             });
         }
     }
@@ -73,12 +78,17 @@ template <int D, class Real> class BlockPlanes {
                state_.touches.boxes[collider].overlaps(box.grown(world_.particles.radius[node.row] + Real(margin)));
     }
 
-    static Plane plane_of(const collide::Collider<D, Real>& collider, const collide::ColliderContact<D, Real>& contact,
-                          std::uint32_t index) {
-        const auto normal = cast<double>(contact.surface.normal);
-        return {{normal, dot(normal, cast<double>(contact.surface.point)), double(collider.restitution),
-                 double(collider.friction)},
-                cast<double>(contact.surface_displacement),
+    /// The plane behind which a node is held that begins the substep `begun` deep behind a surface.
+    Plane eased(const BlockNode<D>& node, Plane plane, double begun) const {
+        if (begun > 0) plane.offset -= depth_left(begun, norm(node.acceleration), state_.substep());
+        return plane;
+    }
+
+    static Plane plane_of(const collide::Collider<D, Real>& collider,
+                          const collide::ColliderContact<D, double>& contact, std::uint32_t index) {
+        const auto& [point, normal, distance, feature] = contact.surface;
+        return {{normal, dot(normal, point), double(collider.restitution), double(collider.friction)},
+                contact.surface_displacement,
                 index};
     }
 };
