@@ -21,6 +21,18 @@ template <int D> class DistanceRows {
     /// Fits penalties to light trees from now on (direct/light_trees.h).
     void use_shares() { uses_shares_ = true; }
     bool uses_shares() const { return uses_shares_; }
+    /// The link of maximum length that pushes most; null if none does.
+    DistanceRow<D>* strongest_push(double slight) {
+        DistanceRow<D>* strongest = nullptr;
+        double most = 0;
+        for (auto& link : all()) {
+            if (!link.one_sided() || soft(link)) continue;
+            const double push = -link.tension * link.side;
+            if (push > slight * share(link) && push * link.length > most) most = push * link.length, strongest = &link;
+        }
+        return strongest;
+    }
+
     /// Penalty stiffness of one rigid link, relative to `stiffness()`: the mass that the link moves, relative to all.
     double share(const DistanceRow<D>& link) const { return uses_shares_ ? link.share : 1; }
 

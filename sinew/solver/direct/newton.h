@@ -146,14 +146,7 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     /// For a convex set: releases the link that pushes most. False if none pushes.
     bool releases_strongest_push() {
         if (!convex_) return false;
-        DistanceRow<D>* strongest = nullptr;
-        double most = 0;
-        for (auto& link : links_.all()) {
-            if (!link.one_sided() || links_.soft(link)) continue;
-            const double push = -link.tension * link.side;
-            if (push > slight_ * links_.share(link) && push * link.length > most)
-                most = push * link.length, strongest = &link;
-        }
+        auto* strongest = links_.strongest_push(slight_);
         if (strongest) strongest->side = 0, strongest->tension = 0, let_go_ = true;
         return strongest != nullptr;
     }
