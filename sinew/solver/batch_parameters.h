@@ -52,10 +52,11 @@ template <class Real> class BatchParameters {
         }
     }
 
-    const Real* low() const { return limits_.lows().data(); }
-    const Real* high() const { return limits_.highs().data(); }
-    const Real* compliance() const { return compliance_.data(); } ///< no entries while all links are rigid
-    const Real* quarter_per_square() const { return quarter_per_square_.data(); }
+    /// Shows a kernel where the parameters are; compliance has no entries while all links are rigid.
+    template <int D> void show(DistanceColumns<D, Real>& columns) const {
+        columns.low = limits_.lows().data(), columns.high = limits_.highs().data();
+        columns.compliance = compliance_.data(), columns.quarter_per_square = quarter_per_square_.data();
+    }
 
   private:
     LimitColumns<Real> limits_;

@@ -57,10 +57,13 @@ struct BlockLimit {
     bool is_compliant() const { return compliance > 0; }
     /// Distance of a measure from the limits, signed.
     double error_of(double measure) const { return measure - clamp(measure, low, high); }
-    /// Stiffness of a compliant limit, at most `hardest`.
-    double spring_stiffness(double hardest = 1e300) const { return min(1 / compliance, hardest); }
-    /// Energy of a compliant limit, J.
-    double spring_energy(double measure) const { return 0.5 * square(error_of(measure)) / compliance; }
+    bool is_softer_than(double k) const { return compliance * k > 1; }
+    /// Stiffness of a compliant limit, at most `hardest`; `share` of the spring acts.
+    double spring_stiffness(double hardest = 1e300, double share = 1) const { return min(share / compliance, hardest); }
+    /// Energy of a compliant limit, J; `share` of the spring acts.
+    double spring_energy(double measure, double share = 1) const {
+        return 0.5 * share * square(error_of(measure)) / compliance;
+    }
     void activate(double above, double below, double margin) {
         if (!(above > margin || below < -margin)) return;
         side = above > margin ? 1 : -1;
@@ -104,6 +107,9 @@ struct CableRow : BlockLimit, BlockDrive {
     std::uint32_t first = 0, nodes = 0; ///< range in way_nodes
     std::uint32_t first_entry = 0;      ///< in way_entries, one for each pair of nodes
     double length = 0;                  ///< at the positions of this iteration, m
+
+    /// Elongation of a compliant cable at the maximum force, m.
+    double max_stretch() const { return max * compliance; }
 };
 template <int D> struct CableNode {
     std::uint32_t node = 0;

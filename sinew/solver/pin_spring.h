@@ -20,7 +20,7 @@ template <int D, class Real, class T> T pin_gamma(const Pin<D, Real>& pin, T w, 
 
 /// k, at most `hardest`: the penalty stiffness for a rigid pin with a maximum force.
 template <int D, class Real> double pin_stiffness(const Pin<D, Real>& pin, double hardest) {
-    return pin.compliance > Real(0) ? min(1 / double(pin.compliance), hardest) : hardest;
+    return pin.is_rigid() ? hardest : min(1 / double(pin.compliance), hardest);
 }
 
 /// c, of a pin with stiffness k on a mass.

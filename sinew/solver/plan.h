@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Plan of the sweep, made once per topology (plan.cpp): the order of particles in slots, and batches of simple
-/// distances. A simple distance has limits and compliance, and no other feature.
+/// distances. A simple distance is a link between limits, rigid or elastic, and has no other feature.
 namespace sinew {
 
 /// Tile of a component: slots [first, last) of SweepState, such as a row of a cloth.

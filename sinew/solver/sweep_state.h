@@ -89,10 +89,7 @@ template <int D, class Real> struct SweepState {
         DistanceColumns<D, Real> columns{};
         columns.position = position[0], columns.displacement = displacement[0], columns.stride = stride();
         columns.mobility = mobility;
-        columns.low = plan.parameters.low();
-        columns.high = plan.parameters.high();
-        columns.quarter_per_square = plan.parameters.quarter_per_square();
-        columns.compliance = plan.parameters.compliance();
+        plan.parameters.show(columns);
         columns.ends_a = plan.ends_a.data();
         columns.ends_b = plan.ends_b.data();
         columns.rows = plan.rows.data();

@@ -164,9 +164,8 @@ template <int D, class Real, class Counts> Energy energy_where(const World<D, Re
     });
     for (const auto& pin : world.pins) {
         const auto row = p.handles.find(pin.particle);
-        if (!row || !(pin.compliance > Real(0)) || !counts(p.figure[*row])) continue;
-        const auto offset = position_of_velocity(world, *row) - cast<double>(pin.target);
-        sum.stored += 0.5 * dot(offset, offset) / double(pin.compliance);
+        if (!row || pin.is_rigid() || !counts(p.figure[*row])) continue;
+        sum.stored += pin.spring_energy(position_of_velocity(world, *row) - cast<double>(pin.target));
     }
     return sum;
 }

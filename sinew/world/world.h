@@ -161,6 +161,8 @@ template <class KindT, class Real> struct Constraints {
     double spring_energy(Row row, double error) const { return 0.5 * square(error) / double(compliance[row]); }
     /// True if the force of the constraint is limited.
     bool gives(Row row) const { return max_force[row] < limit::measure<Real>; }
+    /// Distance of the measure from the limits at which a spring reaches the largest force.
+    Real max_stretch(Row row) const { return max_force[row] * compliance[row]; }
     bool any_gives() const {
         return max_force.any_of([](Real force) { return force < limit::measure<Real>; });
     }
@@ -235,7 +237,10 @@ template <int D, class Real> struct Pin {
     Real steer_damping = 0;    ///< deceleration per velocity, 1/s; classic mode only
     /// True if the pin accelerates the particle instead of holding it at the target.
     bool steers() const { return steer != Vec<D, Real>{} || steer_damping != Real(0); }
-    bool hard() const { return compliance == Real(0) && max_force == Real(0) && !steers(); }
+    bool is_rigid() const { return compliance == Real(0); }
+    bool hard() const { return is_rigid() && max_force == Real(0) && !steers(); }
+    /// Energy of a compliant pin at an offset from the target, J.
+    double spring_energy(const Vec<D, double>& offset) const { return 0.5 * dot(offset, offset) / double(compliance); }
     /// Target at a share of the step.
     template <class T = Real> Vec<D, T> target_at(std::type_identity_t<T> share) const {
         const auto begun = cast<T>(from);

@@ -5,16 +5,22 @@
 namespace sinew::SINEW_TEST_FILE {
 namespace {
 
+template <class Real> DistanceColumns<2, Real> columns_of(const BatchParameters<Real>& parameters) {
+    DistanceColumns<2, Real> columns{};
+    parameters.show(columns);
+    return columns;
+}
+
 TEST(BatchParameters, HoldOnceWhatIsTheSame) {
     BatchParameters<float> all;
     for (int i = 0; i < 4; ++i) all.add(float(i), float(i), 0);
-    EXPECT_EQ(all.high(), all.low());
-    EXPECT_EQ(all.compliance(), nullptr);
+    EXPECT_EQ(columns_of(all).high, columns_of(all).low);
+    EXPECT_EQ(columns_of(all).compliance, nullptr);
     all.add(1, 2, 0);
-    EXPECT_NE(all.high(), all.low());
-    EXPECT_EQ(all.compliance(), nullptr);
+    EXPECT_NE(columns_of(all).high, columns_of(all).low);
+    EXPECT_EQ(columns_of(all).compliance, nullptr);
     all.add(3, 3, 0.5F);
-    ASSERT_NE(all.compliance(), nullptr);
+    ASSERT_NE(columns_of(all).compliance, nullptr);
     for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(all.are(i, float(i), float(i), 0));
     EXPECT_TRUE(all.are(4, 1, 2, 0));
     EXPECT_TRUE(all.are(5, 3, 3, 0.5F));
@@ -33,7 +39,7 @@ TEST(BatchParameters, AreCopiedIntoAnyOther) {
     EXPECT_TRUE(to.are(1, 1, 2, 0.25));
     EXPECT_TRUE(to.are(2, 4, 4, 0));
     to.prepare();
-    EXPECT_EQ(to.quarter_per_square()[2], 0.25 / 16);
+    EXPECT_EQ(columns_of(to).quarter_per_square[2], 0.25 / 16);
     to.resize(1);
     to.add(5, 6, 0);
     EXPECT_TRUE(to.are(1, 5, 6, 0));
@@ -42,14 +48,14 @@ TEST(BatchParameters, AreCopiedIntoAnyOther) {
 TEST(BatchParameters, StayWhereRoomWasLeft) {
     BatchParameters<float> all;
     all.reserve(3);
-    const auto *const low = all.low(), *const high = all.high(), *const compliance = all.compliance();
+    const auto reserved = columns_of(all);
     all.add(1, 1, 0);
     all.add(1, 2, 0);
     all.clear();
     all.add(1, 2, 1);
-    EXPECT_EQ(all.low(), low);
-    EXPECT_EQ(all.high(), high);
-    EXPECT_EQ(all.compliance(), compliance);
+    EXPECT_EQ(columns_of(all).low, reserved.low);
+    EXPECT_EQ(columns_of(all).high, reserved.high);
+    EXPECT_EQ(columns_of(all).compliance, reserved.compliance);
 }
 
 } // namespace

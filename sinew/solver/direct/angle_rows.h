@@ -82,8 +82,7 @@ template <int D> class AngleRows {
 
     double stored(const AngleRow<D>& bend, bool at_start) const {
         if (!bend.is_compliant()) return 0;
-        const double angle = geometry_.angle_of(bend, at_start);
-        return 0.5 * geometry_.tautness(bend, at_start) * square(bend.error_of(angle)) / bend.compliance;
+        return bend.spring_energy(geometry_.angle_of(bend, at_start), geometry_.tautness(bend, at_start));
     }
 
     /// Disables springs from now on, or enables them.
@@ -166,7 +165,7 @@ template <int D> class AngleRows {
             const double error = bend.error_of(angle);
             if (limp_) bend.tension = 0;
             if (error == 0 || rule == Rule::static_projection || limp_) return 0;
-            const double k = min(bend.taut / bend.compliance, hardest * geometry_.arm2(bend));
+            const double k = bend.spring_stiffness(hardest * geometry_.arm2(bend), bend.taut);
             bend.tension = bend.held(k * (error + bend.damping_time * ((angle - bend.begun) / h_ - bend.motor_speed)),
                                      bend.tension, false);
             bend.stiffness = bend.slips ? 0 : k * (1 + bend.damping_time / h_);

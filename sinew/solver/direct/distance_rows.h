@@ -37,7 +37,7 @@ template <int D> class DistanceRows {
     double share(const DistanceRow<D>& link) const { return uses_shares_ ? link.share : 1; }
 
     /// True for a spring; stiffer than the penalty counts as rigid.
-    bool soft(const DistanceRow<D>& link) const { return link.compliance * stiffness_ > 1; }
+    bool soft(const DistanceRow<D>& link) const { return link.is_softer_than(stiffness_); }
 
     /// True for a joint's range that a link can leave, and comes back from at the speed of arrival.
     bool bounces(const DistanceRow<D>& link) const { return bounce_ && link.is_range() && !soft(link); }

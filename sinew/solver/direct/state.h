@@ -190,7 +190,7 @@ template <int D, class Real> class BlockState {
     /// Moves the limits to the length reached.
     void slip(CableRow& way) {
         const double length = CableGeometry<D>(blocks).length_of(way, false);
-        const double error = way.error_of(length), spring = way.max * way.compliance;
+        const double error = way.error_of(length), spring = way.max_stretch();
         const double by = error - clamp(error, -spring, spring);
         for (double* end : {&way.low_begun, &way.high_begun})
             if (absolute(*end) < limit::measure<double>) *end += by;

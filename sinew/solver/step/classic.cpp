@@ -22,7 +22,7 @@ template <int D, class RealT> struct ClassicMover {
 
     const Vec<D, Real>& point(Row row) const { return particles.position[row]; }
     Real weight(Row row) const { return particles.inverse_mass[row]; }
-    Real alpha(Real) const { return Real(0); } // the originals know relaxation, not compliance
+    Real alpha(Real) const { return Real(0); } // the originals know relaxation only
     Real max_multiplier(Real) const { return limit::multiplier<Real>; }
     Real share(Real) const { return Real(0); }
     template <class Stencil> Real ahead(const Stencil&, std::span<const Row>, Real, Real) const { return Real(0); }
@@ -179,7 +179,7 @@ template <int D, class Real> class ClassicStep {
         each_pin([&](const auto& pin, Row row) { pin.steers() ? steer(pin, row) : hold(pin, row); });
     }
 
-    /// Pins are rigid whatever their compliance: the originals have none.
+    /// Pins are rigid: the originals have no others.
     void hold(const Pin<D, Real>& pin, Row row) {
         if (pin.hold != Hold::frozen) p_.position[row] = pin.target;
         p_.mobility[row] = pin.hold == Hold::fixed ? Real(0) : p_.inverse_mass[row];

@@ -20,7 +20,7 @@ template <class Table, int D, class Real> Real slipped(Solver<D, Real>& solver, 
     });
     const Real measure = stencil.evaluate(stencil.points, stencil.gradient);
     const Real error = measure - clamp(measure, table.low(row), table.high(row));
-    const Real spring = table.max_force[row] * table.compliance[row];
+    const Real spring = table.max_stretch(row);
     return error - clamp(error, -spring, spring);
 }
 
