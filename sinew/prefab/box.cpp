@@ -10,7 +10,7 @@ template <int D, class Real> void Box::build(Builder<D, Real>& figure) const {
     const auto bottom_right = corner("bottom_right", 1, -1), bottom_left = corner("bottom_left", -1, -1);
 
     const auto join = [&](std::string_view called, ParticleId a, ParticleId b) {
-        figure.template constrain<Distance>(called, {a, b}, {.compliance = compliance});
+        figure.template constrain<Distance>(called, {a, b}, elasticity.spec());
     };
     const bool classic = figure.mode() == Mode::classic;
     if (classic) join("left", bottom_left, top_left); // left edge first, as in the Roblox article

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/prefab/builder.h"
+#include "sinew/prefab/material.h"
 
 #include <array>
 #include <optional>
@@ -20,7 +21,7 @@ struct Box {
     double width = 0.5;
     double height = 0.5;
     std::string braces = "one";
-    double compliance = 0;
+    Elasticity elasticity{};
     double mass = 1;
     double thickness = 0.04;
     double dot = 0.05;
@@ -34,11 +35,7 @@ struct Box {
             Field{.name = "braces",
                   .help = "Diagonals: one from the top left to the bottom right, both, or none (the box can then fold)",
                   .choices = bracings});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "Compliance of edges and diagonals; 0 is rigid",
-                                     .unit = unit::compliance,
-                                     .low = 0,
-                                     .high = 1e9});
+        Elasticity::fields(self.elasticity, visit, "Compliance of edges and diagonals; 0 is rigid");
         visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of the drawn edges",

@@ -57,20 +57,6 @@ template <int D> constexpr Vec<D, double> on_screen(double x, double y) {
     return place;
 }
 
-/// Breaking strain of a prefab's field, where 0 means unbreakable, as the solver takes it.
-inline double tears_beyond(double strain) {
-    return strain > 0 ? strain : std::numeric_limits<double>::infinity();
-}
-
-/// Field shared by every prefab with a breaking strain.
-inline constexpr Field damage_limit_field{.name = "damage_limit",
-                                          .help =
-                                              "Time integral of the strain above breaking_strain needed to tear: 0.1 "
-                                              "is an excess of 10 % for one second; 0 tears at once",
-                                          .unit = unit::time,
-                                          .low = 0,
-                                          .high = 1e6};
-
 /// True if mirroring flips the sign of a measure: signed angles, areas in 2D, volumes in 3D, and kinds that declare
 /// `sided`.
 template <class Kind, int D> inline constexpr bool mirrors = Kind::period > 0 || Kind::length_power == D || requires {
@@ -180,13 +166,10 @@ template <int D, class RealT> class Builder {
     template <template <int> class Kind>
     ConstraintSpec<Real> in_world(const ConstraintSpec<double>& spec, Interval<double> limits) const {
         if (mirrors<Kind<D>, D> && placement_.up < 0) limits = {-limits.high, -limits.low};
-        return {.limits = Interval<Real>{Real(limits.low), Real(limits.high)},
-                .compliance = Real(spec.compliance),
-                .relaxation = Real(spec.relaxation),
-                .split = Real(spec.split),
-                .breaking_strain = Real(spec.breaking_strain),
-                .damage_limit = Real(spec.damage_limit),
-                .figure = figure_};
+        auto made = cast<Real>(spec);
+        made.limits = cast<Real>(limits);
+        made.figure = figure_;
+        return made;
     }
 
     /// Position of a particle in the prefab's frame. Rows are consecutive while a figure is built: nothing is removed.

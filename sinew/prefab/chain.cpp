@@ -58,11 +58,7 @@ template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {
                                            .weight = weight,
                                            .radius = thickness / 2});
     // The original corrects the lower of two loops only.
-    link(figure, row,
-         {.limits = exactly(pitch),
-          .split = classic ? 0 : 0.5,
-          .breaking_strain = tears_beyond(breaking_strain),
-          .damage_limit = damage_limit});
+    link(figure, row, strength.applied_to({.limits = exactly(pitch), .split = classic ? 0 : 0.5}));
     if (!classic && bend_limit < pi<double> && links > 1)
         stiffen(figure, row, {.limits = between(-bend_limit, bend_limit)});
     hold_ends(figure, row, pinned);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/prefab/material.h"
 #include "sinew/prefab/strand.h"
 
 #include <optional>
@@ -24,8 +25,7 @@ struct Chain {
     double mass = 3;
     double weight = 0;
     double bend_limit = pi<double>;
-    double breaking_strain = 0;
-    double damage_limit = 0;
+    Strength strength{};
     double thickness = 0.06;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -65,11 +65,7 @@ struct Chain {
                     .unit = unit::angle,
                     .low = pi<double> / 180,
                     .high = pi<double>});
-        visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "Strain at which a link tears; 0 for never",
-                                          .low = 0,
-                                          .high = 1e6});
-        visit(self.damage_limit, damage_limit_field);
+        Strength::fields(self.strength, visit, "Strain at which a link tears; 0 for never");
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Width of a link seen from its broad side; collision radius is half",
                                     .unit = unit::length,

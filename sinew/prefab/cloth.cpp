@@ -85,20 +85,16 @@ void weave(Builder<D, Real>& figure, const Grid& grid, const Thread& thread, Con
 }
 
 template <int D, class Real> void weave(Builder<D, Real>& figure, const Grid& grid, const Cloth& cloth) {
-    const auto threads = [&](const Thread& thread, double compliance) {
-        weave(figure, grid, thread,
-              {.compliance = compliance,
-               .breaking_strain = tears_beyond(cloth.breaking_strain),
-               .damage_limit = cloth.damage_limit},
-              cloth.spacing, cloth.uneven);
+    const auto threads = [&](const Thread& thread, const Elasticity& elasticity) {
+        weave(figure, grid, thread, cloth.strength.applied_to(elasticity.spec()), cloth.spacing, cloth.uneven);
     };
     const double side = 1 - cloth.buckling, diagonal = cloth.buckling > 0 ? 0 : 1;
-    threads({"across", 1, 0, false, side}, cloth.compliance);
-    threads({"down", 0, 1, false, side}, cloth.compliance);
-    if (cloth.diagonals != "none") threads({"falling", 1, 1, false, diagonal}, cloth.shear_compliance);
-    if (cloth.diagonals == "both") threads({"rising", 1, 1, true, diagonal}, cloth.shear_compliance);
-    if (cloth.bend) threads({"bend_across", 2, 0}, cloth.bend_compliance);
-    if (cloth.bend) threads({"bend_down", 0, 2}, cloth.bend_compliance);
+    threads({"across", 1, 0, false, side}, cloth.elasticity);
+    threads({"down", 0, 1, false, side}, cloth.elasticity);
+    if (cloth.diagonals != "none") threads({"falling", 1, 1, false, diagonal}, cloth.shear_elasticity);
+    if (cloth.diagonals == "both") threads({"rising", 1, 1, true, diagonal}, cloth.shear_elasticity);
+    if (cloth.bend) threads({"bend_across", 2, 0}, cloth.bend_elasticity);
+    if (cloth.bend) threads({"bend_down", 0, 2}, cloth.bend_elasticity);
 }
 
 template <int D, class Real> void hold(Builder<D, Real>& figure, const Grid& grid, const Cloth& cloth) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/prefab/builder.h"
+#include "sinew/prefab/material.h"
 
 #include <array>
 #include <optional>
@@ -35,18 +36,17 @@ struct Cloth {
     double buckling = 0;
     bool bend = false;
     double mass = 1;
-    double compliance = 0;
-    double shear_compliance = 0;
-    double bend_compliance = 0.1;
-    double breaking_strain = 0;
-    double damage_limit = 0;
+    Elasticity elasticity{};
+    Elasticity shear_elasticity{};
+    Elasticity bend_elasticity{0.1 /* m/N */};
+    Strength strength{};
     double uneven = 0;
     bool tethers = true;
     std::string drawn = "threads";
     double thickness = 0.01;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        constexpr double min = 1e-6, max = 1e6, softest = 1e9;
+        constexpr double min = 1e-6, max = 1e6;
         visit(self.columns, Field{.name = "columns", .help = "Particles from left to right", .low = 2, .high = 1e9});
         visit(self.rows, Field{.name = "rows", .help = "Particles from top to bottom", .low = 2, .high = 1e9});
         visit(self.spacing, Field{.name = "spacing",
@@ -78,26 +78,12 @@ struct Cloth {
                     .high = 1});
         visit(self.bend, Field{.name = "bend", .help = "Bending springs from each particle to the next but one"});
         visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "Compliance of a thread; 0 is inextensible",
-                                     .unit = unit::compliance,
-                                     .low = 0,
-                                     .high = softest});
-        visit(self.shear_compliance, Field{.name = "shear_compliance",
-                                           .help = "Compliance of the diagonals; 0 is inextensible",
-                                           .unit = unit::compliance,
-                                           .low = 0,
-                                           .high = softest});
-        visit(self.bend_compliance, Field{.name = "bend_compliance",
-                                          .help = "Compliance of the bending springs; 0 is rigid",
-                                          .unit = unit::compliance,
-                                          .low = 0,
-                                          .high = softest});
-        visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "Strain at which a thread tears; 0 for never",
-                                          .low = 0,
-                                          .high = max});
-        visit(self.damage_limit, damage_limit_field);
+        Elasticity::fields(self.elasticity, visit, "Compliance of a thread; 0 is inextensible");
+        Elasticity::fields(self.shear_elasticity, visit, "Compliance of the diagonals; 0 is inextensible", 0,
+                           "shear_compliance");
+        Elasticity::fields(self.bend_elasticity, visit, "Compliance of the bending springs; 0 is rigid", 0,
+                           "bend_compliance");
+        Strength::fields(self.strength, visit, "Strain at which a thread tears; 0 for never");
         visit(
             self.uneven,
             Field{.name = "uneven",

@@ -10,9 +10,8 @@ Cloth cloth_of(const Curtain& curtain) {
             .pins = "list",
             .diagonals = "none",
             .mass = curtain.mass,
-            .compliance = curtain.compliance,
-            .breaking_strain = curtain.breaking_strain,
-            .damage_limit = curtain.damage_limit,
+            .elasticity = curtain.elasticity,
+            .strength = curtain.strength,
             .uneven = curtain.uneven,
             .drawn = curtain.drawn,
             .thickness = curtain.thickness};

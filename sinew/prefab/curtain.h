@@ -16,9 +16,8 @@ struct Curtain {
     double spacing = 0.06;
     int hook_every = 1;
     double mass = 2;
-    double compliance = 2e-4;
-    double breaking_strain = 0.3;
-    double damage_limit = 0.01;
+    Elasticity elasticity{2e-4 /* m/N */};
+    Strength strength{.breaking_strain = 0.3, .damage_limit = 0.01};
     double uneven = 0.8;
     std::string drawn = "fill";
     double thickness = 0.01;
@@ -39,16 +38,8 @@ struct Curtain {
                     .low = 1,
                     .high = 1e9});
         visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "Compliance of a thread; 0 is inextensible",
-                                     .unit = unit::compliance,
-                                     .low = 0,
-                                     .high = 1e9});
-        visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "Strain at which a thread tears; 0 for never",
-                                          .low = 0,
-                                          .high = max});
-        visit(self.damage_limit, damage_limit_field);
+        Elasticity::fields(self.elasticity, visit, "Compliance of a thread; 0 is inextensible");
+        Strength::fields(self.strength, visit, "Strain at which a thread tears; 0 for never");
         visit(
             self.uneven,
             Field{.name = "uneven",

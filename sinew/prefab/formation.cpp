@@ -22,8 +22,7 @@ template <int D, class Real> void Formation::build(Builder<D, Real>& figure) con
     figure.number_constraints("spring", ships, wide);
     for (std::size_t i = 0; i < ships; ++i) {
         figure.hold(anchors[i]);
-        figure.template constrain<Distance>("", {crew[i], anchors[i]},
-                                            {.limits = exactly(0.0), .compliance = compliance});
+        figure.template constrain<Distance>("", {crew[i], anchors[i]}, elasticity.spec(exactly(0.0)));
     }
     for (std::size_t i = 0; i < ships; ++i) {
         figure.draw(Mark::stroke, "spring", {anchors[i], crew[i]}, 0.1 * size, true);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/prefab/builder.h"
+#include "sinew/prefab/material.h"
 
 namespace sinew {
 
@@ -18,7 +19,7 @@ struct Formation {
     double spacing = 0.6;
     double size = 0.4;
     double mass = 32;
-    double compliance = 0.01;
+    Elasticity elasticity{0.01 /* m/N */};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.columns, Field{.name = "columns", .help = "Ships from left to right", .low = 1, .high = 1e9});
@@ -38,11 +39,7 @@ struct Formation {
                                .unit = unit::mass,
                                .low = 1e-6,
                                .high = 1e9});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "Compliance of a spring",
-                                     .unit = unit::compliance,
-                                     .low = 0,
-                                     .high = 1e9});
+        Elasticity::fields(self.elasticity, visit, "Compliance of a spring");
     }
 
     Sizes sizes() const;

@@ -102,8 +102,7 @@ template <int D, class Real> void Mesh::build(Builder<D, Real>& figure) const {
         figure.particle("", Vec<D, double>::map([&](int i) { return size * point[i]; }), share, thickness / 2);
     const auto repeats = repeats_of(shape, diagonals);
     figure.number_constraints("edge", std::size_t(std::count(repeats.begin(), repeats.end(), false)));
-    ConstraintSpec<double> spec{
-        .compliance = compliance, .breaking_strain = tears_beyond(breaking_strain), .damage_limit = damage_limit};
+    auto spec = strength.applied_to(elasticity.spec());
     each_named(shape, diagonals, [&, turn = std::size_t(0)](std::uint32_t a, std::uint32_t b) mutable {
         if (repeats[turn++]) return;
         const std::array ends{particles[a], particles[b]};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/prefab/builder.h"
+#include "sinew/prefab/material.h"
 #include "sinew/prefab/obj.h"
 
 #include <array>
@@ -27,9 +28,8 @@ struct Mesh {
     std::vector<double> pin_list{};
     bool tethers = true;
     double mass = 1;
-    double compliance = 0;
-    double breaking_strain = 0;
-    double damage_limit = 0;
+    Elasticity elasticity{};
+    Strength strength{};
     std::string drawn = "fill";
     double thickness = 0.01;
 
@@ -65,16 +65,8 @@ struct Mesh {
                 .help =
                     "Limit on the distance from held points, the length of the edges between, which reduces stretch"});
         visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "Compliance of an edge; 0 is inextensible",
-                                     .unit = unit::compliance,
-                                     .low = 0,
-                                     .high = 1e9});
-        visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "Strain at which an edge tears; 0 for never",
-                                          .low = 0,
-                                          .high = 1e6});
-        visit(self.damage_limit, damage_limit_field);
+        Elasticity::fields(self.elasticity, visit, "Compliance of an edge; 0 is inextensible");
+        Strength::fields(self.strength, visit, "Strain at which an edge tears; 0 for never");
         visit(self.drawn, Field{.name = "drawn", .help = "Drawn as filled faces or as edges", .choices = drawings});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of a drawn edge; collision radius is half",

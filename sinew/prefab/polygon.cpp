@@ -29,19 +29,19 @@ template <int D, class Real> void Polygon::build(Builder<D, Real>& figure) const
     }
     figure.number_constraints("edge", n);
     for (std::size_t i = 0; i < n; ++i)
-        figure.template constrain<Distance>("", {corners[i], corners[(i + 1) % n]}, {.compliance = compliance});
+        figure.template constrain<Distance>("", {corners[i], corners[(i + 1) % n]}, elasticity.spec());
 
     if (spoked) {
         const auto center = figure.particle("center", {}, share);
         figure.number_constraints("spoke", n);
         for (std::size_t i = 0; i < n; ++i)
-            figure.template constrain<Distance>("", {center, corners[i]}, {.compliance = compliance});
+            figure.template constrain<Distance>("", {center, corners[i]}, elasticity.spec());
     } else if (braced == "braces" && n > 3) {
         const auto span = std::size_t(brace_span);
         const auto braces = 2 * span == n ? span : n; // braces between opposite corners coincide in pairs
         figure.number_constraints("brace", braces);
         for (std::size_t i = 0; i < braces; ++i)
-            figure.template constrain<Distance>("", {corners[i], corners[(i + span) % n]}, {.compliance = compliance});
+            figure.template constrain<Distance>("", {corners[i], corners[(i + span) % n]}, elasticity.spec());
     } else if (braced == "area") {
         figure.template constrain<Area>("area", corners);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/prefab/builder.h"
+#include "sinew/prefab/material.h"
 
 #include <array>
 #include <optional>
@@ -21,7 +22,7 @@ struct Polygon {
     double radius = 0.5;
     std::string braced = "braces";
     int brace_span = 2;
-    double compliance = 0;
+    Elasticity elasticity{};
     double mass = 1;
     double thickness = 0.04;
 
@@ -38,11 +39,7 @@ struct Polygon {
                                  .choices = bracings});
         visit(self.brace_span,
               Field{.name = "brace_span", .help = "Number of sides spanned by a brace", .low = 2, .high = 1e9});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "Compliance of edges, spokes and braces; 0 is rigid",
-                                     .unit = unit::compliance,
-                                     .low = 0,
-                                     .high = 1e9});
+        Elasticity::fields(self.elasticity, visit, "Compliance of edges, spokes and braces; 0 is rigid");
         visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of the outline; collision radius of the corners is half",

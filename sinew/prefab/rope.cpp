@@ -21,14 +21,10 @@ template <int D, class Real> void Rope::build(Builder<D, Real>& figure) const {
                                      .mass = mass,
                                      .weight = weight,
                                      .radius = thickness / 2});
-    link(figure, row,
-         {.limits = links == "exact" ? exactly(piece) : at_most(piece),
-          .compliance = compliance,
-          .breaking_strain = tears_beyond(breaking_strain),
-          .damage_limit = damage_limit});
-    // Each inner joint carries the bending energy of one piece: E I / 2 angle^2 / piece.
+    const auto limits = links == "exact" ? exactly(piece) : at_most(piece);
+    link(figure, row, strength.applied_to(elasticity.spec(limits)));
     if (bend_stiffness > 0 && segments > 1)
-        stiffen(figure, row, {.limits = exactly(0.0), .compliance = piece / bend_stiffness});
+        stiffen(figure, row, Elasticity::of_rod(piece, bend_stiffness).spec(exactly(0.0)));
     hold_ends(figure, row, pinned);
 
     const auto end = row.back();

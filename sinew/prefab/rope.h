@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/prefab/material.h"
 #include "sinew/prefab/strand.h"
 
 #include <optional>
@@ -24,10 +25,9 @@ struct Rope {
     double mass = 1;
     double weight = 0;
     std::string links = "at_most";
-    double compliance = 0;
+    Elasticity elasticity{};
     double bend_stiffness = 0;
-    double breaking_strain = 0;
-    double damage_limit = 0;
+    Strength strength{};
     double thickness = 0.03;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -58,21 +58,13 @@ struct Rope {
         visit(self.links, Field{.name = "links",
                                 .help = "Type of the links. at_most: can go slack; exact: can also push, like a rod",
                                 .choices = link_rules});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "Compliance of a piece; 0 is inextensible",
-                                     .unit = unit::compliance,
-                                     .low = 0,
-                                     .high = 1e9});
+        Elasticity::fields(self.elasticity, visit, "Compliance of a piece; 0 is inextensible");
         visit(self.bend_stiffness, Field{.name = "bend_stiffness",
                                          .help = "Resistance to bending (E I of a rod); 0 is a limp rope",
                                          .unit = {.length = 3, .mass = 1, .time = -2},
                                          .low = 0,
                                          .high = 1e12});
-        visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "Strain at which a piece tears; 0 for never",
-                                          .low = 0,
-                                          .high = 1e6});
-        visit(self.damage_limit, damage_limit_field);
+        Strength::fields(self.strength, visit, "Strain at which a piece tears; 0 for never");
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness as drawn; collision radius is half",
                                     .unit = unit::length,

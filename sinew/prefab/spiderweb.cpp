@@ -27,8 +27,7 @@ template <int D, class Real> void Spiderweb::build(Builder<D, Real>& figure) con
         figure.number_constraints(called, ties.size());
         for (const auto& ends : ties) {
             const double length = rest * figure.template measure<Distance>(ends);
-            figure.template constrain<Distance>(
-                "", ends, {.limits = classic ? exactly(length) : at_most(length), .compliance = compliance});
+            figure.template constrain<Distance>("", ends, elasticity.spec(classic ? exactly(length) : at_most(length)));
             figure.draw(Mark::stroke, called, {ends[0], ends[1]}, thickness);
         }
     };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/prefab/builder.h"
+#include "sinew/prefab/material.h"
 
 namespace sinew {
 
@@ -18,7 +19,7 @@ struct Spiderweb {
     int anchor_every = 4;
     double rest = 0.3;
     double unevenness = 1;
-    double compliance = 1;
+    Elasticity elasticity{1 /* m/N */};
     double mass = 0.1;
     double thickness = 0.01;
 
@@ -43,11 +44,7 @@ struct Spiderweb {
                                      .help = "Irregularity: 0 for a perfect spiral, 1 for a natural one",
                                      .low = 0,
                                      .high = 1});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "Compliance of a thread",
-                                     .unit = unit::compliance,
-                                     .low = 1e-9,
-                                     .high = 1e9});
+        Elasticity::fields(self.elasticity, visit, "Compliance of a thread", 1e-9);
         visit(self.mass, Field{.name = "mass", .help = "Total mass", .unit = unit::mass, .low = 1e-6, .high = 1e9});
         visit(self.thickness, Field{.name = "thickness",
                                     .help = "Thickness of a thread as drawn",

@@ -6,8 +6,8 @@ template <int D, class Real> void Tire::build(Builder<D, Real>& figure) const {
     const auto n = std::size_t(segments);
     const bool classic = figure.mode() == Mode::classic;
     const double share = mass / double(n + 1);
-    const ConstraintSpec<double> tread{.compliance = tread_compliance, .relaxation = classic ? tread_relaxation : 1};
-    const ConstraintSpec<double> spoke{.compliance = spoke_compliance, .relaxation = classic ? spoke_relaxation : 1};
+    auto tread = tread_elasticity.spec(), spoke = spoke_elasticity.spec();
+    if (classic) tread.relaxation = tread_relaxation, spoke.relaxation = spoke_relaxation;
 
     std::vector<ParticleId> corners;
     figure.number_particles("corner", n);

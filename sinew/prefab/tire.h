@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/prefab/builder.h"
+#include "sinew/prefab/material.h"
 
 namespace sinew {
 
@@ -15,8 +16,8 @@ struct Tire {
     int segments = 30;
     double radius = 0.5;
     int brace_span = 5;
-    double spoke_compliance = 1e-3;
-    double tread_compliance = 2e-4;
+    Elasticity spoke_elasticity{1e-3 /* m/N */};
+    Elasticity tread_elasticity{2e-4 /* m/N */};
     double spoke_relaxation = 1;
     double tread_relaxation = 1;
     double mass = 10;
@@ -35,16 +36,9 @@ struct Tire {
                     .help = "Number of sides spanned by a brace; no braces where the ends coincide or are neighbours",
                     .low = 2,
                     .high = 1e9});
-        visit(self.spoke_compliance, Field{.name = "spoke_compliance",
-                                           .help = "Compliance of the spokes; 0 is rigid",
-                                           .unit = unit::compliance,
-                                           .low = 0,
-                                           .high = 1e9});
-        visit(self.tread_compliance, Field{.name = "tread_compliance",
-                                           .help = "Compliance of tread and braces; 0 is rigid",
-                                           .unit = unit::compliance,
-                                           .low = 0,
-                                           .high = 1e9});
+        Elasticity::fields(self.spoke_elasticity, visit, "Compliance of the spokes; 0 is rigid", 0, "spoke_compliance");
+        Elasticity::fields(self.tread_elasticity, visit, "Compliance of tread and braces; 0 is rigid", 0,
+                           "tread_compliance");
         visit(self.spoke_relaxation, Field{.name = "spoke_relaxation",
                                            .help = "Share of the spokes' error removed in a pass (classic mode)",
                                            .low = 0,

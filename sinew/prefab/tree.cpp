@@ -1,5 +1,7 @@
 #include "sinew/prefab/tree.h"
 
+#include "sinew/prefab/material.h"
+
 namespace sinew {
 namespace {
 
@@ -94,10 +96,9 @@ template <int D, class Real> class TreeBuilder {
         for (std::size_t i = 0; i < branches_.size(); ++i) {
             const auto& b = branches_[i];
             const double thick = thickness_at(b.level), share = double(b.level) / double(tree_.depth + 1);
-            figure_.template constrain<Angle>(
-                "", {before(i), foot(i), tops_[i]},
-                {.compliance = b.length / (tree_.bend_stiffness * thick * thick * thick * thick),
-                 .relaxation = classic ? tree_.joint_relaxation * (1 - share) : 1});
+            auto spec = Elasticity::of_rod(b.length, tree_.bend_stiffness * thick * thick * thick * thick).spec();
+            if (classic) spec.relaxation = tree_.joint_relaxation * (1 - share);
+            figure_.template constrain<Angle>("", {before(i), foot(i), tops_[i]}, spec);
         }
     }
 

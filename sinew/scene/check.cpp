@@ -154,7 +154,7 @@ class ValueCheck {
             document_.error(between,
                             format_text("{} {} needs {}{} particle{}, found {}", article(kind.name), kind.name,
                                         kind.any_arity ? "at least " : "", wanted, wanted == 1 ? "" : "s", size));
-        if (section.damping_time > 0 && section.compliance == 0)
+        if (section.damping_time > 0 && section.is_rigid())
             document_.error(place + "/damping_time",
                             "only a constraint with a compliance has a damping time: a rigid one has nothing to damp");
         if (section.drive) keys(section.drive->keys, place + "/drive/keys");

@@ -2,6 +2,7 @@
 
 #include "sinew/constraint/kind_table.h"
 #include "sinew/math/point.h"
+#include "sinew/prefab/material.h"
 #include "sinew/prefab/prefabs.h"
 #include "sinew/scene/driver_section.h"
 #include "sinew/scene/look_section.h"
@@ -57,9 +58,18 @@ struct ConstraintSection {
     double max_force = 0;
     double damping_time = 0;
     std::optional<DriveSection> drive;
-    double breaking_strain = 0;
-    double damage_limit = 0;
+    Strength strength;
     bool hidden = false;
+
+    bool is_rigid() const { return compliance == 0; }
+    /// Spec without limits, whose unit depends on the kind.
+    ConstraintSpec<double> spec() const {
+        return strength.applied_to({.compliance = compliance,
+                                    .relaxation = relaxation.value_or(1),
+                                    .split = split.value_or(0.5),
+                                    .max_force = max_force > 0 ? max_force : limit::measure<double>,
+                                    .damping_time = damping_time});
+    }
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.kind, Field{.name = "kind", .help = "Measured quantity", .choices = kind_names});
@@ -93,11 +103,7 @@ struct ConstraintSection {
                   .low = 0,
                   .high = 1e6});
         visit(self.drive, Field{.name = "drive", .help = "Winch or motor that moves the limits"});
-        visit(self.breaking_strain, Field{.name = "breaking_strain",
-                                          .help = "Strain at which the constraint tears; 0 for never",
-                                          .low = 0,
-                                          .high = 1e6});
-        visit(self.damage_limit, damage_limit_field);
+        Strength::fields(self.strength, visit, "Strain at which the constraint tears; 0 for never");
         visit(self.hidden, Field{.name = "hidden", .help = "Hidden support, not drawn"});
     }
 };

@@ -36,15 +36,9 @@ void draw(Figure& figure, const ConstraintSection& section, const std::vector<Pa
 template <int D, class Real>
 void join_members(World<D, Real>& world, const ConstraintSection& section, FigureIndex figure,
                   const std::vector<ParticleId>& members) {
-    const ConstraintSpec<Real> spec{.limits = limits_of<Real>(section),
-                                    .compliance = Real(section.compliance),
-                                    .relaxation = Real(section.relaxation.value_or(1)),
-                                    .split = Real(section.split.value_or(0.5)),
-                                    .max_force = section.max_force > 0 ? Real(section.max_force) : limit::measure<Real>,
-                                    .damping_time = Real(section.damping_time),
-                                    .breaking_strain = Real(tears_beyond(section.breaking_strain)),
-                                    .damage_limit = Real(section.damage_limit),
-                                    .figure = figure};
+    auto spec = cast<Real>(section.spec());
+    spec.limits = limits_of<Real>(section);
+    spec.figure = figure;
     const auto id = add_constraint(world, kind_index<D>(section.kind), members, spec);
     if (!id || figure == no_figure) return;
     auto& built = world.figures[figure];

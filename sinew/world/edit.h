@@ -56,6 +56,21 @@ template <class Real> struct ConstraintSpec {
     FigureIndex figure = no_figure;
 };
 
+template <class To, class From> Interval<To> cast(const Interval<From>& limits) {
+    return {To(limits.low), To(limits.high)};
+}
+template <class To, class From> ConstraintSpec<To> cast(const ConstraintSpec<From>& spec) {
+    return {.limits = spec.limits ? std::optional(cast<To>(*spec.limits)) : std::nullopt,
+            .compliance = To(spec.compliance),
+            .relaxation = To(spec.relaxation),
+            .split = To(spec.split),
+            .max_force = To(spec.max_force),
+            .damping_time = To(spec.damping_time),
+            .breaking_strain = To(spec.breaking_strain),
+            .damage_limit = To(spec.damage_limit),
+            .figure = spec.figure};
+}
+
 template <int D, class Real> struct PinSpec {
     std::optional<Vec<D, Real>> target{}; ///< nothing: the particle's position; otherwise approached in the next step
     Real compliance = 0;

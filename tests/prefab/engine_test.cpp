@@ -34,7 +34,7 @@ TEST(Crank, RefusesARodThatCannotComeRound) {
 /// A ship on its spring is an oscillator: T = 2 pi sqrt(m compliance).
 TEST(Formation, ItsShipsSwingAboutTheirAnchors) {
     constexpr double each = 0.5, compliance = 0.05;
-    auto made = make(Formation{.columns = 2, .rows = 1, .mass = 4 * each, .compliance = compliance});
+    auto made = make(Formation{.columns = 2, .rows = 1, .mass = 4 * each, .elasticity = {.compliance = compliance}});
     const double home = made.place("ship_1_0")[0];
     set_position(made.world, *find_particle(made.world, "it/ship_1_0"), {{home + 0.2, 0}});
     const double period = 2 * pi<double> * std::sqrt(each * compliance);
@@ -76,15 +76,15 @@ TEST(Puppet, HasTheMassesAndTheLinksOfTheOriginalInBothModes) {
 }
 
 TEST(Cloth, OfUnevenThreadsTearsSomeOfThemEarlierThanOthers) {
-    const auto made =
-        make(Cloth{.columns = 61, .rows = 41, .diagonals = "none", .breaking_strain = 4, .uneven = 5.0 / 6});
+    const auto made = make(
+        Cloth{.columns = 61, .rows = 41, .diagonals = "none", .strength = {.breaking_strain = 4}, .uneven = 5.0 / 6});
     const auto strains = std::get<0>(made.world.constraints).breaking_strain.rows();
     const auto [weakest, strongest] = std::minmax_element(strains.begin(), strains.end());
     EXPECT_GE(*weakest, 4); // 30 px of 6
     EXPECT_LT(*weakest, 4.01);
     EXPECT_LE(*strongest, 4 * 11.0 / 6); // 50 px
     EXPECT_GT(*strongest, 7.3);
-    EXPECT_EQ(std::get<0>(make(Cloth{.breaking_strain = 4}).world.constraints).breaking_strain[7], 4);
+    EXPECT_EQ(std::get<0>(make(Cloth{.strength = {.breaking_strain = 4}}).world.constraints).breaking_strain[7], 4);
 }
 
 std::optional<Opened> scene_of(const std::string& text, std::string* errors = nullptr) {

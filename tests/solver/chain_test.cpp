@@ -70,7 +70,7 @@ TYPED_TEST(Chains, AreRopesOfPlainLinksHeldAtOneEnd) {
     add({.segments = 4, .links = "exact"});
     add({.segments = 5, .pinned = "both"});
     add({.segments = 6, .pinned = "none"});
-    add({.segments = 7, .compliance = 1e-3});
+    add({.segments = 7, .elasticity = {.compliance = 1e-3}});
     add({.segments = 8, .bend_stiffness = 1});
     prepare(world);
     const auto& chains = world.solver.blocks.chains;

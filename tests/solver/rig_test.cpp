@@ -108,7 +108,7 @@ TEST(RigCheck, FindsALoopThatNothingMoves) {
 TEST(RigCheck, FindsNothingInTheEnginesOwnFiguresAndNoMoreThanAsked) {
     EXPECT_TRUE(rig_faults(make(Ragdoll{}).world).empty());
     EXPECT_TRUE((rig_faults(make<3, float>(Cloth{}).world).empty()));
-    auto cloth = make(Cloth{.columns = 60, .rows = 60, .bend = true, .bend_compliance = 0});
+    auto cloth = make(Cloth{.columns = 60, .rows = 60, .bend = true, .bend_elasticity = {.compliance = 0}});
     EXPECT_TRUE(rig_faults(cloth.world).empty());
     for (auto& position : cloth.world.particles.position) position *= 2;
     EXPECT_EQ(rig_faults(cloth.world, 7).size(), 7U);
