@@ -22,8 +22,7 @@ struct GrabEvent {
     std::optional<Point> to;
     double duration = 0;
     double within = 0;
-    double compliance = 0;
-    double max_force = 0;
+    GripSection grip;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.particle, Field{.name = "grab", .help = "Particle, as figure/name", .required = true});
@@ -38,16 +37,7 @@ struct GrabEvent {
                                  .unit = unit::length,
                                  .low = 0,
                                  .high = 1e6});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "Compliance of the hold; 0 is rigid",
-                                     .unit = unit::compliance,
-                                     .low = 0,
-                                     .high = 1e12});
-        visit(self.max_force, Field{.name = "max_force",
-                                    .help = "Largest force; 0 for no limit",
-                                    .unit = unit::force,
-                                    .low = 0,
-                                    .high = 1e15});
+        GripSection::fields(self.grip, visit, "Compliance of the hold; 0 is rigid");
     }
 };
 

@@ -268,12 +268,31 @@ struct FigureSection {
     }
 };
 
+/// Force with which a pin, or a grab, holds its particle.
+struct GripSection {
+    double compliance = 0;
+    double max_force = 0;
+
+    template <int D, class Real> PinSpec<D, Real> spec(Hold hold) const {
+        return {.compliance = Real(compliance), .max_force = Real(max_force), .hold = hold};
+    }
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit, std::string_view help) {
+        visit(self.compliance,
+              Field{.name = "compliance", .help = help, .unit = unit::compliance, .low = 0, .high = 1e12});
+        visit(self.max_force, Field{.name = "max_force",
+                                    .help = "Largest force; 0 for no limit",
+                                    .unit = unit::force,
+                                    .low = 0,
+                                    .high = 1e15});
+    }
+};
+
 struct PinSection {
     std::string particle;
     std::optional<Point> to;
-    double compliance = 0;
+    GripSection grip;
     double damping = 1;
-    double max_force = 0;
     std::optional<Point> steer;
     double steer_damping = 0;
     std::optional<Driver> driver;
@@ -284,20 +303,11 @@ struct PinSection {
                                    .required = true});
         visit(self.to,
               Field{.name = "to", .help = "Held position; the initial position if left out", .unit = unit::length});
-        visit(self.compliance, Field{.name = "compliance",
-                                     .help = "Compliance of the pin; 0 is rigid",
-                                     .unit = unit::compliance,
-                                     .low = 0,
-                                     .high = 1e12});
+        GripSection::fields(self.grip, visit, "Compliance of the pin; 0 is rigid");
         visit(self.damping, Field{.name = "damping",
                                   .help = "Damping of a compliant pin, as a fraction of critical damping",
                                   .low = 0,
                                   .high = 1000});
-        visit(self.max_force, Field{.name = "max_force",
-                                    .help = "Largest force; 0 for no limit",
-                                    .unit = unit::force,
-                                    .low = 0,
-                                    .high = 1e15});
         visit(self.steer, Field{.name = "steer",
                                 .help = "Acceleration towards the target for each unit of distance, along each axis, "
                                         "instead of holding the particle there. In classic mode no other acceleration "

@@ -137,14 +137,10 @@ template <int D, class Real> class WorldBuilder {
     }
 
     void hold(const PinSection& section) {
-        std::optional<Vector> target;
-        if (section.to) target = vector(*section.to);
         for (const auto id : find_particles(world_, section.particle)) {
-            PinSpec<D, Real> spec{.target = target,
-                                  .compliance = Real(section.compliance),
-                                  .damping = Real(section.damping),
-                                  .max_force = Real(section.max_force),
-                                  .hold = section.driver ? hold_rule(scene_) : Hold::fixed};
+            auto spec = section.grip.spec<D, Real>(section.driver ? hold_rule(scene_) : Hold::fixed);
+            if (section.to) spec.target = vector(*section.to);
+            spec.damping = Real(section.damping);
             if (section.steer) steer(spec, section, id);
             pin(world_, id, spec);
         }

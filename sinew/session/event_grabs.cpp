@@ -3,15 +3,6 @@
 #include "sinew/assert/assert.h"
 
 namespace sinew {
-namespace {
-
-template <class WorldT>
-PinSpec<WorldT::dimension, typename WorldT::Real> pin_of(const GrabEvent& grab, const Scene& scene) {
-    using Real = typename WorldT::Real;
-    return {.compliance = Real(grab.compliance), .max_force = Real(grab.max_force), .hold = hold_rule(scene)};
-}
-
-} // namespace
 
 bool EventGrabs::begin(AnyWorld& any, const Scene& scene, const GrabEvent& grab) {
     release(any, grab.particle);
@@ -27,7 +18,8 @@ bool EventGrabs::begin(AnyWorld& any, const Scene& scene, const GrabEvent& grab)
                 held_.push_back(held);
                 return true;
             }
-            held.pin = *pin(world, *id, pin_of<WorldT>(grab, scene));
+            using Real = typename WorldT::Real;
+            held.pin = *pin(world, *id, grab.grip.spec<WorldT::dimension, Real>(hold_rule(scene)));
             held_.push_back(held);
             if (grab.within > 0) hold_around(world, scene, *id, grab, held);
             return true;
@@ -53,7 +45,7 @@ void EventGrabs::hold_around(WorldT& world, const Scene& scene, ParticleId middl
             near.from[i] += double(offset[i]);
             near.to[i] += double(offset[i]);
         }
-        near.pin = *pin(world, id, pin_of<WorldT>(grab, scene));
+        near.pin = *pin(world, id, grab.grip.spec<WorldT::dimension, Real>(hold_rule(scene)));
         held_.push_back(near);
     }
 }
@@ -106,14 +98,9 @@ void EventGrabs::go_on(AnyWorld& any, const AnyWorld& old) {
                 const auto id = find_particle(world, held.particle);
                 const auto row = before ? before->pin_handles.find(held.pin) : std::nullopt;
                 if (!id || !row) return true;
-                const auto& spec = before->pins[*row];
-                if (find_particle(*before, held.particle) != spec.particle) return true; // held along with another
-                const auto again = pin(world, *id,
-                                       {.target = spec.target,
-                                        .compliance = spec.compliance,
-                                        .damping = spec.damping,
-                                        .max_force = spec.max_force,
-                                        .hold = spec.hold});
+                const auto& old_pin = before->pins[*row];
+                if (find_particle(*before, held.particle) != old_pin.particle) return true; // held along with another
+                const auto again = pin(world, *id, spec_of(old_pin));
                 if (again) held.pin = *again;
                 return !again;
             });

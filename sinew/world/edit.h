@@ -81,6 +81,17 @@ template <int D, class Real> struct PinSpec {
     Real steer_damping = 0;
 };
 
+/// Spec of a pin like this one.
+template <int D, class Real> PinSpec<D, Real> spec_of(const Pin<D, Real>& pin) {
+    return {.target = pin.target,
+            .compliance = pin.compliance,
+            .damping = pin.damping,
+            .max_force = pin.max_force,
+            .hold = pin.hold,
+            .steer = pin.steer,
+            .steer_damping = pin.steer_damping};
+}
+
 struct Sizes {
     std::size_t particles = 0, constraints = 0;
 };
