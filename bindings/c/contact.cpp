@@ -117,13 +117,13 @@ sinew_status sinew_find_collider(sinew_simulation simulation, const char* name, 
 }
 
 sinew_status sinew_move_collider(sinew_simulation simulation, sinew_collider collider, sinew_point position,
-                                 double angle, const sinew_point* axis) {
-    if (!is_finite(position) || !std::isfinite(angle) || (axis && !is_finite(*axis)))
+                                 double turn, const sinew_point* axis) {
+    if (!is_finite(position) || !std::isfinite(turn) || (axis && !is_finite(*axis)))
         return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
     return change(simulation, [&](Session& session) {
         return std::visit(
             [&]<int D, class Real>(World<D, Real>& world) {
-                const collide::Pose<D, Real> pose{vector_of<D, Real>(position), rotation_of<D, Real>(angle, axis)};
+                const collide::Pose<D, Real> pose{vector_of<D, Real>(position), rotation_of<D, Real>(turn, axis)};
                 return move_collider(world, id_of<ColliderTag>(collider), pose) ? SINEW_OK : bad_id("collider");
             },
             session.world());

@@ -37,7 +37,7 @@ sinew_status no_reach() {
 bool is_region(const sinew_region& region) {
     const auto& half = region.half;
     return is_finite(region.center) && is_finite(half) && half.x >= 0 && half.y >= 0 && half.z >= 0 &&
-           is_reach(region.radius) && std::isfinite(region.angle) && is_finite(region.axis);
+           is_reach(region.radius) && std::isfinite(region.turn) && is_finite(region.axis);
 }
 
 template <int D, class Real> collide::Shape<D, Real> shape_of(const sinew_region& region) {
@@ -46,7 +46,7 @@ template <int D, class Real> collide::Shape<D, Real> shape_of(const sinew_region
     return collide::Box<D, Real>{half};
 }
 template <int D, class Real> collide::Pose<D, Real> pose_of(const sinew_region& region) {
-    return {vector_of<D, Real>(region.center), rotation_of<D, Real>(region.angle, &region.axis)};
+    return {vector_of<D, Real>(region.center), rotation_of<D, Real>(region.turn, &region.axis)};
 }
 
 /// Hands out the ids that fit.

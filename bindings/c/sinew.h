@@ -322,7 +322,7 @@ typedef struct sinew_region {
     sinew_point center;
     sinew_point half; /* half of the edges of a box; all zero: a sphere */
     double radius;    /* of a sphere */
-    double angle;     /* of a box, in radians, counter-clockwise; in 3D about `axis` */
+    double turn;      /* of a box, in radians, counter-clockwise; in 3D about `axis` */
     sinew_point axis; /* 3D: of any length; all zero: z */
 } sinew_region;
 /* Ids of the particles, or links, that touch a region, in the order of their rows: at most `room` are written, and
@@ -380,10 +380,10 @@ SINEW_API sinew_status sinew_unpin(sinew_simulation simulation, sinew_pin pin);
 
 /* Colliders of the scene by name. */
 SINEW_API sinew_status sinew_find_collider(sinew_simulation simulation, const char* name, sinew_collider* collider);
-/* Pose of a collider at the end of the next step, approached evenly: what touches it is carried along. `angle` as in
+/* Pose of a collider at the end of the next step, approached evenly: what touches it is carried along. `turn` as in
  * sinew_region, `axis` may be null. A collider with a motion of its own in the scene follows that. */
 SINEW_API sinew_status sinew_move_collider(sinew_simulation simulation, sinew_collider collider, sinew_point position,
-                                           double angle, const sinew_point* axis);
+                                           double turn, const sinew_point* axis);
 
 /* --- pointer ----------------------------------------------------------------------------------------------------- */
 

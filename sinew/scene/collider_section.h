@@ -134,7 +134,7 @@ struct ColliderSection {
                  HeightFieldShape>
         shape;
     Point at{};
-    double angle = 0;
+    double turn = 0;
     Point axis{{0, 0, 1}};
     double bounce = 0;
     double friction = 0.5;
@@ -148,10 +148,10 @@ struct ColliderSection {
         visit(self.name, Field{.name = "name", .help = "Name, for events"});
         visit(self.shape, Field{.name = "shape", .help = "Shape", .required = true});
         visit(self.at, Field{.name = "at", .help = "Position", .unit = unit::length});
-        visit(self.angle, Field{.name = "angle",
-                                .help = "Orientation, counter-clockwise on screen; in 3D about \"axis\"",
-                                .unit = unit::angle});
-        visit(self.axis, Field{.name = "axis", .help = "Axis of the angle and of the spin (3D)"});
+        visit(self.turn, Field{.name = "turn",
+                               .help = "Rotation about the position, counter-clockwise on screen; in 3D about \"axis\"",
+                               .unit = unit::angle});
+        visit(self.axis, Field{.name = "axis", .help = "Axis of the turn and of the spin (3D)"});
         surface_fields(self, visit);
         visit(self.layers, Field{.name = "layers", .help = "Layers it belongs to", .low = 0, .high = 31});
         visit(self.touches,

@@ -142,7 +142,7 @@ collide::Filter filter_of(const std::vector<int>& layers, const std::optional<st
 
 template <int D, class Real>
 collide::Rotation<D, Real> rotation_of(const ColliderSection& section, double time, int up) {
-    const double angle = (section.angle + (section.motion ? section.motion->spin * time : 0)) * up;
+    const double angle = (section.turn + (section.motion ? section.motion->spin * time : 0)) * up;
     if constexpr (D == 2)
         return collide::Rotation<2, Real>::of(Real(angle));
     else

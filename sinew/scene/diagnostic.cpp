@@ -282,7 +282,8 @@ namespace {
 struct Renamed {
     std::string_view from, to;
 };
-constexpr std::array<Renamed, 8> renamed_words = {{{"cuts_within", "cut_radius"},
+constexpr std::array<Renamed, 9> renamed_words = {{{"angle", "turn"},
+                                                   {"cuts_within", "cut_radius"},
                                                    {"lead", "damping_time"},
                                                    {"over", "duration"},
                                                    {"pulls_times", "grab_gain"},

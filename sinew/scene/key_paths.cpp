@@ -100,7 +100,8 @@ std::vector<std::string> key_paths(const Layout& shape, const json::Value& docum
     Walk exact(key);
     exact.record(shape, &document, "");
     if (!exact.paths.empty()) return exact.paths;
-    const auto near = nearest(key, exact.names);
+    const auto renamed = new_name(key);
+    const auto near = renamed.empty() ? nearest(key, exact.names) : renamed;
     if (near.empty()) return {};
     Walk like(near);
     like.record(shape, &document, "");

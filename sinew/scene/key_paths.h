@@ -9,7 +9,8 @@
 namespace sinew {
 
 /// Full paths, in the notation of overrides, at which a record allows `key`: "world.gravity", "figures.rope.segments".
-/// List elements are those of the document. If no field has that name, the field nearest in spelling is used.
+/// List elements are those of the document. If no field has that name, the field renamed from it is used, or the one
+/// nearest in spelling.
 std::vector<std::string> key_paths(const Layout& record, const json::Value& document, std::string_view key);
 
 } // namespace sinew

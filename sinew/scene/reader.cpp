@@ -141,7 +141,7 @@ std::string help_with(const json::Member& member, const std::vector<std::string_
     const auto word = renamed.empty() ? std::string_view(member.key) : renamed;
     const bool is_near = std::ranges::find(allowed, word) != allowed.end() || !nearest(word, allowed).empty();
     if (member.key_span.source == file || !in.elsewhere || is_near) return suggest(member.key, allowed);
-    const auto paths = in.elsewhere(word);
+    const auto paths = in.elsewhere(member.key);
     if (paths.empty()) return suggest(member.key, allowed);
     std::string help = "did you mean ";
     for (std::size_t i = 0; i < std::min(paths.size(), max_told); ++i)

@@ -265,9 +265,9 @@ static void queries_find_the_nearest_and_the_first(void) {
     CHECK(sinew_overlapping_particles(simulation, &region, found, 2, &count) == SINEW_OK);
     CHECK(count == 1 && found[0] == bob);
     CHECK(sinew_overlapping_links(simulation, &region, links, 1, &count) == SINEW_OK && count == 1 && links[0] == rod);
-    region = (sinew_region){.center = {0.5, 0, 0}, .half = {0.8, 0.1, 0}, .angle = 1.5707963};
+    region = (sinew_region){.center = {0.5, 0, 0}, .half = {0.8, 0.1, 0}, .turn = 1.5707963};
     CHECK(sinew_overlapping_particles(simulation, &region, found, 2, &count) == SINEW_OK && count == 0);
-    region.angle = 0;
+    region.turn = 0;
     CHECK(sinew_overlapping_particles(simulation, &region, NULL, 0, &count) == SINEW_OK && count == 2);
     CHECK(sinew_overlapping_particles(simulation, &region, NULL, 1, &count) == SINEW_BAD_ARGUMENT);
     region.radius = -1;

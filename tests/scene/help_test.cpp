@@ -40,6 +40,11 @@ TEST(OverrideHelp, NamesTheFiguresOfTheSceneThatHaveTheParameter) {
     EXPECT_TRUE(says(said_of(two_ropes, {{"columns=9"}}), "did you mean \"figures.sheet.columns\"?"));
 }
 
+TEST(OverrideHelp, FindsAWordThatIsRenamedInOneSectionAndLivesOnInAnother) {
+    EXPECT_TRUE(says(said_of(two_ropes, {{"angle=9"}}), "did you mean \"figures.left.angle\" or"));
+    EXPECT_TRUE(says(said_of(two_ropes, {{"pulls_within=9"}}), "did you mean \"pointer.grab_radius\"?"));
+}
+
 TEST(OverrideHelp, FindsAKeyOfNearlyThatSpelling) {
     EXPECT_TRUE(says(said_of(two_ropes, {{"gravty=0"}}), "did you mean \"world.gravity\"?"));
     EXPECT_TRUE(says(said_of(two_ropes, {{"worl.gravity=0"}}), "did you mean \"world\"?"))

@@ -32,9 +32,10 @@ constexpr auto two = R"("figures": [{"name": "f", "particles": {"a": {"at": [0, 
 
 TEST(FormerWords, AreErrorsThatNameTheNewOnes) {
     const auto text = told(R"({"sinew": 1, "pointer": {"pulls_within": 1, "cuts_within": 2},
+        "colliders": [{"shape": "box", "angle": 30}],
         "figures": [{"name": "a", "particles": {"b": {"at": [0, 0]}}}],
         "events": [{"at": 1, "grab": "a/b", "to": [0, 0], "over": 2}, {"at": 1, "remove": [], "snip": []}]})");
-    for (const std::string word : {"grab_radius", "cut_radius", "duration", "remove"})
+    for (const std::string word : {"grab_radius", "cut_radius", "turn", "duration", "remove"})
         EXPECT_NE(text.find("renamed to \"" + word + "\""), std::string::npos) << word << " in " << text;
 }
 

@@ -191,10 +191,10 @@ export interface Contact {
     colliderName: string;       // as in the scene; may be empty
 }
 
-/** A circle or sphere by its radius, or a box by half of its edges, turned by an angle (in 3D about an axis, z by default). */
+/** A circle or sphere by its radius, or a box by half of its edges, turned by `turn` radians (in 3D about an axis, z by default). */
 export type Region =
     | { center: Point; radius: number }
-    | { center: Point; half: Point; angle?: number; axis?: Point };
+    | { center: Point; half: Point; turn?: number; axis?: Point };
 
 export interface RayHit {
     share: number;              // of the way, 0 to 1
@@ -278,7 +278,7 @@ export interface Simulation {
 
     collider(name: string): ColliderId;
     /** Pose at the end of the next step; what touches the collider is carried along. */
-    moveCollider(collider: ColliderId | string, position: Point, angle?: number, axis?: Point): void;
+    moveCollider(collider: ColliderId | string, position: Point, turn?: number, axis?: Point): void;
 
     addParticle(spec: { position: Point; velocity?: Point; mass?: number; radius?: number }): ParticleId;
     removeParticle(particle: ParticleId | string): void;

@@ -210,11 +210,11 @@ export class Simulation {
         });
     }
 
-    overlapping(name, { center, half = [0, 0, 0], radius = 0, angle = 0, axis = [0, 0, 0] }) {
+    overlapping(name, { center, half = [0, 0, 0], radius = 0, turn = 0, axis = [0, 0, 0] }) {
         const { data } = this.engine;
         const point = ([x, y, z = 0]) => [x, y, z];
         return data.within((arena) => {
-            const region = arena.doubles([...point(center), ...point(half), radius, angle, ...point(axis)]);
+            const region = arena.doubles([...point(center), ...point(half), radius, turn, ...point(axis)]);
             const count = data.uint(this.ask(name, region, 0, 0));
             const ids = arena.ids(new Array(count).fill(0n));
             this.call(name, region, ids, count, data.result);
@@ -230,10 +230,10 @@ export class Simulation {
         return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_find_collider", arena.text(which))));
     }
 
-    moveCollider(collider, position, angle = 0, axis = [0, 0, 0]) {
+    moveCollider(collider, position, turn = 0, axis = [0, 0, 0]) {
         const id = this.collider(collider);
         this.engine.data.within((arena) =>
-            this.call("sinew_move_collider", id, arena.point(position), angle, arena.point(axis)));
+            this.call("sinew_move_collider", id, arena.point(position), turn, arena.point(axis)));
     }
 
     // --- edits ----------------------------------------------------------------------------------------------------

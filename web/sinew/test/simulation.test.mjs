@@ -213,7 +213,7 @@ test("queries answer in the plane and in space", () => {
     assert.equal(flat.castRay([5, 3], [5, -1], { radius: 0.5 }).collider, flat.collider("floor"));
     assert.equal(flat.castRay([5, 3], [9, 3]), null);
     assert.deepEqual(flat.particlesIn({ center: [0, 0.7], half: [0.1, 0.5] }), [ball, target]);
-    assert.deepEqual(flat.particlesIn({ center: [0, 0.7], half: [0.1, 0.5], angle: Math.PI / 2 }), []);
+    assert.deepEqual(flat.particlesIn({ center: [0, 0.7], half: [0.1, 0.5], turn: Math.PI / 2 }), []);
     assert.throws(() => flat.particlesIn({ center: [NaN, 0], radius: 1 }), hasStatus(status.badArgument));
 
     const space = engine.open({ sinew: 1, dimension: 3, figures: [{ name: "rod", particles: { a: { at: [0, 0, 0] }, b: { at: [0, 0, 2] } },
@@ -224,7 +224,7 @@ test("queries answer in the plane and in space", () => {
     assert.ok(Math.abs(nearest.t - 0.25) < 1e-12 && Math.abs(nearest.distance - 0.5) < 1e-12);
     assert.deepEqual(space.linksIn({ center: [0.3, 0, 1], radius: 0.4 }), [link]);
     assert.deepEqual(space.linksIn({ center: [0.5, 0, 1], half: [0.1, 0.6, 0.1] }), []);
-    assert.deepEqual(space.linksIn({ center: [0.5, 0, 1], half: [0.1, 0.6, 0.1], angle: Math.PI / 2, axis: [0, 0, 1] }), [link]);
+    assert.deepEqual(space.linksIn({ center: [0.5, 0, 1], half: [0.1, 0.6, 0.1], turn: Math.PI / 2, axis: [0, 0, 1] }), [link]);
     assert.deepEqual(space.particlesIn({ center: [0, 0, 0], radius: 3 }).length, 2);
     for (const simulation of [flat, space]) simulation.dispose();
 });
