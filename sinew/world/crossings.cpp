@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace sinew {
@@ -17,8 +19,20 @@ using Point3 = Vec3<double>;
 double volume(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
     return dot(cross(b - a, c - a), d - a);
 }
-bool have_one_sign(double a, double b) {
-    return (a > 0 && b > 0) || (a < 0 && b < 0);
+double longest_square(std::span<const Point3> corners) {
+    double longest = 0;
+    for (std::size_t i = 1; i < corners.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const auto side = corners[i] - corners[k];
+            longest = max(longest, dot(side, side));
+        }
+    return longest;
+}
+double farthest(std::span<const Point3> points) {
+    double far = 0;
+    for (const auto& point : points)
+        for (int i = 0; i < 3; ++i) far = max(far, absolute(point[i]));
+    return far;
 }
 
 /// Edges and triangles of all cloth, by rows of particles.
@@ -86,11 +100,20 @@ template <class Real> class CrossingCounter {
     bool cross(const std::array<Row, 3>& triangle, const std::array<Row, 2>& edge) const {
         for (const Row corner : triangle)
             if (corner == edge[0] || corner == edge[1]) return false;
-        const auto a = position(triangle[0]), b = position(triangle[1]), c = position(triangle[2]);
-        const auto p = position(edge[0]), q = position(edge[1]);
+        const std::array corners = {position(triangle[0]), position(triangle[1]), position(triangle[2]),
+                                    position(edge[0]), position(edge[1])};
+        const auto& [a, b, c, p, q] = corners;
+        const double touching = volume_of_rounding(corners);
+        const auto have_one_sign = [&](double v, double w) { return min(v, w) > touching || max(v, w) < -touching; };
         if (!have_one_sign(volume(a, b, c, p), -volume(a, b, c, q))) return false;
         const double ab = volume(p, q, a, b), bc = volume(p, q, b, c), ca = volume(p, q, c, a);
         return have_one_sign(ab, bc) && have_one_sign(bc, ca);
+    }
+    /// Volume up to which a tetrahedron of these corners may be flat: each of its three edges is known to a few units
+    /// in the last place of the coordinates.
+    static double volume_of_rounding(std::span<const Point3> corners) {
+        constexpr double units = 8 * double(std::numeric_limits<Real>::epsilon());
+        return units * farthest(corners) * longest_square(corners);
     }
 };
 

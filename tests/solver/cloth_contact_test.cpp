@@ -100,6 +100,36 @@ TYPED_TEST(ClothContacts, CopiesHaveTheSameFuture) {
     expect_copies_to_go_alike(show);
 }
 
+/// Crossings of two single cells: one in the plane of x and z, and another one.
+template <class Real, class Place> std::size_t crossings_of_cells(Place&& place) {
+    Space<Real> world;
+    add_sheet(world, {.size = 2}, [](int i, int k) { return point<Real>(i, 0, k); });
+    add_sheet(world, {.size = 2}, place);
+    return count_crossings(world);
+}
+
+// The corners of a tilted plane are rounded to either side of it.
+TYPED_TEST(ClothContacts, LayersInOnePlaneDoNotCross) {
+    using Real = TypeParam;
+    Space<Real> world;
+    for (const double shift : {0.0, 0.0043})
+        add_sheet(world, {.size = 16}, [&](int i, int k) {
+            const double u = 0.01 * i + shift, v = 0.01 * k + shift;
+            return point<Real>(1.3 + 0.6 * u - 0.4 * v, 0.7 + 0.3 * u + 0.8 * v, -2.1 + 0.741 * u + 0.447 * v);
+        });
+    EXPECT_EQ(count_crossings(world), 0U);
+}
+
+TYPED_TEST(ClothContacts, WhatTouchesDoesNotCross) {
+    using Real = TypeParam;
+    const auto stands_on_the_face = [](int i, int k) { return point<Real>(0.3 * i + 0.25, k, 0.2 * i + 0.1); };
+    EXPECT_EQ(crossings_of_cells<Real>(stands_on_the_face), 0U);
+    const auto lies_in_the_plane = [](int i, int k) { return point<Real>(0.3 * i + 0.25, 0, 0.2 * k + 0.1); };
+    EXPECT_EQ(crossings_of_cells<Real>(lies_in_the_plane), 0U);
+    const auto meets_the_rim = [](int i, int k) { return point<Real>(1 + i, k - 0.5, 0.5); };
+    EXPECT_EQ(crossings_of_cells<Real>(meets_the_rim), 0U);
+}
+
 TYPED_TEST(ClothContacts, ACrossingIsCounted) {
     using Real = TypeParam;
     Space<Real> world;
