@@ -1,6 +1,7 @@
 #include "player/play.h"
 
 #include "sinew/math/trig.h"
+#include "sinew/session/event_json.h"
 #include "sinew/world/measure.h"
 
 #include "player/files.h"
@@ -319,7 +320,7 @@ void Play::tell_happenings() {
     const auto& all = session().happenings();
     auto& told = pane().told;
     told = std::min(told, all.size()); // the session was restored to an earlier state
-    for (; told < all.size(); ++told) tell(all[told].what, {{"where", all[told].where}});
+    for (; told < all.size(); ++told) tell(all[told].what, event_details(all[told]));
 }
 
 } // namespace sinew::play

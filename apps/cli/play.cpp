@@ -145,7 +145,7 @@ class PlayCommand final : public Command {
         json::Object line{{"what", told.what}};
         if (game.ready()) {
             line.push_back({"scene", game.scene_name()});
-            line.push_back({"seconds", game.session().seconds()});
+            if (!json::find(told.more, "seconds")) line.push_back({"seconds", game.session().seconds()});
         }
         for (const auto& member : told.more) line.push_back(member);
         print(to_line(line));
@@ -164,7 +164,9 @@ class PlayCommand final : public Command {
         "  2.0 key p\n"
         "  2.1 shot thrown.png\n\n"
         "Also: scroll N, where PARTICLE, set PATH=VALUE, open SCENE, go STEP, save FILE, state FILE,\n"
-        "paste FILE, answer WORD, choose FILE, end.\n";
+        "paste FILE, answer WORD, choose FILE, end.\n\n"
+        "With --json a line has what, scene, seconds and more. What happens in the scene has the members\n"
+        "that it has in the log of run --json: where, islands, with, impulse.\n";
     Words words;
     std::string script_path;
     bool as_json = false;

@@ -1,3 +1,4 @@
+#include "sinew/session/event_json.h"
 #include "sinew/solver/profile.h"
 
 #include "apps/cli/arguments.h"
@@ -68,10 +69,8 @@ json::Array events_json(const Session& session) {
     json::Array events;
     for (const auto& happening : session.happenings()) {
         if (events.size() == max) break;
-        json::Object event{{"seconds", happening.seconds}, {"what", happening.what}, {"where", happening.where}};
-        if (happening.islands > 0) event.push_back({"islands", happening.islands});
-        if (!happening.with.empty()) event.push_back({"with", happening.with});
-        if (happening.impulse > 0) event.push_back({"impulse", happening.impulse});
+        json::Object event{{"what", happening.what}};
+        for (auto& detail : event_details(happening)) event.push_back(std::move(detail));
         events.push_back(std::move(event));
     }
     return events;
@@ -120,11 +119,11 @@ class RunCommand final : public Command {
                 "seconds, steps, particles, constraints, hash, energy {kinetic, potential, stored, total},\n"
                 "energy_lost (what ropes and figures gave up where they struck, cracked or snapped taut),\n"
                 "stretch_max, stretch_mean (of distances, as fractions of their rest length), max_speed,\n"
-                "ms_per_step (median), ms_by_phase (mean), events_count and events (the first 100): torn, cut, "
-                "parted (a figure\n"
-                "fell into so many islands), quarantined, those of the scene, and begin, persist, end and hit of\n"
-                "contacts for which the scene waits (with: the other side, impulse). Numbers are in the scene's\n"
-                "units; one that is not finite is null. The hash is the same on every machine.\n"
+                "ms_per_step (median), ms_by_phase (mean), events_count and events (the first 100). An event has\n"
+                "what, seconds, where: torn, cut, parted (a figure fell into so many islands), quarantined, those\n"
+                "of the scene, and begin, persist, end and hit of contacts for which the scene waits (with: the\n"
+                "other side, impulse). Numbers are in the scene's units; one that is not finite is null. The hash\n"
+                "is the same on every machine.\n"
                 "\n"
                 "A trace holds a row for each particle of each frame, the start among them: time, name,\n"
                 "position and velocity in the scene's own units, as CSV with a heading where the file ends in\n"

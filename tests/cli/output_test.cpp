@@ -1,8 +1,11 @@
+#include "tests/canvas/scratch_folder.h"
 #include "tests/cli/command.h"
 
 #include <algorithm>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <sys/resource.h>
 
 /// What commands that do not draw tell, for people and as JSON.
@@ -69,6 +72,32 @@ TEST(Run, TellsWhatHappened) {
     EXPECT_EQ(events[3]["where"], "crate");
     EXPECT_FALSE(events[3].contains("islands"));
     EXPECT_TRUE(has(sinew({"run", "tearing"}).out, "2 impulse, 1 torn, 1 parted"));
+}
+
+// A ball that lands: run tells it at the end, play when it happens.
+TEST(Play, TellsEventsAsRunDoes) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "landing.json") << R"({"sinew": 1, "world": {"gravity": [0, -10]}, "seconds": 1,
+        "colliders": [{"name": "table", "shape": "half_space"}],
+        "figures": [{"name": "ball", "particles": {"p": {"at": [0, 0.2], "radius": 0.1}}}],
+        "events": [{"on": {"contact": "begin", "of": "ball"}, "note": "it lands"},
+                   {"on": {"contact": "persist", "of": "ball"}, "note": "it lies", "times": 2}]})";
+    std::ofstream(folder / "script.txt") << "1 end\n";
+    const auto run = json_of({"run", folder / "landing.json", "--json"});
+    const auto play = sinew({"play", folder / "landing.json", "--script", folder / "script.txt", "--json"});
+    ASSERT_EQ(play.code, 0) << play.err;
+    json told = json::array();
+    std::istringstream lines(play.out);
+    for (std::string line; std::getline(lines, line);) {
+        auto event = json::parse(line);
+        event.erase("scene");
+        if (event.contains("where")) told.push_back(event);
+    }
+    EXPECT_EQ(told, run["events"]);
+    ASSERT_GE(told.size(), 3U);
+    EXPECT_EQ(told[0]["what"], "begin");
+    EXPECT_EQ(told[0]["with"], "table");
+    EXPECT_GT(told[0]["impulse"], 0);
 }
 
 TEST(Run, TwiceIsTheSame) {
