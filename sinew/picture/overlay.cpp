@@ -1,6 +1,8 @@
 #include "sinew/picture/overlay.h"
 
+#include "sinew/math/format.h"
 #include "sinew/picture/annotator.h"
+#include "sinew/picture/contact_points.h"
 #include "sinew/picture/forces.h"
 
 #include <algorithm>
@@ -30,9 +32,7 @@ template <class WorldT> class Overlayer {
 
     void tension() {
         if (world_.settings.mode == Mode::classic) return annotator_.add_words("tension: classic mode knows no forces");
-        const auto units = scene_.measures();
-        const double newtons = square(units.per_second) / units.per_metre;
-        color_lines([&](const ConstraintState& state) { return state.tension * newtons; }, 1, "tension", "N");
+        color_lines([&](const ConstraintState& state) { return state.tension * newtons(); }, 1, "tension", "N");
     }
 
     void pins() {
@@ -90,25 +90,23 @@ template <class WorldT> class Overlayer {
         draw_arrows(arrows, "forces");
     }
 
-    /// Arrows of normal forces and dots at contact points; in classic mode, where walls exert no force, dots only.
+    /// Arrows of normal forces and dots at contact points; in classic mode, where contacts exert no force, dots only.
     void contacts() {
         const bool known = knows_forces("contacts");
-        const Forces<WorldT> forces(world_);
-        const auto& p = world_.particles;
+        const double near = 1e-3 /* metres */ * scene_.measures().per_metre;
         std::vector<Arrow> arrows;
-        for (const auto& plane : world_.bounds)
-            for (Row row = 0; row < p.size(); ++row) {
-                if (p.mobility[row] == 0 || !touches(row, plane)) continue;
-                const double push = known ? forces.of_plane(row, plane) : 0;
-                arrows.push_back({touching_point(row, plane), cast<double>(plane.normal) * push, stretched});
-            }
-        if (known) draw_arrows(arrows, "contacts");
+        for (const auto& [place, force] : ContactPoints<WorldT>(world_, step_length(scene_), near).list())
+            arrows.push_back({place, force, stretched});
+        if (known) {
+            draw_arrows(arrows, "contacts");
+            if (!arrows.empty())
+                annotator_.add_words(format_text("{} touch, with up to {:3} N", arrows.size(), largest(arrows)));
+        }
         for (const auto& arrow : arrows) mark_contact(arrow.from);
     }
 
   private:
     static constexpr int D = WorldT::dimension;
-    using Plane = HalfSpace<D, typename WorldT::Real>;
     const Scene& scene_;
     const WorldT& world_;
     const View& view_;
@@ -141,19 +139,6 @@ template <class WorldT> class Overlayer {
         return false;
     }
 
-    /// Tolerance of resting contact: rounding and the fall during a step leave a smaller gap.
-    bool touches(Row row, const Plane& plane) const {
-        constexpr double near = 1e-3; // metres
-        const auto& p = world_.particles;
-        const double gap = double(dot(plane.normal, p.position[row]) - plane.offset - p.radius[row]);
-        return gap <= near * scene_.measures().per_metre;
-    }
-
-    Vec<D, double> touching_point(Row row, const Plane& plane) const {
-        const auto& p = world_.particles;
-        return cast<double>(p.position[row]) - cast<double>(plane.normal) * double(p.radius[row]);
-    }
-
     void mark_contact(const Vec<D, double>& place) {
         const auto seen = view_.see(in_space(place));
         if (!seen) return;
@@ -161,20 +146,28 @@ template <class WorldT> class Overlayer {
         picture_.add(Shape::disc, std::span(&seen->pixel, 1), 0.7F * contact_size * unit_, stretched);
     }
 
+    /// Newtons in the world's own unit of force.
+    double newtons() const {
+        const auto units = scene_.measures();
+        return square(units.per_second) / units.per_metre;
+    }
+    /// Newtons.
+    double largest(const std::vector<Arrow>& arrows) const {
+        double force = 0;
+        for (const auto& arrow : arrows) force = max(force, norm(arrow.force));
+        return force * newtons();
+    }
+
     /// Draws all arrows to one scale: a round number of newtons, stated in the legend.
     void draw_arrows(const std::vector<Arrow>& arrows, std::string_view what) {
-        const auto units = scene_.measures();
-        const double newtons = square(units.per_second) / units.per_metre;
-        double largest = 0;
-        for (const auto& arrow : arrows) largest = max(largest, norm(arrow.force) * newtons);
-        const double scale = round_up(largest, 0.01);
+        const double strongest = largest(arrows), scale = round_up(strongest, 0.01);
         for (const auto& arrow : arrows)
             if (const auto from = view_.see(in_space(arrow.from))) {
                 const double length = Annotator::longest_arrow * double(unit_) / double(from->scale);
-                const auto to = view_.see(in_space(arrow.from + arrow.force * (length * newtons / scale)));
+                const auto to = view_.see(in_space(arrow.from + arrow.force * (length * newtons() / scale)));
                 if (to) annotator_.draw_arrow(from->pixel, to->pixel, arrow.color);
             }
-        annotator_.add_arrow(what, largest > 0 ? scale : 0);
+        annotator_.add_arrow(what, strongest > 0 ? scale : 0);
     }
 
     /// Every distance as a line coloured by value; neutral lines take the pale colour. A one-sided distance that only

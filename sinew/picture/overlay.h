@@ -21,7 +21,7 @@ inline constexpr std::array<Overlay, 6> overlays = {{
     {"pins", "what is held, and where to"},
     {"names", "figures, and particles that have a name of their own"},
     {"forces", "force fields on particles (blue) and the pull of pins (red), in newtons"},
-    {"contacts", "particles on a wall, and the force with which it carries them, in newtons"},
+    {"contacts", "what lies on a wall, a collider or another figure, and the force there, in newtons"},
 }};
 
 /// Indexed as `overlays`.

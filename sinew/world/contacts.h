@@ -17,7 +17,7 @@ using ColliderId = Id<ColliderTag>;
 
 /// Features in contact, which outlive the motion of rows: slots of particles, of a collider or of a plane.
 struct ContactKey {
-    static constexpr std::uint32_t none = ~std::uint32_t(0);
+    static constexpr std::uint32_t none = ~std::uint32_t(0), plane_bit = std::uint32_t(1) << 31U;
     std::array<std::uint32_t, 4> particle = {none, none, none, none}; ///< slots: of one side, then of the other
     std::uint32_t collider = none; ///< slot of a collider; with the highest bit, number of a plane
     std::uint32_t feature = 0;
@@ -67,7 +67,9 @@ struct FigureTouch {
 template <int D, class Real> struct Contacts {
     std::vector<KeptContact<D, Real>> kept; ///< in the order of their keys
     Real kept_substep = 0;                  ///< length of the substep of the kept multipliers
-    std::vector<ColliderTouch> touching;    ///< in the last step, in order
+    std::vector<KeptContact<D, Real>>
+        passing;                         ///< of figures in the last substep, not kept: of cloth; no part of the state
+    std::vector<ColliderTouch> touching; ///< in the last step, in order
 
     bool lists_figures = false;       ///< set by whoever wants touches of figures listed and reported
     std::vector<FigureTouch> figures; ///< in the last step, in order

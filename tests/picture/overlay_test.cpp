@@ -1,3 +1,4 @@
+#include "sinew/picture/contact_points.h"
 #include "sinew/picture/draw.h"
 #include "sinew/session/session.h"
 
@@ -136,7 +137,76 @@ TEST(Overlay, AFloorCarriesTheWeightOfWhatRestsOnIt) {
     EXPECT_EQ(count(picture, Shape::polygon), 3U) << "two corners, legend";
     EXPECT_EQ(count(picture, Shape::disc), 4U);
     EXPECT_TRUE(has_text(picture, "contacts: 20 N"));
+    EXPECT_TRUE(has_text(picture, "2 touch, with up to 18 N"));
     EXPECT_NEAR(longest_arrow(picture), 63, 0.5);
+}
+
+std::string box(const std::string& name, double width, double height, double middle, double mass,
+                const std::string& more) {
+    return R"({"prefab": "box", "name": ")" + name + R"(", "dot": 2, "at": [0, )" + std::to_string(middle) +
+           R"(], "width": )" + std::to_string(width) + R"(, "height": )" + std::to_string(height) + R"(, "mass": )" +
+           std::to_string(mass) + more + "}";
+}
+const std::string touching = R"(, "contact": {"figures": true})";
+const std::string table = R"("colliders": [{"name": "table", "shape": "half_space"}], )";
+
+TEST(Overlay, AColliderCarriesWhatRestsOnItWhoeverHoldsIt) {
+    for (const auto& more : {touching, std::string()}) {
+        const auto picture = seen("contacts", box("box", 40, 40, 20, 3.6, more),
+                                  table + (more.empty() ? R"("solver": {"direct": "off"}, )" : ""), 3);
+        EXPECT_EQ(count(picture, Shape::polygon), 3U) << "two corners, legend";
+        EXPECT_TRUE(has_text(picture, "2 touch, with up to 18 N"));
+        EXPECT_NEAR(longest_arrow(picture), 63, 0.7);
+    }
+}
+
+// The upper box of 2.4 kg stands with two corners on the lid of the lower one, which weighs 1.2 kg.
+TEST(Overlay, AFigureCarriesAnotherOne) {
+    const auto boxes = box("lower", 80, 20, 10, 1.2, touching) + ", " + box("upper", 20, 40, 40, 2.4, touching);
+    for (const bool on_table : {false, true}) {
+        const auto picture =
+            seen("contacts", boxes, on_table ? table : "", 3, on_table ? std::string() : floor_at_zero);
+        EXPECT_EQ(count(picture, Shape::polygon), 5U) << "four corners, legend";
+        EXPECT_EQ(count(picture, Shape::disc), 8U);
+        EXPECT_TRUE(has_text(picture, "4 touch, with up to 18 N"));
+        EXPECT_NEAR(longest_arrow(picture), 63, 0.7);
+    }
+}
+
+/// Sum of the forces of all contacts upwards, after some seconds, newtons.
+double carried(const std::string& text, double seconds) {
+    auto document = load(text, "test.json");
+    auto opened = open_scene(document);
+    EXPECT_TRUE(opened) << to_text(document.diagnostics);
+    Session session(std::move(*opened));
+    session.run_until(seconds);
+    double sum = 0;
+    std::visit(
+        [&](const auto& world) {
+            for (const auto& [place, force] : ContactPoints(world, step_length(session.scene()), 1e-3).list())
+                sum += force[1];
+        },
+        session.world());
+    return sum;
+}
+
+// Cloth is swept: its contacts do not outlast a substep, and are shown all the same. The ball trembles on it, so the
+// sum is not its weight at each instant.
+TEST(ContactPoints, OfClothCarryABall) {
+    EXPECT_GT(carried(R"({"sinew": 1, "dimension": 3, "world": {"gravity": [0, -10, 0], "damping": 3}, "figures": [
+        {"prefab": "cloth", "name": "sheet", "columns": 13, "rows": 13, "spacing": 0.05, "plane": "horizontal",
+         "pins": "all_corners", "mass": 1, "drawn": "fill", "contact": {"figures": true}},
+        {"name": "ball", "contact": {"figures": true}, "particles": {"p": {"at": [0, 0.15, 0.3], "mass": 1.5, "radius": 0.1}}}]})",
+                      4),
+              0);
+}
+
+TEST(ContactPoints, OfASensorAreNone) {
+    EXPECT_EQ(carried(R"({"sinew": 1, "world": {"gravity": [0, -10]}, "colliders": [
+        {"name": "gate", "shape": "sphere", "radius": 0.5, "sensor": true}],
+        "figures": [{"name": "ball", "particles": {"p": {"at": [0, 0.1], "pinned": true, "radius": 0.1}}}]})",
+                      0.5),
+              0);
 }
 
 TEST(Overlay, ClassicWallsAreTouchedWithoutForce) {

@@ -9,8 +9,9 @@ namespace sinew {
 
 /// Forgets all contacts but those of what is asleep.
 template <int D, class Real> void forget_contacts(World<D, Real>& world) {
-    std::erase_if(world.contacts.kept,
-                  [&](const auto& contact) { return !is_asleep(world.particles, contact.key.particle[0]); });
+    for (auto* contacts : {&world.contacts.kept, &world.contacts.passing})
+        std::erase_if(*contacts,
+                      [&](const auto& contact) { return !is_asleep(world.particles, contact.key.particle[0]); });
 }
 
 namespace detail {
@@ -78,9 +79,12 @@ template <int D, class Real> class KeptContacts {
         for (const auto& part : room_.parts.list)
             for (std::size_t i = 0; i < part.first_wall; ++i) {
                 const auto& row = part.rows[i];
-                if (!lasts(row)) continue;
-                kept.push_back({key_of(room_.list.candidates[part.origins[i].source]), row.multiplier, row.tangent});
-                kept.back().key.feature = feature_of_side(row.side);
+                const bool passes = !row.keeps && row.multiplier > Real(0);
+                if (!passes && !lasts(row)) continue;
+                auto& contacts = passes ? world_.contacts.passing : kept;
+                contacts.push_back(
+                    {key_of(room_.list.candidates[part.origins[i].source]), row.multiplier, row.tangent});
+                contacts.back().key.feature = feature_of_side(row.side);
             }
         sort(kept);
         room_.written = kept;

@@ -48,7 +48,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
             ContactRowT row;
             Origin origin;
             ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
-                           .collider = plane_bit | i};
+                           .collider = ContactKey::plane_bit | i};
             row.normal = plane.normal;
             row.gap = dot(plane.normal, from) - plane.offset - p_.radius[p];
             origin.deep = share_of_deep * p_.radius[p];
@@ -57,7 +57,6 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
             add(row, origin, key);
         }
     }
-    static constexpr std::uint32_t plane_bit = std::uint32_t(1) << 31U;
 
     void add_collider_rows(Row p, std::uint32_t index) {
         if (!(p_.mobility[p] > Real(0))) return;
