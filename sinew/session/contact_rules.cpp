@@ -1,8 +1,11 @@
 #include "sinew/session/contact_rules.h"
 
+#include "sinew/math/sort.h"
 #include "sinew/world/edit.h"
 
+#include <algorithm>
 #include <optional>
+#include <tuple>
 
 namespace sinew {
 namespace {
@@ -15,7 +18,25 @@ struct Side {
     bool is_collider = false;
 };
 
-/// Contacts of the last step that fulfil one rule.
+/// Touch of a figure, or of a single particle, and a collider.
+struct WallTouch {
+    Side side;
+    std::uint32_t particle = 0, collider = 0; ///< slots
+    TouchStrength strength{};
+
+    auto pair() const { return std::tie(side.figure, collider); }
+    bool is_of_same(const WallTouch& other) const { return side.figure != no_figure && pair() == other.pair(); }
+    /// Takes in a touch of another particle: impulses add up.
+    void unite(const WallTouch& other) {
+        strength.impulse += other.strength.impulse;
+        strength.blow += other.strength.blow;
+        strength.blow_before += other.strength.blow_before;
+        strength.is_new = strength.is_new && other.strength.is_new;
+    }
+};
+
+/// Contacts of the last step that fulfil one rule. All particles of a figure make one contact with a collider, unless
+/// the rule names a particle.
 template <class WorldT> class RuleMatch {
   public:
     RuleMatch(const WorldT& world, const ContactRule& rule) : world_(world), rule_(rule) {}
@@ -24,11 +45,12 @@ template <class WorldT> class RuleMatch {
     std::optional<RuleMet> find() {
         if (rule_.phase == "end") {
             for (const auto& event : world_.events)
-                if (event.type == EventType::parted) consider(side_of(event), other_side_of(event), {});
+                if (event.type == EventType::parted && !goes_on(event))
+                    consider(side_of(event), other_side_of(event), {});
             return best_;
         }
-        for (const auto& touch : world_.contacts.touching)
-            if (counts(touch.strength)) consider(particle_at(touch.particle), collider_at(touch), touch.strength);
+        for (const auto& touch : wall_touches())
+            if (counts(touch.strength)) consider(touch.side, collider_at(touch.collider), touch.strength);
         for (const auto& touch : world_.contacts.figures)
             if (counts(touch.strength))
                 consider(figure_at(touch.first, touch.particle[0]), figure_at(touch.second, touch.particle[1]),
@@ -40,6 +62,45 @@ template <class WorldT> class RuleMatch {
     const WorldT& world_;
     const ContactRule& rule_;
     std::optional<RuleMet> best_;
+
+    std::vector<WallTouch> wall_touches() const {
+        std::vector<WallTouch> touches;
+        for (const auto& touch : world_.contacts.touching)
+            touches.push_back({particle_at(touch.particle), touch.particle, touch.collider, touch.strength});
+        if (is_particle(rule_.of) || is_particle(rule_.with)) return touches;
+        sinew::sort(touches.begin(), touches.end(), [](const WallTouch& a, const WallTouch& b) {
+            return std::tuple_cat(a.pair(), std::tie(a.particle)) < std::tuple_cat(b.pair(), std::tie(b.particle));
+        });
+        std::size_t count = 0;
+        for (const auto& touch : touches)
+            if (count > 0 && touches[count - 1].is_of_same(touch))
+                touches[count - 1].unite(touch);
+            else
+                touches[count++] = touch;
+        touches.resize(count);
+        for (auto& touch : touches) touch.strength.is_new = touch.strength.is_new && !was_before(touch);
+        return touches;
+    }
+    /// True if the figure has left the collider with another particle, in the step in which it touches with this one.
+    bool was_before(const WallTouch& touch) const {
+        return touch.side.figure != no_figure && std::ranges::any_of(world_.events, [&](const Event& event) {
+                   const auto row = world_.collider_handles.find(event.collider);
+                   return event.type == EventType::parted && event.figure == touch.side.figure && row &&
+                          world_.collider_handles.index_of(*row) == touch.collider;
+               });
+    }
+    /// True if the figure still touches the collider that one of its particles has left.
+    bool goes_on(const Event& parted) const {
+        const auto row = world_.collider_handles.find(parted.collider);
+        if (!row || parted.figure == no_figure || is_particle(rule_.of) || is_particle(rule_.with)) return false;
+        return std::ranges::any_of(world_.contacts.touching, [&](const ColliderTouch& touch) {
+            return touch.collider == world_.collider_handles.index_of(*row) &&
+                   particle_at(touch.particle).figure == parted.figure;
+        });
+    }
+    bool is_particle(const std::string& name) const {
+        return !name.empty() && !find_figure(world_, name) && find_particle(world_, name);
+    }
 
     bool counts(const TouchStrength& touch) const {
         if (rule_.phase == "hit") return touch.is_hit(rule_.above);
@@ -80,9 +141,9 @@ template <class WorldT> class RuleMatch {
         return figure_at(handles.in_use(slot) ? world_.particles.figure[handles.row_at(slot)] : no_figure, slot);
     }
     Side collider_in(Row row) const { return {no_figure, {}, world_.colliders[row].name, true}; }
-    Side collider_at(const ColliderTouch& touch) const {
+    Side collider_at(std::uint32_t slot) const {
         const auto& handles = world_.collider_handles;
-        return handles.in_use(touch.collider) ? collider_in(handles.row_at(touch.collider)) : Side{.is_collider = true};
+        return handles.in_use(slot) ? collider_in(handles.row_at(slot)) : Side{.is_collider = true};
     }
 };
 

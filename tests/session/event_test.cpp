@@ -269,6 +269,61 @@ TEST(ContactRule, ListensToColliders) {
     EXPECT_EQ(log_of(session, 1), (std::vector<std::string>{"hit ball/p floor", "kick ball/p "}));
 }
 
+/// Boxes of some masses on each other on a table, at rest; gravity of 10 m/s^2 downwards.
+Session stacked(const std::vector<double>& masses, const std::string& contact, const std::string& events) {
+    std::string figures;
+    for (std::size_t i = 0; i < masses.size(); ++i)
+        figures += (i > 0 ? ", " : "") + std::string(R"({"prefab": "box", "name": "box)") + std::to_string(i) +
+                   R"(", "at": [0, )" + std::to_string(0.2 + 0.4 * double(i)) +
+                   R"(], "width": 0.4, "height": 0.4, "mass": )" + std::to_string(masses[i]) + contact + "}";
+    auto document = load(R"({"sinew": 1, "world": {"gravity": [0, -10]}, "solver": {"direct": "off"}, "colliders": [
+        {"name": "table", "shape": "half_space"}], "figures": [)" +
+                             figures + R"(], "events": [)" + events + "]}",
+                         "test.json");
+    auto opened = open_scene(document);
+    EXPECT_TRUE(opened) << to_text(document.diagnostics);
+    return Session(std::move(*opened));
+}
+constexpr auto touching = R"(, "contact": {"figures": true})";
+
+/// Impulse times the steps of a second: a force.
+void expect_forces(Session session, double newtons) {
+    session.run_until(2.9);
+    std::size_t found = 0;
+    for (const auto& event : session.happenings()) {
+        if (event.what != "persist") continue;
+        EXPECT_NEAR(event.impulse * 60, newtons, 0.02 * newtons);
+        ++found;
+    }
+    EXPECT_GT(found, 20U) << "one in each step";
+}
+
+TEST(ContactRule, ACrateReportsItsWeightWhateverOfItLies) {
+    const std::string rule = R"({"at": 2.5, "on": {"contact": "persist", "of": "box0", "with": "table"}, "note": "x"})";
+    for (const std::string contact : {touching, ""}) expect_forces(stacked({2}, contact, rule), 20);
+    expect_forces(stacked({2, 3, 4}, touching, rule), 90);
+    const std::string corner =
+        R"({"at": 2.5, "on": {"contact": "persist", "of": "box0/bottom_left", "with": "table"}, "note": "x"})";
+    expect_forces(stacked({2}, touching, corner), 10);
+}
+
+TEST(ContactRule, ACrateCarriesAllThatLiesOnIt) {
+    const std::string rule = R"({"at": 2.5, "on": {"contact": "persist", "of": "box0", "with": "box1"}, "note": "x"})";
+    expect_forces(stacked({2, 3, 4}, touching, rule), 70);
+}
+
+// A push tips the box about one corner, and it falls back.
+TEST(ContactRule, ACrateThatTipsStillTouches) {
+    for (const bool of_corner : {false, true}) {
+        const std::string of = of_corner ? "box0/bottom_left" : "box0";
+        auto session = stacked({2}, touching,
+                               R"({"at": 1, "impulse": "box0/top_left", "by": [2, 0]},
+        {"at": 0.9, "on": {"contact": "end", "of": ")" +
+                                   of + R"(", "with": "table"}, "note": "x", "times": 1})");
+        EXPECT_EQ(log_of(session, 3).size(), of_corner ? 3U : 1U) << "the push alone, or an end and its note too";
+    }
+}
+
 TEST(ContactRule, IsChecked) {
     const std::string begin = R"({"sinew": 1, "figures": [{"prefab": "rope"}], "events": [)";
     EXPECT_NE(told(begin + R"({"note": "x"}]})").find("needs a time"), std::string::npos);
