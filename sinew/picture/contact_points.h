@@ -2,6 +2,7 @@
 
 #include "sinew/collide/collider.h"
 #include "sinew/collide/segment.h"
+#include "sinew/math/sort.h"
 #include "sinew/picture/forces.h"
 #include "sinew/world/contacts.h"
 
