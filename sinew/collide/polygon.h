@@ -61,19 +61,19 @@ template <int D, class Real> struct Polygon {
     }
 };
 
-/// True for at least three corners, counter-clockwise, convex, without a corner that is straight or doubled.
+/// True for at least three corners, counter-clockwise, convex, without a corner that is straight or doubled. A star
+/// turns left at every corner, too, but more than once around: its edges turn from below to above the horizontal
+/// several times.
 template <class Real> bool is_convex(std::span<const Vec<2, Real>> corners) {
     const std::size_t n = corners.size();
-    if (n < 3) return false;
-    Real turns = 0;
+    const auto edge = [&](std::size_t i) { return corners[(i + 1) % n] - corners[i % n]; };
+    const auto rises = [](const Vec<2, Real>& e) { return e[1] > Real(0) || (e[1] == Real(0) && e[0] > Real(0)); };
+    std::size_t rounds = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        const auto a = corners[i], b = corners[(i + 1) % n], c = corners[(i + 2) % n];
-        if (!(cross(b - a, c - b) > Real(0))) return false;
-        turns += cross(a - corners[0], b - corners[0]);
-        for (std::size_t k = 0; k < n; ++k) // a star turns left at every corner, too
-            if (k != i && k != (i + 1) % n && !(cross(b - a, corners[k] - a) > Real(0))) return false;
+        if (!(cross(edge(i), edge(i + 1)) > Real(0))) return false;
+        rounds += !rises(edge(i)) && rises(edge(i + 1));
     }
-    return turns > Real(0);
+    return n >= 3 && rounds == 1;
 }
 
 } // namespace sinew::collide

@@ -6,6 +6,7 @@
 #include "sinew/picture/surface.h"
 
 #include <algorithm>
+#include <span>
 
 namespace sinew {
 namespace {
@@ -150,19 +151,10 @@ template <class WorldT> class ColliderPainter {
         : view_(view), theme_(theme), thickness_(thickness), picture_(picture) {}
 
     void draw(const WorldT& world) {
-        Faces faces;
-        for (const auto& collider : world.colliders) {
-            if (collider.is_sensor) continue;
-            std::visit(
-                [&](const auto& shape) {
-                    if constexpr (D == 2)
-                        draw_outline(outline_of(shape), collider.target);
-                    else
-                        collect(faces, shape, collider.target);
-                },
-                collider.shape);
-        }
-        draw_faces(faces);
+        if constexpr (D == 2)
+            draw_outlines(world.colliders);
+        else
+            draw_solids(world.colliders);
     }
 
   private:
@@ -178,12 +170,50 @@ template <class WorldT> class ColliderPainter {
         return placed_in_space(pose.to_world(narrow));
     }
 
-    void draw_outline(const ShapeOutline& outline, const Pose& pose) {
+    template <class Colliders> void draw_solids(const Colliders& colliders) {
+        Faces faces;
+        for (const auto& collider : colliders)
+            if (!collider.is_sensor)
+                std::visit([&](const auto& shape) { collect(faces, shape, collider.target); }, collider.shape);
+        draw_faces(faces);
+    }
+
+    template <class Colliders> void draw_outlines(const Colliders& colliders) {
+        for (std::size_t begin = 0, end = 0; begin < colliders.size(); begin = end) {
+            while (end < colliders.size() && (end == begin || are_parts(colliders[begin], colliders[end]))) ++end;
+            if (!colliders[begin].is_sensor) draw_section(std::span(colliders).subspan(begin, end - begin));
+        }
+    }
+
+    /// Parts of one section of a scene; colliders of code have none.
+    template <class ColliderT> static bool are_parts(const ColliderT& one, const ColliderT& other) {
+        return one.tag != ColliderT{}.tag && one.tag == other.tag;
+    }
+
+    /// Parts of a shape: all lines, of which their fills then hide the inner half, and so the seams.
+    template <class Parts> void draw_section(const Parts& parts) {
+        const bool is_one = parts.size() == 1 || !outline(parts.front()).is_solid;
+        for (const auto& part : parts) {
+            const auto shape = outline(part);
+            see(shape, part.target);
+            if (is_one && shape.is_solid) picture_.add(sinew::Shape::polygon, pixels_, 0, theme_.ground);
+            picture_.add(sinew::Shape::loop, pixels_, is_one ? thickness_ : 2 * thickness_, theme_.wall);
+        }
+        if (is_one) return;
+        for (const auto& part : parts) {
+            see(outline(part), part.target);
+            picture_.add(sinew::Shape::polygon, pixels_, 0, theme_.ground);
+            picture_.add(sinew::Shape::loop, pixels_, 1, theme_.ground); // closes the seam
+        }
+    }
+
+    template <class ColliderT> static ShapeOutline outline(const ColliderT& collider) {
+        return std::visit([](const auto& shape) { return outline_of(shape); }, collider.shape);
+    }
+    void see(const ShapeOutline& outline, const Pose& pose) {
         pixels_.clear();
         for (const auto& corner : outline.corners)
             if (const auto seen = view_.see(place(pose, corner))) pixels_.push_back(seen->pixel);
-        if (outline.is_solid) picture_.add(sinew::Shape::polygon, pixels_, 0, theme_.ground);
-        picture_.add(sinew::Shape::loop, pixels_, thickness_, theme_.wall);
     }
 
     template <class ShapeT> static void collect(Faces& faces, const ShapeT& shape, const Pose& pose) {

@@ -57,12 +57,18 @@ struct BoxShape {
 
 struct PolygonShape {
     static constexpr std::string_view name = "polygon";
-    static constexpr std::string_view about = "A polygon without crossings (2D); one with dents becomes several parts.";
+    static constexpr std::string_view about =
+        "A polygon without crossings (2D), by its corners or by a path of SVG; one with dents becomes several parts.";
     std::vector<Point> points;
+    std::string path;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.points,
-              Field{.name = "points", .help = "Corners in order, from \"at\"", .unit = unit::length, .required = true});
+        visit(self.points, Field{.name = "points", .help = "Corners in order, from \"at\"", .unit = unit::length});
+        visit(self.path,
+              Field{.name = "path",
+                    .help =
+                        "In place of points: path of SVG (M L H V C S Q T A Z, absolute or relative) in coordinates "
+                        "of the scene from \"at\", y as \"units.up\" has it; each subpath is a solid of its own"});
     }
 };
 
@@ -70,13 +76,16 @@ struct ChainShape {
     static constexpr std::string_view name = "chain";
     static constexpr std::string_view about = "Terrain (2D): segments with one solid side.";
     std::vector<Point> points;
+    std::string path;
     bool closed = false;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.points, Field{.name = "points",
                                  .help = "Points from \"at\"; the free side is above a chain from left to right",
-                                 .unit = unit::length,
-                                 .required = true});
+                                 .unit = unit::length});
+        visit(self.path, Field{.name = "path",
+                               .help = "In place of points: path of SVG, as for a polygon; each subpath is a chain, "
+                                       "closed if it ends with Z"});
         visit(self.closed, Field{.name = "closed", .help = "An edge from the last point to the first"});
     }
 };

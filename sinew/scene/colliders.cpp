@@ -3,6 +3,7 @@
 #include "sinew/collide/decompose.h"
 #include "sinew/math/format.h"
 #include "sinew/scene/check.h"
+#include "sinew/scene/svg_path.h"
 
 #include <algorithm>
 
@@ -15,10 +16,15 @@ std::uint32_t bits(const std::vector<int>& layers) {
     return sum;
 }
 
-std::vector<Vec2<double>> in_plane(const std::vector<Point>& points) {
-    std::vector<Vec2<double>> plane;
-    for (const auto& point : points) plane.push_back(point.as<2, double>());
-    return plane;
+/// Most corners of a polygon's outline: its decomposition takes 0.1 s at worst, and grows with their cube.
+constexpr std::size_t max_corners = 500;
+
+/// Outlines of a polygon or a chain, by a path or by points.
+template <class ShapeT> SvgPath outlines_of(const ShapeT& shape) {
+    if (!shape.path.empty()) return read_svg_path(shape.path);
+    SvgOutline outline;
+    for (const auto& point : shape.points) outline.points.push_back(point.template as<2, double>());
+    return {{outline}, {}};
 }
 
 /// Shapes of a section; a shape of the other dimension has none.
@@ -38,22 +44,24 @@ template <int D, class Real> struct ShapesOf {
     Shapes operator()(const PolygonShape& polygon) const {
         Shapes shapes;
         if constexpr (D == 2)
-            for (const auto& part : collide::convex_parts(in_plane(polygon.points))) {
-                collide::Polygon<2, Real> convex;
-                for (const auto& corner : part) convex.corners.push_back(cast<Real>(corner));
-                shapes.push_back(convex);
-            }
+            for (const auto& outline : outlines_of(polygon).outlines)
+                for (const auto& part : collide::convex_parts(outline.points)) {
+                    collide::Polygon<2, Real> convex;
+                    for (const auto& corner : part) convex.corners.push_back(cast<Real>(corner));
+                    shapes.push_back(convex);
+                }
         return shapes;
     }
     Shapes operator()(const ChainShape& chain) const {
-        if constexpr (D == 2) {
-            collide::Chain<2, Real> terrain{{}, chain.closed};
-            for (const auto& point : chain.points) terrain.points.push_back(point.as<2, Real>());
-            if (up < 0) std::reverse(terrain.points.begin(), terrain.points.end());
-            return {terrain};
-        } else {
-            return {};
-        }
+        Shapes shapes;
+        if constexpr (D == 2)
+            for (const auto& outline : outlines_of(chain).outlines) {
+                collide::Chain<2, Real> terrain{{}, chain.closed || outline.closed};
+                for (const auto& point : outline.points) terrain.points.push_back(cast<Real>(point));
+                if (up < 0) std::reverse(terrain.points.begin(), terrain.points.end());
+                shapes.push_back(terrain);
+            }
+        return shapes;
     }
     Shapes operator()(const MeshShape& mesh) const {
         if constexpr (D == 3) {
@@ -95,6 +103,29 @@ struct ShapeCheck {
                   format_text("a {} is a shape of {} dimensions, and this scene has {}", name, wanted, dimension));
     }
 
+    template <class ShapeT> static std::string_view key_of(const ShapeT& shape) {
+        return shape.path.empty() ? "points" : "path";
+    }
+
+    /// Outlines of a polygon or a chain; none after an error.
+    template <class ShapeT> std::vector<SvgOutline> outlines(const ShapeT& shape, std::size_t least) const {
+        expect_dimension(2, shape.name);
+        const auto path = outlines_of(shape);
+        const auto mistake = mistake_in(shape, path, least);
+        if (mistake.empty()) return path.outlines;
+        error(key_of(shape), mistake);
+        return {};
+    }
+    template <class ShapeT> static std::string mistake_in(const ShapeT& shape, const SvgPath& path, std::size_t least) {
+        if (!shape.path.empty() && !shape.points.empty())
+            return format_text("a {} has either points or a path, not both", shape.name);
+        if (!path.error.empty()) return path.error;
+        std::size_t corners = 0;
+        for (const auto& outline : path.outlines) corners += outline.points.size();
+        if (corners < least) return format_text("a {} needs at least {} points, found {}", shape.name, least, corners);
+        return {};
+    }
+
     void operator()(const HalfSpaceShape& plane) const {
         if (plane.normal == Point{}) error("normal", "a normal needs a length");
     }
@@ -102,16 +133,16 @@ struct ShapeCheck {
     void operator()(const CapsuleShape&) const {}
     void operator()(const BoxShape&) const {}
     void operator()(const PolygonShape& polygon) const {
-        expect_dimension(2, polygon.name);
-        if (collide::convex_parts(in_plane(polygon.points)).empty())
-            error("points", "these corners enclose no area, or their edges cross",
-                  "list at least three corners in order around the polygon");
+        for (const auto& [points, closed] : outlines(polygon, 3)) {
+            if (points.size() > max_corners)
+                return error(key_of(polygon), format_text("an outline of {} points; at most {} are allowed",
+                                                          points.size(), max_corners));
+            if (collide::convex_parts(points).empty())
+                return error(key_of(polygon), "these corners enclose no area, or their edges cross",
+                             "list at least three corners in order around the polygon");
+        }
     }
-    void operator()(const ChainShape& chain) const {
-        expect_dimension(2, chain.name);
-        if (chain.points.size() < 2)
-            error("points", format_text("a chain needs at least 2 points, found {}", chain.points.size()));
-    }
+    void operator()(const ChainShape& chain) const { outlines(chain, 2); }
     void operator()(const MeshShape& mesh) const {
         expect_dimension(3, mesh.name);
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)

@@ -280,5 +280,19 @@ TEST(Draw, InSpaceAFaceIsSeenFromItsFront) {
     EXPECT_EQ(from("[5, 0, 0]"), 1U);
 }
 
+// The lines of all parts lie below their fills: what is left of them is the outline.
+TEST(Draw, AColliderOfAPathHasNoSeams) {
+    const auto picture =
+        drawn(scene("", R"(, "colliders": [{"shape": "polygon", "path": "M100 100h200v100h-50v-50h-100v50h-50z"}])"));
+    const auto& theme = theme_called("light");
+    std::string order; // w: a line, g: a fill
+    for (const auto& item : picture.items) {
+        if (item.color == theme.wall) order += 'w';
+        if (item.color == theme.ground && item.shape == Shape::polygon) order += 'g';
+    }
+    EXPECT_EQ(order.find_last_of('w') + 1, order.find('g')) << order;
+    EXPECT_GE(order.size(), 4U) << "several parts";
+}
+
 } // namespace
 } // namespace sinew::SINEW_TEST_FILE
