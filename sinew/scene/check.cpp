@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <set>
+#include <type_traits>
 
 namespace sinew {
 namespace {
@@ -45,9 +46,8 @@ class ValueCheck {
         bounds();
         for (std::size_t i = 0; i < scene_.colliders.size(); ++i) collider(scene_.colliders[i], i);
         for (std::size_t i = 0; i < scene_.pins.size(); ++i)
-            detail::visit_held(scene_.pins[i].driver, [&](const auto& driver) {
-                if constexpr (requires { driver.keys; }) keys(driver.keys, under("pins", i, "keys"));
-            });
+            detail::visit_held(scene_.pins[i].driver,
+                               [&](const auto& driver) { check_driver(driver, under("pins", i, "keys")); });
         for (std::size_t i = 0; i < scene_.events.size(); ++i) event(scene_.events[i], i);
         traces();
     }
@@ -158,6 +158,8 @@ class ValueCheck {
             document_.error(place + "/damping_time",
                             "only a constraint with a compliance has a damping time: a rigid one has nothing to damp");
         if (section.drive) keys(section.drive->keys, place + "/drive/keys");
+        if (section.drive && section.drive->keys.empty())
+            document_.error(place + "/drive/keys", "a drive needs at least one key");
         if (std::ranges::count_if(section.between, [](const auto& name) { return name.ends_with('*'); }) > 1)
             document_.error(between, "one of the names can end in a star, not more");
         std::set<std::string_view> seen;
@@ -175,6 +177,11 @@ class ValueCheck {
                 document_.error(place + key, format_text("{} is no colour", in_quotes(text)), colors_like(text));
     }
 
+    template <class DriverT> void check_driver(const DriverT& driver, const std::string& place) {
+        if constexpr (requires { driver.keys; }) keys(driver.keys, place);
+        if constexpr (std::is_same_v<DriverT, PathDriver>)
+            if (driver.keys.empty()) document_.error(place, "a path needs at least one key");
+    }
     template <class Key> void keys(const std::vector<Key>& keys, const std::string& place) {
         for (std::size_t i = 1; i < keys.size(); ++i)
             if (keys[i].at <= keys[i - 1].at)
@@ -186,9 +193,8 @@ class ValueCheck {
     void collider(const ColliderSection& section, std::size_t index) {
         check_collider(section, index, scene_.dimension, document_);
         if (!section.motion) return;
-        detail::visit_held(section.motion->driver, [&](const auto& driver) {
-            if constexpr (requires { driver.keys; }) keys(driver.keys, under("colliders", index, "motion/keys"));
-        });
+        detail::visit_held(section.motion->driver,
+                           [&](const auto& driver) { check_driver(driver, under("colliders", index, "motion/keys")); });
     }
 
     void bounds() {

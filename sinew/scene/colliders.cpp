@@ -142,9 +142,19 @@ struct ShapeCheck {
                              "list at least three corners in order around the polygon");
         }
     }
-    void operator()(const ChainShape& chain) const { outlines(chain, 2); }
+    void operator()(const ChainShape& chain) const {
+        for (const auto& [points, closed] : outlines(chain, 2)) {
+            const auto n = points.size(), edges = chain.closed || closed ? n : n - 1;
+            for (std::size_t i = 0; i < edges; ++i)
+                if (const auto next = (i + 1) % n; points[i] == points[next])
+                    return error(key_of(chain),
+                                 format_text("points {} and {} of the chain are in the same place", i, next));
+        }
+    }
     void operator()(const MeshShape& mesh) const {
         expect_dimension(3, mesh.name);
+        if (mesh.points.empty()) return error("points", "a mesh needs points, found none");
+        if (mesh.triangles.empty()) return error("triangles", "a mesh needs triangles, found none");
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
             for (const int corner : mesh.triangles[i])
                 if (std::size_t(corner) >= mesh.points.size()) {
