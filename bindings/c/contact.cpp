@@ -15,10 +15,13 @@ namespace {
 template <class WorldT> bool set_sides(const WorldT& world, const ColliderTouch& touch, sinew_contact& contact) {
     const auto& particles = world.particles.handles;
     const auto& colliders = world.collider_handles;
-    if (!particles.in_use(touch.particle) || !colliders.in_use(touch.collider)) return false;
-    const Row row = particles.row_at(touch.particle), collider = colliders.row_at(touch.collider);
+    if (!particles.in_use(touch.particle)) return false;
+    const Row row = particles.row_at(touch.particle);
     contact.particle = number_of(particles.id_of(row));
     contact.figure = world.particles.figure[row];
+    if (is_plane(touch.collider)) return contact.collider_name = bounds_name.data(), true;
+    if (!colliders.in_use(touch.collider)) return false;
+    const Row collider = colliders.row_at(touch.collider);
     contact.collider = number_of(colliders.id_of(collider));
     contact.collider_name = world.colliders[collider].name.c_str();
     return true;
@@ -60,6 +63,7 @@ template <class WorldT, class Visit> void each_contact(const WorldT& world, Visi
         contact.figure = event.figure;
         contact.other_figure = event.other;
         if (event.other != no_figure) contact.other = number_of(event.other_particle);
+        if (is_plane(event.collider.index)) contact.collider_name = bounds_name.data();
         if (const auto row = world.collider_handles.find(event.collider)) {
             contact.collider = number_of(event.collider);
             contact.collider_name = world.colliders[*row].name.c_str();
@@ -74,7 +78,8 @@ extern "C" {
 
 sinew_status sinew_list_contacts(sinew_simulation simulation, uint32_t on) {
     return change(simulation, [&](Session& session) {
-        std::visit([&](auto& world) { world.contacts.lists_figures = on != 0; }, session.world());
+        std::visit([&](auto& world) { world.contacts.lists_figures = world.contacts.lists_planes = on != 0; },
+                   session.world());
         return SINEW_OK;
     });
 }

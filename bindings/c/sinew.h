@@ -275,16 +275,16 @@ typedef struct sinew_contact {
     double blow;        /* the same; in the step after the touch began, that of both steps: a blow may take two */
     double blow_before; /* in the step before */
     sinew_particle particle;   /* of two figures the particle that is pressed hardest, or an end of a link that is */
-    sinew_particle other;      /* the same of the other figure; SINEW_NO_ID: a collider is touched */
-    sinew_collider collider;   /* SINEW_NO_ID: a figure is touched */
+    sinew_particle other;      /* the same of the other figure; SINEW_NO_ID: a collider or a plane is touched */
+    sinew_collider collider;   /* SINEW_NO_ID: a figure or a plane is touched */
     uint32_t figure;           /* ~0: a loose particle */
-    uint32_t other_figure;     /* ~0: a collider is touched */
+    uint32_t other_figure;     /* ~0: a collider or a plane is touched */
     uint32_t phase;            /* a sinew_phase */
-    const char* collider_name; /* as in the scene; may be empty */
+    const char* collider_name; /* as in the scene; may be empty; "bounds" for a plane of world.bounds */
 } sinew_contact;
-/* Whether touches of figures with figures are listed too, from the next step on (`on` 0 or 1; contacts of figures must
- * be switched on in the scene: "contact": {"figures": true}). Those with colliders always are. A scene whose events
- * wait for contacts lists them anyway. Results do not depend on it. */
+/* Whether touches of figures with figures and with planes of world.bounds are listed too, from the next step on (`on` 0
+ * or 1; contacts of figures must be switched on in the scene: "contact": {"figures": true}). Those with colliders
+ * always are. A scene whose events wait for contacts lists them anyway. Results do not depend on it. */
 SINEW_API sinew_status sinew_list_contacts(sinew_simulation simulation, uint32_t on);
 /* Lists the contacts of the last step, for sinew_contact_at until the simulation is stepped or changed. */
 SINEW_API sinew_status sinew_contact_count(sinew_simulation simulation, uint32_t* count);
@@ -308,12 +308,12 @@ SINEW_API sinew_status sinew_nearest_link(sinew_simulation simulation, sinew_poi
 typedef struct sinew_ray_hit {
     double share; /* of the way, 0 to 1 */
     sinew_point point, normal;
-    sinew_particle particle; /* SINEW_NO_ID: a collider was met */
-    sinew_collider collider; /* SINEW_NO_ID: a particle was met */
+    sinew_particle particle; /* SINEW_NO_ID: a collider was met; or a plane of world.bounds, if both are */
+    sinew_collider collider; /* SINEW_NO_ID: a particle or a plane was met */
 } sinew_ray_hit;
-/* First particle with a radius, or collider other than a sensor, that a sphere meets on its straight way; radius 0 is a
- * ray. Only layers of `mask` count (~0: all). A thing that holds the start is met at once if the way leads further into
- * it, and not if it leads out. SINEW_NOT_FOUND if nothing is met. */
+/* First particle with a radius, collider other than a sensor, or plane of world.bounds that a sphere meets on its
+ * straight way; radius 0 is a ray. Only layers of `mask` count (~0: all); planes always do. A thing that holds the
+ * start is met at once if the way leads further into it, and not if it leads out. SINEW_NOT_FOUND if nothing is met. */
 SINEW_API sinew_status sinew_cast_ray(sinew_simulation simulation, sinew_point from, sinew_point to, double radius,
                                       uint32_t mask, sinew_ray_hit* hit);
 

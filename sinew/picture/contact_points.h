@@ -46,7 +46,7 @@ template <class WorldT> class ContactPoints {
     using Vector = Vec<D, double>;
     using Kept = KeptContact<D, Real>;
     using Surface = collide::SurfacePoint<D, Real>;
-    static constexpr auto none = ContactKey::none, plane_bit = ContactKey::plane_bit;
+    static constexpr auto none = ContactKey::none;
 
     /// One side of a contact: a particle, or a link as a capsule.
     struct Side {

@@ -187,7 +187,9 @@ template <int D, class Real> class ReferenceCheck {
         const auto place = under("events", i, "on");
         if (!find_figure(world_, section.on->of)) particle(section.on->of, place + "/of");
         const auto& with = section.on->with;
-        if (!with.empty() && !collider_called(world_, with) && !find_figure(world_, with)) side(with, place + "/with");
+        const bool is_bounds = with == bounds_name && !world_.bounds.empty();
+        if (!with.empty() && !is_bounds && !collider_called(world_, with) && !find_figure(world_, with))
+            side(with, place + "/with");
     }
     /// Reports what is neither a particle nor, as there is none of the name, a figure or a collider.
     void side(const std::string& name, const std::string& place) {

@@ -199,6 +199,9 @@ struct NoteEvent {
     }
 };
 
+/// Name of the planes of world.bounds as a side of a contact.
+inline constexpr std::string_view bounds_name = "bounds";
+
 /// Contact at which an event happens, in place of a time.
 struct ContactRule {
     static constexpr std::array<std::string_view, 4> phases{"begin", "persist", "end", "hit"};
@@ -213,10 +216,11 @@ struct ContactRule {
                             "first; end: when the touch has ended; hit: when the impulse of a blow reaches `above`",
                     .choices = phases});
         visit(self.of, Field{.name = "of", .help = "Figure, or particle as figure/name", .required = true});
-        visit(
-            self.with,
-            Field{.name = "with",
-                  .help = "What it touches: a collider, a figure, or a particle as figure/name; anything if left out"});
+        visit(self.with,
+              Field{.name = "with",
+                    .help =
+                        "What it touches: a collider, \"bounds\" for a wall of world.bounds, a figure, or a particle "
+                        "as figure/name; anything if left out"});
         visit(self.above, Field{.name = "above",
                                 .help = "Impulse in a step, or of a hit, below which a contact does not count",
                                 .unit = unit::impulse,

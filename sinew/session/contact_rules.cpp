@@ -84,19 +84,23 @@ template <class WorldT> class RuleMatch {
     /// True if the figure has left the collider with another particle, in the step in which it touches with this one.
     bool was_before(const WallTouch& touch) const {
         return touch.side.figure != no_figure && std::ranges::any_of(world_.events, [&](const Event& event) {
-                   const auto row = world_.collider_handles.find(event.collider);
-                   return event.type == EventType::parted && event.figure == touch.side.figure && row &&
-                          world_.collider_handles.index_of(*row) == touch.collider;
+                   return event.type == EventType::parted && event.figure == touch.side.figure &&
+                          slot_of(event.collider) == touch.collider;
                });
     }
     /// True if the figure still touches the collider that one of its particles has left.
     bool goes_on(const Event& parted) const {
-        const auto row = world_.collider_handles.find(parted.collider);
-        if (!row || parted.figure == no_figure || is_particle(rule_.of) || is_particle(rule_.with)) return false;
+        const auto slot = slot_of(parted.collider);
+        if (!slot || parted.figure == no_figure || is_particle(rule_.of) || is_particle(rule_.with)) return false;
         return std::ranges::any_of(world_.contacts.touching, [&](const ColliderTouch& touch) {
-            return touch.collider == world_.collider_handles.index_of(*row) &&
-                   particle_at(touch.particle).figure == parted.figure;
+            return touch.collider == *slot && particle_at(touch.particle).figure == parted.figure;
         });
+    }
+    /// Slot of a collider or a plane of an event; nothing where two figures touch.
+    std::optional<std::uint32_t> slot_of(const ColliderId& collider) const {
+        if (is_plane(collider.index)) return collider.index;
+        const auto row = world_.collider_handles.find(collider);
+        return row ? std::optional(world_.collider_handles.index_of(*row)) : std::nullopt;
     }
     bool is_particle(const std::string& name) const {
         return !name.empty() && !find_figure(world_, name) && find_particle(world_, name);
@@ -129,6 +133,7 @@ template <class WorldT> class RuleMatch {
 
     Side side_of(const Event& event) const { return {event.figure, event.particle}; }
     Side other_side_of(const Event& event) const {
+        if (is_plane(event.collider.index)) return bounds();
         const auto row = world_.collider_handles.find(event.collider);
         return row ? collider_in(*row) : Side{event.other, event.other_particle};
     }
@@ -141,7 +146,9 @@ template <class WorldT> class RuleMatch {
         return figure_at(handles.in_use(slot) ? world_.particles.figure[handles.row_at(slot)] : no_figure, slot);
     }
     Side collider_in(Row row) const { return {no_figure, {}, world_.colliders[row].name, true}; }
+    static Side bounds() { return {no_figure, {}, bounds_name, true}; }
     Side collider_at(std::uint32_t slot) const {
+        if (is_plane(slot)) return bounds();
         const auto& handles = world_.collider_handles;
         return handles.in_use(slot) ? collider_in(handles.row_at(slot)) : Side{.is_collider = true};
     }
@@ -153,7 +160,8 @@ void ContactRules::restart(const Scene& scene, AnyWorld& world) {
     waiting_.clear();
     for (std::size_t i = 0; i < scene.events.size(); ++i)
         if (scene.events[i].on) waiting_.push_back({i, 0, scene.events[i].first()});
-    if (!waiting_.empty()) std::visit([](auto& known) { known.contacts.lists_figures = true; }, world);
+    if (!waiting_.empty())
+        std::visit([](auto& known) { known.contacts.lists_figures = known.contacts.lists_planes = true; }, world);
 }
 
 std::vector<RuleMet> ContactRules::met(const Scene& scene, const AnyWorld& world) {

@@ -21,7 +21,7 @@ struct RuleMet {
 /// Events of a scene that happen on contact.
 class ContactRules {
   public:
-    /// Begins anew; lists the touches of figures in the world if any rule asks for contacts.
+    /// Begins anew; lists the touches of figures and of the bounds in the world if any rule asks for contacts.
     void restart(const Scene& scene, AnyWorld& world);
     /// Rules that the contacts of the last step fulfil, in the order of the events.
     std::vector<RuleMet> met(const Scene& scene, const AnyWorld& world);

@@ -8,6 +8,7 @@
 namespace sinew {
 
 /// Touches of particles and colliders during a step. Each particle reports one collider: the one that pressed hardest.
+/// Planes count on from the colliders, where they are listed.
 template <int D, class Real> struct ColliderTouches {
     std::vector<collide::BoundingBox<D, Real>> boxes; ///< of the colliders during the step
     std::vector<std::uint32_t> collider;              ///< by particle: 1 + index of the collider, or 0

@@ -15,11 +15,17 @@ namespace sinew {
 struct ColliderTag;
 using ColliderId = Id<ColliderTag>;
 
+/// Slots of the planes of a world, among those of colliders: their numbers, with the highest bit.
+inline constexpr std::uint32_t plane_bit = std::uint32_t(1) << 31U;
+constexpr bool is_plane(std::uint32_t slot) {
+    return (slot & plane_bit) != 0 && slot != ~std::uint32_t(0);
+}
+
 /// Features in contact, which outlive the motion of rows: slots of particles, of a collider or of a plane.
 struct ContactKey {
-    static constexpr std::uint32_t none = ~std::uint32_t(0), plane_bit = std::uint32_t(1) << 31U;
+    static constexpr std::uint32_t none = ~std::uint32_t(0);
     std::array<std::uint32_t, 4> particle = {none, none, none, none}; ///< slots: of one side, then of the other
-    std::uint32_t collider = none; ///< slot of a collider; with the highest bit, number of a plane
+    std::uint32_t collider = none;                                    ///< slot of a collider or of a plane
     std::uint32_t feature = 0;
     friend constexpr auto operator<=>(const ContactKey&, const ContactKey&) = default;
 };
@@ -42,7 +48,7 @@ struct TouchStrength {
     bool is_hit(double threshold) const { return blow >= threshold && (is_new || blow_before < threshold); }
 };
 
-/// Touch of a particle and a collider, by their slots.
+/// Touch of a particle and a collider or a plane, by their slots.
 struct ColliderTouch {
     std::uint32_t particle = 0, collider = 0;
     TouchStrength strength{};
@@ -71,7 +77,8 @@ template <int D, class Real> struct Contacts {
         passing;                         ///< of figures in the last substep, not kept: of cloth; no part of the state
     std::vector<ColliderTouch> touching; ///< in the last step, in order
 
-    bool lists_figures = false;       ///< set by whoever wants touches of figures listed and reported
+    bool lists_planes = false;        ///< set by whoever wants touches of World::bounds listed and reported
+    bool lists_figures = false;       ///< the same of figures
     std::vector<FigureTouch> figures; ///< in the last step, in order
     /// A touch whose blow reaches this, and did not in the step before, is reported as a hit.
     double hit_impulse = std::numeric_limits<double>::infinity();

@@ -73,6 +73,14 @@ std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D
                                .collider = world.collider_handles.id_of(row),
                                .is_collider = true});
     }
+    for (const auto& plane : world.bounds) {
+        const collide::HalfSpace<D, Real> solid{plane.normal, plane.offset};
+        if (const auto impact = collide::sweep(solid, from, displacement, radius))
+            keep_first(first, {.time = impact->time,
+                               .point = impact->surface.point,
+                               .normal = impact->surface.normal,
+                               .is_plane = true});
+    }
     return first;
 }
 

@@ -33,9 +33,10 @@ template <int D, class Real> struct RayHit {
     ParticleId particle{}; ///< of a particle
     ColliderId collider{}; ///< of a collider
     bool is_collider = false;
+    bool is_plane = false; ///< of World::bounds
 };
-/// First particle with a radius, or collider other than a sensor, that a sphere meets on its way from a point; radius 0
-/// is a ray. Only what `filter` touches counts.
+/// First particle with a radius, collider other than a sensor, or plane of World::bounds that a sphere meets on its way
+/// from a point; radius 0 is a ray. Only what `filter` touches counts, and planes always do.
 template <int D, class Real>
 std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D, Real>& from,
                                         const Vec<D, Real>& displacement, Real radius = 0, collide::Filter filter = {});

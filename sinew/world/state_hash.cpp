@@ -173,7 +173,8 @@ template <class Particles> void add_sleepers(const Particles& p, Digest& digest)
 
 /// Contacts of the last step, from which the next one starts.
 template <class Contacts> void add_contacts(const Contacts& contacts, Digest& digest) {
-    for (const auto& pair : contacts.touching) digest.add(pair.particle, pair.collider);
+    for (const auto& pair : contacts.touching)
+        if (!is_plane(pair.collider)) digest.add(pair.particle, pair.collider); // no step reads the others
     for (const auto& [key, multiplier, friction] : contacts.kept) {
         for (const auto particle : key.particle) digest.add(particle);
         digest.add(key.collider, key.feature, multiplier, friction);

@@ -313,7 +313,7 @@ template <class Real> struct Settings {
 enum class EventType : std::uint8_t {
     torn,        ///< a constraint exceeded its breaking strain and was removed
     quarantined, ///< a figure or a loose particle became non-finite and is frozen; a figure until release_quarantine()
-    touched,     ///< a particle and a collider, or two figures (Contacts::lists_figures), came into contact
+    touched,     ///< a particle and a collider, or what Contacts lists besides, came into contact
     parted,      ///< they ceased to touch
     hit,         ///< they met harder than Contacts::hit_impulse
 };
@@ -324,7 +324,7 @@ struct Event {
     ConstraintId constraint{};        ///< torn: id of the removed constraint
     std::array<ParticleId, 2> ends{}; ///< torn: its first particle and its last
     ParticleId particle{};         ///< quarantined: the first non-finite particle; touched, parted, hit: the particle
-    ColliderId collider{};         ///< touched, parted, hit: the collider, unless two figures touch
+    ColliderId collider{};         ///< touched, parted, hit: the collider, unless two figures touch; or see is_plane()
     FigureIndex other = no_figure; ///< touched, parted, hit: the second figure
     ParticleId other_particle{};   ///< of the second figure, where the figures pressed hardest
     double impulse = 0;            ///< touched: in the step; hit: of the blow; newton seconds
@@ -374,6 +374,11 @@ template <int D, class RealT> struct World {
     std::vector<Event> events; ///< reported by the last step
     Journal journal;           ///< changes for the solver to follow
 };
+
+/// True if touches of planes are listed.
+template <class WorldT> bool lists_planes(const WorldT& world) {
+    return world.contacts.lists_planes && !world.bounds.empty();
+}
 
 /// True if planes or colliders hold particles.
 template <class WorldT> bool has_walls(const WorldT& world) {

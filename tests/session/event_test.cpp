@@ -324,6 +324,30 @@ TEST(ContactRule, ACrateThatTipsStillTouches) {
     }
 }
 
+TEST(ContactRule, ListensToTheBoundsOfTheWorld) {
+    for (const std::string mode : {"physical", "classic"}) {
+        auto document = load(R"({"sinew": 1, "world": {"gravity": [0, -10], "bounds": {"planes": [{"normal": [0, 1]}]}},
+            "solver": {"mode": ")" +
+                                 mode + R"("},
+            "figures": [{"name": "ball", "particles": {"p": {"at": [0, 0.5], "radius": 0.1}}}],
+            "events": [{"on": {"of": "ball", "with": "bounds"}, "note": "down"},
+                       {"on": {"of": "ball", "with": "bounds", "contact": "hit", "above": 2}, "note": "hard"},
+                       {"at": 1, "impulse": "ball", "by": [0, 4]},
+                       {"at": 1, "on": {"of": "ball", "contact": "end"}, "note": "up", "times": 1}]})",
+                             "test.json");
+        auto opened = open_scene(document);
+        ASSERT_TRUE(opened) << to_text(document.diagnostics);
+        Session session(std::move(*opened));
+        const auto log = log_of(session, 1.2);
+        ASSERT_GE(log.size(), 2U) << mode;
+        EXPECT_EQ(log[0], "begin ball bounds") << mode;
+        EXPECT_EQ(log[1], "note down ") << mode;
+        if (mode == "classic") continue; // without impulses, and a ball touches only while it sinks in
+        EXPECT_EQ(log, (std::vector<std::string>{"begin ball bounds", "note down ", "hit ball bounds", "note hard ",
+                                                 "impulse ball ", "end ball bounds", "note up "}));
+    }
+}
+
 TEST(ContactRule, IsChecked) {
     const std::string begin = R"({"sinew": 1, "figures": [{"prefab": "rope"}], "events": [)";
     EXPECT_NE(told(begin + R"({"note": "x"}]})").find("needs a time"), std::string::npos);

@@ -1,4 +1,5 @@
 #include "sinew/world/colliders.h"
+#include "sinew/world/environment.h"
 
 #include "tests/crates.h"
 #include "tests/worlds.h"
@@ -136,6 +137,120 @@ TYPED_TEST(ContactEvents, AColliderCarriesAWeight) {
     const auto& strength = world.contacts.touching[0].strength;
     EXPECT_FALSE(strength.is_new);
     EXPECT_NEAR(strength.impulse, 30.0 / 60, 0.02 * 30 / 60);
+}
+
+// --- planes of the world ---------------------------------------------------------------------------------------------
+
+/// A ball of 3 kg that falls from 0.1 above the ground: a plane of the world, or a collider.
+template <class Type> struct Fall {
+    using Real = typename Type::Real;
+    using Vector = typename Type::Vector;
+    using World = typename Type::World;
+    World world;
+    std::vector<Event> events;
+    std::vector<double> impulses; ///< of the touch after each step; 0 without one
+
+    explicit Fall(bool onto_plane) {
+        fall(world, 10);
+        const auto up = at<Vector>(0, 1);
+        if (onto_plane)
+            add_plane(world, {.normal = up});
+        else
+            add_collider(world, collide::Collider<World::dimension, Real>{
+                                    .shape = collide::HalfSpace<World::dimension, Real>{.normal = up}});
+        world.contacts.lists_planes = true;
+        world.contacts.hit_impulse = 3;
+    }
+    void go_on(double seconds) {
+        for (int i = 0; i < int(60 * seconds); ++i) {
+            step(world, Real(1.0 / 60));
+            events.insert(events.end(), world.events.begin(), world.events.end());
+            const auto& touching = world.contacts.touching;
+            impulses.push_back(touching.empty() ? 0 : touching[0].strength.impulse);
+        }
+    }
+    std::string told() const {
+        std::string text;
+        for (const auto& event : events)
+            text += event.type == EventType::touched ? "touched " : event.type == EventType::hit ? "hit " : "parted ";
+        return text;
+    }
+};
+
+template <class Type> void expect_planes_report_as_colliders(void (*fill)(Fall<Type>&)) {
+    Fall<Type> plane(true), collider(false);
+    for (auto* fallen : {&plane, &collider}) {
+        fill(*fallen);
+        fallen->go_on(1);
+        fallen->world.forces.clear();
+        fallen->world.forces.push_back(
+            Gravity<Type::dimension, typename Type::Real>{at<typename Type::Vector>(0, 10)}); // and up again
+        fallen->go_on(1);
+    }
+    EXPECT_EQ(plane.told(), "touched hit parted ");
+    EXPECT_EQ(plane.told(), collider.told());
+    for (const auto& event : plane.events) {
+        EXPECT_TRUE(is_plane(event.collider.index));
+        EXPECT_EQ(event.collider.index & ~plane_bit, 0U);
+    }
+    EXPECT_NEAR(plane.impulses[50], 30.0 / 60, 0.02 * 30 / 60) << "the weight";
+    EXPECT_NEAR(plane.impulses[50], collider.impulses[50], 0.02 * 30 / 60);
+}
+
+TYPED_TEST(ContactEvents, APlaneReportsASweptBallAsAColliderDoes) {
+    expect_planes_report_as_colliders<TypeParam>([](Fall<TypeParam>& fallen) {
+        using Real = typename TypeParam::Real;
+        add_particle(fallen.world,
+                     {.position = at<typename TypeParam::Vector>(0, 0.2), .mass = 3, .radius = Real(0.1)});
+    });
+}
+
+TYPED_TEST(ContactEvents, APlaneReportsABallOfAFigureWithContactsAsAColliderDoes) {
+    expect_planes_report_as_colliders<TypeParam>([](Fall<TypeParam>& fallen) {
+        using Real = typename TypeParam::Real;
+        const auto figure = add_figure(fallen.world, "ball");
+        set_contact(fallen.world, figure, {.figures = true});
+        const auto id = add_particle(
+            fallen.world,
+            {.position = at<typename TypeParam::Vector>(0, 0.2), .mass = 3, .radius = Real(0.1), .figure = figure});
+        fallen.world.figures[figure].particles.push_back(id);
+    });
+}
+
+// A rope of two links falls flat: each of its three particles begins once, and the plane carries them.
+TYPED_TEST(ContactEvents, APlaneReportsTheParticlesOfABlock) {
+    using Real = typename TypeParam::Real;
+    Fall<TypeParam> fallen(true);
+    std::vector<ParticleId> row;
+    for (int i = 0; i < 3; ++i)
+        row.push_back(add_particle(fallen.world,
+                                   {.position = at<typename TypeParam::Vector>(0.5 * i, 0.2), .radius = Real(0.1)}));
+    for (std::size_t i = 0; i < 2; ++i) add<Distance>(fallen.world, {row[i], row[i + 1]});
+    fallen.go_on(1);
+    int began = 0;
+    for (const auto& event : fallen.events) began += event.type == EventType::touched;
+    EXPECT_EQ(began, 3);
+    ASSERT_EQ(fallen.world.contacts.touching.size(), 3U);
+    for (const auto& touch : fallen.world.contacts.touching) EXPECT_GT(touch.strength.impulse, 0);
+}
+
+// Whoever does not ask pays nothing, and the state is the same to the bit.
+TYPED_TEST(ContactEvents, PlanesAreSilentUntilAskedAndNeverPartOfTheState) {
+    Fall<TypeParam> asked(true), silent(true);
+    silent.world.contacts.lists_planes = false;
+    for (auto* fallen : {&asked, &silent}) {
+        add_particle(
+            fallen->world,
+            {.position = at<typename TypeParam::Vector>(0, 0.2), .mass = 3, .radius = typename TypeParam::Real(0.1)});
+        fallen->go_on(1);
+    }
+    EXPECT_TRUE(silent.events.empty());
+    EXPECT_TRUE(silent.world.contacts.touching.empty());
+    EXPECT_EQ(state_hash(asked.world), state_hash(silent.world));
+    asked.world.bounds.clear();
+    asked.events.clear();
+    asked.go_on(0.1);
+    EXPECT_TRUE(asked.world.contacts.touching.empty()) << "a plane that is gone is not touched";
 }
 
 } // namespace

@@ -70,6 +70,25 @@ TYPED_TEST(Queries, ARayMeetsTheFirstThing) {
     EXPECT_FALSE(cast_ray(world, at<Vector>(-4, 0.3), at<Vector>(10, 0), Real(0), {.layers = 2, .mask = 2}));
 }
 
+TYPED_TEST(Queries, ARayMeetsThePlanesOfTheWorld) {
+    using World = typename TypeParam::World;
+    using Vector = typename TypeParam::Vector;
+    using Real = typename TypeParam::Real;
+    World world;
+    const auto ids = row_of_balls(world, 1); // a ball of radius 0.1 at the origin
+    add_plane(world, {.normal = at<Vector>(0, 1), .offset = Real(-1)});
+    const auto floor = cast_ray(world, at<Vector>(2, 1), at<Vector>(0, -4));
+    ASSERT_TRUE(floor);
+    EXPECT_TRUE(floor->is_plane);
+    EXPECT_FALSE(floor->is_collider);
+    EXPECT_NEAR(double(floor->time), 0.5, 1e-5);
+    EXPECT_NEAR(double(floor->point[1]), -1, 1e-5);
+    EXPECT_NEAR(double(floor->normal[1]), 1, 1e-5);
+    EXPECT_NEAR(double(cast_ray(world, at<Vector>(2, 1), at<Vector>(0, -4), Real(0.2))->time), 0.45, 1e-5);
+    EXPECT_FALSE(cast_ray(world, at<Vector>(2, 1), at<Vector>(0, 4)));
+    EXPECT_EQ(cast_ray(world, at<Vector>(0, 1), at<Vector>(0, -4))->particle, ids[0]) << "what is nearer is met first";
+}
+
 TYPED_TEST(Queries, WhatOverlapsABoxIsListedInOrder) {
     using World = typename TypeParam::World;
     using Vector = typename TypeParam::Vector;

@@ -184,11 +184,11 @@ export interface Contact {
     blowBefore: number;         // in the step before
     /** Of two figures the particle that is pressed hardest, or an end of a link that is. */
     particle: ParticleId;
-    other: ParticleId | null;   // of the other figure; null: a collider is touched
+    other: ParticleId | null;   // of the other figure; null: a collider or a plane is touched
     figure: number | null;      // index; null: a loose particle
     otherFigure: number | null;
-    collider: ColliderId | null;
-    colliderName: string;       // as in the scene; may be empty
+    collider: ColliderId | null; // null: a figure or a plane is touched
+    colliderName: string;       // as in the scene; may be empty; "bounds": a plane of world.bounds
 }
 
 /** A circle or sphere by its radius, or a box by half of its edges, turned by `turn` radians (in 3D about an axis, z by default). */
@@ -270,7 +270,8 @@ export interface Simulation {
     nearestParticle(point: Point, reach: number): { particle: ParticleId; distance: number } | null;
     /** Nearest link within reach; `t` is the place on it, 0 at its first end and 1 at its second. */
     nearestLink(point: Point, reach: number): { link: ConstraintId; t: number; distance: number } | null;
-    /** First particle with a radius, or collider, that a ray (a sphere with a radius) meets on its way. */
+    /** First particle with a radius, collider, or plane of world.bounds (neither id) that a ray (a sphere with a radius)
+     *  meets on its way. */
     castRay(from: Point, to: Point, options?: { radius?: number; mask?: number }): RayHit | null;
     /** What touches a region, in the order of rows. */
     particlesIn(region: Region): ParticleId[];

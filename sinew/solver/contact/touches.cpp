@@ -9,6 +9,20 @@
 namespace sinew {
 namespace {
 
+/// Slot of a collider, or of a plane that counts on from the colliders.
+template <int D, class Real> std::uint32_t slot_of(const World<D, Real>& world, std::uint32_t index) {
+    const auto colliders = std::uint32_t(world.colliders.size());
+    return index < colliders ? world.collider_handles.index_of(index) : plane_bit | (index - colliders);
+}
+template <int D, class Real> bool is_there(const World<D, Real>& world, std::uint32_t slot) {
+    if (is_plane(slot)) return lists_planes(world) && (slot & ~plane_bit) < world.bounds.size();
+    return world.collider_handles.in_use(slot);
+}
+template <int D, class Real> ColliderId id_of(const World<D, Real>& world, std::uint32_t slot) {
+    const auto& handles = world.collider_handles;
+    return is_plane(slot) ? ColliderId{.index = slot} : handles.id_of(handles.row_at(slot));
+}
+
 /// Pairs of a particle and a collider in the step, in order. Particles asleep touch the same as before.
 template <int D, class Real> void list_touches(World<D, Real>& world, const ColliderTouches<D, Real>& touches) {
     auto& touching = world.contacts.touching;
@@ -16,11 +30,10 @@ template <int D, class Real> void list_touches(World<D, Real>& world, const Coll
     for (Row row = 0; row < world.particles.size(); ++row)
         if (touches.collider[row] != 0)
             touching.push_back({world.particles.handles.index_of(row),
-                                world.collider_handles.index_of(touches.collider[row] - 1),
+                                slot_of(world, touches.collider[row] - 1),
                                 {.impulse = double(touches.impulse[row])}});
     for (const auto& pair : touches.before)
-        if (is_asleep(world.particles, pair.particle) && world.collider_handles.in_use(pair.collider))
-            touching.push_back(pair);
+        if (is_asleep(world.particles, pair.particle) && is_there(world, pair.collider)) touching.push_back(pair);
     sinew::sort(touching.begin(), touching.end());
     touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
 }
@@ -48,13 +61,12 @@ template <int D, class Real> void list_figures(World<D, Real>& world, ColliderTo
 template <int D, class Real>
 std::optional<Event> event_of(const World<D, Real>& world, EventType type, const ColliderTouch& pair) {
     const auto& particles = world.particles.handles;
-    const auto& colliders = world.collider_handles;
-    if (!particles.in_use(pair.particle) || !colliders.in_use(pair.collider)) return std::nullopt;
+    if (!particles.in_use(pair.particle) || !is_there(world, pair.collider)) return std::nullopt;
     const Row row = particles.row_at(pair.particle);
     return Event{.type = type,
                  .figure = world.particles.figure[row],
                  .particle = particles.id_of(row),
-                 .collider = colliders.id_of(colliders.row_at(pair.collider))};
+                 .collider = id_of(world, pair.collider)};
 }
 template <int D, class Real>
 std::optional<Event> event_of(const World<D, Real>& world, EventType type, const FigureTouch& touch) {
@@ -98,7 +110,8 @@ void compare(World<D, Real>& world, std::vector<Touch>& now, const std::vector<T
 template <int D, class Real> void begin_touches(World<D, Real>& world, Solver<D, Real>& solver) {
     auto& touches = solver.touches;
     touches.figures.clear();
-    if (world.colliders.empty()) return;
+    touches.collider.clear();
+    if (world.colliders.empty() && !lists_planes(world)) return;
     touches.boxes.resize(world.colliders.size());
     for (std::size_t i = 0; i < world.colliders.size(); ++i)
         touches.boxes[i] = collide::bounds_in_step(world.colliders[i]);
@@ -110,7 +123,7 @@ template <int D, class Real> void begin_touches(World<D, Real>& world, Solver<D,
 template <int D, class Real> void end_touches(World<D, Real>& world, Solver<D, Real>& solver) {
     auto& contacts = world.contacts;
     auto& touches = solver.touches;
-    if (!world.colliders.empty() || !contacts.touching.empty()) {
+    if (!world.colliders.empty() || lists_planes(world) || !contacts.touching.empty()) {
         touches.collider.resize(world.particles.size(), 0);
         touches.impulse.resize(world.particles.size(), Real(0));
         std::swap(contacts.touching, touches.before);

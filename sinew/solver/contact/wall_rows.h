@@ -48,9 +48,10 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
             ContactRowT row;
             Origin origin;
             ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
-                           .collider = ContactKey::plane_bit | i};
+                           .collider = plane_bit | i};
             row.normal = plane.normal;
             row.gap = dot(plane.normal, from) - plane.offset - p_.radius[p];
+            if (lists_planes(world_)) origin.collider = std::uint32_t(world_.colliders.size()) + i;
             origin.deep = share_of_deep * p_.radius[p];
             row.friction = plane.friction, origin.restitution = plane.restitution;
             take(row, state_.slot_of[p], Real(1));

@@ -28,9 +28,11 @@ template <int D, class Real> class BlockPlanes {
 
     /// Calls visit(plane) for the planes of the world, and the contacts of a node with colliders at its present place.
     template <class Visit> void each(const BlockNode<D>& node, Visit&& visit) const {
-        for (const auto& plane : world_.bounds) {
-            const auto wall = plane.template as<double>();
-            visit(eased(node, {wall}, wall.depth_of(node.start, double(world_.particles.radius[node.row]))));
+        const bool lists = lists_planes(world_);
+        for (std::size_t i = 0; i < world_.bounds.size(); ++i) {
+            const auto wall = world_.bounds[i].template as<double>();
+            const double begun = wall.depth_of(node.start, double(world_.particles.radius[node.row]));
+            visit(eased(node, {wall, {}, lists ? std::uint32_t(world_.colliders.size() + i) : none}, begun));
         }
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
             if (!is_near(i, node, 0)) continue;

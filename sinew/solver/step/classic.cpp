@@ -51,9 +51,11 @@ template <int D, class Real> class ClassicWalls {
 
     /// Moves particles back onto planes and colliders.
     void keep_in() {
-        for (const auto& plane : world_.bounds)
+        const bool lists = lists_planes(world_);
+        for (std::size_t i = 0; i < world_.bounds.size(); ++i)
             for (Row row = 0; row < p_.size(); ++row)
-                if (p_.mobility[row] > Real(0)) hit(plane, row);
+                if (p_.mobility[row] > Real(0) && hit(world_.bounds[i], row) && lists)
+                    touches_.collider[row] = std::uint32_t(world_.colliders.size() + i) + 1;
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) hit(world_.colliders[i], i);
     }
 
@@ -77,20 +79,21 @@ template <int D, class Real> class ClassicWalls {
         }
     }
 
-    /// Moves a particle back onto a wall; with a bounce, x_prev is mirrored: the normal velocity is reversed, whatever
-    /// its sign.
-    void hit(const HalfSpace<D, Real>& plane, Row row) {
+    /// Moves a particle back onto a wall; false if it was not behind it. With a bounce, x_prev is mirrored: the normal
+    /// velocity is reversed, whatever its sign.
+    bool hit(const HalfSpace<D, Real>& plane, Row row) {
         const auto& position = p_.position[row];
         const Real depth = plane.depth_of(position, p_.radius[row]);
-        if (depth <= grain(plane, row)) return;
+        if (depth <= grain(plane, row)) return false;
         const auto velocity = position - p_.previous[row];
         p_.position[row] = clamp_components(position + plane.normal * depth, limit::coordinate<Real>);
-        if (rules_.bounce == Real(0) && rules_.floor_keep == Real(1)) return;
+        if (rules_.bounce == Real(0) && rules_.floor_keep == Real(1)) return true;
         const detail::RelativeMotion<D, Real> motion(plane.normal, velocity);
         const Real away = motion.approach * rules_.bounce;
         const auto leaving = plane.normal * (faces_wrong_way(plane) ? -away : away);
         const Real kept = is_floor(plane, away) ? rules_.floor_keep : Real(1);
         p_.previous[row] = p_.position[row] - leaving - motion.along * kept;
+        return true;
     }
 
     /// Rounding error of a depth: a particle on the wall is not struck again.

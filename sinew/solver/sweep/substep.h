@@ -135,10 +135,15 @@ template <int D, class Real> class Substep {
     /// Contact with planes, then with colliders.
     void keep_in_bounds(const Tile& tile) {
         const PlaneContact<D, Real> contact(world_, solver_, mover_);
-        for (const auto& plane : world_.bounds) {
+        const bool lists = lists_planes(world_);
+        for (std::size_t i = 0; i < world_.bounds.size(); ++i) {
+            const auto& plane = world_.bounds[i];
             const Real lowest = kernels_.lowest(motion_, plane.normal.component.data(), tile.first, tile.last);
             if (lowest > plane.offset + swept_.largest_radius) continue;
-            for (Row slot = tile.first; slot < tile.last; ++slot) contact.keep_in(plane, slot);
+            for (Row slot = tile.first; slot < tile.last; ++slot)
+                if (const Real stopped = contact.keep_in(plane, slot); lists && stopped > Real(0))
+                    solver_.touches.add(swept_.row_of[slot], std::uint32_t(world_.colliders.size() + i),
+                                        stopped * inverse_or_zero(swept_.mobility[slot]) * mover_.per_h);
         }
         if (!world_.colliders.empty())
             ColliderSweep<D, Real>(world_, solver_, contact, mover_, share_ - share_of_substep_, share_)
