@@ -76,7 +76,15 @@ template <int D, class Real> struct ColliderContact {
     SurfacePoint<D, Real> surface{};     ///< at the end
     Vec<D, Real> surface_displacement{}; ///< displacement of the surface
     Real begun_depth = 0;                ///< depth of the sphere at the start, negative in front
+    bool begins_in_front = true;         ///< of a one-way collider: the sphere approaches, and began in front
 };
+
+/// True for a sphere that approaches, and began in front of a surface at a distance. `moved`, `far`: lengths of its
+/// displacement and of its place, for the slop.
+template <class Real> bool comes_from_outside(Real distance, Real displacement, Real radius, Real moved, Real far) {
+    constexpr Real little = Real(64) * std::numeric_limits<Real>::epsilon(), some = Real(0.02);
+    return displacement < Real(0) && distance >= radius - some * (radius + moved) - little * far;
+}
 
 /// Contacts of spheres with one collider that moves between two poses, computed in the precision T.
 template <int D, class Real, class T = Real> class MovingCollider {
@@ -87,24 +95,34 @@ template <int D, class Real, class T = Real> class MovingCollider {
         : collider_(collider), one_way_(cast<T>(collider.one_way)), before_(collider.template pose_at<T>(from_share)),
           after_(collider.template pose_at<T>(to_share)) {}
 
-    /// Calls visit(contact) with the contacts of a sphere that moves from one place to another. A motion long against
-    /// the radius is swept: the contact is the first one on the way, and no wall is too thin. Seen from the collider.
-    template <class Visit> void contacts(const Vector& from, const Vector& to, T radius, Visit&& visit) const {
+    /// Calls visit(contact) with the contacts of a sphere that moves from one place to another, and with surfaces
+    /// within a margin of it. A motion long against the radius is swept: the contact is the first one on the way, and
+    /// no wall is too thin. Seen from the collider.
+    template <class Visit>
+    void contacts(const Vector& from, const Vector& to, T radius, T margin, Visit&& visit) const {
         const auto begun = before_.to_local(from), ended = after_.to_local(to);
         BoundingBox<D, Real> near;
         near.include(cast<Real>(begun));
         near.include(cast<Real>(ended));
         std::visit(
             [&](const auto& shape) {
-                visit_parts(shape, near.grown(Real(radius)), [&](const auto& part) {
+                visit_parts(shape, near.grown(Real(radius + margin)), [&](const auto& part) {
                     const auto& exact = part.template as<T>();
-                    const auto surface = contact_of(exact, begun, ended, radius);
-                    if (surface)
-                        visit(ColliderContact<D, T>{to_world(after_, *surface), displacement_of(surface->point),
-                                                    radius - exact.nearest(begun).distance});
+                    const auto surface = contact_of(exact, begun, ended, radius + margin);
+                    if (!surface) return;
+                    const T distance = exact.nearest(begun).distance;
+                    visit(ColliderContact<D, T>{to_world(after_, *surface), displacement_of(surface->point),
+                                                radius - distance,
+                                                begins_in_front(*surface, distance, begun, ended - begun, radius)});
                 });
             },
             collider_.shape);
+    }
+    /// Same for what a one-way collider holds only if it comes from the front.
+    template <class Visit> void contacts(const Vector& from, const Vector& to, T radius, Visit&& visit) const {
+        contacts(from, to, radius, T(0), [&](const auto& contact) {
+            if (contact.begins_in_front) visit(contact);
+        });
     }
 
   private:
@@ -130,8 +148,6 @@ template <int D, class Real, class T = Real> class MovingCollider {
         const bool touches = dot(surface->normal, ended - surface->point) < radius;
         if (!touches || !owns(part, *surface) || !collider_.is_solid_along(cast<Real>(surface->normal)))
             return std::nullopt;
-        if (one_way_ != Vector{} && !comes_from_outside(part, *surface, begun, displacement, radius))
-            return std::nullopt;
         return surface;
     }
 
@@ -143,13 +159,10 @@ template <int D, class Real, class T = Real> class MovingCollider {
         if constexpr (one_sided<Part>()) size = norm(part.b - part.a);
         return half * radius + little * norm(begun) + some * (norm(displacement) + size);
     }
-    /// True for a sphere that approaches, and began in front.
-    template <class Part>
-    static bool comes_from_outside(const Part& part, const SurfacePoint<D, T>& surface, const Vector& begun,
-                                   const Vector& displacement, T radius) {
-        constexpr T little = T(64) * std::numeric_limits<T>::epsilon(), some = T(0.02);
-        const T slop = some * (radius + norm(displacement)) + little * norm(begun);
-        return dot(surface.normal, displacement) < T(0) && part.nearest(begun).distance >= radius - slop;
+    bool begins_in_front(const SurfacePoint<D, T>& surface, T distance, const Vector& begun, const Vector& displacement,
+                         T radius) const {
+        return one_way_ == Vector{} ||
+               comes_from_outside(distance, dot(surface.normal, displacement), radius, norm(displacement), norm(begun));
     }
     template <class Part> static constexpr bool one_sided() {
         return requires(const Part& part, SurfacePoint<D, T> surface) {

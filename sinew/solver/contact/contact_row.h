@@ -36,6 +36,18 @@ template <int D, class Real> struct ContactOrigin {
     Real approach = 0;                          ///< approach in a substep before the contact acts, metres
     std::uint32_t source = 0;                   ///< index of the candidate, or of the key of a wall
     std::uint32_t collider = ~std::uint32_t(0); ///< index of a collider, if there is one
+    Real pushed = 0;                            ///< impulse in the substep apart from the multiplier, h newton seconds
+    bool is_one_way = false; ///< the collider holds only what it held before, or comes from its front
+};
+
+/// Row of a wall while a body rebounds.
+template <class Real> struct ReboundRow {
+    std::uint32_t body = 0, part = 0, row = 0; ///< component of links; part, and index of the row in it
+    bool is_struck = false;
+    Real target = 0; ///< displacement along the normal in a substep, at least
+    Real begun = 0;  ///< multiplier before
+    Real change = 0; ///< displacement along the normal before
+    Real mass = 0;   ///< impulse per displacement, as the whole figure answers
 };
 
 /// Pair of features that may touch in a step. Particles are numbered first, then segments; first > second.
@@ -84,6 +96,8 @@ template <int D, class Real> struct ContactPart {
     std::vector<std::uint32_t> deep;                ///< rows that may have to be held as the figures answer
     std::size_t first_wall = 0;                     ///< index of the first row of a wall
     std::vector<ContactKey> wall_keys;
+    std::vector<ContactRow<D, Real>> sensed;            ///< links near sensors, which do not act
+    std::vector<ContactOrigin<D, Real>> sensed_origins; ///< of these
 };
 
 } // namespace sinew

@@ -65,9 +65,10 @@ template <int D, class Real> class KeptContacts {
         for (const auto& part : room_.parts.list)
             for (auto i = part.first_wall; i < part.rows.size(); ++i) {
                 const auto& row = part.rows[i];
-                if (row.keeps && row.multiplier > Real(0))
-                    room_.kept_at_walls.push_back(
-                        {part.wall_keys[part.origins[i].source], row.multiplier, row.tangent});
+                const bool acts = row.keeps && row.multiplier > Real(0);
+                if (!acts && !(part.origins[i].is_one_way && row.gap < Real(0))) continue;
+                room_.kept_at_walls.push_back({part.wall_keys[part.origins[i].source], acts ? row.multiplier : Real(0),
+                                               acts ? row.tangent : Vec<D, Real>{}});
             }
         sort(room_.kept_at_walls);
     }

@@ -24,14 +24,15 @@ template <int D, class Real> ColliderId id_of(const World<D, Real>& world, std::
 }
 
 /// Pairs of a particle and a collider in the step, in order. Particles asleep touch the same as before.
-template <int D, class Real> void list_touches(World<D, Real>& world, const ColliderTouches<D, Real>& touches) {
+template <int D, class Real> void list_touches(World<D, Real>& world, ColliderTouches<D, Real>& touches) {
     auto& touching = world.contacts.touching;
     touching.clear();
     for (Row row = 0; row < world.particles.size(); ++row)
-        if (touches.collider[row] != 0)
-            touching.push_back({world.particles.handles.index_of(row),
-                                slot_of(world, touches.collider[row] - 1),
-                                {.impulse = double(touches.impulse[row])}});
+        for (const auto& touch : touches.of(row))
+            if (touch.collider != 0)
+                touching.push_back({world.particles.handles.index_of(row),
+                                    slot_of(world, touch.collider - 1),
+                                    {.impulse = double(touch.impulse)}});
     for (const auto& pair : touches.before)
         if (is_asleep(world.particles, pair.particle) && is_there(world, pair.collider)) touching.push_back(pair);
     sinew::sort(touching.begin(), touching.end());
@@ -110,22 +111,21 @@ void compare(World<D, Real>& world, std::vector<Touch>& now, const std::vector<T
 template <int D, class Real> void begin_touches(World<D, Real>& world, Solver<D, Real>& solver) {
     auto& touches = solver.touches;
     touches.figures.clear();
-    touches.collider.clear();
-    if (world.colliders.empty() && !lists_planes(world)) return;
+    touches.begin(0, 0);
+    const std::size_t planes = lists_planes(world) ? world.bounds.size() : 0;
+    if (world.colliders.empty() && planes == 0) return;
     touches.boxes.resize(world.colliders.size());
     for (std::size_t i = 0; i < world.colliders.size(); ++i)
         touches.boxes[i] = collide::bounds_in_step(world.colliders[i]);
     for (auto* pairs : {&world.contacts.touching, &touches.before}) pairs->reserve(world.particles.size());
-    touches.collider.assign(world.particles.size(), 0);
-    touches.impulse.assign(world.particles.size(), Real(0));
+    touches.begin(world.particles.size(), world.colliders.size() + planes);
 }
 
 template <int D, class Real> void end_touches(World<D, Real>& world, Solver<D, Real>& solver) {
     auto& contacts = world.contacts;
     auto& touches = solver.touches;
     if (!world.colliders.empty() || lists_planes(world) || !contacts.touching.empty()) {
-        touches.collider.resize(world.particles.size(), 0);
-        touches.impulse.resize(world.particles.size(), Real(0));
+        if (world.colliders.empty() && !lists_planes(world)) touches.begin(0, 0);
         std::swap(contacts.touching, touches.before);
         list_touches(world, touches);
         compare(world, contacts.touching, touches.before);

@@ -71,14 +71,15 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
             !touch(collider.filter, filter_of(world_, p)))
             return;
         const collide::MovingCollider<D, Real> moving(collider, from_, to_);
-        moving.contacts(from, to, within, [&](const auto& contact) {
+        moving.contacts(from, to, radius, margin(p), [&](const auto& contact) {
             const auto& surface = contact.surface;
             ContactRowT row;
             Origin origin;
             ContactKey key{.particle = {id(p), ContactKey::none, ContactKey::none, ContactKey::none},
                            .collider = world_.collider_handles.index_of(index),
                            .feature = part_of(collider, surface.feature)};
-            origin.collider = index;
+            if (!contact.begins_in_front && !was_held(key)) return;
+            origin.collider = index, origin.is_one_way = collider.one_way != Vector{};
             row.normal = surface.normal;
             origin.surface_displacement = contact.surface_displacement;
             row.gap = dot(surface.normal, from - surface.point + contact.surface_displacement) - radius;
@@ -97,16 +98,15 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         collide::BoundingBox<D, Real> near;
         near.include(a);
         near.include(b);
-        if (collider.is_sensor || collider.one_way != Vector{} || !touches_.boxes[index].overlaps(near.grown(within)) ||
-            !touch(collider.filter, filter_of(world_, s.a)))
+        if (!touches_.boxes[index].overlaps(near.grown(within)) || !touch(collider.filter, filter_of(world_, s.a)))
             return;
         const auto before = collider.pose_at(from_), after = collider.pose_at(to_);
         const auto found = collide::nearest_to_segment(collider.shape, before, a, b, within);
         if (!found || !(found->t > Real(0)) || !(found->t < Real(1))) return;
         ContactRowT row;
         Origin origin;
-        ContactKey key{.particle = {id(s.a), id(s.b), ContactKey::none, ContactKey::none},
-                       .collider = world_.collider_handles.index_of(index)};
+        const ContactKey key{.particle = {id(s.a), id(s.b), ContactKey::none, ContactKey::none},
+                             .collider = world_.collider_handles.index_of(index)};
         origin.collider = index;
         row.normal = found->surface.normal;
         origin.surface_displacement = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
@@ -114,7 +114,25 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         row.friction = collider.friction, origin.restitution = collider.restitution;
         take(row, state_.slot_of[s.a], Real(1) - found->t);
         take(row, state_.slot_of[s.b], found->t);
+        origin.is_one_way = collider.one_way != Vector{};
+        if (origin.is_one_way && !is_held_one_way(s, row, origin, key)) return;
+        if (collider.is_sensor) return sense(row, origin);
         add(row, origin, key);
+    }
+    bool is_held_one_way(const ContactSegment& s, const ContactRowT& row, const Origin& origin,
+                         const ContactKey& key) const {
+        const auto& collider = world_.colliders[origin.collider];
+        if (!collider.is_solid_along(collider.pose_at(from_).turn_back(row.normal))) return false;
+        const auto moved = displacement(s.a) * row.weight[0] + displacement(s.b) * row.weight[1];
+        const Real radius = min(p_.radius[s.a], p_.radius[s.b]);
+        return was_held(key) ||
+               collide::comes_from_outside(row.gap + radius, dot(row.normal, moved - origin.surface_displacement),
+                                           radius, norm(moved), max(norm(position(s.a)), norm(position(s.b))));
+    }
+    void sense(ContactRowT& row, const Origin& origin) {
+        for (std::size_t i = row.members; i < row.slot.size(); ++i) row.slot[i] = row.slot[0]; // of no weight
+        part_.sensed.push_back(row);
+        part_.sensed_origins.push_back(origin);
     }
 
     /// Lasting number of a contact: the part of a surface; a convex shape has one contact with a sphere.
@@ -140,11 +158,22 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         const auto number = std::uint32_t(part_.rows.size() - 1);
         if (row.keeps && (part_.deep.empty() || part_.deep.back() != number)) part_.deep.push_back(number);
     }
-    const KeptContact<D, Real>* find_kept(const ContactKey& key) const {
+    /// True for features that the collider, or a neighbouring part of it, held in the last substep: contacts give a
+    /// little, so a one-way collider cannot tell by their place.
+    bool was_held(ContactKey key) const {
+        key.feature = 0;
+        const auto found = first_kept(key);
+        return found != room_.kept_at_walls.end() && found->key.particle == key.particle &&
+               found->key.collider == key.collider;
+    }
+    auto first_kept(const ContactKey& key) const {
         const auto& kept = room_.kept_at_walls;
-        const auto found = std::lower_bound(kept.begin(), kept.end(), key,
-                                            [](const auto& contact, const ContactKey& k) { return contact.key < k; });
-        return found != kept.end() && found->key == key ? &*found : nullptr;
+        return std::lower_bound(kept.begin(), kept.end(), key,
+                                [](const auto& contact, const ContactKey& k) { return contact.key < k; });
+    }
+    const KeptContact<D, Real>* find_kept(const ContactKey& key) const {
+        const auto found = first_kept(key);
+        return found != room_.kept_at_walls.end() && found->key == key ? &*found : nullptr;
     }
 };
 

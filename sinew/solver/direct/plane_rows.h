@@ -38,8 +38,9 @@ template <int D, class Real> class BlockPlanes {
             if (!is_near(i, node, 0)) continue;
             const auto& collider = world_.colliders[i];
             const collide::MovingCollider<D, Real, double> moving(collider, state_.from(), state_.to());
-            moving.contacts(node.start, node.position, double(world_.particles.radius[node.row]),
+            moving.contacts(node.start, node.position, double(world_.particles.radius[node.row]), 0.0,
                             [&](const auto& contact) {
+                                if (!contact.begins_in_front && !has_touched(i, node.row)) return;
                                 note(i, node.row, 0);
                                 if (!collider.is_sensor)
                                     visit(eased(node, plane_of(collider, contact, i), contact.begun_depth));
@@ -65,7 +66,7 @@ template <int D, class Real> class BlockPlanes {
 
     /// Reports the impulse of a collider on a particle, newton seconds.
     void note(std::uint32_t collider, Row row, double impulse) const {
-        state_.touches.set(row, collider, Real(impulse));
+        state_.touches.add(row, collider, Real(impulse));
     }
 
   private:
@@ -84,6 +85,16 @@ template <int D, class Real> class BlockPlanes {
     Plane eased(const BlockNode<D>& node, Plane plane, double begun) const {
         if (begun > 0) plane.offset -= depth_left(begun, norm(node.acceleration), state_.substep());
         return plane;
+    }
+
+    /// True for a particle in touch in this step or the one before: a spring gives a little, so a one-way collider
+    /// cannot tell by the place.
+    bool has_touched(std::uint32_t collider, Row row) const {
+        if (state_.touches.has(row, collider)) return true;
+        const auto& touching = world_.contacts.touching;
+        return std::binary_search(
+            touching.begin(), touching.end(),
+            ColliderTouch{world_.particles.handles.index_of(row), world_.collider_handles.index_of(collider)});
     }
 
     static Plane plane_of(const collide::Collider<D, Real>& collider,

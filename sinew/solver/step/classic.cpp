@@ -55,7 +55,7 @@ template <int D, class Real> class ClassicWalls {
         for (std::size_t i = 0; i < world_.bounds.size(); ++i)
             for (Row row = 0; row < p_.size(); ++row)
                 if (p_.mobility[row] > Real(0) && hit(world_.bounds[i], row) && lists)
-                    touches_.collider[row] = std::uint32_t(world_.colliders.size() + i) + 1;
+                    touches_.add(row, std::uint32_t(world_.colliders.size() + i), Real(0));
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) hit(world_.colliders[i], i);
     }
 
@@ -72,7 +72,7 @@ template <int D, class Real> class ClassicWalls {
         for (Row row = 0; row < p_.size(); ++row) {
             if (!(p_.mobility[row] > Real(0)) || !touch(collider.filter, detail::filter_of(world_, row))) continue;
             moving.contacts(p_.previous[row], p_.position[row], p_.radius[row], [&](const auto& contact) {
-                touches_.collider[row] = index + 1;
+                touches_.add(row, index, Real(0));
                 const auto& surface = contact.surface;
                 if (!collider.is_sensor) hit({surface.normal, dot(surface.normal, surface.point)}, row);
             });
