@@ -33,6 +33,7 @@ template <int D, class Real> struct ContactRoom {
     std::vector<KeptContact<D, Real>> kept_at_walls;     ///< in the order of their keys
     std::vector<KeptContact<D, Real>> written;           ///< copy of what the world keeps, after the last step
     detail::ContactParts<D, Real> parts;
+    std::vector<ReboundRow<Real>> rebounds; ///< scratch
 
     detail::LinkProjector<D, Real> projector;
     detail::JointRows<D, Real> joints;

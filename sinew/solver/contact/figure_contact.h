@@ -1,9 +1,9 @@
 #pragma once
 
-#include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/contact/kept_contacts.h"
 #include "sinew/solver/contact/merge_touches.h"
 #include "sinew/solver/contact/pin_rows.h"
+#include "sinew/solver/contact/rebounds.h"
 #include "sinew/solver/contact/row_builder.h"
 #include "sinew/solver/contact/row_solver.h"
 
@@ -54,6 +54,7 @@ template <int D, class Real> class FigureContact {
             rows_.each(part, [&](RowT& row, const Vector& surface) { row.gap += rows_.change(row, surface); });
         });
         room().joints.advance(state_);
+        note_sensed();
     }
 
     /// After the particles have moved: velocities without the push out of overlaps, then rebounds.
@@ -63,11 +64,7 @@ template <int D, class Real> class FigureContact {
         room().joints.solve(state_, Soft::none());
         each_part([&](Part& part) { rows_.solve(part, Soft::none(), Soft::none()); });
         room().projector.project_velocities(state_, threads_);
-        bool any = false;
-        for (auto& part : room().parts.list)
-            for (auto i = part.first_wall; i < part.rows.size(); ++i)
-                any = rebound(part.rows[i], part.origins[i]) || any;
-        if (any) room().projector.project_velocities(state_, threads_);
+        Rebounds<D, Real>(room(), state_, rows_, square(h_) * norm(state_.gravity)).run();
         keep();
     }
 
@@ -91,7 +88,6 @@ template <int D, class Real> class FigureContact {
         if (is_first_ || is_new)
             find_near_planes(world_, room(), WallRows<D, Real>::margin(0, norm(state_.gravity), h_), is_first_);
         KeptContacts<D, Real> kept(world_, solver_);
-        if (world_.contacts.lists_figures) note_figures();
         if (is_first_)
             kept.take_from_world(is_new);
         else if (is_new)
@@ -136,7 +132,7 @@ template <int D, class Real> class FigureContact {
         return (beyond > Real(0) ? Soft::contact().rate * beyond : beyond) -
                rows_.change(row, origin.surface_displacement);
     }
-    bool hold(RowT& row, const Origin& origin) {
+    bool hold(RowT& row, Origin& origin) {
         const Real lacking = missing(row, origin);
         if (!(lacking > Real(0))) return false;
         std::array<Vec<D, double>, D + 1> push_of{};
@@ -146,21 +142,10 @@ template <int D, class Real> class FigureContact {
         const double response = room().projector.response(state_).along(slots, std::span(push_of).first(members));
         const Real impulse = min(lacking * Real(inverse_or_zero(response)), limit::multiplier<Real>);
         rows_.apply(row, row.normal * impulse);
+        origin.pushed += impulse;
         row.max = max(row.max, row.multiplier + impulse);
         for (const Row slot : slots) room().projector.project_velocities(state_, slot);
         return impulse > Real(0);
-    }
-
-    /// A blow faster than resting contact leaves with its share of the approach.
-    bool rebound(RowT& row, const Origin& origin) {
-        if (origin.restitution == Real(0) || row.max == Real(0)) return false;
-        const auto away = rebound_after(origin.approach, origin.restitution, square(h_) * norm(state_.gravity));
-        if (!away) return false;
-        const Real lacking = *away - rows_.change(row, origin.surface_displacement);
-        if (!(lacking > Real(0))) return false;
-        rows_.apply(row, row.normal * (lacking * row.mass));
-        row.multiplier += lacking * row.mass;
-        return true;
     }
 
     /// Scales the kept multipliers, with the square of the substep; returns the factor.
@@ -180,6 +165,7 @@ template <int D, class Real> class FigureContact {
             for (auto i = part.first_wall; i < part.rows.size(); ++i)
                 if (part.rows[i].max > Real(0) && part.origins[i].collider != ~std::uint32_t(0))
                     note(part.rows[i], part.origins[i]);
+        if (world_.contacts.lists_figures) note_figures();
         kept.keep();
         room().joints.store(world_);
         if (!is_last_) return;
@@ -192,14 +178,27 @@ template <int D, class Real> class FigureContact {
         for (const auto& part : room().parts.list)
             for (std::size_t i = 0; i < part.first_wall; ++i)
                 if (const auto& row = part.rows[i]; row.max > Real(0) || row.gap <= near)
-                    solver_.touches.figures.push_back(touch_of(row, room().list.candidates[part.origins[i].source]));
+                    solver_.touches.figures.push_back(
+                        touch_of(row, part.origins[i], room().list.candidates[part.origins[i].source]));
         merge_touches(solver_.touches.figures);
     }
-    FigureTouch touch_of(const RowT& row, const ContactCandidate& pair) {
+    /// Sensors touch the links that a solid collider would stop.
+    void note_sensed() {
+        for (const auto& part : room().parts.list)
+            for (std::size_t i = 0; i < part.sensed.size(); ++i) {
+                const auto& row = part.sensed[i];
+                const auto& origin = part.sensed_origins[i];
+                if (row.gap + rows_.change(row, origin.surface_displacement) < Real(0))
+                    solver_.touches.add(state_.row_of[row.slot[0]], origin.collider, Real(0));
+            }
+    }
+    /// Impulse of a row in the substep, newton seconds.
+    Real impulse_of(const RowT& row, const Origin& origin) const { return (row.multiplier + origin.pushed) / h_; }
+    FigureTouch touch_of(const RowT& row, const Origin& origin, const ContactCandidate& pair) {
         auto [first, one] = side_of(pair.first);
         auto [second, other] = side_of(pair.second);
         if (second < first) std::swap(first, second), std::swap(one, other);
-        const double impulse = double(row.max / h_);
+        const double impulse = double(impulse_of(row, origin));
         return {first, second, {one, other}, impulse, {.impulse = impulse}};
     }
     /// Figure of a feature, and slot of its particle or of its first end.
@@ -210,7 +209,7 @@ template <int D, class Real> class FigureContact {
         return {world_.particles.figure[row], world_.particles.handles.index_of(row)};
     }
     void note(const RowT& row, const Origin& origin) {
-        solver_.touches.add(state_.row_of[row.slot[0]], origin.collider, row.max / h_);
+        solver_.touches.add(state_.row_of[row.slot[0]], origin.collider, impulse_of(row, origin));
     }
 };
 
