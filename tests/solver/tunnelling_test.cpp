@@ -94,6 +94,28 @@ TYPED_TEST(Tunnelling, ALinkLiesAcrossALinkInSpace) {
     EXPECT_LT(stretch(world).max, 1e-3);
 }
 
+// A straight rope held at both ends gives way across it to first order and not to second: with each projection of its
+// lengths it would kick what lies on it, until that has fallen through.
+TYPED_TEST(Tunnelling, ARopeFallsOnATautRopeAndHangsOverIt) {
+    using Real = TypeParam;
+    constexpr double radius = 0.05;
+    Space<Real> world;
+    fall(world, 10);
+    world.settings.damping = Real(0.5);
+    const auto below = add_line<3, Real>(world, 20, {{-1, 0, 0}}, {{Real(0.1), 0, 0}}, 0.024, radius);
+    for (const auto end : {below.front(), below.back()}) pin(world, end);
+    const auto above =
+        add_line<3, Real>(world, 20, {{Real(0.03), Real(0.2), Real(-0.5)}}, {{0, 0, Real(0.05)}}, 0.03, radius);
+    for (int i = 0; i < 180; ++i) {
+        step(world, Real(1.0 / 60));
+        ASSERT_GT(gap_of_links(world, below, above), 2 * radius * 0.6) << i; // it lands at 1.4 m/s
+        ASSERT_GT(double((*position_of(world, above[10]))[1]), 0.5 * radius) << i;
+        ASSERT_LT(stretch(world).max, 1e-3) << i;
+    }
+    EXPECT_LT(double((*position_of(world, above.front()))[1]), 0); // its ends hang down
+    EXPECT_LT(double((*position_of(world, above.back()))[1]), 0);
+}
+
 // Links thrown at each other at 50 m/s, 40 mm thick, do not pass either.
 TYPED_TEST(Tunnelling, AThrownLinkDoesNotCrossALinkInSpace) {
     using Real = TypeParam;
