@@ -1,4 +1,5 @@
 #include "sinew/world/colliders.h"
+#include "sinew/world/environment.h"
 #include "sinew/world/query.h"
 
 #include "tests/worlds.h"
