@@ -84,6 +84,7 @@ template <int D> std::optional<Survey> survey_in(const AnyPrefab& prefab) {
         survey.low.push_back(low);
         survey.high.push_back(high);
     }
+    for (const auto radius : world.particles.radius) survey.has_radii = survey.has_radii || radius > 0;
     return survey;
 }
 

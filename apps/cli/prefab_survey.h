@@ -24,7 +24,8 @@ struct Survey {
     std::vector<std::string> parts;     ///< in drawing order
     std::map<std::string, Piece> drawn; ///< first piece of each part, a visible piece if there is any
     std::string at;                     ///< name of the particle at the origin; empty if none
-    std::vector<double> low, high;      ///< corners of the figure's bounding box, metres
+    std::vector<double> low, high;      ///< corners of the box around the centres of its particles, metres
+    bool has_radii = false;             ///< particles reach beyond their centres
 };
 
 /// Surveys the figure of a prefab placed at the origin; empty if the parameters are inconsistent.

@@ -7,11 +7,13 @@
 
 namespace sinew {
 
-/// Loose balls in a staggered grid, positioned by the middle of the lowest row. Particles ball_0, ball_1, ... by
-/// columns, then rows, then layers.
+/// Loose balls in a staggered grid, positioned by the middle of the centres of the lowest row. Particles ball_0,
+/// ball_1, ... by columns, then rows, then layers.
 struct Balls {
     static constexpr std::string_view name = "balls";
-    static constexpr std::string_view about = "Loose balls in a grid: marbles, sand. Switch on \"contact\" \"itself\".";
+    static constexpr std::string_view about = "Loose balls in a grid: marbles, sand. Switch on \"contact\" \"itself\". "
+                                              "The lowest row lies on a floor that is "
+                                              "a radius below \"at\".";
     static constexpr Dimensions dimensions{2, 3};
 
     int columns = 10;
