@@ -39,15 +39,23 @@ template <int D, class Real> struct ClothMesh {
     std::size_t size() const { return slots.size(); }
 };
 
-/// Finds the mesh of a world whose figures ask for thin cloth; empty where none does.
+/// Cloth that a mesh is made of.
+enum class MeshOf : std::uint8_t {
+    thin, ///< all whole cells, if some figure asks for thin cloth
+    all   ///< all cells, cut ones too
+};
+
+/// Finds the mesh of the cloth that collides.
 template <int D, class Real> class ClothMeshBuilder {
   public:
     ClothMeshBuilder(const World<D, Real>& world, const SweepState<D, Real>& state, ClothMesh<D, Real>& mesh)
         : world_(world), state_(state), mesh_(mesh) {}
 
-    void build() {
+    void build(MeshOf of) {
         mesh_ = {};
-        if (D != 3 || std::none_of(world_.figures.begin(), world_.figures.end(), is_thin)) return;
+        of_ = of;
+        if (D != 3) return;
+        if (of == MeshOf::thin && std::none_of(world_.figures.begin(), world_.figures.end(), is_thin)) return;
         each_cell([&](FigureIndex, const std::vector<Row>& rows) { list(rows); });
         each_cell([&](FigureIndex figure, const std::vector<Row>& rows) { add(figure, rows); });
         set_thickness();
@@ -66,6 +74,7 @@ template <int D, class Real> class ClothMeshBuilder {
     const World<D, Real>& world_;
     const SweepState<D, Real>& state_;
     ClothMesh<D, Real>& mesh_;
+    MeshOf of_ = MeshOf::thin;
     std::vector<std::uint32_t> number_; ///< by slot
     std::map<std::array<std::uint32_t, 2>, std::uint32_t> edge_;
     std::vector<char> is_owned_; ///< by vertex
@@ -76,7 +85,7 @@ template <int D, class Real> class ClothMeshBuilder {
             const auto& figure = world_.figures[i];
             if (!figure.in_use() || !figure.collides) continue;
             for (const auto& piece : figure.pieces) {
-                if (piece.mark != Mark::surface || piece.hidden) continue;
+                if (!is_cell(piece)) continue;
                 slots.clear();
                 for (const auto id : piece.particles)
                     if (const auto row = world_.particles.handles.find(id); row && is_swept(*row))
@@ -84,6 +93,9 @@ template <int D, class Real> class ClothMeshBuilder {
                 if (slots.size() == piece.particles.size() && slots.size() >= 3) visit(i, slots);
             }
         }
+    }
+    bool is_cell(const Piece& piece) const {
+        return !piece.hidden && (of_ == MeshOf::all ? is_cloth(piece.mark) : piece.mark == Mark::surface);
     }
     bool is_swept(Row row) const { return state_.slot_of[row] < state_.size(); }
 

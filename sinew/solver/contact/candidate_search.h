@@ -25,9 +25,7 @@ template <int D, class Real> class CandidateSearch {
     /// Time for which a relative speed brings features nearer to each other: rows look two substeps ahead.
     Real time_ahead() const { return list_.horizon - min(list_.age, list_.horizon) + Real(2) * list_.h; }
 
-    Real size_of(std::uint32_t particle) const {
-        return max(room_.particles[particle].radius, room_.particles[particle].cover);
-    }
+    Real size_of(std::uint32_t particle) const { return room_.particles[particle].radius; }
     /// A filled area pushes out what is in its skin.
     Real size_of(const ContactSegment& s) const {
         const Real radius = min(room_.particles[s.number_a].radius, room_.particles[s.number_b].radius);
@@ -176,10 +174,12 @@ template <int D, class Real> class CandidateSearch {
 
     bool may_touch(std::uint32_t i, std::uint32_t k) const {
         const auto &a = room_.particles[i], &b = room_.particles[k];
+        if (room_.is_of_cloth(a.row) || room_.is_of_cloth(b.row)) return false; // face_contact.h, cloth_contact.h
         return !a.in_segment && !b.in_segment && meets(a.row, b.row) && !are_linked(a.row, b.row);
     }
     bool may_touch(std::uint32_t particle, const ContactSegment& segment) const {
         const Row row = room_.particles[particle].row;
+        if (room_.is_of_cloth(row)) return false;
         return row != segment.a && row != segment.b && meets(row, segment.a) && !are_linked(row, segment.a) &&
                !are_linked(row, segment.b);
     }
@@ -188,7 +188,6 @@ template <int D, class Real> class CandidateSearch {
                !are_linked(s.a, t.b) && !are_linked(s.b, t.a) && !are_linked(s.b, t.b);
     }
     bool meets(Row a, Row b) const {
-        if (room_.is_of_cloth(a) && room_.is_of_cloth(b)) return false; // cloth_contact.h
         const auto figure_a = world_.particles.figure[a], figure_b = world_.particles.figure[b];
         if (figure_a == figure_b) return world_.figures[figure_a].touches_itself;
         return touch(filter_of(world_, a), filter_of(world_, b));

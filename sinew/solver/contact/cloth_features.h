@@ -133,13 +133,13 @@ template <int D, class Real> class ClothFeatures {
         });
         room_.radius.clear();
         room_.friction.clear();
-        room_.cover.assign(p_.size(), Real(0));
+        room_.is_cloth.assign(p_.size(), 0);
         for (std::uint32_t i = 0; i < room_.size(); ++i) {
             const auto& all = edges[room_.figure[i]];
             const Real half = Real(cells_apart / 2 * all.sum * inverse_or_zero(all.count));
             room_.radius.push_back(max(half, p_.radius[row_of(i)]));
             room_.friction.push_back(Real(world_.figures[room_.figure[i]].friction));
-            room_.cover[row_of(i)] = room_.radius.back();
+            room_.is_cloth[row_of(i)] = 1;
         }
     }
 

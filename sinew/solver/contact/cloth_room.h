@@ -33,8 +33,8 @@ template <int D, class Real> struct ClothRoom {
     std::vector<Row> slots; ///< of the sweep, in order: particle number i of cloth is slots[i]
     std::vector<Real> radius, friction;
     std::vector<FigureIndex> figure;
-    bool any_spheres = false; ///< some figure keeps its layers apart by spheres
-    std::vector<Real> cover;  ///< per row of the world: radius of a particle of cloth, otherwise 0
+    bool any_spheres = false;   ///< some figure keeps its layers apart by spheres
+    std::vector<char> is_cloth; ///< per row of the world
 
     /// Neighbours in the sheet, nearer in its rest shape than layers: of particle i the numbers above i, in order.
     std::vector<std::uint32_t> first_near, near;
@@ -63,7 +63,7 @@ template <int D, class Real> struct ClothRoom {
     void clear() {
         slots.clear();
         listed.clear();
-        cover.clear();
+        is_cloth.clear();
     }
     /// Reserves for layers of cloth in contact with two others everywhere.
     void reserve() {

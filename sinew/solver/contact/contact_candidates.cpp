@@ -50,8 +50,7 @@ template <int D, class Real> class CandidateFinder {
 
     bool have_same_size() const {
         for (std::size_t i = 0; i < room_.particles.size(); ++i)
-            if (list_.radius[i] != room_.particles[i].radius || list_.cover[i] != room_.particles[i].cover)
-                return false;
+            if (list_.radius[i] != room_.particles[i].radius) return false;
         return true;
     }
     /// Lists what is astray: particles that deviate by more than the margin from their expected place, or whose
@@ -91,7 +90,7 @@ template <int D, class Real> class CandidateFinder {
         note_motion();
         find_radii();
         list_.particles.fill(list_.position, std::span(list_.search_radius).first(room_.particles.size()),
-                             list_.velocity, list_.size, list_.figure);
+                             list_.velocity, list_.radius, list_.figure);
         list_.has_segments = false;
         if constexpr (D == 3) list_.fill_segments();
         search();
@@ -99,7 +98,7 @@ template <int D, class Real> class CandidateFinder {
     }
     void note_motion() {
         list_.position.clear(), list_.velocity.clear();
-        list_.radius.clear(), list_.cover.clear(), list_.figure.clear(), list_.size.clear();
+        list_.radius.clear(), list_.figure.clear();
         list_.renewed.clear(), list_.renewed_segments.clear();
         list_.born.assign(room_.particles.size(), 0);
         list_.is_new.assign(room_.particles.size(), 0), list_.is_renewed.assign(room_.particles.size(), 0);
@@ -109,8 +108,7 @@ template <int D, class Real> class CandidateFinder {
         for (const auto& particle : room_.particles) {
             list_.position.push_back(state_.position_at(particle.slot));
             list_.velocity.push_back(state_.displacement_at(particle.slot) * (Real(1) / h_));
-            list_.radius.push_back(particle.radius), list_.cover.push_back(particle.cover);
-            list_.figure.push_back(particle.figure), list_.size.push_back(max(particle.radius, particle.cover));
+            list_.radius.push_back(particle.radius), list_.figure.push_back(particle.figure);
             sum += list_.velocity.back();
         }
         list_.mean = sum * inverse_or_zero(Real(list_.velocity.size()));

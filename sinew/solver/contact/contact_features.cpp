@@ -2,6 +2,7 @@
 #include "sinew/solver/contact/cloth_features.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/contact/face_features.h"
 #include "sinew/solver/contact/kept_contacts.h"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ template <int D, class Real> class FeatureFinder {
         if (room_.is_stale) {
             detail::ClothFeatures<D, Real>(world_, state, room_.cloth).find();
             room_.thin.vertices.clear();
-            detail::ClothMeshBuilder<D, Real>(world_, state, room_.thin.mesh).build();
+            detail::ClothMeshBuilder<D, Real>(world_, state, room_.thin.mesh).build(detail::MeshOf::thin);
             room_.thin.reserve();
         }
         for (FigureIndex i = 0; i < world_.figures.size(); ++i)
@@ -53,6 +54,7 @@ template <int D, class Real> class FeatureFinder {
             room_.exact_components.push_back(is_held_exactly(solver_, component));
             room_.cloth_components.push_back(has_cloth(component));
         }
+        detail::FaceFeatures<D, Real>(world_, state, room_).find(room_.is_stale);
         if (std::exchange(room_.is_stale, false)) list_links();
     }
 
@@ -68,12 +70,18 @@ template <int D, class Real> class FeatureFinder {
         return next != slots.end() && *next < solver_.sweep_state.plan.end_of(component).slot;
     }
 
-    /// Walls hold cloth as they hold everything swept; rows hold the rest. Cloth alone has no pairs with others.
+    /// Walls hold cloth as they hold everything swept, and faces meet other figures (face_contact.h); rows hold the
+    /// rest. Particles of cloth are listed where a segment ends.
     void list_particles() {
         const auto& state = solver_.sweep_state;
         bool any_other = false;
         room_.number_of.assign(world_.particles.size(), none);
+        constexpr auto is_end = none - 1;
+        for (const auto& s : room_.segments) room_.number_of[s.a] = room_.number_of[s.b] = is_end;
         for (Row row = 0; row < world_.particles.size(); ++row) {
+            const bool is_unlisted = room_.is_of_cloth(row) && room_.number_of[row] != is_end;
+            room_.number_of[row] = none;
+            if (is_unlisted) continue;
             const auto figure = world_.particles.figure[row];
             if (figure >= world_.figures.size() || !world_.figures[figure].collides) continue;
             if (state.slot_of[row] >= state.size()) continue;
@@ -82,7 +90,6 @@ template <int D, class Real> class FeatureFinder {
                                        .slot = state.slot_of[row],
                                        .figure = figure,
                                        .radius = world_.particles.radius[row],
-                                       .cover = room_.cover_of(row),
                                        .friction = Real(world_.figures[figure].friction)});
             room_.by_rows[state.slot_of[row]] = !room_.is_of_cloth(row);
             any_other = any_other || !room_.is_of_cloth(row);

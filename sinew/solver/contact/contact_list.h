@@ -20,7 +20,7 @@ template <int D, class Real> struct ContactList {
     Real margin = 0;                        ///< deviation for which the list is valid, metres
     Real near_by = 0;                       ///< gap at which rows begin, apart from the approach, metres
     Real h = 0, horizon = 0, age = 0;       ///< substep; duration of the expected motion, and since the list was made
-    Real widest = 0;                        ///< largest radius or cover
+    Real widest = 0;                        ///< largest radius
     std::vector<Vector> position, velocity; ///< per particle, when its forecast was made
     std::vector<Real> born;                 ///< per particle: age of the list when its forecast was made
     Vector mean{};                          ///< mean velocity, when listed: the grids move with it
@@ -29,12 +29,11 @@ template <int D, class Real> struct ContactList {
     std::vector<std::uint32_t> renewed, astray; ///< particles renewed since the list was made, and in this substep
     std::vector<std::uint32_t> renewed_segments, astray_segments; ///< with an end among these
     std::vector<char> is_renewed, is_new;                         ///< per particle: whether it is among these
-    std::vector<Real> radius, cover;                              ///< per particle, when listed
+    std::vector<Real> radius;                                     ///< per particle, when listed
     std::vector<std::uint32_t> strip;                             ///< per particle, when listed
 
     // Scratch of the search.
     std::vector<std::uint32_t> figure;        ///< per particle
-    std::vector<Real> size;                   ///< per particle: radius or cover
     FeatureGrid<D, Real> particles, segments; ///< when listed; segments where `has_segments`
     bool has_segments = false;
     FeatureGrid<D, Real> renewed_particles, renewed_segment_grid; ///< in the order of `renewed`

@@ -5,6 +5,7 @@
 #include "sinew/solver/contact/contact_list.h"
 #include "sinew/solver/contact/contact_parts.h"
 #include "sinew/solver/contact/contact_row.h"
+#include "sinew/solver/contact/face_room.h"
 #include "sinew/solver/contact/joint_rows.h"
 #include "sinew/solver/contact/link_projector.h"
 #include "sinew/solver/solver.h"
@@ -39,10 +40,9 @@ template <int D, class Real> struct ContactRoom {
     detail::JointRows<D, Real> joints;
     detail::ClothRoom<D, Real> cloth;
     detail::ThinRoom<D, Real> thin;
+    detail::FaceRoom<D, Real> faces;
 
-    /// Radius of a particle of cloth against everything; 0 for other particles.
-    Real cover_of(Row row) const { return cloth.empty() ? Real(0) : cloth.cover[row]; }
-    bool is_of_cloth(Row row) const { return cover_of(row) > Real(0); }
+    bool is_of_cloth(Row row) const { return !cloth.empty() && cloth.is_cloth[row]; }
 };
 
 /// Work space of the contacts, made on demand.

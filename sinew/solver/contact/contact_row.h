@@ -68,7 +68,7 @@ template <class Real> struct ContactParticle {
     Row row = 0, slot = 0; ///< slot of the sweep
     FigureIndex figure = no_figure;
     bool in_segment = false;
-    Real radius = 0, cover = 0; ///< cover: of cloth against everything
+    Real radius = 0;
     Real friction = 0;
     std::uint32_t strip = 0; ///< part of the world (contact_parts.h)
 };

@@ -98,7 +98,7 @@ template <int D, class Real> class FigureContact {
         constexpr Real share_of_radius = Real(0.1);
         auto& list = room().list;
         Real widest = 0;
-        for (const auto& particle : room().particles) widest = max(widest, max(particle.radius, particle.cover));
+        for (const auto& particle : room().particles) widest = max(widest, particle.radius);
         const Real gravity = norm(state_.gravity);
         const Real margin = max(share_of_radius * widest, gravity * square(left_)) + std::numeric_limits<Real>::min();
         const Real near_by = gravity * square(h_) * Real(4);

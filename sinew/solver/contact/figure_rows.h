@@ -64,7 +64,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
     bool add(const NearSegment<D, Real>& near, const Particle& p, const Particle& other) {
         ContactRowT row;
         row.normal = Vector::map([&](int k) { return near.normal[k]; });
-        row.gap = min(near.distance - p.radius - other.radius, near.distance - max(p.cover, other.cover));
+        row.gap = near.distance - p.radius - other.radius;
         take(row, p.slot, Real(1));
         take(row, other.slot, Real(-1));
         return finish(row, near, near.approach, p, other, other.radius);
@@ -77,7 +77,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         if constexpr (D == 2)
             if (remember_side(row, near.left >= Real(0), near.t, distance)) approach = -approach;
         const Real radius = min(end_a.radius, end_b.radius);
-        row.gap = min(distance - p.radius - radius, distance - p.cover);
+        row.gap = distance - p.radius - radius;
         take(row, p.slot, Real(1));
         if (near.t < Real(1)) take(row, end_a.slot, near.t - Real(1));
         if (near.t > Real(0)) take(row, end_b.slot, -near.t);
@@ -114,8 +114,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         ContactRowT row;
         Origin origin;
         row.normal = normal_of(away, Vector::axis(1));
-        const Real distance = norm(away), cover = max(a.cover, b.cover);
-        row.gap = min(distance - a.radius - b.radius, distance - cover);
+        row.gap = norm(away) - a.radius - b.radius;
         origin.deep = share_of_deep * (a.radius + b.radius);
         take(row, a.slot, Real(1));
         take(row, b.slot, Real(-1));
@@ -142,7 +141,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         }
         if constexpr (D == 2)
             if (s.side == 0) remember_side(row, dot(row.normal, side_of(a, b)) >= Real(0), t, distance);
-        row.gap = min(distance - p.radius - radius, distance - p.cover);
+        row.gap = distance - p.radius - radius;
         origin.deep = share_of_deep * (p.radius + radius);
         take(row, p.slot, Real(1));
         if (t < Real(1)) take(row, end_a.slot, t - Real(1));

@@ -2,6 +2,7 @@
 
 #include "sinew/solver/cloth/thin_contact.h"
 #include "sinew/solver/contact/cloth_contact.h"
+#include "sinew/solver/contact/face_contact.h"
 #include "sinew/solver/contact/figure_contact.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
@@ -52,17 +53,31 @@ template <int D, class Real> class CoupledSweep {
         keeper_.note(bodies, 1);
         FigureContact<D, Real> contacts(world_, solver_, substeps_.h, number, substeps_.count);
         contacts.begin();
+        if (has_faces()) find_face_contacts(world_, solver_, solver_.contacts->list.near_by);
         solve_with_ports(substep, number);
         hold(substep, number);
+        solve_faces();
         contacts.solve();
         limiter.find_gains();
-        if (has_thin_cloth())
-            truncate_thin_cloth<D, Real>(world_, solver_.sweep_state, solver_.contacts->thin, span(number));
+        keep_uncrossed(number);
         for (const auto& tile : plan_.tiles) substep.advance(tile);
         keeper_.restore(bodies);
         limiter.take_gains();
         for (const auto& tile : plan_.tiles) substep.rebound(tile);
+        if (has_faces()) relax_face_contacts(world_, solver_, substeps_.h);
         contacts.relax();
+    }
+
+    /// Before positions advance: thin cloth does not cross itself, and nothing crosses the faces of cloth.
+    void keep_uncrossed(int number) {
+        constexpr int rounds = 3;
+        for (int round = 0;; ++round) {
+            if (has_thin_cloth())
+                truncate_thin_cloth<D, Real>(world_, solver_.sweep_state, solver_.contacts->thin, span(number));
+            if (!has_faces()) return;
+            if (!guard_faces(world_, solver_, substeps_.h, round >= rounds) || !has_thin_cloth()) break;
+        }
+        advance_face_contacts(solver_, substeps_.h);
     }
 
     /// Iterations over all constraints, once more where the linear models of the ports fed in energy.
@@ -112,6 +127,10 @@ template <int D, class Real> class CoupledSweep {
         return has_figure_contacts(solver_) && solver_.contacts->exact_components[component];
     }
     SubstepSpan<Real> span(int number) const { return {substeps_.h, number, substeps_.count}; }
+    bool has_faces() const { return has_figure_contacts(solver_) && !solver_.contacts->faces.empty(); }
+    void solve_faces() {
+        if (has_faces()) solve_face_contacts(solver_, substeps_.h);
+    }
     bool has_thin_cloth() const { return has_figure_contacts(solver_) && !solver_.contacts->thin.empty(); }
     void project(Substep<D, Real>& substep, const SweepRun& run) {
         const std::span scratch(solver_.scratch);
@@ -129,6 +148,7 @@ template <int D, class Real> class CoupledSweep {
             for_each_projection(world_, plan_, substep, component, [&](std::uint32_t, auto&& work) {
                 for (std::uint32_t tile = 0; tile < component.tiles; ++tile) work(tile);
             });
+            if (times > 1) solve_faces();
         }
         substep.mover().first_iteration = first;
     }

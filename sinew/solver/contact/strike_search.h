@@ -1,0 +1,167 @@
+#pragma once
+
+#include "sinew/collide/filter.h"
+#include "sinew/solver/contact/face_room.h"
+#include "sinew/solver/sweep_state.h"
+#include "sinew/world/world.h"
+
+#include <algorithm>
+
+namespace sinew::detail {
+
+/// Search for particles and faces, and for links and edges, whose motions in a substep come near each other.
+template <class Real> class StrikeSearch {
+  public:
+    using Vector = Vec3<Real>;
+    using Box = collide::BoundingBox<3, Real>;
+
+    StrikeSearch(const World<3, Real>& world, const SweepState<3, Real>& state, FaceRoom<3, Real>& room)
+        : world_(world), state_(state), room_(room), mesh_(room.mesh) {}
+
+    /// Calls visit(pair) for all pairs whose boxes, grown by margin(thickness), overlap; in the order of the strikers.
+    template <class Margin, class Visit> void each_pair(Margin&& margin, Visit&& visit) {
+        auto around = note_vertices();
+        bool is_tree_filled = false;
+        for (std::uint32_t i = 0; i < room_.strikers.size(); ++i) {
+            const auto& striker = room_.strikers[i];
+            const auto box = box_of(striker).grown(margin(striker.radius + widest_));
+            if (!box.overlaps(around)) continue;
+            if (!is_tree_filled) fill_tree();
+            is_tree_filled = true;
+            room_.tree.each_near(box, [&](std::uint32_t cell) {
+                if (!may_touch(striker, cell)) return;
+                striker.is_link ? visit_edges(i, box, cell, visit) : visit_faces(i, box, cell, visit);
+            });
+        }
+    }
+    PairMotion motion(const StrikePair<Real>& pair) const {
+        PairMotion motion{.first_side = pair.first_side};
+        for (std::size_t i = 0; i < 4; ++i) {
+            motion.start[i] = cast<double>(state_.position_at(pair.slot[i]));
+            motion.displacement[i] = cast<double>(state_.displacement_at(pair.slot[i]));
+        }
+        return motion;
+    }
+    /// Largest coordinate of the cloth.
+    Real furthest() const { return furthest_; }
+
+  private:
+    const World<3, Real>& world_;
+    const SweepState<3, Real>& state_;
+    FaceRoom<3, Real>& room_;
+    const ClothMesh<3, Real>& mesh_;
+    static constexpr Real least = Real(0.1); ///< thickness, as a share of half that of a layer of thin cloth
+    Real widest_ = 0;                        ///< largest radius of a vertex
+    Real furthest_ = 0;
+
+    // --- boxes -------------------------------------------------------------------------------------------------------
+
+    void include(Box& box, Row slot) const {
+        const auto place = state_.position_at(slot);
+        box.include(place);
+        box.include(place + state_.displacement_at(slot));
+    }
+    Box box_of(const Striker<Real>& striker) const {
+        Box box;
+        for (const Row slot : striker.slot) include(box, slot);
+        return box;
+    }
+    static void include(Box& box, const Box& other) { box.include(other.low), box.include(other.high); }
+    template <class Vertices> Box box_around(const Vertices& vertices) const {
+        Box box;
+        for (const auto i : vertices) include(box, room_.vertex_box[i]);
+        return box;
+    }
+    /// Returns the box around all cloth.
+    Box note_vertices() {
+        room_.vertex_box.clear();
+        Box all;
+        for (std::uint32_t i = 0; i < mesh_.size(); ++i) {
+            Box box;
+            include(box, mesh_.slots[i]);
+            room_.vertex_box.push_back(box);
+            include(all, box);
+            widest_ = max(widest_, max(radius_of(i), least * mesh_.half_thickness[i]));
+        }
+        for (int k = 0; k < 3; ++k) furthest_ = max(furthest_, max(absolute(all.low[k]), absolute(all.high[k])));
+        return all;
+    }
+    void fill_tree() {
+        room_.cell_box.clear();
+        for (const auto& range : mesh_.corner_range)
+            room_.cell_box.push_back(
+                box_around(std::span(mesh_.corners).subspan(range.first, range.last - range.first)));
+        room_.tree.fill(mesh_.cells.size(), [&](std::size_t i) { return room_.cell_box[i]; });
+    }
+
+    // --- pairs -------------------------------------------------------------------------------------------------------
+
+    Row row_of(std::uint32_t vertex) const { return state_.row_of[mesh_.slots[vertex]]; }
+    Real radius_of(std::uint32_t vertex) const { return world_.particles.radius[row_of(vertex)]; }
+    bool may_touch(const Striker<Real>& striker, std::uint32_t cell) const {
+        const auto cloth = mesh_.figure[mesh_.corners[mesh_.corner_range[cell].first]];
+        const auto& figure = world_.figures[cloth];
+        if (cloth == striker.figure) return figure.touches_itself;
+        return touch(figure.filter, world_.figures[striker.figure].filter);
+    }
+    /// Distance that a striker keeps from the middle of a face; particles without a radius keep a little.
+    template <std::size_t count>
+    Real thickness(const Striker<Real>& striker, const std::array<std::uint32_t, count>& vertices) const {
+        Real radius = radius_of(vertices[0]), half = mesh_.half_thickness[vertices[0]];
+        for (const auto i : vertices) radius = min(radius, radius_of(i)), half = min(half, mesh_.half_thickness[i]);
+        return max(striker.radius + radius, least * half);
+    }
+
+    template <class Visit> void visit_faces(std::uint32_t number, const Box& box, std::uint32_t cell, Visit& visit) {
+        const auto& striker = room_.strikers[number];
+        for (auto i = mesh_.cells[cell].faces.first; i < mesh_.cells[cell].faces.last; ++i) {
+            const auto& face = mesh_.faces[i];
+            if (!box_around(face).overlaps(box) || is_joined(striker, face)) continue;
+            visit(StrikePair<Real>{
+                .slot = {striker.slot[0], mesh_.slots[face[0]], mesh_.slots[face[1]], mesh_.slots[face[2]]},
+                .first_side = 1,
+                .striker = number,
+                .vertex = face[0],
+                .thickness = thickness(striker, face)});
+        }
+    }
+    template <class Visit> void visit_edges(std::uint32_t number, const Box& box, std::uint32_t cell, Visit& visit) {
+        const auto& striker = room_.strikers[number];
+        for (auto i = mesh_.cells[cell].edges.first; i < mesh_.cells[cell].edges.last; ++i) {
+            const auto& edge = mesh_.edges[i];
+            if (!box_around(edge).overlaps(box) || is_joined(striker, edge)) continue;
+            visit(
+                StrikePair<Real>{.slot = {striker.slot[0], striker.slot[1], mesh_.slots[edge[0]], mesh_.slots[edge[1]]},
+                                 .first_side = 2,
+                                 .striker = number,
+                                 .vertex = edge[0],
+                                 .thickness = thickness(striker, edge)});
+        }
+    }
+
+    /// True if a link joins a striker to a corner, or a link of its own begins in a cell of that corner.
+    template <std::size_t count>
+    bool is_joined(const Striker<Real>& striker, const std::array<std::uint32_t, count>& vertices) const {
+        for (std::size_t end = 0; end < (striker.is_link ? 2 : 1); ++end) {
+            const auto own = room_.vertex_at[striker.slot[end]];
+            for (const auto vertex : vertices)
+                if (are_linked(striker.row[end], row_of(vertex)) || (own < mesh_.size() && share_a_cell(own, vertex)))
+                    return true;
+        }
+        return false;
+    }
+    bool are_linked(Row a, Row b) const {
+        return !room_.links.empty() && std::binary_search(room_.links.begin(), room_.links.end(),
+                                                          std::array<Row, 2>{std::min(a, b), std::max(a, b)});
+    }
+    bool share_a_cell(std::uint32_t a, std::uint32_t b) const {
+        for (auto i = mesh_.first_cell_at[a]; i < mesh_.first_cell_at[a + 1]; ++i) {
+            const auto range = mesh_.corner_range[mesh_.cells_at[i]];
+            for (auto k = range.first; k < range.last; ++k)
+                if (mesh_.corners[k] == b) return true;
+        }
+        return false;
+    }
+};
+
+} // namespace sinew::detail
