@@ -161,7 +161,8 @@ template <class Visit> void each_throw(bool is_stick, Visit&& visit) {
             for (const double radius : {0.015, 0.05, 0.15})
                 for (const double mass : {0.001, 0.05, 10.0})
                     for (const double speed : {1.0, 5.0, 50.0, 1000.0})
-                        if (number++ % one_of(13) == 0) visit(Throw{cloth, only_corners, is_stick, radius, mass, speed});
+                        if (number++ % one_of(13) == 0)
+                            visit(Throw{cloth, only_corners, is_stick, radius, mass, speed});
 }
 /// Time in which the throw has reached the cloth, and has been held or thrown back.
 double time_of(const Throw& how) {
