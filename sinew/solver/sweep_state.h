@@ -12,6 +12,14 @@
 
 namespace sinew {
 
+/// Blow of a wall on a particle of the sweep in a substep.
+template <int D, class Real> struct WallBlow {
+    Vec<D, Real> away{};        ///< velocity after it, along the normal
+    Vec<D, Real> surface{};     ///< velocity of the wall
+    Real friction = 0;          ///< Coulomb's coefficient
+    std::uint32_t collider = 0; ///< 1 + index of the collider; 0 for a plane of the world
+};
+
 /// Particles of the sweep during a step: one column per component, in slots arranged so that particles solved together
 /// are adjacent. Derived from the rest of the world: copies start empty.
 template <int D, class Real> struct SweepState {
@@ -26,7 +34,7 @@ template <int D, class Real> struct SweepState {
     bool everyone_alike = false; ///< only gravity acts in this step, equally on all
     Vec<D, Real> gravity{};
     Real largest_radius = 0;
-    std::vector<Vec<D, Real>> rebound; ///< by slot: velocity of separation from the walls struck in this substep
+    std::vector<WallBlow<D, Real>> blows;             ///< by slot, in this substep
     bool any_pin_moves = false, any_pin_soft = false; ///< in this step
     Plan<Real> plan;
     FreeBodies<D> bodies;
@@ -46,7 +54,7 @@ template <int D, class Real> struct SweepState {
         row_of.reserve(particles);
         slot_of.reserve(particles);
         spare_rows.reserve(particles);
-        rebound.reserve(particles);
+        blows.reserve(particles);
         bodies.reserve(particles);
         columns_.clear(); // reallocation moves the columns
         columns_.reserve((particles + 2048) * (3 * D + 1));

@@ -253,5 +253,142 @@ TYPED_TEST(ContactEvents, PlanesAreSilentUntilAskedAndNeverPartOfTheState) {
     EXPECT_TRUE(asked.world.contacts.touching.empty()) << "a plane that is gone is not touched";
 }
 
+/// What falls flat on a floor of a restitution; its links along the floor.
+enum class Fallen { swept_ball, rows_ball, block_rope, rows_rope, block_crate, rows_crate };
+constexpr std::array all_fallen = {Fallen::swept_ball, Fallen::rows_ball,   Fallen::block_rope,
+                                   Fallen::rows_rope,  Fallen::block_crate, Fallen::rows_crate};
+
+template <class World> void add_fallen(World& world, Fallen kind, double height) {
+    using Real = typename World::Real;
+    using Vector = Vec<World::dimension, Real>;
+    const auto figure = add_figure(world, "fallen");
+    if (int(kind) % 2 == 1) set_contact(world, figure, {.figures = true, .friction = 0});
+    world.figures[figure].direct = Direct::on;
+    std::vector<ParticleId> ids;
+    const int columns = int(kind) < 2 ? 1 : int(kind) < 4 ? 6 : 2, rows = int(kind) < 4 ? 1 : 2;
+    for (int i = 0; i < columns; ++i)
+        for (int k = 0; k < rows; ++k)
+            ids.push_back(add_particle(world, {.position = at<Vector>(0.5 * i, height + 0.5 * k),
+                                               .mass = Real(0.5),
+                                               .radius = Real(0.05),
+                                               .figure = figure}));
+    world.figures[figure].particles = ids;
+    if (rows == 2)
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t k = i + 1; k < 4; ++k) add<Distance>(world, {ids[i], ids[k]}, {.figure = figure});
+    else
+        for (std::size_t i = 1; i < ids.size(); ++i) add<Distance>(world, {ids[i - 1], ids[i]}, {.figure = figure});
+}
+template <class World> double upward_momentum(const World& world) {
+    double sum = 0;
+    for (Row row = 0; row < world.particles.size(); ++row)
+        if (world.particles.inverse_mass[row] > 0)
+            sum += double(world.particles.velocity[row][1]) / double(world.particles.inverse_mass[row]);
+    return sum;
+}
+
+// The impulses of each step are the change of momentum, but for the weight: of the blow, of its rebound and of rest.
+TYPED_TEST(ContactEvents, ImpulsesAreTheChangeOfMomentum) {
+    using Real = typename TypeParam::Real;
+    using World = typename TypeParam::World;
+    using Vector = typename TypeParam::Vector;
+    for (const auto kind : all_fallen)
+        for (const double e : {0.0, 0.5, 1.0}) {
+            World world;
+            fall(world, 10);
+            add_collider(world, collide::Collider<World::dimension, Real>{
+                                    .shape = collide::HalfSpace<World::dimension, Real>{.normal = at<Vector>(0, 1)},
+                                    .restitution = Real(e)});
+            add_fallen(world, kind, 1.3);
+            const double weight = 5 * double(world.particles.size()), blow = weight / 10 * 5 * (1 + e);
+            double before = 0, total = 0;
+            for (int i = 0; i < 60; ++i) {
+                step(world, Real(1.0 / 60));
+                const double now = upward_momentum(world), due = now - before + weight / 60;
+                double told = 0;
+                for (const auto& touch : world.contacts.touching) told += touch.strength.impulse;
+                EXPECT_NEAR(told, due, 0.02 * blow) << int(kind) << " " << e << " step " << i;
+                before = now, total += told;
+            }
+            EXPECT_GT(total, 0.9 * blow) << int(kind) << " " << e;
+        }
+}
+
+// A blow between figures is over in a step, whatever its speed.
+TYPED_TEST(ContactEvents, ImpulsesOfFiguresAreTheChangeOfMomentum) {
+    for (const double speed : {0.5, 4.0, 50.0}) {
+        Blow<TypeParam> blow;
+        blow.world.contacts.lists_figures = true;
+        set_velocity(blow.world, blow.particle(blow.one), at<typename TypeParam::Vector>(speed, 0));
+        double before = 0;
+        for (int i = 0; i < 120; ++i) {
+            step(blow.world, typename TypeParam::Real(1.0 / 60));
+            const double now = double((*velocity_of(blow.world, blow.particle(blow.two)))[0]);
+            double told = 0;
+            for (const auto& touch : blow.world.contacts.figures) told += touch.strength.impulse;
+            EXPECT_NEAR(told, now - before, 0.02 * speed) << speed << " step " << i;
+            before = now;
+        }
+        EXPECT_NEAR(before, speed / 2, 0.01 * speed);
+    }
+}
+
+/// Steps in which the touch of a rod with a small sphere between its ends begins and has ended.
+template <class Type> std::vector<EventType> pass_a_rod(bool is_sensor) {
+    using Real = typename Type::Real;
+    using Vector = typename Type::Vector;
+    typename Type::World world;
+    add_collider(world, collide::Collider<Type::dimension, Real>{
+                            .shape = collide::Sphere<Type::dimension, Real>{Real(0.05)}, .is_sensor = is_sensor});
+    const auto figure = add_figure(world, "rod");
+    set_contact(world, figure, {.figures = true});
+    std::vector<ParticleId> ids;
+    for (const double x : {-0.5, 0.5})
+        ids.push_back(add_particle(
+            world,
+            {.position = at<Vector>(x, 0.5), .velocity = at<Vector>(0, -2), .radius = Real(0.02), .figure = figure}));
+    add<Distance>(world, {ids[0], ids[1]}, {.figure = figure});
+    world.figures[figure].particles = ids;
+    Piece stroke{.mark = Mark::stroke};
+    for (const auto id : ids) stroke.particles.push_back(id);
+    world.figures[figure].pieces.push_back(stroke);
+    std::vector<EventType> told;
+    for (int i = 0; i < 60; ++i) {
+        step(world, Real(1.0 / 60));
+        for (const auto& event : world.events) told.push_back(event.type);
+    }
+    EXPECT_EQ(double((*position_of(world, ids[0]))[1]) < -1, is_sensor) << "pushed by solids only";
+    return told;
+}
+TYPED_TEST(ContactEvents, ASensorNoticesLinksAsASolidDoes) {
+    EXPECT_EQ(pass_a_rod<TypeParam>(true), (std::vector{EventType::touched, EventType::parted}));
+    ASSERT_FALSE(pass_a_rod<TypeParam>(false).empty());
+    EXPECT_EQ(pass_a_rod<TypeParam>(false)[0], EventType::touched);
+}
+
+// A ball on a floor within the zone of a sensor touches both.
+TYPED_TEST(ContactEvents, AParticleTouchesSeveralColliders) {
+    using Real = typename TypeParam::Real;
+    using World = typename TypeParam::World;
+    using Vector = typename TypeParam::Vector;
+    World world;
+    fall(world, 10);
+    add_collider(world, collide::Collider<World::dimension, Real>{
+                            .shape = collide::HalfSpace<World::dimension, Real>{.normal = at<Vector>(0, 1)}});
+    const auto zone = add_collider(
+        world, collide::Collider<World::dimension, Real>{.shape = collide::Sphere<World::dimension, Real>{Real(0.5)},
+                                                         .target = {.position = at<Vector>(2, 0)},
+                                                         .is_sensor = true});
+    add_particle(world, {.position = at<Vector>(0, 0.1), .velocity = at<Vector>(2, 0), .radius = Real(0.1)});
+    int began = 0, ended = 0;
+    for (int i = 0; i < 120; ++i) {
+        step(world, Real(1.0 / 60));
+        for (const auto& event : world.events)
+            if (event.collider == zone) (event.type == EventType::touched ? began : ended)++;
+    }
+    EXPECT_EQ(began, 1);
+    EXPECT_EQ(ended, 1);
+}
+
 } // namespace
 } // namespace sinew::SINEW_TEST_FILE

@@ -68,13 +68,13 @@ template <class Real> double height_of_bounce(FlatWorld<Real>& world) {
 // A flat fall strikes two corners at once: no impulse of one alone is right for both.
 TYPED_TEST(Rebound, OfAFlatFallIsTheSquareOfTheRestitution) {
     for (const auto ground : {Ground::collider, Ground::plane})
-        for (const double e : {0.0, 0.5, 0.8, 1.0})
+        for (const double e : {0.5, 0.8, 1.0})
             for (const double turn : {0.0, pi<double> / 4}) {
                 FlatWorld<TypeParam> world;
                 add_bouncy(world, ground, e);
                 const double reach = turn > 0 ? 0.48 * std::sqrt(2.0) : 0.48;
                 add_crate(world, 0, 1 + 0.02 + reach, 1, 1, turn, 0);
-                EXPECT_NEAR(height_of_bounce(world), e * e, 0.02 * e * e + 1e-3) << e << " " << turn;
+                EXPECT_NEAR(height_of_bounce(world), e * e, 0.02 * e * e) << e << " " << turn;
             }
 }
 TYPED_TEST(Rebound, OfAHexagonIsTheSquareOfTheRestitution) {

@@ -64,7 +64,7 @@ template <int D, class Real> class ColliderSweep {
         if (!collider.is_sensor)
             stopped = contact_.keep_in(
                 {surface.normal, dot(surface.normal, surface.point), collider.restitution, collider.friction}, slot,
-                contact.surface_displacement, contact.begun_depth);
+                contact.surface_displacement, contact.begun_depth, index + 1);
         touches_.add(sweep_state_.row_of[slot], index,
                      stopped * inverse_or_zero(sweep_state_.mobility[slot]) * mover_.per_h);
     }

@@ -15,14 +15,16 @@ template <int D, class Real> class PlaneContact {
           by_rows_(has_figure_contacts(solver) ? solver.contacts->by_rows.data() : nullptr) {}
 
     /// Non-penetration, and Coulomb friction, which shortens the tangential displacement relative to the surface by
-    /// friction times the normal correction. Approaches too fast for resting contact are recorded for rebound().
-    /// Returns the normal correction.
-    Real keep_in(const HalfSpace<D, Real>& plane, Row slot) const {
-        return keep_in(plane, slot, {}, plane.depth_of(swept_.position_at(slot), p_.radius[swept_.row_of[slot]]));
+    /// friction times the normal correction. Approaches too fast for resting contact are recorded for rebound(), those
+    /// without restitution too: a blow is over at the end of a substep. `collider`: 1 + its index, or 0. Returns the
+    /// normal correction.
+    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, std::uint32_t collider) const {
+        const Real begun = plane.depth_of(swept_.position_at(slot), p_.radius[swept_.row_of[slot]]);
+        return keep_in(plane, slot, {}, begun, collider);
     }
     /// Same for a surface that moves; `begun` is the depth at the start of the substep.
-    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_displacement,
-                 Real begun) const {
+    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_displacement, Real begun,
+                 std::uint32_t collider) const {
         if (swept_.mobility[slot] == Real(0) || (by_rows_ && by_rows_[slot])) return 0;
         const Row row = swept_.row_of[slot];
         Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[row]);
@@ -39,12 +41,16 @@ template <int D, class Real> class PlaneContact {
         if (!mover_.first_iteration) return stopped;
         const Real added = mover_.h * norm(forcing_on(world_, row, swept_.position_at(slot)).acceleration);
         const Real carried = dot(plane.normal, surface_displacement) * mover_.per_h;
-        if (const auto away = rebound_after(motion.approach * mover_.per_h, plane.restitution, added))
-            swept_.rebound[slot] += plane.normal * max(Real(0), *away + carried);
+        const auto away = rebound_after(motion.approach * mover_.per_h, plane.restitution, added);
+        if (!away || *away + carried < Real(0)) return stopped;
+        auto& blow = swept_.blows[slot];
+        blow.away += plane.normal * max(least_speed, *away + carried);
+        blow.surface = surface_displacement * mover_.per_h, blow.friction = plane.friction, blow.collider = collider;
         return stopped;
     }
 
   private:
+    static constexpr Real least_speed = Real(1e-9); ///< after a blow: tells the direction of one that leaves none
     World<D, Real>& world_;
     Particles<D, Real>& p_;
     SweepState<D, Real>& swept_;

@@ -26,7 +26,9 @@ template <int D, class Real> class BackwardEulerStep {
             substep_.take_mean_velocities();
         else
             keep_flying();
+        substep_.report_pressures();
         substep_.project_velocities();
+        substep_.report_rebounds();
         energy_.keep_momentum();
         give_back();
         substep_.note_lost(due() - solve_.kinetic());

@@ -83,6 +83,15 @@ template <int D, class Real> class BlockContact {
         for (auto& node : state_.unknowns()) planes_.each(node, [&](const Plane& plane) { rebound(node, plane, k); });
     }
 
+    /// Reports the impulses of colliders in a substep that is solved: of the pressure, with the stiffness `k` of the
+    /// positions, and of the rebounds, with that of the velocities.
+    void report_pressures(double k) {
+        report([&](const BlockNode<D>& node, const Plane& plane) { return k * depth(node, plane) * state_.substep(); });
+    }
+    void report_rebounds(double k) {
+        report([&](const BlockNode<D>& node, const Plane& plane) { return k * lacking(node, plane); });
+    }
+
   private:
     using Plane = BlockPlane<D>;
     BlockState<D, Real>& state_;
@@ -119,7 +128,6 @@ template <int D, class Real> class BlockContact {
         const double pressure = k * depth(node, plane);
         decide(pressure > 0);
         if (!(pressure > 0)) return;
-        if (plane.collider != planes_.none) planes_.note(plane.collider, node.row, pressure * state_.substep());
         node.diagonal += outer(normal * k, normal);
         node.residual += normal * pressure;
         if (!(plane.friction > 0)) return;
@@ -175,17 +183,30 @@ template <int D, class Real> class BlockContact {
     /// True if a move led from one side to the other.
     static bool led_across(const Vector& now, const Vector& moved) { return dot(now, now - moved) < 0; }
 
-    void rebound(BlockNode<D>& node, const Plane& plane, double k) const {
-        if (!(depth(node, plane) > 0)) return;
+    template <class Impulse> void report(Impulse&& impulse) {
+        if (!near_ || world_.colliders.empty()) return;
+        for (const auto& node : state_.unknowns())
+            planes_.each(node, [&](const Plane& plane) {
+                if (plane.collider != planes_.none && depth(node, plane) > 0)
+                    planes_.note(plane.collider, node.row, max(impulse(node, plane), 0.0));
+            });
+    }
+
+    /// Speed away from a plane that is missing after a blow, or to rest.
+    double lacking(const BlockNode<D>& node, const Plane& plane) const {
         const double h = state_.substep();
         const auto& normal = plane.normal;
         const auto struck = cast<double>(world_.particles.velocity[node.row]) + node.acceleration * h;
         const double carried = dot(normal, plane.surface_displacement) / h;
         const auto away = rebound_after(carried - dot(normal, struck), plane.restitution, h * norm(node.acceleration));
-        const double missing = away.value_or(0) + carried - dot(normal, node.velocity);
+        return away.value_or(0) + carried - dot(normal, node.velocity);
+    }
+    void rebound(BlockNode<D>& node, const Plane& plane, double k) const {
+        if (!(depth(node, plane) > 0)) return;
+        const double missing = lacking(node, plane);
         if (!(missing > 0)) return;
-        node.diagonal += outer(normal * k, normal);
-        node.residual += normal * (k * missing);
+        node.diagonal += outer(plane.normal * k, plane.normal);
+        node.residual += plane.normal * (k * missing);
     }
 };
 

@@ -4,12 +4,17 @@
 
 namespace sinew::detail {
 
+/// Impulse of an external term per speed that it lacks, kg.
+template <int D> double velocity_stiffness(const BlockEquations<D>& block) {
+    constexpr double relative = 1e3;
+    return relative * block.total_mass();
+}
+
 /// Projects the velocities of a block onto the motions that the constraints allow (n . v = 0 for each active one), with
 /// the least change of momentum: `rounds` solves of an augmented Lagrangian. One-sided limits take part only while
 /// loaded. `hold(stiffness)` adds external terms, such as planes, to the equations.
 template <int D, class Hold> void project_block_velocities(BlockEquations<D>& block, Hold&& hold, int rounds = 3) {
-    constexpr double relative = 1e3;
-    const double hardest = relative * block.total_mass();
+    const double hardest = velocity_stiffness(block);
     block.links().begin_settling();
     block.bends().begin_settling();
     block.ways().begin_settling();

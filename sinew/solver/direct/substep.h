@@ -91,6 +91,10 @@ template <int D, class Real> class BlockSubstep {
         return kinetic - solve_.kinetic();
     }
 
+    /// Reports what colliders have pushed, after the solve of the positions; and of the velocities.
+    void report_pressures() { contact_.report_pressures(solve_.links().stiffness()); }
+    void report_rebounds() { contact_.report_rebounds(velocity_stiffness(solve_)); }
+
     void take_mean_velocities() {
         const double per_h = 1 / state_.substep();
         for (auto& node : state_.unknowns()) node.velocity = (node.position - node.start) * per_h;

@@ -43,7 +43,7 @@ template <int D, class Real> class PortCoupling {
     void begin_again() {
         for (Row s = 0; s < swept_.size(); ++s) {
             swept_.set_displacement(s, cast<Real>(blocks_.ports.free_moves[s]));
-            if (has_walls(world_)) swept_.rebound[s] = {};
+            if (has_walls(world_)) swept_.blows[s] = {};
         }
         each([&](Block& block, PortBlock<D, Real> solver) {
             if (block.lost > 0) solver.predict_loosely();

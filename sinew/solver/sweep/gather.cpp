@@ -49,7 +49,7 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, R
     bodies.touched.assign(!has_walls(world) || bodies.list.empty() ? 0 : sweep_state.size(), 0);
     sweep_state.largest_radius = 0;
     if (!has_walls(world)) return;
-    sweep_state.rebound.resize(sweep_state.size());
+    sweep_state.blows.resize(sweep_state.size());
     for (const Row row : sweep_state.row_of)
         sweep_state.largest_radius = max(sweep_state.largest_radius, world.particles.radius[row]);
 }

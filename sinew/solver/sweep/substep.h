@@ -37,7 +37,7 @@ template <int D, class Real> class Substep {
     /// Free motion, and hard pins.
     void predict(const Tile& tile) {
         if (has_walls(world_))
-            std::fill(swept_.rebound.begin() + tile.first, swept_.rebound.begin() + tile.last, Vector{});
+            std::fill(swept_.blows.begin() + tile.first, swept_.blows.begin() + tile.last, WallBlow<D, Real>{});
         if (swept_.everyone_alike) {
             predictor_.weigh(tile);
             kernels_.drift(motion_, tile.first, tile.last);
@@ -140,9 +140,11 @@ template <int D, class Real> class Substep {
             const auto& plane = world_.bounds[i];
             const Real lowest = kernels_.lowest(motion_, plane.normal.component.data(), tile.first, tile.last);
             if (lowest > plane.offset + swept_.largest_radius) continue;
+            const auto number = std::uint32_t(world_.colliders.size() + i);
             for (Row slot = tile.first; slot < tile.last; ++slot)
-                if (const Real stopped = contact.keep_in(plane, slot); lists && stopped > Real(0))
-                    solver_.touches.add(swept_.row_of[slot], std::uint32_t(world_.colliders.size() + i),
+                if (const Real stopped = contact.keep_in(plane, slot, lists ? number + 1 : 0);
+                    lists && stopped > Real(0))
+                    solver_.touches.add(swept_.row_of[slot], number,
                                         stopped * inverse_or_zero(swept_.mobility[slot]) * mover_.per_h);
         }
         if (!world_.colliders.empty())
@@ -154,17 +156,22 @@ template <int D, class Real> class Substep {
     /// unit in the last place per substep would not move.
     void advance(const Tile& tile) { kernels_.advance(motion_, tile.first, tile.last); }
 
-    /// Applies the restitution of planes and colliders to particles that struck one.
+    /// Velocities of particles that struck planes or colliders, by restitution and friction.
     void rebound(const Tile& tile) {
         if (!has_walls(world_)) return;
         for (Row slot = tile.first; slot < tile.last; ++slot) {
-            const auto& struck = swept_.rebound[slot];
-            const Real speed = norm(struck);
+            const auto& blow = swept_.blows[slot];
+            const Real speed = norm(blow.away);
             if (speed == Real(0)) continue;
-            const auto away = struck * inverse_or_zero(speed);
+            const auto normal = blow.away * inverse_or_zero(speed);
             const auto velocity = swept_.velocity_at(slot);
-            const auto added = away * max(Real(0), speed - dot(away, velocity));
-            swept_.set_displacement(slot, (velocity + added) * mover_.h);
+            const Real added = max(Real(0), speed - dot(normal, velocity));
+            const RelativeMotion<D, Real> motion(normal, velocity - blow.surface);
+            const Real slowed = coulomb_share(blow.friction * added, norm(motion.along));
+            swept_.set_displacement(slot, (velocity + normal * added - motion.along * slowed) * mover_.h);
+            if (blow.collider > 0)
+                solver_.touches.add(swept_.row_of[slot], blow.collider - 1,
+                                    added * inverse_or_zero(swept_.mobility[slot]));
         }
     }
 
