@@ -191,14 +191,16 @@ double carried(const std::string& text, double seconds) {
 }
 
 // Cloth is swept: its contacts do not outlast a substep, and are shown all the same. The ball trembles on it, so the
-// sum is not its weight at each instant.
+// sum is not its weight at each instant: some of the looks find a force.
 TEST(ContactPoints, OfClothCarryABall) {
-    EXPECT_GT(carried(R"({"sinew": 1, "dimension": 3, "world": {"gravity": [0, -10, 0], "damping": 3}, "figures": [
+    const std::string ball =
+        R"({"sinew": 1, "dimension": 3, "world": {"gravity": [0, -10, 0], "damping": 3}, "figures": [
         {"prefab": "cloth", "name": "sheet", "columns": 13, "rows": 13, "spacing": 0.05, "plane": "horizontal",
          "pins": "all_corners", "mass": 1, "drawn": "fill", "contact": {"figures": true}},
-        {"name": "ball", "contact": {"figures": true}, "particles": {"p": {"at": [0, 0.15, 0.3], "mass": 1.5, "radius": 0.1}}}]})",
-                      4),
-              0);
+        {"name": "ball", "contact": {"figures": true}, "particles": {"p": {"at": [0, 0.15, 0.3], "mass": 1.5, "radius": 0.1}}}]})";
+    double strongest = 0;
+    for (int i = 0; i < 20; ++i) strongest = std::max(strongest, carried(ball, 4 + i / 60.0));
+    EXPECT_GT(strongest, 5);
 }
 
 TEST(ContactPoints, OfASensorAreNone) {

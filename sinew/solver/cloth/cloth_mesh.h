@@ -57,6 +57,7 @@ template <int D, class Real> class ClothMeshBuilder {
         if (D != 3) return;
         if (of == MeshOf::thin && std::none_of(world_.figures.begin(), world_.figures.end(), is_thin)) return;
         each_cell([&](FigureIndex, const std::vector<Row>& rows) { list(rows); });
+        if (mesh_.slots.empty()) return;
         each_cell([&](FigureIndex figure, const std::vector<Row>& rows) { add(figure, rows); });
         set_thickness();
         list_cells_at();

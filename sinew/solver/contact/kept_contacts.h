@@ -87,6 +87,7 @@ template <int D, class Real> class KeptContacts {
                     {key_of(room_.list.candidates[part.origins[i].source]), row.multiplier, row.tangent});
                 contacts.back().key.feature = feature_of_side(row.side);
             }
+        give_faces();
         sort(kept);
         room_.written = kept;
     }
@@ -101,6 +102,20 @@ template <int D, class Real> class KeptContacts {
         const auto by_key = [](const auto& a, const auto& b) { return a.key < b.key; };
         if (!std::is_sorted(contacts.begin(), contacts.end(), by_key))
             sinew::sort(contacts.begin(), contacts.end(), by_key);
+    }
+
+    /// Rows of faces of cloth, each told by a corner.
+    void give_faces() {
+        const auto& faces = room_.faces;
+        for (std::size_t i = 0; i < faces.rows.size(); ++i) {
+            const auto& row = faces.rows[i];
+            if (!(row.max > Real(0))) continue;
+            const auto& striker = faces.strikers[faces.touches[i].striker];
+            const Row corner = state_.row_of[faces.mesh.slots[faces.touches[i].vertex]];
+            const auto end = striker.is_link ? id(striker.row[1]) : none;
+            world_.contacts.passing.push_back(
+                {{.particle = {id(striker.row[0]), end, id(corner), none}}, row.max, row.tangent});
+        }
     }
 
     std::uint32_t id(Row row) const { return world_.particles.handles.index_of(row); }

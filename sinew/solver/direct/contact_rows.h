@@ -184,7 +184,7 @@ template <int D, class Real> class BlockContact {
     static bool led_across(const Vector& now, const Vector& moved) { return dot(now, now - moved) < 0; }
 
     template <class Impulse> void report(Impulse&& impulse) {
-        if (!near_ || world_.colliders.empty()) return;
+        if (!near_ || (world_.colliders.empty() && !lists_planes(world_))) return;
         for (const auto& node : state_.unknowns())
             planes_.each(node, [&](const Plane& plane) {
                 if (plane.collider != planes_.none && depth(node, plane) > 0)
