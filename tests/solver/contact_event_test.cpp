@@ -253,7 +253,7 @@ TYPED_TEST(ContactEvents, PlanesAreSilentUntilAskedAndNeverPartOfTheState) {
     EXPECT_TRUE(asked.world.contacts.touching.empty()) << "a plane that is gone is not touched";
 }
 
-/// What falls flat on a floor of a restitution; its links along the floor.
+/// Bodies that fall flat on a floor with a restitution, their links along the floor.
 enum class Fallen { swept_ball, rows_ball, block_rope, rows_rope, block_crate, rows_crate };
 constexpr std::array all_fallen = {Fallen::swept_ball, Fallen::rows_ball,   Fallen::block_rope,
                                    Fallen::rows_rope,  Fallen::block_crate, Fallen::rows_crate};

@@ -21,8 +21,6 @@ template <class Real> class BoxTree {
         for (std::size_t i = 0; i < count; ++i) nodes_[first_leaf_ + i] = box_of(i);
         for (auto i = first_leaf_; i-- > 1;) nodes_[i] = united(nodes_[2 * i], nodes_[2 * i + 1]);
     }
-    /// Box around all.
-    const Box& around_all() const { return nodes_[1]; }
 
     /// Calls visit(i) for the features whose boxes overlap a box, in order.
     template <class Visit> void each_near(const Box& box, Visit&& visit) const { descend(1, box, visit); }

@@ -5,6 +5,8 @@
 #include "sinew/solver/phases.h"
 #include "sinew/solver/substep_mover.h"
 
+#include <optional>
+
 /// Contact of a swept particle with a plane; a collider is a plane at each contact.
 namespace sinew::detail {
 
@@ -19,18 +21,18 @@ template <int D, class Real> class PlaneContact {
     /// without restitution too: a blow is over at the end of a substep. `collider`: 1 + its index, or 0. Returns the
     /// normal correction.
     Real keep_in(const HalfSpace<D, Real>& plane, Row slot, std::uint32_t collider) const {
-        const Real begun = plane.depth_of(swept_.position_at(slot), p_.radius[swept_.row_of[slot]]);
-        return keep_in(plane, slot, {}, begun, collider);
+        return keep_in(plane, slot, {}, std::nullopt, collider);
     }
-    /// Same for a surface that moves; `begun` is the depth at the start of the substep.
-    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_displacement, Real begun,
-                 std::uint32_t collider) const {
+    /// Same for a surface that moves; `begun` is the depth at the start of the substep, unless the plane itself tells.
+    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_displacement,
+                 std::optional<Real> begun, std::uint32_t collider) const {
         if (swept_.mobility[slot] == Real(0) || (by_rows_ && by_rows_[slot])) return 0;
         const Row row = swept_.row_of[slot];
         Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[row]);
         if (!(depth > Real(0))) return 0;
-        if (begun > Real(0)) {
-            depth -= depth_left(begun, norm(forcing_on(world_, row, swept_.position_at(slot)).acceleration), mover_.h);
+        if (!begun) begun = plane.depth_of(swept_.position_at(slot), p_.radius[row]);
+        if (*begun > Real(0)) {
+            depth -= depth_left(*begun, norm(forcing_on(world_, row, swept_.position_at(slot)).acceleration), mover_.h);
             if (!(depth > Real(0))) return 0;
         }
         if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
