@@ -135,6 +135,26 @@ template <class V, class Real> [[gnu::always_inline]] inline void put_lane(V& pa
         pack[i] = number;
 }
 
+/// Number of each lane: 0, 1, 2 and so on.
+template <class V> [[gnu::always_inline]] inline V lane_numbers() {
+    V numbers{};
+    for (int i = 1; i < int(sizeof(V) / sizeof(lane_of(numbers, 0))); ++i)
+        put_lane(numbers, i, lane_of(numbers, i - 1) + 1);
+    return numbers;
+}
+/// Sum of all lanes: of those half a pack apart first, and so on down to neighbours.
+template <class V> [[gnu::always_inline]] inline auto sum_of_lanes(const V& pack) {
+    if constexpr (std::is_arithmetic_v<V>) {
+        return pack;
+    } else {
+        using Real = std::decay_t<decltype(pack[0])>;
+        constexpr int half = int(sizeof(V) / sizeof(Real)) / 2;
+        Pack<Real, half> halves[2];
+        __builtin_memcpy(halves, &pack, sizeof pack);
+        return sum_of_lanes(halves[0] + halves[1]);
+    }
+}
+
 /// Gathers one number for each lane from the indices `at` of a column; `scatter` writes them back.
 template <class V, class Real> [[gnu::always_inline]] inline V gather(const Real* column, const unsigned* at) {
 #if defined(__AVX512F__)
@@ -148,6 +168,8 @@ template <class V, class Real> [[gnu::always_inline]] inline V gather(const Real
         if constexpr (sizeof(V) == 16 && sizeof(Real) == 4) {
         return V{column[at[0]], column[at[1]], column[at[2]], column[at[3]]};
     } else if constexpr (sizeof(V) == 16) {
+        return V{column[at[0]], column[at[1]]};
+    } else if constexpr (sizeof(V) == 8 && sizeof(Real) == 4) {
         return V{column[at[0]], column[at[1]]};
     } else if constexpr (sizeof(V) == 32 && sizeof(Real) == 4) {
         return V{column[at[0]], column[at[1]], column[at[2]], column[at[3]],

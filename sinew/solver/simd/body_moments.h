@@ -4,6 +4,7 @@
 #include "sinew/solver/simd/kernel.h"
 
 #include <limits>
+#include <tuple>
 #include <utility>
 
 /// Kernels of whole bodies. Eight sums run side by side whatever the width of the lanes: the bits are the same for all.
@@ -14,24 +15,30 @@ using namespace lane;
 
 inline constexpr int sums_at_once = 8;
 
-/// A pack of a column in double. In order: `count` consecutive numbers from `at` on, then `behind`.
-template <class V, class Real> [[gnu::always_inline]] inline V doubles_at(const Real* column, std::size_t at) {
-    constexpr int width = sizeof(V) / sizeof(double);
-    if constexpr (sizeof(Real) == sizeof(double))
-        return load<V>(column + at);
-    else if constexpr (width == 1)
-        return double(column[at]);
+/// The numbers of a pack, in another precision.
+template <class To, class From> [[gnu::always_inline]] inline To converted(const From& pack) {
+    if constexpr (std::is_arithmetic_v<To>)
+        return To(pack);
     else
-        return __builtin_convertvector(load<Pack<Real, width>>(column + at), V);
+        return __builtin_convertvector(pack, To);
+}
+template <class V, class Real> [[gnu::always_inline]] inline V doubles_at(const Real* column, std::size_t at) {
+    return converted<V>(load<Pack<Real, sizeof(V) / sizeof(double)>>(column + at));
 }
 
-/// Reads the particles of a body: `get(column, i, behind)` is a pack from particle i on.
-template <class V, bool whole> struct BodyReader {
+/// Place of a body's particles in the columns: adjacent, anywhere, or fewer than are added at once.
+enum class Placed { adjacent, scattered, few };
+
+/// Reads the particles of a body: `get(column, i, behind)` is a pack from particle i on, `behind` for those behind the
+/// last.
+template <class V, Placed placed> struct BodyReader {
     const std::uint32_t* slots;
     std::size_t first, count;
 
     template <class Real> [[gnu::always_inline]] V get(const Real* column, std::size_t i, double behind) const {
-        if constexpr (whole) return doubles_at<V>(column, first + i);
+        if constexpr (placed == Placed::adjacent) return doubles_at<V>(column, first + i);
+        if constexpr (placed == Placed::scattered)
+            return converted<V>(gather<Pack<Real, sizeof(V) / sizeof(double)>>(column, slots + i));
         double numbers[sizeof(V) / sizeof(double)];
         for (double& number : numbers) {
             number = i < count ? double(column[slots ? slots[i] : first + i]) : behind;
@@ -69,46 +76,69 @@ template <int D, class V> struct MomentPacks {
 
 template <int D, class V> using MomentSums = std::array<MomentPacks<D, V>, sums_at_once * sizeof(double) / sizeof(V)>;
 
-/// Adds particles [first, last) of a body, eight at a time.
-template <int D, class V, bool whole, class Real>
-void add_moments(MomentSums<D, V>& sums, const BodyColumns<D, Real>& body, std::size_t first, std::size_t last) {
+/// Adds eight particles of a body from `first` on. Those before `fresh` were added already, and those behind the last
+/// have no mass.
+template <int D, class V, Placed placed, class Real>
+void add_moments(MomentSums<D, V>& sums, const BodyColumns<D, Real>& body, std::size_t first, std::size_t fresh) {
     constexpr double no_mass = std::numeric_limits<double>::infinity();
     constexpr double min_mobility = 1 / immovable_mass;
-    const BodyReader<V, whole> reader{body.slots, body.first, body.count};
-    for (std::size_t at = first; at < last; at += sums_at_once)
-        for (std::size_t p = 0; p < sums.size(); ++p) {
-            const std::size_t i = at + p * (sums_at_once / sums.size());
-            V position[D], displacement[D];
+    const BodyReader<V, placed> reader{body.slots, body.first, body.count};
+    for (std::size_t p = 0; p < sums.size(); ++p) {
+        const std::size_t i = first + p * (sums_at_once / sums.size());
+        V position[D], displacement[D];
 #pragma GCC unroll 3
-            for (int k = 0; k < D; ++k) {
-                const auto column = std::size_t(k) * body.stride;
-                position[k] = reader.get(body.position + column, i, body.origin[k]) - body.origin[k];
-                displacement[k] = reader.get(body.displacement + column, i, body.drift[k]) - body.drift[k];
-            }
-            sums[p].add(1.0 / lane::max(reader.get(body.mobility, i, no_mass), spread<V>(min_mobility)), position,
-                        displacement);
+        for (int k = 0; k < D; ++k) {
+            const auto column = std::size_t(k) * body.stride;
+            position[k] = reader.get(body.position + column, i, body.origin[k]) - body.origin[k];
+            displacement[k] = reader.get(body.displacement + column, i, body.drift[k]) - body.drift[k];
         }
+        V mass = 1.0 / lane::max(reader.get(body.mobility, i, no_mass), spread<V>(min_mobility));
+        if (i < fresh) mass = lane_numbers<V>() < double(fresh - i) ? V{} : mass;
+        sums[p].add(mass, position, displacement);
+    }
+}
+
+/// Sum of the eight sums of one quantity, `get(packs)`: of those four apart first, then two apart, then one.
+template <class Sums, class Get> [[gnu::always_inline]] inline double total_of(const Sums& sums, Get&& get) {
+    std::array<std::decay_t<decltype(get(sums[0]))>, std::tuple_size_v<Sums>> packs;
+    for (std::size_t p = 0; p < packs.size(); ++p) packs[p] = get(sums[p]);
+    for (std::size_t half = packs.size() / 2; half > 0; half /= 2)
+        for (std::size_t p = 0; p < half; ++p) packs[p] += packs[p + half];
+    return sum_of_lanes(packs[0]);
+}
+
+/// Adds eight at a time; the last eight overlap those before.
+template <int D, class V, Placed placed, class Real>
+void add_all_moments(MomentSums<D, V>& sums, const BodyColumns<D, Real>& body) {
+    const std::size_t last = std::max<std::size_t>(body.count, sums_at_once) - sums_at_once;
+    std::size_t i = 0;
+    for (; i < last; i += sums_at_once) add_moments<D, V, placed>(sums, body, i, i);
+    add_moments<D, V, placed>(sums, body, last, i);
 }
 
 template <int D, class Real> void moments_of(const BodyColumns<D, Real>& body, Moments<D>& total) {
     using V = Pack<double, widest<double>>;
     MomentSums<D, V> sums{};
-    const std::size_t whole = body.slots ? 0 : body.count / sums_at_once * sums_at_once;
-    add_moments<D, V, true>(sums, body, 0, whole);
-    add_moments<D, V, false>(sums, body, whole, body.count);
-    for (const auto& pack : sums)
-        for (int i = 0; i < sums_at_once / int(sums.size()); ++i) {
-            total.mass += lane_of(pack.mass, i);
-            total.square += lane_of(pack.square, i);
-            for (int k = 0; k < spins<D>; ++k) total.spin[k] += lane_of(pack.spin[k], i);
-            for (int k = 0; k < D; ++k) {
-                total.position[k] += lane_of(pack.position[k], i);
-                total.momentum[k] += lane_of(pack.momentum[k], i);
-                for (int j = 0; j <= k; ++j) total.second.column[std::size_t(j)][k] += lane_of(pack.second[k][j], i);
-            }
+    if (body.count < sums_at_once)
+        add_all_moments<D, V, Placed::few>(sums, body);
+    else if (body.slots)
+        add_all_moments<D, V, Placed::scattered>(sums, body);
+    else
+        add_all_moments<D, V, Placed::adjacent>(sums, body);
+    total.mass = total_of(sums, [](const auto& pack) { return pack.mass; });
+    total.square = total_of(sums, [](const auto& pack) { return pack.square; });
+#pragma GCC unroll 3
+    for (int k = 0; k < spins<D>; ++k) total.spin[k] = total_of(sums, [=](const auto& pack) { return pack.spin[k]; });
+#pragma GCC unroll 3
+    for (int k = 0; k < D; ++k) {
+        total.position[k] = total_of(sums, [=](const auto& pack) { return pack.position[k]; });
+        total.momentum[k] = total_of(sums, [=](const auto& pack) { return pack.momentum[k]; });
+#pragma GCC unroll 3
+        for (int j = 0; j <= k; ++j) {
+            const double second = total_of(sums, [=](const auto& pack) { return pack.second[k][j]; });
+            total.second.column[std::size_t(j)][k] = total.second.column[std::size_t(k)][j] = second;
         }
-    for (int k = 0; k < D; ++k)
-        for (int j = 0; j < k; ++j) total.second.column[std::size_t(k)][j] = total.second.column[std::size_t(j)][k];
+    }
 }
 
 /// v <- v + rate x r - loss (v - drift), r from the centre.
