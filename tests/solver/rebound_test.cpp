@@ -86,6 +86,18 @@ TYPED_TEST(Rebound, OfAHexagonIsTheSquareOfTheRestitution) {
     }
 }
 
+// The impulse of a blow is no load that presses on.
+TYPED_TEST(Rebound, NothingHopsWithoutRestitution) {
+    for (const auto ground : {Ground::collider, Ground::plane})
+        for (const double turn : {0.0, 0.1, 0.3, pi<double> / 4}) {
+            FlatWorld<TypeParam> world;
+            add_bouncy(world, ground, 0);
+            const double reach = 0.48 * (std::cos(turn) + std::sin(turn));
+            add_crate(world, 0, 1 + 0.02 + reach, 1, 1, turn, 0);
+            EXPECT_LE(height_of_bounce(world), 1e-3) << turn;
+        }
+}
+
 // On a corner the fall turns into a spin, and on two floors of different restitution one may not feed the other.
 TYPED_TEST(Rebound, AddsNoEnergyHoweverAFigureFalls) {
     for (int i = 0; i < 20; ++i) {

@@ -5,8 +5,8 @@
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/contact/row_solver.h"
 
-/// Restitution of figures at walls, at the end of a substep. With v- and v+ the velocities of a contact along its
-/// normal before and after, and lambda its impulse,
+/// Blows of figures on walls, at the end of a substep, and restitution. With v- and v+ the velocities of a contact
+/// along its normal before and after, and lambda its impulse,
 ///
 ///     v+ >= target,   lambda >= 0,   lambda (v+ - target) = 0;     target = -e v- after a blow, else 0
 ///
@@ -33,6 +33,7 @@ template <int D, class Real> class Rebounds {
             const auto body = std::span(room_.rebounds).subspan(first, last - first);
             if (std::ranges::any_of(body, &Rebounding::is_struck)) solve(body);
         }
+        forget_blows();
     }
 
   private:
@@ -98,12 +99,15 @@ template <int D, class Real> class Rebounds {
             if (corrected <= exact * fastest) break;
         }
         take_back_gain(body);
-        for (const auto& one : body) {
-            if (!one.is_struck) continue;
-            auto& row = row_of(one);
-            part_of(one).origins[one.row].pushed += row.multiplier;
-            row.multiplier = 0; // the impulse of a blow is no load that goes on
-        }
+    }
+    /// The impulse of a blow is no load that goes on into the next substep.
+    void forget_blows() {
+        for (auto& part : room_.parts.list)
+            for (auto k = part.first_wall; k < part.rows.size(); ++k)
+                if (rebound_after(part.origins[k].approach, Real(1), resting_)) {
+                    part.origins[k].pushed += part.rows[k].multiplier;
+                    part.rows[k].multiplier = 0;
+                }
     }
     /// 1 / (displacement of the contact for a unit impulse), as the whole figure answers.
     Real mass_of(const RowT& row) {
