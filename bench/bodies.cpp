@@ -38,7 +38,7 @@ class BodyFinder {
     std::vector<std::vector<std::uint32_t>> neighbours_, bodies_at_;
     Bodies found_;
 
-    Vector place(std::uint32_t particle) const { return cast<double>(work_.particles[particle].place); }
+    Vector position(std::uint32_t particle) const { return cast<double>(work_.particles[particle].position); }
     bool are_linked(std::uint32_t a, std::uint32_t b) const {
         return std::ranges::find(neighbours_[a], b) != neighbours_[a].end();
     }
@@ -79,10 +79,10 @@ class BodyFinder {
             return double(work_.particles[point.particle].mass) / double(bodies_at_[point.particle].size());
         };
         for (const auto& point : body.points)
-            body.mass += share(point), body.center += place(point.particle) * share(point);
+            body.mass += share(point), body.center += position(point.particle) * share(point);
         body.center *= 1 / body.mass;
         for (auto& point : body.points) {
-            point.from_center = place(point.particle) - body.center;
+            point.from_center = position(point.particle) - body.center;
             const double radius = work_.particles[point.particle].radius;
             body.inertia += share(point) * (dot(point.from_center, point.from_center) + radius * radius / 2);
         }
@@ -91,7 +91,7 @@ class BodyFinder {
     void add_shape(const std::vector<std::uint32_t>& corners) {
         Bodies::Shape shape{.body = body_of(corners[0], corners[1]), .radius = std::numeric_limits<double>::infinity()};
         for (const auto corner : corners) {
-            shape.corners.push_back(place(corner) - found_.bodies[shape.body].center);
+            shape.corners.push_back(position(corner) - found_.bodies[shape.body].center);
             shape.radius = std::min(shape.radius, double(work_.particles[corner].radius));
         }
         found_.shapes.push_back(std::move(shape));
@@ -107,20 +107,20 @@ class BodyFinder {
             const double radius = work_.particles[i].radius;
             if (radius > covered[i])
                 found_.shapes.push_back(
-                    {.body = body, .corners = {place(i) - found_.bodies[body].center}, .radius = radius});
+                    {.body = body, .corners = {position(i) - found_.bodies[body].center}, .radius = radius});
         }
     }
 
     void add_joints() {
         for (std::uint32_t i = 0; i < work_.particles.size(); ++i) {
             double shortest = std::numeric_limits<double>::infinity();
-            for (const auto near : neighbours_[i]) shortest = std::min(shortest, distance(place(i), place(near)));
+            for (const auto near : neighbours_[i]) shortest = std::min(shortest, distance(position(i), position(near)));
             const auto& at = bodies_at_[i];
             for (std::size_t k = 1; k < at.size(); ++k)
                 found_.joints.push_back({.a = at[0],
                                          .b = at[k],
-                                         .on_a = place(i) - found_.bodies[at[0]].center,
-                                         .on_b = place(i) - found_.bodies[at[k]].center,
+                                         .on_a = position(i) - found_.bodies[at[0]].center,
+                                         .on_b = position(i) - found_.bodies[at[k]].center,
                                          .length = shortest});
         }
     }
@@ -132,26 +132,26 @@ Bodies bodies_of(const ContactWork& work) {
     return BodyFinder(work).run();
 }
 
-std::vector<Vector> places_of(const ContactWork& work, const Bodies& bodies, const BodySimulation& simulation) {
-    std::vector<Vector> places(work.particles.size());
+std::vector<Vector> positions_of(const ContactWork& work, const Bodies& bodies, const BodySimulation& simulation) {
+    std::vector<Vector> positions(work.particles.size());
     for (auto body = std::uint32_t(bodies.bodies.size()); body-- > 0;)
         for (const auto& point : bodies.bodies[body].points)
-            places[point.particle] = simulation.place(body, point.from_center);
-    return places;
+            positions[point.particle] = simulation.position(body, point.from_center);
+    return positions;
 }
 
 ContactState look_at(const ContactWork& work, const Bodies& bodies, const BodySimulation& simulation,
                      std::span<const Vector> before) {
-    const auto places = places_of(work, bodies, simulation);
+    const auto positions = positions_of(work, bodies, simulation);
     ContactState state;
     for (const auto& joint : bodies.joints)
-        state.longest = std::max(
-            state.longest,
-            distance(simulation.place(joint.a, joint.on_a), simulation.place(joint.b, joint.on_b)) / joint.length);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        state.speed += distance(places[i], before[i]) / frame / double(places.size());
+        state.longest = std::max(state.longest, distance(simulation.position(joint.a, joint.on_a),
+                                                         simulation.position(joint.b, joint.on_b)) /
+                                                    joint.length);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        state.speed += distance(positions[i], before[i]) / frame / double(positions.size());
     state.is_lost = !std::isfinite(state.speed) || !std::isfinite(state.longest);
-    state.crossed = crossed_sides(work, places);
+    state.crossed = crossed_sides(work, positions);
     return state;
 }
 

@@ -45,7 +45,7 @@ class BodySimulation {
     virtual ~BodySimulation() = default;
     virtual void step() = 0; ///< advances by one frame
     /// Place of a point of a body.
-    virtual Vector place(std::uint32_t body, const Vector& from_center) const = 0;
+    virtual Vector position(std::uint32_t body, const Vector& from_center) const = 0;
 };
 
 struct BodySolver {
@@ -57,7 +57,8 @@ struct BodySolver {
 std::span<const BodySolver> body_peers();
 
 /// Places of the particles: where the first body of each has it.
-std::vector<Vec<2, double>> places_of(const ContactWork& work, const Bodies& bodies, const BodySimulation& simulation);
+std::vector<Vec<2, double>> positions_of(const ContactWork& work, const Bodies& bodies,
+                                         const BodySimulation& simulation);
 
 /// Accuracy of a state. The error of a link is the largest gap of a joint, as a part of the shortest link there;
 /// speeds are those of the step since `before`.

@@ -16,21 +16,21 @@ namespace {
 struct RagdollModel {
     enum Part { head, neck, ls, rs, le, re, lh, rh, pelvis, lp, rp, lk, rk, lf, rf, parts };
     using Pair = std::array<std::uint32_t, 2>;
-    static constexpr std::array<Flat, parts> place{{{{0, 0.26F}},
-                                                    {{0, 0.06F}},
-                                                    {{-0.12F, 0}},
-                                                    {{0.12F, 0}},
-                                                    {{-0.18F, -0.28F}},
-                                                    {{0.18F, -0.28F}},
-                                                    {{-0.2F, -0.54F}},
-                                                    {{0.2F, -0.54F}},
-                                                    {{0, -0.48F}},
-                                                    {{-0.1F, -0.42F}},
-                                                    {{0.1F, -0.42F}},
-                                                    {{-0.12F, -0.86F}},
-                                                    {{0.12F, -0.86F}},
-                                                    {{-0.13F, -1.3F}},
-                                                    {{0.13F, -1.3F}}}};
+    static constexpr std::array<Flat, parts> position{{{{0, 0.26F}},
+                                                       {{0, 0.06F}},
+                                                       {{-0.12F, 0}},
+                                                       {{0.12F, 0}},
+                                                       {{-0.18F, -0.28F}},
+                                                       {{0.18F, -0.28F}},
+                                                       {{-0.2F, -0.54F}},
+                                                       {{0.2F, -0.54F}},
+                                                       {{0, -0.48F}},
+                                                       {{-0.1F, -0.42F}},
+                                                       {{0.1F, -0.42F}},
+                                                       {{-0.12F, -0.86F}},
+                                                       {{0.12F, -0.86F}},
+                                                       {{-0.13F, -1.3F}},
+                                                       {{0.13F, -1.3F}}}};
     static constexpr std::array<float, parts> mass{4.2F, 4.9F, 6.44F, 6.44F,  1.715F, 1.715F, 0.77F, 0.77F,
                                                    5.6F, 9.8F, 9.8F,  6.965F, 6.965F, 1.995F, 1.995F};
     static constexpr std::array<Pair, 21> links{
@@ -48,14 +48,14 @@ void add_ragdoll(ContactWork& work, const Flat& at, float turn) {
     const auto first = std::uint32_t(work.particles.size());
     const float c = std::cos(turn), s = std::sin(turn);
     for (std::size_t i = 0; i < RagdollModel::parts; ++i) {
-        const auto& p = RagdollModel::place[i];
-        work.particles.push_back({.place = at + Flat{{c * p[0] - s * p[1], s * p[0] + c * p[1]}},
+        const auto& p = RagdollModel::position[i];
+        work.particles.push_back({.position = at + Flat{{c * p[0] - s * p[1], s * p[0] + c * p[1]}},
                                   .mass = RagdollModel::mass[i],
                                   .radius = RagdollModel::radius(i),
                                   .body = work.bodies});
     }
     for (const auto& [a, b] : RagdollModel::links)
-        work.sticks.push_back({first + a, first + b, distance(RagdollModel::place[a], RagdollModel::place[b])});
+        work.sticks.push_back({first + a, first + b, distance(RagdollModel::position[a], RagdollModel::position[b])});
     for (const auto& [a, b] : RagdollModel::limbs) work.outlines.push_back({{first + a, first + b}});
     ++work.bodies;
 }
@@ -87,8 +87,8 @@ ContactWork discs(int size) {
     for (int i = 0; i < size; ++i) {
         const int row = i / across;
         const float shift = 0.3F * float(row % 2) * radius;
-        work.particles.push_back({.place = {{(float(i % across) - float(across - 1) / 2) * 2.1F * radius + shift,
-                                             radius * 2.1F * float(row + 1)}},
+        work.particles.push_back({.position = {{(float(i % across) - float(across - 1) / 2) * 2.1F * radius + shift,
+                                                radius * 2.1F * float(row + 1)}},
                                   .radius = radius});
     }
     work.bodies = 1;
@@ -100,11 +100,11 @@ void add_crate(ContactWork& work, const Flat& middle) {
     constexpr float half = 0.48F;
     const auto first = std::uint32_t(work.particles.size());
     for (const auto& corner : {Flat{{-half, -half}}, {{half, -half}}, {{half, half}}, {{-half, half}}})
-        work.particles.push_back({.place = middle + corner, .mass = 0.25F, .radius = 0.02F, .body = work.bodies});
+        work.particles.push_back({.position = middle + corner, .mass = 0.25F, .radius = 0.02F, .body = work.bodies});
     for (std::uint32_t a = 0; a < 4; ++a)
         for (std::uint32_t b = a + 1; b < 4; ++b)
-            work.sticks.push_back(
-                {first + a, first + b, distance(work.particles[first + a].place, work.particles[first + b].place)});
+            work.sticks.push_back({first + a, first + b,
+                                   distance(work.particles[first + a].position, work.particles[first + b].position)});
     work.outlines.push_back({{first, first + 1, first + 2, first + 3}});
     ++work.bodies;
 }
@@ -176,7 +176,7 @@ World<2, float> contact_world(const ContactWork& work, int substeps, bool contac
     std::vector<ParticleId> ids;
     for (const auto& p : work.particles) {
         ids.push_back(add_particle(
-            world, {.position = p.place, .mass = p.mass, .radius = p.radius, .figure = FigureIndex(p.body)}));
+            world, {.position = p.position, .mass = p.mass, .radius = p.radius, .figure = FigureIndex(p.body)}));
         world.figures[p.body].particles.push_back(ids.back());
     }
     for (const auto& stick : work.sticks) {
@@ -193,7 +193,7 @@ World<2, float> contact_world(const ContactWork& work, int substeps, bool contac
     return world;
 }
 
-int crossed_sides(const ContactWork& work, std::span<const Vec<2, double>> places) {
+int crossed_sides(const ContactWork& work, std::span<const Vec<2, double>> positions) {
     struct Side {
         Vec<2, double> a, b;
         std::uint32_t body;
@@ -205,7 +205,7 @@ int crossed_sides(const ContactWork& work, std::span<const Vec<2, double>> place
         const auto& corners = outline.corners;
         const auto n = corners.size();
         for (std::size_t i = 0; i < (n == 2 ? 1 : n); ++i)
-            sides.push_back({places[corners[i]], places[corners[(i + 1) % n]], work.particles[corners[0]].body});
+            sides.push_back({positions[corners[i]], positions[corners[(i + 1) % n]], work.particles[corners[0]].body});
     }
     std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) { return s.low() < t.low(); });
     const auto is_left = [](const auto& a, const auto& b, const auto& c) { return cross(b - a, c - a) > 0; };
@@ -221,14 +221,15 @@ int crossed_sides(const ContactWork& work, std::span<const Vec<2, double>> place
 
 ContactState look_at(const ContactWork& work, const World<2, float>& world) {
     ContactState state;
-    std::vector<Vec<2, double>> places;
-    for (const auto& place : world.particles.position) places.push_back(cast<double>(place));
+    std::vector<Vec<2, double>> positions;
+    for (const auto& position : world.particles.position) positions.push_back(cast<double>(position));
     for (const auto& stick : work.sticks)
-        state.longest = std::max(state.longest, std::abs(distance(places[stick.a], places[stick.b]) / stick.rest - 1));
+        state.longest =
+            std::max(state.longest, std::abs(distance(positions[stick.a], positions[stick.b]) / stick.rest - 1));
     for (const auto& velocity : world.particles.velocity)
         state.speed += double(norm(velocity)) / double(world.particles.size());
     state.is_lost = !std::isfinite(state.speed) || !std::isfinite(state.longest);
-    state.crossed = crossed_sides(work, places);
+    state.crossed = crossed_sides(work, positions);
     return state;
 }
 

@@ -16,7 +16,7 @@ using Flat = Vec<2, float>;
 /// A world of contact in solver-neutral form.
 struct ContactWork {
     struct Particle {
-        Flat place{};
+        Flat position{};
         float mass = 1, radius = 0;
         std::uint32_t body = 0; ///< parts of one body do not touch each other
     };
@@ -67,6 +67,6 @@ struct ContactState {
 ContactState look_at(const ContactWork& work, const World<2, float>& world);
 
 /// Number of pairs of sides of different bodies that cross.
-int crossed_sides(const ContactWork& work, std::span<const Vec<2, double>> places);
+int crossed_sides(const ContactWork& work, std::span<const Vec<2, double>> positions);
 
 } // namespace sinew::bench

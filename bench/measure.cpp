@@ -50,7 +50,7 @@ template <class Real> class EngineRun final : public Simulation {
         simulation_.solver.prepare(simulation_.world);
     }
     void step() override { simulation_.step(Real(frame)); }
-    Found place(std::size_t particle) const override {
+    Found position(std::size_t particle) const override {
         return cast<double>(simulation_.world.particles.position[particle]);
     }
 
@@ -147,12 +147,12 @@ Timing time(Simulation& simulation, const Extent& extent, const Watch& watch, Si
 
 Strain look_at(Simulation& simulation, const Work& work, int steps, const Watch& watch) {
     Strain strain;
-    std::vector<Found> places(work.places.size());
+    std::vector<Found> positions(work.positions.size());
     for (int i = 0; i < steps; ++i) {
         simulation.step();
-        for (std::size_t k = 0; k < places.size(); ++k) places[k] = simulation.place(k);
+        for (std::size_t k = 0; k < positions.size(); ++k) positions[k] = simulation.position(k);
         const double before = strain.max;
-        strain = strain_of(work, places);
+        strain = strain_of(work, positions);
         if (before > strain.max || std::isnan(before)) strain.max = before;
         if (watch) watch(double(i + 1) / steps);
     }

@@ -21,7 +21,7 @@ class Simulation {
   public:
     virtual ~Simulation() = default;
     virtual void step() = 0; ///< advances by one frame
-    virtual Found place(std::size_t particle) const = 0;
+    virtual Found position(std::size_t particle) const = 0;
 };
 
 struct Solver {

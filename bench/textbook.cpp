@@ -8,8 +8,8 @@ namespace sinew::bench {
 
 Textbook::Textbook(const Work& work, const Effort& effort, Order order) : effort_(effort), gravity_(work.gravity) {
     const float h = float(frame / effort.substeps);
-    for (std::size_t i = 0; i < work.places.size(); ++i) {
-        const auto now = work.places[i], before = now - work.velocities[i] * h;
+    for (std::size_t i = 0; i < work.positions.size(); ++i) {
+        const auto now = work.positions[i], before = now - work.velocities[i] * h;
         points_.push_back({now[0], now[1], now[2], before[0], before[1], before[2], work.inverse_masses[i]});
     }
     for (const auto& stick : work.sticks) sticks_.push_back({stick.a, stick.b, float(stick.rest)});
@@ -51,7 +51,7 @@ void Textbook::satisfy() {
     for (const auto& strut : struts_) correct(strut.a, strut.b, strut.length, true);
 }
 
-Found Textbook::place(std::size_t particle) const {
+Found Textbook::position(std::size_t particle) const {
     const auto& point = points_[particle];
     return {{double(point.x), double(point.y), double(point.z)}};
 }

@@ -16,7 +16,7 @@ class Textbook final : public Simulation {
     Textbook(const Work& work, const Effort& effort, Order order = Order::listed);
 
     void step() override;
-    Found place(std::size_t particle) const override;
+    Found position(std::size_t particle) const override;
 
   private:
     struct Point {
@@ -31,7 +31,7 @@ class Textbook final : public Simulation {
     };
 
     Effort effort_;
-    Place gravity_;
+    Position gravity_;
     std::vector<Point> points_;
     std::vector<Link> sticks_, struts_;
 

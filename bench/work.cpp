@@ -11,7 +11,7 @@ template <class Real> Work work_of(const World<3, Real>& world) {
     Work work;
     const auto& particles = world.particles;
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        work.places.push_back(cast<float>(particles.position[i]));
+        work.positions.push_back(cast<float>(particles.position[i]));
         work.velocities.push_back(cast<float>(particles.velocity[i]));
         work.inverse_masses.push_back(float(particles.inverse_mass[i]));
     }
@@ -31,10 +31,10 @@ template <class Real> Work work_of(const World<3, Real>& world) {
     return work;
 }
 
-Strain strain_of(const Work& work, std::span<const Found> places) {
+Strain strain_of(const Work& work, std::span<const Found> positions) {
     Strain strain;
     for (const auto& stick : work.sticks) {
-        const double length = distance(places[stick.a], places[stick.b]);
+        const double length = distance(positions[stick.a], positions[stick.b]);
         const double off = absolute(length / stick.rest - 1);
         if (!is_finite(off)) {
             constexpr double lost = std::numeric_limits<double>::quiet_NaN();

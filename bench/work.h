@@ -10,8 +10,8 @@
 /// that every solver gets the same particles and constraints.
 namespace sinew::bench {
 
-using Place = Vec<3, float>;  ///< initial position, identical for all solvers
-using Found = Vec<3, double>; ///< position found by a solver, in full precision
+using Position = Vec<3, float>; ///< initial position, identical for all solvers
+using Found = Vec<3, double>;   ///< position found by a solver, in full precision
 
 struct Stick {
     std::uint32_t a = 0, b = 0;
@@ -25,11 +25,11 @@ struct Strut {
 };
 
 struct Work {
-    std::vector<Place> places, velocities;
+    std::vector<Position> positions, velocities;
     std::vector<float> inverse_masses; ///< 0: pinned
     std::vector<Stick> sticks;         ///< in the order of addition
     std::vector<Strut> struts;
-    Place gravity{};
+    Position gravity{};
 
     std::size_t constraints() const { return sticks.size() + struts.size(); }
 };
@@ -44,6 +44,6 @@ struct Strain {
     double last = 0; ///< largest after the last step
     double mean = 0; ///< mean after the last step
 };
-Strain strain_of(const Work& work, std::span<const Found> places);
+Strain strain_of(const Work& work, std::span<const Found> positions);
 
 } // namespace sinew::bench

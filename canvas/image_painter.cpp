@@ -30,13 +30,13 @@ struct Grid {
 struct Facet {
     std::span<const Point> corners;
     Point right{}, below{}; ///< images of a step by one pixel to the right and by one pixel down, in user space
-    Point place{};          ///< image of the pixel (u, v), in user space
+    Point position{};       ///< image of the pixel (u, v), in user space
     double u = 0, v = 0;
 
     /// Matrix from user space to image pixels; false if the facet has no area.
     bool way_back(cairo_matrix_t& matrix) const {
         cairo_matrix_init(&matrix, double(right[0]), double(right[1]), double(below[0]), double(below[1]),
-                          double(place[0]), double(place[1]));
+                          double(position[0]), double(position[1]));
         cairo_matrix_translate(&matrix, -u, -v);
         return cairo_matrix_invert(&matrix) == CAIRO_STATUS_SUCCESS;
     }

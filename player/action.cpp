@@ -8,13 +8,13 @@ namespace {
 struct EventApplier {
     Session& session;
 
-    void operator()(const PointAt& action) const { session.point_at(action.place); }
+    void operator()(const PointAt& action) const { session.point_at(action.position); }
     void operator()(const Grab& action) const {
         std::vector<ParticleId> members;
         for (const Row row : action.members) members.push_back(id_at(session.world(), row));
-        session.grab(members, action.place);
+        session.grab(members, action.position);
     }
-    void operator()(const Drag& action) const { session.drag(action.place); }
+    void operator()(const Drag& action) const { session.drag(action.position); }
     void operator()(const LetGo&) const { session.let_go(); }
     void operator()(const Slash& action) const { session.cut(action.line, {}, action.look.view(session.scene())); }
     void operator()(const Become& action) const { session.become(*action.scene); }

@@ -21,14 +21,14 @@ struct Branch {
 };
 
 struct PointAt {
-    std::optional<Point> place;
+    std::optional<Point> position;
 }; ///< position for pins that follow the pointer
 struct Grab {
     std::vector<Row> members; ///< a particle, or several around the position
-    Point place;
+    Point position;
 };
 struct Drag {
-    Point place;
+    Point position;
 };
 struct LetGo {};
 /// A view of a scene as data: equal numbers give equal views.

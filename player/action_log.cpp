@@ -25,7 +25,7 @@ void ActionLog::note(const Action& action, const Session& session) {
     if (const auto* point = std::get_if<PointAt>(&action)) pointer_ = *point;
     if (std::holds_alternative<Restart>(action)) {
         plant(session);
-        if (!pointer_.place) return;
+        if (!pointer_.position) return;
         return note(Action(PointAt(pointer_)), session);
     }
     const bool is_newest = now_.last + 1 == nodes_.size();

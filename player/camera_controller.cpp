@@ -29,10 +29,10 @@ std::array<Vec2<double>, 2> extent_of(const AnyWorld& world) {
     std::visit(
         [&](const auto& any) {
             bool first = true;
-            for (const auto& place : any.particles.position)
+            for (const auto& position : any.particles.position)
                 for (int i = 0; i < 2; ++i) {
-                    corners[0][i] = first ? double(place[i]) : std::min(corners[0][i], double(place[i]));
-                    corners[1][i] = first ? double(place[i]) : std::max(corners[1][i], double(place[i]));
+                    corners[0][i] = first ? double(position[i]) : std::min(corners[0][i], double(position[i]));
+                    corners[1][i] = first ? double(position[i]) : std::max(corners[1][i], double(position[i]));
                     if (i == 1) first = false;
                 }
         },
@@ -62,7 +62,7 @@ void CameraController::pan(const Session& session, Vec2<double> by) {
     const auto seen = view(session);
     if (session.scene().dimension == 2) {
         const Vec2<double> middle{{width_ * 0.5, height_ * 0.5}};
-        const auto offset = seen.place_of(middle) - seen.place_of(middle + by);
+        const auto offset = seen.position_of(middle) - seen.position_of(middle + by);
         for (int i = 0; i < 2; ++i) (*section.center)[i] += offset[i];
         return;
     }
@@ -83,9 +83,9 @@ void CameraController::zoom(const Session& session, Vec2<double> about, double f
         return;
     }
     const double usual = shown_height(session.view(width_, height_), section, width_, height_);
-    const auto before = view(session).place_of(about);
+    const auto before = view(session).position_of(about);
     section.height = std::clamp(*section.height / factor, usual * nearest, usual * farthest);
-    const auto offset = before - view(session).place_of(about);
+    const auto offset = before - view(session).position_of(about);
     for (int i = 0; i < 2; ++i) (*section.center)[i] += offset[i];
 }
 

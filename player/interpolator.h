@@ -16,9 +16,9 @@ class Interpolator {
     void remember(const AnyWorld& world) {
         std::visit(
             [&]<class WorldT>(const WorldT& any) {
-                if (!std::holds_alternative<Places<WorldT>>(before_)) before_ = Places<WorldT>{};
-                auto& places = std::get<Places<WorldT>>(before_);
-                places.assign(any.particles.position.begin(), any.particles.position.end());
+                if (!std::holds_alternative<Positions<WorldT>>(before_)) before_ = Positions<WorldT>{};
+                auto& positions = std::get<Positions<WorldT>>(before_);
+                positions.assign(any.particles.position.begin(), any.particles.position.end());
             },
             world);
     }
@@ -32,7 +32,7 @@ class Interpolator {
         std::visit(
             [&]<class WorldT>(WorldT& any) {
                 using Real = typename WorldT::Real;
-                auto* before = std::get_if<Places<WorldT>>(&before_);
+                auto* before = std::get_if<Positions<WorldT>>(&before_);
                 if (!before || share >= 1) return draw();
                 auto shown = any.particles.position;
                 for (std::size_t i = 0; i < std::min(before->size(), shown.size()); ++i)
@@ -45,7 +45,7 @@ class Interpolator {
     }
 
   private:
-    template <class WorldT> using Places = std::vector<typename WorldT::Vector>;
+    template <class WorldT> using Positions = std::vector<typename WorldT::Vector>;
 
     std::variant<std::monostate, std::vector<Vec<2, float>>, std::vector<Vec<2, double>>, std::vector<Vec<3, float>>,
                  std::vector<Vec<3, double>>>

@@ -16,11 +16,11 @@ std::optional<std::vector<ParticleId>> namesakes(const AnyWorld& from, std::span
 
 std::optional<Picked> counterpart(const AnyWorld& from, const Picked& picked, const AnyWorld& to, const View& view) {
     auto members = namesakes(from, picked.members, to);
-    const auto there = place_of(from, picked.members);
+    const auto there = position_of(from, picked.members);
     if (!members || !there) return std::nullopt;
-    Picked same{.members = *members, .place = *place_of(to, *members), .figure = picked.figure};
-    for (int i = 0; i < 3; ++i) same.place[i] += picked.place[i] - (*there)[i];
-    if (const auto seen = view.see(same.place.as<3, double>()))
+    Picked same{.members = *members, .position = *position_of(to, *members), .figure = picked.figure};
+    for (int i = 0; i < 3; ++i) same.position[i] += picked.position[i] - (*there)[i];
+    if (const auto seen = view.see(same.position.as<3, double>()))
         same.depth = double(seen->depth), same.pixel = seen->pixel;
     return same;
 }

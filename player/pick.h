@@ -7,7 +7,7 @@ namespace sinew::play {
 using sinew::name_of;
 using sinew::pick;
 using sinew::Picked;
-using sinew::place_of;
+using sinew::position_of;
 
 /// Particles of the same names in another world; nothing if a particle has no name or no counterpart.
 std::optional<std::vector<ParticleId>> namesakes(const AnyWorld& from, std::span<const ParticleId> members,

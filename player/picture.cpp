@@ -24,9 +24,9 @@ std::string stem_of(const std::string& name) {
 /// Draws a ring around the particles to be grabbed by a press.
 void Play::highlight(Picture& picture) const {
     if (!hovered || busy_ || !over_ || question || path_request) return;
-    const auto place =
-        hovered->members.size() == 1 ? place_of(session().world(), hovered->members) : std::optional(hovered->place);
-    const auto seen = place ? view().see(place->as<3, double>()) : std::nullopt;
+    const auto position = hovered->members.size() == 1 ? position_of(session().world(), hovered->members)
+                                                       : std::optional(hovered->position);
+    const auto seen = position ? view().see(position->as<3, double>()) : std::nullopt;
     if (!seen) return;
     const auto& colors = theme_called(shown_theme());
     constexpr int corners = 24;

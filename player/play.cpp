@@ -220,7 +220,7 @@ void Play::find_selected_again() {
     const auto& world = session().world();
     for (std::size_t i = 0; i < selected_names_.size(); ++i) {
         auto& id = selected->members[i];
-        if (place_of(world, {&id, 1})) continue;
+        if (position_of(world, {&id, 1})) continue;
         const auto named = std::visit([&](const auto& any) { return find_particle(any, selected_names_[i]); }, world);
         id = named.value_or(id);
     }
@@ -248,7 +248,7 @@ void Play::moved(Vec2<double> to) {
     if (clock_->paused()) return;
     each_pane([&] {
         if (feels_pointer(session().scene()))
-            timeline().act(PointAt{view().place_of(pointer_, hovered ? hovered->depth : 1)});
+            timeline().act(PointAt{view().position_of(pointer_, hovered ? hovered->depth : 1)});
     });
 }
 

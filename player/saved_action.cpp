@@ -10,13 +10,13 @@ using Saved = decltype(SavedAction::action);
 
 /// Return and Restart are branches of the log, never actions of a recipe; their cases only complete the visitor.
 struct Save {
-    Saved operator()(const PointAt& action) const { return SavedPointer{action.place.value_or(Point{})}; }
+    Saved operator()(const PointAt& action) const { return SavedPointer{action.position.value_or(Point{})}; }
     Saved operator()(const Grab& action) const {
-        SavedGrab grab{.members = {}, .place = action.place};
+        SavedGrab grab{.members = {}, .position = action.position};
         for (const Row row : action.members) grab.members.push_back(std::int64_t(row));
         return grab;
     }
-    Saved operator()(const Drag& action) const { return SavedDrag{action.place}; }
+    Saved operator()(const Drag& action) const { return SavedDrag{action.position}; }
     Saved operator()(const LetGo&) const { return SavedRelease{}; }
     Saved operator()(const Slash& action) const {
         return SavedCut{action.line, action.look.section, action.look.focus, {action.look.width, action.look.height}};
@@ -33,13 +33,13 @@ struct Save {
 struct Load {
     const std::function<std::optional<Opened>(const json::Value& scene)>& open;
 
-    std::optional<Action> operator()(const SavedPointer& action) const { return PointAt{action.place}; }
+    std::optional<Action> operator()(const SavedPointer& action) const { return PointAt{action.position}; }
     std::optional<Action> operator()(const SavedGrab& action) const {
-        Grab grab{.members = {}, .place = action.place};
+        Grab grab{.members = {}, .position = action.position};
         for (const auto row : action.members) grab.members.push_back(Row(row));
         return grab;
     }
-    std::optional<Action> operator()(const SavedDrag& action) const { return Drag{action.place}; }
+    std::optional<Action> operator()(const SavedDrag& action) const { return Drag{action.position}; }
     std::optional<Action> operator()(const SavedRelease&) const { return LetGo{}; }
     std::optional<Action> operator()(const SavedCut& action) const {
         return Slash{action.line, {action.view, action.focus, action.picture[0], action.picture[1]}};

@@ -21,9 +21,9 @@ namespace sinew::play {
 struct SavedPointer {
     static constexpr std::string_view name = "point";
     static constexpr std::string_view about = "Moves the pointer.";
-    Point place;
+    Point position;
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.place, Field{.name = name, .help = "Position of the pointer", .required = true});
+        visit(self.position, Field{.name = name, .help = "Position of the pointer", .required = true});
     }
 };
 
@@ -31,20 +31,20 @@ struct SavedGrab {
     static constexpr std::string_view name = "grab";
     static constexpr std::string_view about = "Grabs particles.";
     std::vector<std::int64_t> members;
-    Point place;
+    Point position;
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.members,
               Field{.name = name, .help = "Rows of particles", .low = 0, .high = 4294967295.0, .required = true});
-        visit(self.place, Field{.name = "place", .help = "Grabbed position", .required = true});
+        visit(self.position, Field{.name = "position", .help = "Grabbed position", .required = true});
     }
 };
 
 struct SavedDrag {
     static constexpr std::string_view name = "drag";
     static constexpr std::string_view about = "Drags the grabbed particles.";
-    Point place;
+    Point position;
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.place, Field{.name = name, .help = "New position", .required = true});
+        visit(self.position, Field{.name = name, .help = "New position", .required = true});
     }
 };
 

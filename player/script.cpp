@@ -42,8 +42,8 @@ std::optional<ParticleId> particle_called(const std::string& name, const Play& p
 }
 
 std::optional<Vec2<double>> pixel_of(ParticleId id, const Play& play) {
-    const auto place = place_of(play.session().world(), {&id, 1});
-    const auto seen = place ? play.view().see(place->as<3, double>()) : std::nullopt;
+    const auto position = position_of(play.session().world(), {&id, 1});
+    const auto seen = position ? play.view().see(position->as<3, double>()) : std::nullopt;
     return seen ? std::optional(cast<double>(seen->pixel)) : std::nullopt;
 }
 
@@ -224,7 +224,7 @@ class Player {
         if (words.size() > used) {
             const auto said =
                 words.size() == used + 2 && words[used] == "over" ? number_of(words[used + 1]) : std::nullopt;
-            if (!said || *said < 0) return "expected `over` and seconds after the place";
+            if (!said || *said < 0) return "expected `over` and seconds after the position";
             over = *said;
         }
         glide_.begin(*to, followed, at, over);
@@ -235,10 +235,10 @@ class Player {
         const auto finger = number_of(words[0]), x = number_of(words[1]), y = number_of(words[2]);
         if (!finger || !x || !y) return "expected the number of a finger and two pixels";
         const auto over = words.size() == 5 && words[3] == "over" ? number_of(words[4]) : std::nullopt;
-        if (words.size() > 3 && (!over || *over < 0)) return "expected `over` and seconds after the place";
+        if (words.size() > 3 && (!over || *over < 0)) return "expected `over` and seconds after the position";
         const auto id = std::int64_t(*finger);
         const Vec2<double> to{{*x, *y}};
-        const auto from = touch_.place_of(id);
+        const auto from = touch_.position_of(id);
         if (!from) touch_.down(id, to);
         if (from && over.value_or(0) > 0)
             slides_.push_back({id, *from, to, at, at + *over});
@@ -270,12 +270,12 @@ class Player {
     std::string where(double, const Words& words) {
         const auto& name = words[0];
         const auto id = particle_called(name, play_);
-        const auto place = id ? place_of(play_.session().world(), {&*id, 1}) : std::nullopt;
-        if (!place) return "no particle is called " + in_quotes(name);
+        const auto position = id ? position_of(play_.session().world(), {&*id, 1}) : std::nullopt;
+        if (!position) return "no particle is called " + in_quotes(name);
         json::Array at;
-        for (int i = 0; i < play_.session().scene().dimension; ++i) at.push_back((*place)[i]);
+        for (int i = 0; i < play_.session().scene().dimension; ++i) at.push_back((*position)[i]);
         json::Object told{{"particle", name}, {"at", std::move(at)}};
-        if (const auto seen = play_.view().see(place->as<3, double>()))
+        if (const auto seen = play_.view().see(position->as<3, double>()))
             told.push_back({"pixel", json::Array{double(seen->pixel[0]), double(seen->pixel[1])}});
         play_.tell("where", std::move(told));
         return "";

@@ -11,13 +11,13 @@ Vec2<double> middle(Vec2<double> a, Vec2<double> b) {
 
 } // namespace
 
-std::optional<Vec2<double>> Touch::place_of(std::int64_t finger) const {
+std::optional<Vec2<double>> Touch::position_of(std::int64_t finger) const {
     const auto found = std::ranges::find(fingers_, finger, &Finger::id);
     return found == fingers_.end() ? std::nullopt : std::optional(found->at);
 }
 
 void Touch::down(std::int64_t finger, Vec2<double> at) {
-    if (place_of(finger)) return;
+    if (position_of(finger)) return;
     fingers_.push_back({finger, at});
     if (fingers_.size() == 1) {
         points_ = true;

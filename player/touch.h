@@ -20,7 +20,7 @@ class Touch {
     void up(std::int64_t finger);
 
     /// Position of the finger, if down.
-    std::optional<Vec2<double>> place_of(std::int64_t finger) const;
+    std::optional<Vec2<double>> position_of(std::int64_t finger) const;
 
   private:
     struct Finger {

@@ -52,8 +52,8 @@ template <int D, class Real = double> struct Flight {
     Vec3<double> spin() const { return angular_momentum(world) - moment_of(center_of_mass(world), momentum(world)); }
     double size() const {
         double max = 0;
-        for (const auto& place : world.particles.position)
-            max = std::max(max, distance(cast<double>(place), center_of_mass(world)));
+        for (const auto& position : world.particles.position)
+            max = std::max(max, distance(cast<double>(position), center_of_mass(world)));
         return max;
     }
     void fly(double seconds) {

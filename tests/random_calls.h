@@ -75,8 +75,8 @@ template <class WorldT> class RandomCalls {
 
     // --- what comes ------------------------------------------------------------------------------------------------
 
-    ParticleId add_particle(const Vector& place) {
-        particles.push_back(sinew::add_particle(world, {.position = place,
+    ParticleId add_particle(const Vector& position) {
+        particles.push_back(sinew::add_particle(world, {.position = position,
                                                         .velocity = one_in(3) ? vector(1) : Vector{},
                                                         .mass = one_in(12) ? endless : number(0.1, 3),
                                                         .radius = one_in(2) ? number(0, 0.1) : 0,
@@ -116,12 +116,12 @@ template <class WorldT> class RandomCalls {
 
     void add_rope() {
         if (world.particles.size() > many) return;
-        auto place = vector(3);
+        auto position = vector(3);
         std::vector<ParticleId> rope;
         const bool plain = one_in(2);
         for (int i = 0, count = 3 + below(8); i < count; ++i) {
-            place += at<Vector>(0.3, between_numbers(-0.05, 0.05));
-            rope.push_back(add_particle(place));
+            position += at<Vector>(0.3, between_numbers(-0.05, 0.05));
+            rope.push_back(add_particle(position));
             if (i > 0 && plain) keep(add<Distance>(world, {rope[std::size_t(i) - 1], rope.back()}));
             if (i > 0 && !plain) join(kind_number<Distance, D>, {rope[std::size_t(i) - 1], rope.back()});
             if (i > 1 && one_in(5)) join(kind_number<Angle, D>, {rope.end() - 3, rope.end()});

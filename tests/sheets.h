@@ -38,12 +38,12 @@ template <class Real> Vec3<Real> point(double x, double y, double z) {
 }
 
 /// Adds a sheet with links along both axes and both diagonals; place(i, k) is where a particle begins.
-template <class Real, class Place> Sheet add_sheet(Space<Real>& world, const SheetSpec& spec, Place&& place) {
+template <class Real, class Position> Sheet add_sheet(Space<Real>& world, const SheetSpec& spec, Position&& position) {
     Sheet sheet{add_figure(world, "sheet" + std::to_string(world.figures.size())), {}, spec.size};
     set_contact(world, sheet.figure, spec.contact);
     for (int k = 0; k < spec.size; ++k)
         for (int i = 0; i < spec.size; ++i) {
-            sheet.particles.push_back(add_particle(world, {.position = place(i, k),
+            sheet.particles.push_back(add_particle(world, {.position = position(i, k),
                                                            .mass = Real(spec.mass),
                                                            .radius = Real(0.1 * spec.cell),
                                                            .figure = sheet.figure}));

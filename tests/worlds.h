@@ -38,10 +38,10 @@ struct Names {
 
 /// (x, y) or (x, y, 0).
 template <class Vector> Vector at(double x, double y) {
-    Vector place{};
-    place[0] = decltype(place[0] + 0)(x);
-    place[1] = decltype(place[0] + 0)(y);
-    return place;
+    Vector position{};
+    position[0] = decltype(position[0] + 0)(x);
+    position[1] = decltype(position[0] + 0)(y);
+    return position;
 }
 
 template <class World> void fall(World& world, double g) {
@@ -87,10 +87,11 @@ template <int D, class Real> test::Stepped<D, Real> menagerie(Mode mode = Mode::
     const FigureIndex body = add_figure(world, "body");
     std::vector<ParticleId> p;
     for (int i = 0; i < 6; ++i) {
-        Vector place{};
+        Vector position{};
         for (int axis = 0; axis < D; ++axis)
-            place[axis] = random::symmetric<Real>(5, std::uint64_t(i), std::uint64_t(axis));
-        p.push_back(add_particle(world, {.position = place, .mass = Real(1 + i), .radius = Real(0.1), .figure = body}));
+            position[axis] = random::symmetric<Real>(5, std::uint64_t(i), std::uint64_t(axis));
+        p.push_back(
+            add_particle(world, {.position = position, .mass = Real(1 + i), .radius = Real(0.1), .figure = body}));
     }
     world.figures[body].particles = p;
     add<Distance>(world, {p[0], p[1]}, {.limits = at_most(Real(1)), .figure = body});

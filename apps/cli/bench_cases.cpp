@@ -85,7 +85,7 @@ json::Object in_json(const Case& chosen, const Work& work, const Ours& ours, con
                       {"threads", engine.threads},
                       {"precision", engine.single ? "float" : "double"},
                       {"simd", std::string(bench::simd())},
-                      {"particles", work.places.size()},
+                      {"particles", work.positions.size()},
                       {"constraints", work.constraints()},
                       {"ms_per_step", measured.milliseconds},
                       {"ms_percentile_99", measured.percentile_99},

@@ -71,7 +71,7 @@ Contender peer_on(const bench::BodySolver& peer, const bench::ContactWork& work,
             .look = [run, before, &work, &bodies] { return look_at(work, bodies, *run, *before); },
             .hash = [] { return std::optional<std::uint64_t>(); },
             .patience = 60,
-            .before_look = [run, before, &work, &bodies] { *before = places_of(work, bodies, *run); }};
+            .before_look = [run, before, &work, &bodies] { *before = positions_of(work, bodies, *run); }};
 }
 
 ContactResult run_contact(const Contender& contender, int threads, std::size_t steps, canvas::Progress& progress) {

@@ -107,23 +107,23 @@ void PointerPath::lead(Session& session) {
     const View view(scene, session.focus(), scene.view.size[0], scene.view.size[1]);
     const auto sample = now(time);
     Vec2<double> pixel{{sample.x, sample.y}};
-    Point place{{sample.x, sample.y, 0}};
+    Point position{{sample.x, sample.y, 0}};
     if (scene.dimension == 2)
         pixel = cast<double>(view.see({{sample.x, sample.y, 0}})->pixel);
     else
-        place = view.place_of(pixel, depth_);
-    session.point_at(place);
+        position = view.position_of(pixel, depth_);
+    session.point_at(position);
     if (sample.pressed && !pressed_) press(session, view, pixel);
     if (!sample.pressed && pressed_) session.let_go();
     pressed_ = sample.pressed;
-    if (pressed_) session.drag(scene.dimension == 2 ? place : view.place_of(pixel, depth_));
+    if (pressed_) session.drag(scene.dimension == 2 ? position : view.position_of(pixel, depth_));
 }
 
 void PointerPath::press(Session& session, const View& view, Vec2<double> pixel) {
     const auto picked = pick(session.world(), view, pixel, pick_radius);
     if (!picked) return;
     depth_ = picked->depth;
-    session.grab(picked->members, picked->place);
+    session.grab(picked->members, picked->position);
 }
 
 } // namespace sinew::cli

@@ -164,8 +164,8 @@ std::string place_in_box(const Survey& survey) {
 }
 
 std::string at_text(const Survey& survey) {
-    const auto place = survey.at.empty() ? place_in_box(survey) : fmt::format("the particle {}", survey.at);
-    return fmt::format("{}; with the defaults {} from {} to {} m about it", place,
+    const auto position = survey.at.empty() ? place_in_box(survey) : fmt::format("the particle {}", survey.at);
+    return fmt::format("{}; with the defaults {} from {} to {} m about it", position,
                        survey.has_radii ? "the centres of its particles reach" : "it reaches", point_text(survey.low),
                        point_text(survey.high));
 }

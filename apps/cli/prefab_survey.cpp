@@ -52,8 +52,8 @@ template <class Id> std::vector<NameRun> runs_of(const NameTable<Id>& given, con
 
 template <int D> std::string name_at_origin(const World<D, double>& world, const Figure& figure) {
     for (std::size_t i = 0; i < figure.particles.size(); ++i) {
-        const auto place = position_of(world, figure.particles[i]);
-        if (!place || norm(*place) > 1e-9) continue;
+        const auto position = position_of(world, figure.particles[i]);
+        if (!position || norm(*position) > 1e-9) continue;
         for (const auto& [name, id] : figure.particle_names)
             if (id == figure.particles[i]) return name;
         if (auto name = name_of(i, figure.particle_numbers); !name.empty()) return name;
@@ -77,9 +77,9 @@ template <int D> std::optional<Survey> survey_in(const AnyPrefab& prefab) {
     survey.at = name_at_origin(world, figure);
     for (int i = 0; i < D; ++i) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (const auto& place : world.particles.position) {
-            low = std::min(low, place[i]);
-            high = std::max(high, place[i]);
+        for (const auto& position : world.particles.position) {
+            low = std::min(low, position[i]);
+            high = std::max(high, position[i]);
         }
         survey.low.push_back(low);
         survey.high.push_back(high);

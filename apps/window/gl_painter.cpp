@@ -14,7 +14,7 @@ namespace sinew::window {
 namespace {
 
 constexpr const char* vertex_text = R"(#version 330 core
-layout(location = 0) in vec2 place;
+layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 local;
 layout(location = 2) in vec2 shape;
 layout(location = 3) in vec4 color;
@@ -26,7 +26,7 @@ void main() {
     at = local;
     form = shape;
     paint = color;
-    gl_Position = vec4(place.x / size.x * 2.0 - 1.0, 1.0 - place.y / size.y * 2.0, 0.0, 1.0);
+    gl_Position = vec4(position.x / size.x * 2.0 - 1.0, 1.0 - position.y / size.y * 2.0, 0.0, 1.0);
 }
 )";
 
@@ -124,7 +124,7 @@ GlPainter::GlPainter() {
         glEnableVertexAttribArray(number);
         glVertexAttribPointer(number, parts, type, scaled, sizeof(Vertex), reinterpret_cast<const void*>(offset));
     };
-    column(0, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, place));
+    column(0, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
     column(1, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, local));
     column(2, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, shape));
     column(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, color));
@@ -262,22 +262,22 @@ void GlPainter::add_stroke(std::span<const Vec2<float>> outline, bool closed, fl
     if (closed && way_.size() > 2) way_.push_back(way_.front());
     if (way_.size() < 3) return add_line(way_.front(), way_.back(), width, color);
     const float radius = width / 2, wide = radius + 1; // with a pixel for the faded edge
-    const auto pair = [&](Vec2<float> place, Vec2<float> across, float beyond) {
-        put({place - across, {{beyond, -wide}}, {{0, radius}}, color});
-        return put({place + across, {{beyond, wide}}, {{0, radius}}, color});
+    const auto pair = [&](Vec2<float> position, Vec2<float> across, float beyond) {
+        put({position - across, {{beyond, -wide}}, {{0, radius}}, color});
+        return put({position + across, {{beyond, wide}}, {{0, radius}}, color});
     };
     const auto quad_to_last = [&](std::uint32_t last) {
         triangle(last - 3, last - 1, last), triangle(last - 3, last, last - 2);
     };
-    const auto begin = [&](Vec2<float> place, Vec2<float> along) {
+    const auto begin = [&](Vec2<float> position, Vec2<float> along) {
         const auto across = perpendicular(along) * wide;
-        pair(place - along * wide, across, wide);
-        quad_to_last(pair(place, across, 0));
+        pair(position - along * wide, across, wide);
+        quad_to_last(pair(position, across, 0));
     };
-    const auto end = [&](Vec2<float> place, Vec2<float> along) {
+    const auto end = [&](Vec2<float> position, Vec2<float> along) {
         const auto across = perpendicular(along) * wide;
-        quad_to_last(pair(place, across, 0));
-        quad_to_last(pair(place + along * wide, across, wide));
+        quad_to_last(pair(position, across, 0));
+        quad_to_last(pair(position + along * wide, across, wide));
     };
     const auto side = [&](std::size_t i) { return direction(way_[i + 1] - way_[i]); };
     begin(way_[0], side(0));
@@ -297,7 +297,7 @@ void GlPainter::add_polygon(std::span<const Vec2<float>> outline, std::uint32_t 
     const auto count = std::uint32_t(outline.size());
     if (count < 3) return;
     const auto first = std::uint32_t(vertices_.size());
-    for (const auto& place : outline) put({place, {}, flat, color});
+    for (const auto& position : outline) put({position, {}, flat, color});
     triangulate(outline, rest_,
                 [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangle(first + a, first + b, first + c); });
     const float side = signed_area(outline) < 0 ? -1.0F : 1.0F;

@@ -27,7 +27,7 @@ class GlPainter {
 
   private:
     struct Vertex {
-        Vec2<float> place;
+        Vec2<float> position;
         Vec2<float> local; ///< line: pixels along and across, from the middle; image: texture coordinates, 0 to 1
         Vec2<float> shape; ///< line: {half length, half width}, pixels; {-1, 0}: flat; {-2, 0}: image
         std::uint32_t color;

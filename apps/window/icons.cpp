@@ -14,21 +14,21 @@ struct Pen {
     float size;
     ImU32 color;
 
-    ImVec2 at(ImVec2 place) const { return {middle.x + place.x * size, middle.y + place.y * size}; }
+    ImVec2 at(ImVec2 point) const { return {middle.x + point.x * size, middle.y + point.y * size}; }
     float thick() const { return size * 0.19F; }
 
-    void line(std::initializer_list<ImVec2> places, bool closed = false) const {
-        for (const auto& place : places) list.PathLineTo(at(place));
+    void line(std::initializer_list<ImVec2> points, bool closed = false) const {
+        for (const auto& point : points) list.PathLineTo(at(point));
         list.PathStroke(color, closed ? ImDrawFlags_Closed : 0, thick());
     }
-    void fill(std::initializer_list<ImVec2> places) const {
-        for (const auto& place : places) list.PathLineTo(at(place));
+    void fill(std::initializer_list<ImVec2> points) const {
+        for (const auto& point : points) list.PathLineTo(at(point));
         list.PathFillConvex(color);
     }
-    void ring(ImVec2 place, float radius) const { list.AddCircle(at(place), radius * size, color, 20, thick()); }
-    void dot(ImVec2 place, float radius) const { list.AddCircleFilled(at(place), radius * size, color, 20); }
-    void arc(ImVec2 place, float radius, float from, float to) const {
-        list.PathArcTo(at(place), radius * size, from, to, 18);
+    void ring(ImVec2 point, float radius) const { list.AddCircle(at(point), radius * size, color, 20, thick()); }
+    void dot(ImVec2 point, float radius) const { list.AddCircleFilled(at(point), radius * size, color, 20); }
+    void arc(ImVec2 point, float radius, float from, float to) const {
+        list.PathArcTo(at(point), radius * size, from, to, 18);
         list.PathStroke(color, 0, thick());
     }
     void curve(ImVec2 a, ImVec2 b, ImVec2 c, ImVec2 d) const {

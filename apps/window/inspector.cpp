@@ -21,13 +21,13 @@ template <class WorldT> class Shown {
         const auto& p = world_.particles;
         const auto units = play_.session().scene().measures();
         ImGui::TextColored(look_.accent, "%s", play::name_of(play_.session().world(), id_).c_str());
-        std::array<double, 3> place{}, velocity{};
+        std::array<double, 3> position{}, velocity{};
         for (int i = 0; i < D; ++i) {
-            place[std::size_t(i)] = double(p.position[row_][i]);
+            position[std::size_t(i)] = double(p.position[row_][i]);
             velocity[std::size_t(i)] = double(p.velocity[row_][i]);
         }
         play::Tweak tweak{.particle = row_, .position = {}, .velocity = {}, .mass = {}};
-        if (numbers("position", place, units.text(unit::length))) tweak.position = Point{place};
+        if (numbers("position", position, units.text(unit::length))) tweak.position = Point{position};
         if (numbers("velocity", velocity, units.text(unit::speed))) tweak.velocity = Point{velocity};
         double mass = double(inverse_or_zero(p.inverse_mass[row_]));
         window::label("mass", "how heavy it is", look_.faint);

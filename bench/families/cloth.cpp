@@ -27,9 +27,9 @@ template <class Real> void hold(World<3, Real>& world, int side, const char* pla
         const auto id = particles.handles.id_of(row);
         set_mass(world, id, Real(1));
         if (particles.mobility[row] == 0) continue;
-        auto place = particles.position[row];
-        place[across] = Real(1e-3 * cell * random::symmetric(1, 0, row));
-        set_position(world, id, place);
+        auto position = particles.position[row];
+        position[across] = Real(1e-3 * cell * random::symmetric(1, 0, row));
+        set_position(world, id, position);
     }
 }
 

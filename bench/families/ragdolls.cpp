@@ -54,9 +54,9 @@ template <class Real> void tumble(World<3, Real>& world, int ragdolls) {
             const auto row = [&](const char* name) {
                 return *row_of(flat, *find_particle(flat, std::string("bob/") + name));
             };
-            const auto place = [&](const char* name) { return flat.particles.position[row(name)]; };
+            const auto position = [&](const char* name) { return flat.particles.position[row(name)]; };
             const Real straight =
-                distance(place(joint[0]), place(joint[1])) + distance(place(joint[1]), place(joint[2]));
+                distance(position(joint[0]), position(joint[1])) + distance(position(joint[1]), position(joint[2]));
             keep(row(joint[0]), row(joint[2]), at_least(Real(folded) * straight));
         }
     }

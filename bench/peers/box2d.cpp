@@ -10,11 +10,11 @@ class Box2D final : public Simulation {
   public:
     Box2D(const Work& work, const Effort& effort) : effort_(effort), world_({work.gravity[0], work.gravity[1]}) {
         world_.SetAllowSleeping(false);
-        for (std::size_t i = 0; i < work.places.size(); ++i) {
+        for (std::size_t i = 0; i < work.positions.size(); ++i) {
             const bool moves = work.inverse_masses[i] > 0;
             b2BodyDef def;
             def.type = moves ? b2_dynamicBody : b2_staticBody;
-            def.position.Set(work.places[i][0], work.places[i][1]);
+            def.position.Set(work.positions[i][0], work.positions[i][1]);
             def.linearVelocity.Set(work.velocities[i][0], work.velocities[i][1]);
             bodies_.push_back(world_.CreateBody(&def));
             if (!moves) continue;
@@ -32,7 +32,7 @@ class Box2D final : public Simulation {
         for (int i = 0; i < effort_.substeps; ++i)
             world_.Step(float(frame / effort_.substeps), effort_.iterations, effort_.iterations);
     }
-    Found place(std::size_t particle) const override {
+    Found position(std::size_t particle) const override {
         const auto& at = bodies_[particle]->GetPosition();
         return {{at.x, at.y, 0}};
     }

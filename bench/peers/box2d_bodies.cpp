@@ -37,7 +37,7 @@ class Box2DBodies final : public BodySimulation {
         constexpr int for_velocities = 8, for_positions = 3;
         for (int i = 0; i < substeps_; ++i) world_.Step(float(frame / substeps_), for_velocities, for_positions);
     }
-    Vector place(std::uint32_t body, const Vector& from_center) const override {
+    Vector position(std::uint32_t body, const Vector& from_center) const override {
         const auto at = bodies_[body]->GetWorldPoint(of(from_center));
         return {{at.x, at.y}};
     }

@@ -18,7 +18,7 @@ std::vector<Strand> strands_of(const Work& work) {
     std::vector<Strand> strands;
     if (!work.struts.empty()) return {};
     std::size_t stick = 0;
-    for (std::size_t i = 0; i < work.places.size(); ++i) {
+    for (std::size_t i = 0; i < work.positions.size(); ++i) {
         if (!strands.empty() && stick < work.sticks.size() && work.sticks[stick].a == i - 1 &&
             work.sticks[stick].b == i) {
             ++strands.back().count;
@@ -48,14 +48,14 @@ class Box2DRope final : public Simulation {
   public:
     Box2DRope(const Work& work, const Effort& effort) : effort_(effort) {
         for (const auto& [first, count] : strands_of(work)) {
-            std::vector<b2Vec2> places;
+            std::vector<b2Vec2> positions;
             std::vector<float> masses;
             for (std::size_t i = first; i < first + count; ++i) {
-                places.emplace_back(work.places[i][0], work.places[i][1]);
+                positions.emplace_back(work.positions[i][0], work.positions[i][1]);
                 masses.push_back(work.inverse_masses[i] > 0 ? 1 / work.inverse_masses[i] : 0);
             }
             b2RopeDef def;
-            def.vertices = places.data();
+            def.vertices = positions.data();
             def.count = int32(count);
             def.masses = masses.data();
             def.gravity.Set(work.gravity[0], work.gravity[1]);
@@ -72,7 +72,7 @@ class Box2DRope final : public Simulation {
         looked_ = false;
     }
 
-    Found place(std::size_t particle) const override {
+    Found position(std::size_t particle) const override {
         if (!looked_) {
             points_.seen.clear();
             for (const auto& rope : ropes_) rope->Draw(&points_);

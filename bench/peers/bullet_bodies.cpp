@@ -56,7 +56,7 @@ class BulletBodies final : public BodySimulation {
     void step() override {
         for (int i = 0; i < substeps_; ++i) world_.stepSimulation(btScalar(frame / substeps_), 0);
     }
-    Vector place(std::uint32_t body, const Vector& from_center) const override {
+    Vector position(std::uint32_t body, const Vector& from_center) const override {
         const auto at = bodies_[body].getWorldTransform() * of(from_center);
         return {{at.x(), at.y()}};
     }

@@ -12,11 +12,11 @@ class Chipmunk final : public Simulation {
     Chipmunk(const Work& work, const Effort& effort) : effort_(effort) {
         cpSpaceSetGravity(space_, cpv(work.gravity[0], work.gravity[1]));
         cpSpaceSetIterations(space_, effort.iterations);
-        for (std::size_t i = 0; i < work.places.size(); ++i) {
+        for (std::size_t i = 0; i < work.positions.size(); ++i) {
             const bool moves = work.inverse_masses[i] > 0;
             auto* body = moves ? cpBodyNew(1 / work.inverse_masses[i], std::numeric_limits<double>::infinity())
                                : cpBodyNewStatic();
-            cpBodySetPosition(body, cpv(work.places[i][0], work.places[i][1]));
+            cpBodySetPosition(body, cpv(work.positions[i][0], work.positions[i][1]));
             if (moves) cpBodySetVelocity(body, cpv(work.velocities[i][0], work.velocities[i][1]));
             bodies_.push_back(moves ? cpSpaceAddBody(space_, body) : body);
         }
@@ -46,7 +46,7 @@ class Chipmunk final : public Simulation {
     void step() override {
         for (int i = 0; i < effort_.substeps; ++i) cpSpaceStep(space_, frame / effort_.substeps);
     }
-    Found place(std::size_t particle) const override {
+    Found position(std::size_t particle) const override {
         const auto at = cpBodyGetPosition(bodies_[particle]);
         return {{at.x, at.y, 0}};
     }

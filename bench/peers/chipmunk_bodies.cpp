@@ -47,7 +47,7 @@ class ChipmunkBodies final : public BodySimulation {
     void step() override {
         for (int i = 0; i < substeps_; ++i) cpSpaceStep(space_, frame / substeps_);
     }
-    Vector place(std::uint32_t body, const Vector& from_center) const override {
+    Vector position(std::uint32_t body, const Vector& from_center) const override {
         const auto at = cpBodyLocalToWorld(bodies_[body], of(from_center));
         return {{at.x, at.y}};
     }

@@ -181,7 +181,7 @@ sinew_status sinew_grab(sinew_simulation simulation, sinew_point at, double radi
         const auto seen = seen_in(session, view, at);
         const auto picked =
             seen ? pick(session.world(), view, cast<double>(seen->pixel), radius * double(seen->scale)) : std::nullopt;
-        const bool held = picked && session.grab(picked->members, picked->place);
+        const bool held = picked && session.grab(picked->members, picked->position);
         return held ? SINEW_OK : fail(SINEW_NOT_FOUND, "nothing that could move is there");
     });
 }
@@ -189,9 +189,10 @@ sinew_status sinew_grab(sinew_simulation simulation, sinew_point at, double radi
 sinew_status sinew_grab_particle(sinew_simulation simulation, sinew_particle particle) {
     return change(simulation, [&](Session& session) {
         const auto id = id_of<ParticleTag>(particle);
-        const auto place = place_of(session.world(), std::span(&id, 1));
-        if (!place) return bad_id("particle");
-        return session.grab(std::span(&id, 1), *place) ? SINEW_OK : fail(SINEW_NOT_FOUND, "the particle cannot move");
+        const auto position = position_of(session.world(), std::span(&id, 1));
+        if (!position) return bad_id("particle");
+        return session.grab(std::span(&id, 1), *position) ? SINEW_OK
+                                                          : fail(SINEW_NOT_FOUND, "the particle cannot move");
     });
 }
 

@@ -90,7 +90,7 @@ sinew_status sinew_unproject(sinew_simulation simulation, uint32_t width, uint32
     if (!position) return null_argument();
     if (!is_size(width, height)) return no_size();
     return read(simulation, [&](const Simulation&, const Session& session) {
-        const auto at = session.view(int(width), int(height)).place_of({{x, y}}, 1);
+        const auto at = session.view(int(width), int(height)).position_of({{x, y}}, 1);
         *position = {at[0], at[1], at[2]};
         return SINEW_OK;
     });

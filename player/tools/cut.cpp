@@ -42,7 +42,7 @@ class CutTool final : public Tool {
         const auto look = play.camera().look(play.session());
         const auto view = play.view();
         constexpr double depth = 1; // any depth: only the direction counts
-        const Slash slash{{view.place_of(from_, depth), view.place_of(to, depth)}, look};
+        const Slash slash{{view.position_of(from_, depth), view.position_of(to, depth)}, look};
         const auto before = count_constraints(play.session().world());
         if (cut_ == 0)
             play.timeline().edit(slash, "cut");

@@ -27,9 +27,9 @@ class Stroke {
         const double depth = scene.dimension == 3 ? norm(scene.view.camera.eye - scene.view.camera.target) : 0;
         json::Object all;
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            const auto place = view.place_of(points_[i], depth);
+            const auto position = view.position_of(points_[i], depth);
             json::Array at;
-            for (int k = 0; k < scene.dimension; ++k) at.push_back(place[k]);
+            for (int k = 0; k < scene.dimension; ++k) at.push_back(position[k]);
             all.push_back({name(i), json::Object{{"at", std::move(at)}, {"mass", mass}}});
         }
         return all;
@@ -63,8 +63,8 @@ json::Value link(std::size_t a, std::size_t b) {
 double nominal_width(const Play& play, double pixels) {
     const auto view = play.view();
     const double depth = 1;
-    return distance(view.place_of({{0, 0}}, depth).as<3, double>(),
-                    view.place_of({{pixels * play.density(), 0}}, depth).as<3, double>());
+    return distance(view.position_of({{0, 0}}, depth).as<3, double>(),
+                    view.position_of({{pixels * play.density(), 0}}, depth).as<3, double>());
 }
 
 class RopeTool final : public Tool {

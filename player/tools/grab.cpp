@@ -37,7 +37,7 @@ class GrabTool final : public Tool {
 
     void hold(Play& play, const Picked& picked, bool other) {
         auto& hold = holds_[play.active_pane()];
-        play.timeline().act(Grab{rows_of(play.session().world(), picked.members), picked.place});
+        play.timeline().act(Grab{rows_of(play.session().world(), picked.members), picked.position});
         hold.held = play.session().holds();
         hold.depth = picked.depth;
         if (other && play.session().hand()) hold.offset = cast<double>(picked.pixel) - play.pointer();
@@ -47,7 +47,7 @@ class GrabTool final : public Tool {
         play.each_pane([&] {
             if (!is_held(play)) return;
             const auto& hold = holds_[play.active_pane()];
-            play.timeline().act(Drag{play.view().place_of(play.pointer() + hold.offset, hold.depth)});
+            play.timeline().act(Drag{play.view().position_of(play.pointer() + hold.offset, hold.depth)});
         });
     }
 
@@ -58,14 +58,14 @@ class GrabTool final : public Tool {
         });
         holds_.clear();
         if (!held) return;
-        const auto at = play.selected ? place_of(play.session().world(), play.selected->members) : std::nullopt;
+        const auto at = play.selected ? position_of(play.session().world(), play.selected->members) : std::nullopt;
         play.tell("let_go", at ? json::Object{{"at", numbers(*at)}} : json::Object{});
     }
 
     void draw(const Play& play, Picture& picture) const override {
         const auto* hand = play.session().hand();
-        const auto place = hand ? place_of(play.session().world(), hand->members) : std::nullopt;
-        const auto seen = place ? play.view().see(place->as<3, double>()) : std::nullopt;
+        const auto position = hand ? position_of(play.session().world(), hand->members) : std::nullopt;
+        const auto seen = position ? play.view().see(position->as<3, double>()) : std::nullopt;
         if (!seen || !is_held(play)) return;
         const auto& theme = theme_called(play.shown_theme());
         const std::array line = {seen->pixel, cast<float>(play.pointer() + holds_[play.active_pane()].offset)};

@@ -32,7 +32,7 @@ class MeasureTool final : public Tool {
         const auto& session = play.session();
         const auto& camera = session.scene().view.camera;
         const double depth = session.scene().dimension == 3 ? norm(camera.eye - camera.target) : 0;
-        const auto a = view.place_of(from_, depth), b = view.place_of(play.pointer(), depth);
+        const auto a = view.position_of(from_, depth), b = view.position_of(play.pointer(), depth);
         return distance(a.as<3, double>(), b.as<3, double>());
     }
 

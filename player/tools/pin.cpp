@@ -34,7 +34,7 @@ class PinTool final : public Tool {
         if (!id) return;
         auto& pin = scene.pins.emplace_back();
         pin.particle = name;
-        pin.to = place_of(world, {&*id, 1});
+        pin.to = position_of(world, {&*id, 1});
     }
 
     /// The first pin of the scene within 18 nominal pixels of the pointer.
@@ -46,8 +46,8 @@ class PinTool final : public Tool {
             const auto id =
                 std::visit([&](const auto& world) { return find_particle(world, session.scene().pins[i].particle); },
                            session.world());
-            const auto place = id ? place_of(session.world(), {&*id, 1}) : std::nullopt;
-            const auto seen = place ? view.see(place->as<3, double>()) : std::nullopt;
+            const auto position = id ? position_of(session.world(), {&*id, 1}) : std::nullopt;
+            const auto seen = position ? view.see(position->as<3, double>()) : std::nullopt;
             if (seen && distance(cast<double>(seen->pixel), play.pointer()) < near * play.density()) return i;
         }
         return std::nullopt;

@@ -8,9 +8,9 @@ namespace {
 void put(Play& play, const std::string& prefab, json::Object parameters, const Point& at) {
     const auto& scene = play.session().scene();
     const auto name = free_name(scene, prefab);
-    json::Array place;
-    for (int i = 0; i < scene.dimension; ++i) place.push_back(at[i]);
-    json::Object figure{{"prefab", prefab}, {"name", name}, {"at", std::move(place)}};
+    json::Array position;
+    for (int i = 0; i < scene.dimension; ++i) position.push_back(at[i]);
+    json::Object figure{{"prefab", prefab}, {"name", name}, {"at", std::move(position)}};
     for (auto& parameter : parameters) figure.push_back(std::move(parameter));
     play.add_figure(std::move(figure), name);
 }
@@ -27,7 +27,8 @@ class SpawnTool final : public Tool {
 
     void press(Play& play) override {
         play.each_pane([&] {
-            put(play, play.prefab, play.prefab_parameters, play.view().place_of(play.pointer(), depth_of_middle(play)));
+            put(play, play.prefab, play.prefab_parameters,
+                play.view().position_of(play.pointer(), depth_of_middle(play)));
         });
     }
 };
@@ -54,11 +55,11 @@ class ClothTool final : public Tool {
         const double pixels = std::max({cell * play.density(), width / max, height / max});
         const int columns = int(width / pixels) + 1, rows = int(height / pixels) + 1;
         if (columns < 2 || rows < 2) return;
-        const double spacing = distance(view.place_of({{0, 0}}, depth).as<3, double>(),
-                                        view.place_of({{pixels, 0}}, depth).as<3, double>());
+        const double spacing = distance(view.position_of({{0, 0}}, depth).as<3, double>(),
+                                        view.position_of({{pixels, 0}}, depth).as<3, double>());
         const Vec2<double> middle{{(a[0] + b[0]) / 2, std::min(a[1], b[1])}};
         put(play, "cloth", {{"columns", columns}, {"rows", rows}, {"spacing", spacing}, {"drawn", "both"}},
-            view.place_of(middle, depth));
+            view.position_of(middle, depth));
     }
 
     void draw(const Play& play, Picture& picture) const override {

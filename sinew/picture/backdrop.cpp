@@ -31,7 +31,9 @@ class Pool {
 
     Pool(const CameraSection& camera, const View& view, const Vec3<double>& normal, const Vec3<double>& through)
         : view_(view) {
-        const auto onto = [&](const Vec3<double>& place) { return place - normal * dot(place - through, normal); };
+        const auto onto = [&](const Vec3<double>& position) {
+            return position - normal * dot(position - through, normal);
+        };
         const auto below_eye = onto(camera.eye);
         middle_ = onto(camera.target);
         radius_ = max(0.93 * distance(below_eye, middle_), 1.2 * distance(below_eye, camera.eye));
@@ -123,8 +125,8 @@ void draw_walls(const Scene& scene, const View& view, const Theme& theme, float 
         const auto along = perpendicular(normal), through = plane.through.template as<2, double>();
         const double far = 10 * (absolute(through[0]) + absolute(through[1]) + double(picture.width + picture.height));
         const auto corner = [&](double way, double below) {
-            const auto place = through + along * way - normal * below;
-            return view.see({{place[0], place[1], 0}})->pixel;
+            const auto position = through + along * way - normal * below;
+            return view.see({{position[0], position[1], 0}})->pixel;
         };
         outline = {corner(-far, 0), corner(far, 0), corner(far, far), corner(-far, far)};
         picture.add(Shape::polygon, outline, 0, theme.ground);

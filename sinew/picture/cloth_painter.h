@@ -56,11 +56,11 @@ template <class WorldT> class ClothPainter {
     template <class Visit> void each_tile(const Figure& figure, const Piece& piece, Visit&& visit) const {
         const auto patch = patch_of(figure, piece);
         if (!patch) return;
-        std::vector<Vec3<double>> places;
+        std::vector<Vec3<double>> positions;
         figure.fragments[piece.fragment].each_tile([&](std::span<const Vec2<float>> tile) {
-            places.clear();
-            for (const auto& uv : tile) places.push_back(place_at(*patch, double(uv[0]), double(uv[1])));
-            visit(std::span<const Vec3<double>>(places));
+            positions.clear();
+            for (const auto& uv : tile) positions.push_back(place_at(*patch, double(uv[0]), double(uv[1])));
+            visit(std::span<const Vec3<double>>(positions));
         });
     }
 
@@ -75,7 +75,7 @@ template <class WorldT> class ClothPainter {
     std::vector<std::optional<View::Seen>> corners_; // of the tiles of a cell
     Pixels shape_;
 
-    Vec3<double> place_in_space(Row row) const {
+    Vec3<double> position_in_space(Row row) const {
         Vec3<double> wide{};
         for (int i = 0; i < D; ++i) wide[i] = double(world_.particles.position[row][i]);
         return wide;
@@ -98,9 +98,9 @@ template <class WorldT> class ClothPainter {
             if (!row_of(world_, id)) return std::nullopt;
         std::size_t i = 0;
         each_corner(figure, piece, [&](Row row, bool is_particle) {
-            const auto place = [&](std::size_t k) { return place_in_space(*row_of(world_, piece.particles[k])); };
-            patch.corner[i] = is_particle ? place_in_space(row)
-                                          : place_of(figure.fragments[piece.fragment].corners[i], place, D == 2);
+            const auto position = [&](std::size_t k) { return position_in_space(*row_of(world_, piece.particles[k])); };
+            patch.corner[i] = is_particle ? position_in_space(row)
+                                          : position_of(figure.fragments[piece.fragment].corners[i], position, D == 2);
             if (row < normals_.size()) patch.normal[i] = direction(normals_[row]);
             ++i;
         });

@@ -11,16 +11,16 @@
 namespace sinew {
 namespace {
 
-using Place = Vec3<double>;
+using Position = Vec3<double>;
 
 /// A face of a solid: corners counter-clockwise seen from outside.
 struct SolidFace {
-    std::vector<Place> corners;
-    Place normal{};
+    std::vector<Position> corners;
+    Position normal{};
 };
 
-template <int D, class Real> Place placed_in_space(const Vec<D, Real>& vector) {
-    Place wide{};
+template <int D, class Real> Position placed_in_space(const Vec<D, Real>& vector) {
+    Position wide{};
     for (int i = 0; i < D; ++i) wide[i] = double(vector[i]);
     return wide;
 }
@@ -29,7 +29,7 @@ constexpr int circle_corners = 32; ///< corners of a circle
 
 /// Outlines of the shapes of the plane, in their own frame.
 struct ShapeOutline {
-    std::vector<Place> corners;
+    std::vector<Position> corners;
     bool is_solid = true; ///< else the outline is a line only
 };
 
@@ -44,7 +44,7 @@ template <class Real> ShapeOutline outline_of(const collide::Sphere<2, Real>& sp
 template <class Real> ShapeOutline outline_of(const collide::Capsule<2, Real>& capsule) {
     ShapeOutline outline;
     const auto along = direction(placed_in_space(capsule.b) - placed_in_space(capsule.a));
-    const Place axis = along == Place{} ? Place::axis(0) : along, side{{-axis[1], axis[0], 0}};
+    const Position axis = along == Position{} ? Position::axis(0) : along, side{{-axis[1], axis[0], 0}};
     for (int end = 0; end < 2; ++end)
         for (int i = 0; i <= circle_corners; ++i) {
             const double angle = pi<double> * (double(i) / circle_corners - 0.5) + (end ? pi<double> : 0);
@@ -65,7 +65,7 @@ template <class Real> ShapeOutline outline_of(const collide::Polygon<2, Real>& p
 template <class Real> ShapeOutline outline_of(const collide::HalfSpace<2, Real>& plane) {
     constexpr double far = 1e4;
     const auto normal = placed_in_space(plane.normal);
-    const Place along{{normal[1], -normal[0], 0}}, foot = normal * double(plane.offset);
+    const Position along{{normal[1], -normal[0], 0}}, foot = normal * double(plane.offset);
     return {
         {foot - along * far, foot + along * far, foot + along * far - normal * far, foot - along * far - normal * far}};
 }
@@ -77,7 +77,7 @@ template <class Real> ShapeOutline outline_of(const collide::Chain<2, Real>& cha
     if (chain.is_closed || outline.corners.size() < 2) return outline;
     constexpr double depth = 100;
     const auto along = outline.corners.back() - outline.corners.front();
-    const auto below = Place{{along[1], -along[0], 0}} * depth;
+    const auto below = Position{{along[1], -along[0], 0}} * depth;
     const auto first = outline.corners.front(), last = outline.corners.back();
     outline.corners.push_back(last + below);
     outline.corners.push_back(first + below);
@@ -88,16 +88,16 @@ template <class Real> ShapeOutline outline_of(const collide::Chain<2, Real>& cha
 
 using Faces = std::vector<SolidFace>;
 
-void add_face(Faces& faces, std::vector<Place> corners) {
+void add_face(Faces& faces, std::vector<Position> corners) {
     const auto normal = direction(cross(corners[1] - corners[0], corners[2] - corners[0]));
     faces.push_back({std::move(corners), normal});
 }
 
 /// Capsule of a given axis; a sphere for an axis of no length.
-void add_capsule(Faces& faces, const Place& a, const Place& b, double radius) {
+void add_capsule(Faces& faces, const Position& a, const Position& b, double radius) {
     const auto along = direction(b - a);
-    const Place axis = along == Place{} ? Place::axis(1) : along;
-    const auto side = direction(cross(axis, absolute(axis[0]) < 0.8 ? Place::axis(0) : Place::axis(2)));
+    const Position axis = along == Position{} ? Position::axis(1) : along;
+    const auto side = direction(cross(axis, absolute(axis[0]) < 0.8 ? Position::axis(0) : Position::axis(2)));
     const auto other = cross(axis, side);
     const auto at = [&](int ring, int i) { // rings from the end at a to the end at b
         const int rings = circle_corners / 2;
@@ -110,7 +110,7 @@ void add_capsule(Faces& faces, const Place& a, const Place& b, double radius) {
         for (int i = 0; i < circle_corners; ++i) {
             const auto p = at(ring, i), q = at(ring, i + 1), r = at(ring + 1, i + 1), s = at(ring + 1, i);
             const auto normal = cross(r - p, s - q);
-            if (normal != Place{}) faces.push_back({{p, q, r, s}, direction(normal)});
+            if (normal != Position{}) faces.push_back({{p, q, r, s}, direction(normal)});
         }
 }
 template <class Real> void add_faces(Faces& faces, const collide::Sphere<3, Real>& sphere) {
@@ -123,16 +123,17 @@ template <class Real> void add_faces(Faces& faces, const collide::Box<3, Real>& 
     const auto half = placed_in_space(box.half);
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {-1.0, 1.0}) {
-            const auto u = Place::axis((axis + 1) % 3) * half[(axis + 1) % 3],
-                       v = Place::axis((axis + 2) % 3) * (half[(axis + 2) % 3] * side),
-                       middle = Place::axis(axis) * (half[axis] * side);
+            const auto u = Position::axis((axis + 1) % 3) * half[(axis + 1) % 3],
+                       v = Position::axis((axis + 2) % 3) * (half[(axis + 2) % 3] * side),
+                       middle = Position::axis(axis) * (half[axis] * side);
             add_face(faces, {middle - u - v, middle + u - v, middle + u + v, middle - u + v});
         }
 }
 template <class Real> void add_faces(Faces& faces, const collide::HalfSpace<3, Real>& plane) {
     constexpr double half_width = 20;
     const auto normal = placed_in_space(plane.normal);
-    const auto u = direction(cross(normal, absolute(normal[0]) < 0.8 ? Place::axis(0) : Place::axis(2))) * half_width,
+    const auto u = direction(cross(normal, absolute(normal[0]) < 0.8 ? Position::axis(0) : Position::axis(2))) *
+                   half_width,
                v = cross(normal, u), middle = normal * double(plane.offset);
     add_face(faces, {middle - u - v, middle + u - v, middle + u + v, middle - u + v});
 }
@@ -164,7 +165,7 @@ template <class WorldT> class ColliderPainter {
     Picture& picture_;
     Pixels pixels_;
 
-    static Place place(const Pose& pose, const Place& local) {
+    static Position position(const Pose& pose, const Position& local) {
         Vec<D, typename WorldT::Real> narrow{};
         for (int i = 0; i < D; ++i) narrow[i] = typename WorldT::Real(local[i]);
         return placed_in_space(pose.to_world(narrow));
@@ -213,20 +214,20 @@ template <class WorldT> class ColliderPainter {
     void see(const ShapeOutline& outline, const Pose& pose) {
         pixels_.clear();
         for (const auto& corner : outline.corners)
-            if (const auto seen = view_.see(place(pose, corner))) pixels_.push_back(seen->pixel);
+            if (const auto seen = view_.see(position(pose, corner))) pixels_.push_back(seen->pixel);
     }
 
     template <class ShapeT> static void collect(Faces& faces, const ShapeT& shape, const Pose& pose) {
         const auto first = faces.size();
         add_faces(faces, shape);
         for (auto i = first; i < faces.size(); ++i) {
-            for (auto& corner : faces[i].corners) corner = place(pose, corner);
-            faces[i].normal = place({{}, pose.rotation}, faces[i].normal);
+            for (auto& corner : faces[i].corners) corner = position(pose, corner);
+            faces[i].normal = position({{}, pose.rotation}, faces[i].normal);
         }
     }
 
     double depth_of(const SolidFace& face) const {
-        Place sum{};
+        Position sum{};
         for (const auto& corner : face.corners) sum += corner * (1.0 / double(face.corners.size()));
         const auto seen = view_.see(sum);
         return seen ? double(seen->depth) : 0;

@@ -16,7 +16,7 @@ namespace sinew {
 
 /// Contact as it is drawn. The force is the normal one, on the side on which the fields of force press: upwards under
 /// what lies. Unit: the world's own unit of force.
-template <int D> struct ContactPoint { Vec<D, double> place{}, force{}; };
+template <int D> struct ContactPoint { Vec<D, double> position{}, force{}; };
 
 /// Contacts after a step: of particles with planes and colliders, and of figures. In classic mode forces are zero.
 /// Contacts of cloth with cloth, which is kept apart by position, are not among them.

@@ -58,12 +58,12 @@ void shade_tube(const ProjectedPiece& tube, const Style& style, const Color& col
 /// Highlight on discs at least 18 nominal pixels wide.
 void add_gloss(const ProjectedPiece& disc, const Color& color, float unit, Picture& picture) {
     constexpr float min = 18, size = 0.3F;
-    constexpr Vec2<float> place{{-0.19F, -0.21F}};
+    constexpr Vec2<float> position{{-0.19F, -0.21F}};
     const float width = disc.width;
     if (width < min * unit) return;
     const auto first = disc.mark == Mark::tip ? disc.points.end() - 1 : disc.points.begin();
     for (auto point = first; point != disc.points.end(); ++point) {
-        const auto lit = *point + place * width;
+        const auto lit = *point + position * width;
         const Color pale{1, 1, 1, color.alpha};
         picture.add(Shape::disc, std::span(&lit, 1), size * width, mix(color, pale, 0.22F));
     }
@@ -153,14 +153,14 @@ template <class WorldT> class Drawer {
 
     /// A face on the disc in traced_, or one on every dot of a piece with several.
     void draw_face(const Piece& piece, std::string_view expression, const Color& color) {
-        std::vector<Vec3<double>> places;
+        std::vector<Vec3<double>> positions;
         for (const auto id : piece.particles) {
-            places.push_back(*projector_.place_of(id));
+            positions.push_back(*projector_.position_of(id));
             const bool several = piece.mark == Mark::dot;
-            if (!several && places.size() < piece.particles.size()) continue;
+            if (!several && positions.size() < piece.particles.size()) continue;
             const double radius = double(traced_.width / traced_.scale) / 2;
-            paint_face(head_at(places, D == 2, view_, radius), expression, view_, color, picture_);
-            if (several) places.clear();
+            paint_face(head_at(positions, D == 2, view_, radius), expression, view_, color, picture_);
+            if (several) positions.clear();
         }
     }
 

@@ -71,14 +71,14 @@ void paint_crossed_eye(FacePainter& painter, double x) {
 
 } // namespace
 
-Head head_at(std::span<const Vec3<double>> places, bool flat, const View& view, double radius) {
-    Head head{.middle = places.back(), .above = view.above(), .right = view.right(), .radius = radius};
-    if (places.size() >= 2) {
-        const auto up = direction(places.back() - places[places.size() - 2]);
+Head head_at(std::span<const Vec3<double>> positions, bool flat, const View& view, double radius) {
+    Head head{.middle = positions.back(), .above = view.above(), .right = view.right(), .radius = radius};
+    if (positions.size() >= 2) {
+        const auto up = direction(positions.back() - positions[positions.size() - 2]);
         if (up != Vec3<double>{}) head.above = up;
     }
     auto across = flat ? Vec3<double>{{head.above[1], -head.above[0], 0}} : head.right;
-    if (!flat && places.size() >= 4) across = places[1] - places[0];
+    if (!flat && positions.size() >= 4) across = positions[1] - positions[0];
     const auto beside = direction(across - head.above * dot(across, head.above));
     if (beside != Vec3<double>{}) head.right = beside;
     head.front = cross(head.right, head.above);

@@ -16,7 +16,7 @@ struct Head {
 
 /// Head centred on the last of `places`; the last segment, if any, points upwards. In 2D the face looks at the viewer.
 /// In 3D, with at least four places, the segment from the first to the second gives the direction to the right.
-Head head_at(std::span<const Vec3<double>> places, bool flat, const View& view, double radius);
+Head head_at(std::span<const Vec3<double>> positions, bool flat, const View& view, double radius);
 
 /// Paints eyes and mouth as far as they face the viewer. `expression`: one of `expressions` (look_section.h).
 void paint_face(const Head& head, std::string_view expression, const View& view, const Color& color, Picture& picture);

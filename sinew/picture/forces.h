@@ -54,15 +54,15 @@ template <class WorldT> class Forces {
         if (strength == 0) return;
         const auto members = table.members[row];
         if constexpr (Kind::arity == any_arity) {
-            std::vector<Force> places, gradient(members.size());
-            for (const Row member : members) places.push_back(cast<double>(world_.particles.position[member]));
-            Kind::evaluate(std::span<const Force>(places), std::span<Force>(gradient));
+            std::vector<Force> positions, gradient(members.size());
+            for (const Row member : members) positions.push_back(cast<double>(world_.particles.position[member]));
+            Kind::evaluate(std::span<const Force>(positions), std::span<Force>(gradient));
             add(members, gradient, strength);
         } else {
-            Points<Kind::arity, D, double> places;
-            for (std::size_t i = 0; i < places.size(); ++i)
-                places[i] = cast<double>(world_.particles.position[members[i]]);
-            add(members, Kind::evaluate(places).gradient, strength);
+            Points<Kind::arity, D, double> positions;
+            for (std::size_t i = 0; i < positions.size(); ++i)
+                positions[i] = cast<double>(world_.particles.position[members[i]]);
+            add(members, Kind::evaluate(positions).gradient, strength);
         }
     }
 

@@ -45,10 +45,10 @@ template <class WorldT> class Overlayer {
                 const std::array way = {*at, to->pixel};
                 picture_.add(Shape::polyline, way, 1.5F * unit_, text_);
             }
-            const auto place = to ? to->pixel : *at;
-            picture_.add(Shape::disc, std::span(&place, 1), size, theme_.background);
-            picture_.add(Shape::disc, std::span(&place, 1), size * 0.75F, text_);
-            picture_.add(Shape::disc, std::span(&place, 1), size * 0.3F, theme_.background);
+            const auto position = to ? to->pixel : *at;
+            picture_.add(Shape::disc, std::span(&position, 1), size, theme_.background);
+            picture_.add(Shape::disc, std::span(&position, 1), size * 0.75F, text_);
+            picture_.add(Shape::disc, std::span(&position, 1), size * 0.3F, theme_.background);
         }
     }
 
@@ -95,8 +95,8 @@ template <class WorldT> class Overlayer {
         const bool known = knows_forces("contacts");
         const double near = 1e-3 /* metres */ * scene_.measures().per_metre;
         std::vector<Arrow> arrows;
-        for (const auto& [place, force] : ContactPoints<WorldT>(world_, step_length(scene_), near).list())
-            arrows.push_back({place, force, stretched});
+        for (const auto& [position, force] : ContactPoints<WorldT>(world_, step_length(scene_), near).list())
+            arrows.push_back({position, force, stretched});
         if (known) {
             draw_arrows(arrows, "contacts");
             if (!arrows.empty())
@@ -116,9 +116,9 @@ template <class WorldT> class Overlayer {
     const Color text_;
     Annotator annotator_;
 
-    template <class T> static Vec3<double> in_space(const Vec<D, T>& place) {
+    template <class T> static Vec3<double> in_space(const Vec<D, T>& position) {
         Vec3<double> wide{};
-        for (int i = 0; i < D; ++i) wide[i] = double(place[i]);
+        for (int i = 0; i < D; ++i) wide[i] = double(position[i]);
         return wide;
     }
 
@@ -139,8 +139,8 @@ template <class WorldT> class Overlayer {
         return false;
     }
 
-    void mark_contact(const Vec<D, double>& place) {
-        const auto seen = view_.see(in_space(place));
+    void mark_contact(const Vec<D, double>& position) {
+        const auto seen = view_.see(in_space(position));
         if (!seen) return;
         picture_.add(Shape::disc, std::span(&seen->pixel, 1), contact_size * unit_, theme_.background);
         picture_.add(Shape::disc, std::span(&seen->pixel, 1), 0.7F * contact_size * unit_, stretched);

@@ -27,7 +27,7 @@ template <class WorldT> class PieceProjector {
         : scene_(scene), world_(world), view_(view) {}
 
     /// Position of a particle; empty if removed.
-    std::optional<Vec3<double>> place_of(ParticleId id) const {
+    std::optional<Vec3<double>> position_of(ParticleId id) const {
         const auto row = row_of(world_, id);
         if (!row) return std::nullopt;
         Vec3<double> wide{};
@@ -37,7 +37,7 @@ template <class WorldT> class PieceProjector {
 
     /// Projects a piece. False if a particle has been removed or lies behind the eye.
     bool project(const Piece& piece, const Style& style, ProjectedPiece& projected) const {
-        return project(piece, style, projected, [this](const Vec3<double>& place) { return view_.see(place); });
+        return project(piece, style, projected, [this](const Vec3<double>& position) { return view_.see(position); });
     }
     /// Projects a piece by see(place), in place of the view.
     template <class See>
@@ -46,8 +46,8 @@ template <class WorldT> class PieceProjector {
         projected.points.clear();
         float sum = 0;
         for (const auto id : piece.particles) {
-            const auto place = place_of(id);
-            const auto seen = place ? see(*place) : std::nullopt;
+            const auto position = position_of(id);
+            const auto seen = position ? see(*position) : std::nullopt;
             if (!seen) return false;
             projected.points.push_back(seen->pixel);
             sum += seen->scale;
@@ -65,8 +65,8 @@ template <class WorldT> class PieceProjector {
         if (piece.mark == Mark::face && !piece.particles.empty())
             return depth_of({.mark = Mark::dot, .particles = {piece.particles[piece.particles.size() - 1]}});
         for (const auto id : piece.particles)
-            if (const auto place = place_of(id))
-                if (const auto seen = view_.see(*place)) sum += seen->depth;
+            if (const auto position = position_of(id))
+                if (const auto seen = view_.see(*position)) sum += seen->depth;
         return sum / float(std::max<std::size_t>(piece.particles.size(), 1));
     }
 

@@ -98,9 +98,9 @@ void PieceRenderer::paint_band(const ProjectedPiece& piece, std::span<const doub
     lay_out(bends_, 1, longest_part * unit_, spine_);
     const Thickness width{piece, profile, thicker};
     if (profile.empty() && piece.end_width == piece.width)
-        return picture_.add(Shape::polyline, spine_.place, width(0), color);
+        return picture_.add(Shape::polyline, spine_.position, width(0), color);
     for (std::size_t i = 0; i + 1 < spine_.size(); ++i) {
-        taper(spine_.place[i], width(spine_.share(i)), spine_.place[i + 1], width(spine_.share(i + 1)), shape_);
+        taper(spine_.position[i], width(spine_.share(i)), spine_.position[i + 1], width(spine_.share(i + 1)), shape_);
         picture_.add(Shape::polygon, shape_, 0, color);
     }
 }
@@ -117,7 +117,7 @@ void PieceRenderer::paint_image(const ProjectedPiece& piece, const ImageLook& lo
         limb_along(points, bends_);
         lay_out(bends_, 1, longest_part * unit_, spine_);
         if (spine_.size() > 0)
-            paint_sprite(piece, look, number, spine_.place.back(), spine_.along.back(), as_wide, larger, over);
+            paint_sprite(piece, look, number, spine_.position.back(), spine_.along.back(), as_wide, larger, over);
         return;
     case Mark::stroke:
     case Mark::ring:
@@ -217,7 +217,7 @@ bool PieceRenderer::covers(const ProjectedPiece& piece, Vec2<float> pixel) {
     if (piece.mark == Mark::limb) {
         limb_along(points, bends_);
         lay_out(bends_, 1, longest_part * unit_, spine_);
-        line = spine_.place;
+        line = spine_.position;
     }
     if (piece.mark == Mark::dot || line.size() == 1)
         return std::any_of(line.begin(), line.end(), [&](const auto& p) { return distance(pixel, p) <= radius; });

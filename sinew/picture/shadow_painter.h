@@ -32,13 +32,13 @@ template <int D> class ShadowProjection {
         way_ = direction(normal_ + light.towards_light * 0.5); // a steep light
     }
 
-    std::optional<View::Seen> see(const Vec3<double>& place) const {
+    std::optional<View::Seen> see(const Vec3<double>& position) const {
         if (D == 3) {
             const double slope = dot(normal_, way_);
             if (slope <= 0) return std::nullopt;
-            return view_.see(place - way_ * (dot(place - through_, normal_) / slope));
+            return view_.see(position - way_ * (dot(position - through_, normal_) / slope));
         }
-        auto seen = view_.see(place);
+        auto seen = view_.see(position);
         if (seen) seen->pixel += aside_;
         return seen;
     }
@@ -99,7 +99,7 @@ template <class WorldT> class ShadowPainter {
         const Color shade =
             D == 3 ? mix(theme_.ground, theme_.floor_shadow, depth) : mix(theme_.background, theme_.shadow, depth);
         if (piece.mark == Mark::fragment) return cast_tiles(figure, piece, style, wider, shade);
-        const auto project = [sun = projection()](const Vec3<double>& place) { return sun.see(place); };
+        const auto project = [sun = projection()](const Vec3<double>& position) { return sun.see(position); };
         if (!projector_.project(piece, style, shadow_, project)) return;
         if (!is_area(piece) && shadow_.width < thinnest_line) return;
         if (image && is_rigid(shadow_)) // only then does the image's outline differ from the piece's
@@ -111,13 +111,13 @@ template <class WorldT> class ShadowPainter {
     /// Shadow of a fragment, tile by tile.
     void cast_tiles(const Figure& figure, const Piece& piece, const Style& style, float wider, const Color& shade) {
         const auto sun = projection();
-        cloth_.each_tile(figure, piece, [&](std::span<const Vec3<double>> places) {
+        cloth_.each_tile(figure, piece, [&](std::span<const Vec3<double>> positions) {
             shadow_.mark = piece.mark;
             shadow_.width = shadow_.end_width = 0;
             shadow_.points.clear();
-            for (const auto& place : places)
-                if (const auto seen = sun.see(place)) shadow_.points.push_back(seen->pixel);
-            if (shadow_.points.size() == places.size()) brush_.paint(shadow_, style, wider, shade);
+            for (const auto& position : positions)
+                if (const auto seen = sun.see(position)) shadow_.points.push_back(seen->pixel);
+            if (shadow_.points.size() == positions.size()) brush_.paint(shadow_, style, wider, shade);
         });
     }
 };

@@ -37,7 +37,7 @@ void rope_through(std::span<const Vec2<float>> points, Bends& bends) {
 }
 
 void lay_out(std::span<const Arc> bends, std::size_t parts, float longest, Spine& spine) {
-    spine.place.clear();
+    spine.position.clear();
     spine.along.clear();
     spine.length = 0;
     if (bends.empty()) return;
@@ -62,17 +62,17 @@ void lay_out(std::span<const Arc> bends, std::size_t parts, float longest, Spine
             (length - length_until[chord]) * inverse_or_zero(length_until[chord + 1] - length_until[chord]);
         const auto& bend = bends[chord / chords];
         const float t = (float(chord % chords) + clamp(inside, 0.0F, 1.0F)) / chords;
-        spine.place.push_back(bend.at(t));
+        spine.position.push_back(bend.at(t));
         spine.along.push_back(way_at(bend, t));
     }
 }
 
 float thickness_at(std::span<const double> profile, float share) {
     if (profile.empty()) return 1;
-    const float place = clamp(share, 0.0F, 1.0F) * float(profile.size() - 1);
-    const auto below = std::min(std::size_t(place), profile.size() - 1),
+    const float position = clamp(share, 0.0F, 1.0F) * float(profile.size() - 1);
+    const auto below = std::min(std::size_t(position), profile.size() - 1),
                above = std::min(below + 1, profile.size() - 1);
-    return float(profile[below]) + (float(profile[above]) - float(profile[below])) * (place - float(below));
+    return float(profile[below]) + (float(profile[above]) - float(profile[below])) * (position - float(below));
 }
 
 } // namespace sinew

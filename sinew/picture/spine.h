@@ -20,10 +20,10 @@ void rope_through(std::span<const Vec2<float>> points, Bends& bends);
 
 /// Points equally spaced along a curve, with unit tangents.
 struct Spine {
-    Pixels place, along;
+    Pixels position, along;
     float length = 0;
 
-    std::size_t size() const { return place.size(); }
+    std::size_t size() const { return position.size(); }
     /// Fraction of the length at point i: 0 at the beginning, 1 at the end.
     float share(std::size_t i) const { return size() < 2 ? 0 : float(i) / float(size() - 1); }
 };
@@ -42,7 +42,7 @@ template <class Width> void sides_of(const Spine& spine, Width&& width_at, Pixel
     sides.clear();
     for (std::size_t i = 0; i < spine.size(); ++i) {
         const auto side = perpendicular(spine.along[i]) * (width_at(spine.share(i)) / 2);
-        for (const auto& corner : {spine.place[i] - side, spine.place[i] + side}) {
+        for (const auto& corner : {spine.position[i] - side, spine.position[i] + side}) {
             const bool backwards = i > 0 && dot(corner - sides[sides.size() - 2], spine.along[i]) < 0;
             sides.push_back(backwards ? sides[sides.size() - 2] : corner);
         }

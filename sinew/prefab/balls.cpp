@@ -15,9 +15,9 @@ template <int D, class Real> void Balls::build(Builder<D, Real>& figure) const {
         for (int row = 0; row < rows; ++row)
             for (int column = 0; column < columns; ++column) {
                 const double aside = row % 2 ? 0.25 : -0.25; // no ball stands on another
-                auto place = on_screen<D>((column - 0.5 * (columns - 1) + aside) * step, row * step);
-                if constexpr (D == 3) place[2] = (layer - 0.5 * (layers - 1) + aside) * step;
-                all.push_back(figure.particle("", place, mass / double(sizes().particles), radius));
+                auto position = on_screen<D>((column - 0.5 * (columns - 1) + aside) * step, row * step);
+                if constexpr (D == 3) position[2] = (layer - 0.5 * (layers - 1) + aside) * step;
+                all.push_back(figure.particle("", position, mass / double(sizes().particles), radius));
             }
     figure.draw(Mark::dot, "ball", std::move(all), 2 * radius);
 }

@@ -85,10 +85,10 @@ constexpr bool shares_are_whole(std::span<const Joint> joints, Rig rig) {
 }
 
 /// Position of a joint in the prefab's frame.
-template <int D> Vec<D, double> place_of(const Joint& joint, double scale) {
-    auto place = on_screen<D>(scale * joint.x, -scale * joint.y);
-    if constexpr (D == 3) place[2] = scale * joint.z;
-    return place;
+template <int D> Vec<D, double> position_of(const Joint& joint, double scale) {
+    auto position = on_screen<D>(scale * joint.x, -scale * joint.y);
+    if constexpr (D == 3) position[2] = scale * joint.z;
+    return position;
 }
 
 /// Joint of a given name. The name must be in the table.
@@ -98,7 +98,7 @@ inline const Joint& joint_of(const Body& body, std::string_view name) {
 }
 
 template <int D> double length_in_table(const Body& body, const Bone& bone, double scale) {
-    return distance(place_of<D>(joint_of(body, bone.from), scale), place_of<D>(joint_of(body, bone.to), scale));
+    return distance(position_of<D>(joint_of(body, bone.from), scale), position_of<D>(joint_of(body, bone.to), scale));
 }
 
 /// Builds the rows of a body that the builder's mode uses.
@@ -110,7 +110,7 @@ void build_body(Builder<D, Real>& figure, const Body& body, double scale, double
     };
     for (const auto& joint : posed(body.joints, pose))
         if (belongs(joint.rig))
-            figure.particle(joint.name, place_of<D>(joint, scale), mass * joint.share / 100, scale * joint.radius);
+            figure.particle(joint.name, position_of<D>(joint, scale), mass * joint.share / 100, scale * joint.radius);
 
     for (const auto& bone : body.bones) {
         if (!belongs(bone.rig)) continue;
@@ -135,8 +135,8 @@ void build_body(Builder<D, Real>& figure, const Body& body, double scale, double
             for (std::size_t i = 0; i < 4; ++i) members[i] = figure.named(fold.between[i]);
             double whole = 1.0 / 6;
             for (const std::size_t i : {1U, 2U, 3U})
-                whole *= distance(place_of<D>(joint_of(body, fold.between[0]), scale),
-                                  place_of<D>(joint_of(body, fold.between[i]), scale));
+                whole *= distance(position_of<D>(joint_of(body, fold.between[0]), scale),
+                                  position_of<D>(joint_of(body, fold.between[i]), scale));
             figure.template constrain<Volume>(fold.name, members,
                                               {.limits = between(fold.min * whole, fold.max * whole)});
         }

@@ -20,7 +20,7 @@ template <int D, class Real> struct Placement {
     double turn = 0; ///< radians, counter-clockwise on screen; about z in 3D
     int up = 1;
 
-    Vec<D, Real> place(const Vec<D, double>& local) const { return Frame(*this).place(local); }
+    Vec<D, Real> to_world(const Vec<D, double>& local) const { return Frame(*this).to_world(local); }
 
     /// The same transform with sine and cosine evaluated once, for many points.
     class Frame {
@@ -28,11 +28,11 @@ template <int D, class Real> struct Placement {
         explicit Frame(const Placement& placement)
             : at_(placement.at), cosine_(cosine(placement.turn)), sine_(sine(placement.turn)), up_(placement.up) {}
 
-        Vec<D, Real> place(const Vec<D, double>& local) const { return at_ + cast<Real>(turned(local)); }
-        /// Rounding error of `place`. Kept with the particle, because a link shorter than the resolution of float at
+        Vec<D, Real> to_world(const Vec<D, double>& local) const { return at_ + cast<Real>(turned(local)); }
+        /// Rounding error of `to_world`. Kept with the particle, because a link shorter than the resolution of float at
         /// its position would otherwise begin slack or stretched.
         Vec<D, Real> residual(const Vec<D, double>& local) const {
-            return cast<Real>(cast<double>(at_) + turned(local) - cast<double>(place(local)));
+            return cast<Real>(cast<double>(at_) + turned(local) - cast<double>(to_world(local)));
         }
 
       private:
@@ -41,20 +41,20 @@ template <int D, class Real> struct Placement {
         int up_;
 
         Vec<D, double> turned(const Vec<D, double>& local) const {
-            auto place = local;
-            place[0] = cosine_ * local[0] - sine_ * local[1];
-            place[1] = (sine_ * local[0] + cosine_ * local[1]) * up_;
-            return place;
+            auto rotated = local;
+            rotated[0] = cosine_ * local[0] - sine_ * local[1];
+            rotated[1] = (sine_ * local[0] + cosine_ * local[1]) * up_;
+            return rotated;
         }
     };
 };
 
 /// A point in the plane of the screen, in any dimension.
 template <int D> constexpr Vec<D, double> on_screen(double x, double y) {
-    Vec<D, double> place;
-    place[0] = x;
-    place[1] = y;
-    return place;
+    Vec<D, double> position;
+    position[0] = x;
+    position[1] = y;
+    return position;
 }
 
 /// True if mirroring flips the sign of a measure: signed angles, areas in 2D, volumes in 3D, and kinds that declare
@@ -91,7 +91,8 @@ template <int D, class RealT> class Builder {
     /// size.
     ParticleId weighed_particle(std::string_view name, const Local& local, double mass, double radius = 0) {
         const auto id = add_particle(
-            world_, {.position = frame_.place(local), .mass = Real(mass), .radius = Real(radius), .figure = figure_});
+            world_,
+            {.position = frame_.to_world(local), .mass = Real(mass), .radius = Real(radius), .figure = figure_});
         if (mode_ == Mode::physical) world_.particles.residual.back() = frame_.residual(local);
         locals_.push_back(local);
         figure().particles.push_back(id);

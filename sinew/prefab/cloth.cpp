@@ -31,10 +31,10 @@ double share(std::size_t i, std::size_t n) {
 }
 
 template <int D> Vec<D, double> on_plane(std::string_view plane, double x, double down) {
-    auto place = on_screen<D>(x, -down);
+    auto position = on_screen<D>(x, -down);
     if constexpr (D == 3)
-        if (plane == "horizontal") place = {{x, 0, down}};
-    return place;
+        if (plane == "horizontal") position = {{x, 0, down}};
+    return position;
 }
 
 template <int D, class Real> Grid lay_out(Builder<D, Real>& figure, const Cloth& cloth) {
@@ -44,10 +44,10 @@ template <int D, class Real> Grid lay_out(Builder<D, Real>& figure, const Cloth&
     const double middle = 0.5 * double(grid.columns - 1);
     for (std::size_t r = 0; r < grid.rows; ++r)
         for (std::size_t c = 0; c < grid.columns; ++c) {
-            const auto place =
+            const auto position =
                 on_plane<D>(cloth.plane, cloth.spacing * (double(c) - middle), cloth.spacing * double(r));
             const double mass = cloth.mass * share(c, grid.columns) * share(r, grid.rows);
-            grid.particles.push_back(figure.particle("", place, mass, cloth.thickness / 2));
+            grid.particles.push_back(figure.particle("", position, mass, cloth.thickness / 2));
         }
     return grid;
 }

@@ -10,14 +10,14 @@ Sizes Formation::sizes() const {
 template <int D, class Real> void Formation::build(Builder<D, Real>& figure) const {
     const auto wide = std::size_t(columns), ships = wide * std::size_t(rows);
     const double each = mass / double(2 * ships), middle = 0.5 * double(wide - 1);
-    const auto place = [&](std::size_t i) {
+    const auto position = [&](std::size_t i) {
         return on_screen<D>(spacing * (double(i % wide) - middle), -spacing * double(i / wide));
     };
     std::vector<ParticleId> anchors, crew;
     figure.number_particles("anchor", ships, wide);
-    for (std::size_t i = 0; i < ships; ++i) anchors.push_back(figure.particle("", place(i), each));
+    for (std::size_t i = 0; i < ships; ++i) anchors.push_back(figure.particle("", position(i), each));
     figure.number_particles("ship", ships, wide);
-    for (std::size_t i = 0; i < ships; ++i) crew.push_back(figure.particle("", place(i), each, size / 2));
+    for (std::size_t i = 0; i < ships; ++i) crew.push_back(figure.particle("", position(i), each, size / 2));
 
     figure.number_constraints("spring", ships, wide);
     for (std::size_t i = 0; i < ships; ++i) {

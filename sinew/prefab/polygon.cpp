@@ -24,8 +24,8 @@ template <int D, class Real> void Polygon::build(Builder<D, Real>& figure) const
     figure.number_particles("corner", n);
     for (std::size_t i = 0; i < n; ++i) {
         const double angle = pi<double> * (double(2 * i + 1) / double(n) - 0.5);
-        const auto place = on_screen<D>(radius * cosine(angle), radius * sine(angle));
-        corners.push_back(figure.particle("", place, share, thickness / 2));
+        const auto position = on_screen<D>(radius * cosine(angle), radius * sine(angle));
+        corners.push_back(figure.particle("", position, share, thickness / 2));
     }
     figure.number_constraints("edge", n);
     for (std::size_t i = 0; i < n; ++i)

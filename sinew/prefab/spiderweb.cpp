@@ -14,8 +14,8 @@ template <int D, class Real> void Spiderweb::build(Builder<D, Real>& figure) con
         const double lean = angle + unevenness * (0.05 * cosine(0.4 * double(i)) + 0.2 * cosine(7 * along));
         const double out = radius * (1 - along) * (1 + unevenness * 0.05 * cosine(2 * angle / 3));
         const double sag = unevenness * 0.12 * radius * (1 - along) * cosine(2 * lean);
-        const auto place = on_screen<D>(out * cosine(lean), out * sine(lean) + sag);
-        spiral.push_back(figure.particle(i + 1 == n ? "center" : "", place, mass / double(n)));
+        const auto position = on_screen<D>(out * cosine(lean), out * sine(lean) + sag);
+        spiral.push_back(figure.particle(i + 1 == n ? "center" : "", position, mass / double(n)));
     }
 
     std::vector<std::array<ParticleId, 2>> threads, across;

@@ -100,10 +100,10 @@ template <int D, class Real> class WorldBuilder {
         const auto figure = add_figure(world_, name, ByHand::name);
         const Placement<D, Real> placement{.at = vector(section.at), .turn = section.turn * up_of(scene_), .up = 1};
         for (const auto& [called, particle] : by_hand.particles) {
-            const auto place = placement.place(particle.at.template as<D, double>());
+            const auto position = placement.to_world(particle.at.template as<D, double>());
             std::optional<Vector> previous;
-            if (particle.previous) previous = placement.place(particle.previous->template as<D, double>());
-            const auto id = add_particle(world_, {.position = place,
+            if (particle.previous) previous = placement.to_world(particle.previous->template as<D, double>());
+            const auto id = add_particle(world_, {.position = position,
                                                   .velocity = vector(particle.velocity),
                                                   .previous = previous,
                                                   .mass = Real(particle.mass),

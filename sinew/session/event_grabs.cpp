@@ -33,10 +33,10 @@ void EventGrabs::hold_around(WorldT& world, const Scene& scene, ParticleId middl
                              const Held& held) {
     using Real = typename WorldT::Real;
     SINEW_ASSERT(row_of(world, middle).has_value(), "the grabbed particle exists");
-    const auto place = *position_of(world, middle);
+    const auto position = *position_of(world, middle);
     const auto figure = world.particles.figure[*row_of(world, middle)];
     for (Row row = 0; row < world.particles.size(); ++row) {
-        const auto offset = world.particles.position[row] - place;
+        const auto offset = world.particles.position[row] - position;
         if (world.particles.figure[row] != figure || !(norm(offset) <= Real(grab.within))) continue;
         const auto id = world.particles.handles.id_of(row);
         if (id == middle || world.particles.mobility[row] == Real(0)) continue;
@@ -78,12 +78,12 @@ void EventGrabs::carry(AnyWorld& any, double step) {
             const double then = world.time + step;
             for (auto& held : held_) {
                 const double share = held.duration > 0 ? clamp((then - held.since) / held.duration, 0.0, 1.0) : 1.0;
-                Point place;
-                for (int i = 0; i < 3; ++i) place[i] = held.from[i] + (held.to[i] - held.from[i]) * share;
+                Point position;
+                for (int i = 0; i < 3; ++i) position[i] = held.from[i] + (held.to[i] - held.from[i]) * share;
                 if (held.stroke)
-                    held.stroke->go(any, place);
+                    held.stroke->go(any, position);
                 else
-                    move_pin(world, held.pin, place.template as<WorldT::dimension, Real>());
+                    move_pin(world, held.pin, position.template as<WorldT::dimension, Real>());
             }
         },
         any);

@@ -12,7 +12,7 @@ template <class WorldT> class Picker {
   public:
     Picker(const WorldT& world, const View& view, Vec2<double> pixel, double radius)
         : world_(world), view_(view), pixel_(cast<float>(pixel)), radius_(float(radius)) {
-        for (const auto& place : world.particles.position) seen_.push_back(view.see(in_space(place)));
+        for (const auto& position : world.particles.position) seen_.push_back(view.see(in_space(position)));
     }
 
     std::optional<Picked> pick() {
@@ -38,9 +38,9 @@ template <class WorldT> class Picker {
     std::optional<Picked> best_;
     float best_score_ = std::numeric_limits<float>::infinity();
 
-    static Vec3<double> in_space(const Vec<D, typename WorldT::Real>& place) {
+    static Vec3<double> in_space(const Vec<D, typename WorldT::Real>& position) {
         Vec3<double> wide{};
-        for (int i = 0; i < D; ++i) wide[i] = double(place[i]);
+        for (int i = 0; i < D; ++i) wide[i] = double(position[i]);
         return wide;
     }
 
@@ -53,10 +53,10 @@ template <class WorldT> class Picker {
         best_ = std::move(picked);
     }
 
-    Picked at(std::vector<ParticleId> members, const Vec3<double>& place, FigureIndex figure) const {
-        Picked picked{.members = std::move(members), .place = {}, .figure = figure};
-        for (int i = 0; i < D; ++i) picked.place[i] = place[i];
-        if (const auto seen = view_.see(place)) picked.depth = double(seen->depth), picked.pixel = seen->pixel;
+    Picked at(std::vector<ParticleId> members, const Vec3<double>& position, FigureIndex figure) const {
+        Picked picked{.members = std::move(members), .position = {}, .figure = figure};
+        for (int i = 0; i < D; ++i) picked.position[i] = position[i];
+        if (const auto seen = view_.see(position)) picked.depth = double(seen->depth), picked.pixel = seen->pixel;
         return picked;
     }
 
@@ -111,8 +111,8 @@ template <class WorldT> class Picker {
         }
         if (!odd || !moves || count < 3) return;
         sinew::stable_sort(corners.begin(), corners.end(), [](auto& a, auto& b) { return a.first < b.first; });
-        const auto place = view_.place_of(cast<double>(pixel_));
-        best_ = at({corners[0].second, corners[1].second, corners[2].second}, {{place[0], place[1], 0}}, figure);
+        const auto position = view_.position_of(cast<double>(pixel_));
+        best_ = at({corners[0].second, corners[1].second, corners[2].second}, {{position[0], position[1], 0}}, figure);
     }
 };
 
@@ -137,14 +137,15 @@ std::string name_of(const AnyWorld& world, ParticleId id) {
         world);
 }
 
-std::optional<Point> place_of(const AnyWorld& world, std::span<const ParticleId> members) {
+std::optional<Point> position_of(const AnyWorld& world, std::span<const ParticleId> members) {
     return std::visit(
         [&]<class WorldT>(const WorldT& any) -> std::optional<Point> {
             Point middle;
             for (const auto id : members) {
-                const auto place = position_of(any, id);
-                if (!place) return std::nullopt;
-                for (int i = 0; i < WorldT::dimension; ++i) middle[i] += double((*place)[i]) / double(members.size());
+                const auto position = position_of(any, id);
+                if (!position) return std::nullopt;
+                for (int i = 0; i < WorldT::dimension; ++i)
+                    middle[i] += double((*position)[i]) / double(members.size());
             }
             return middle;
         },

@@ -11,7 +11,7 @@ namespace sinew {
 /// Candidate of a grab.
 struct Picked {
     std::vector<ParticleId> members; ///< a single particle, or several with `place` between them
-    Point place;                     ///< position in the world
+    Point position;                  ///< position in the world
     double depth = 0;                ///< distance from the eye along the view axis; 0 in 2D
     Vec2<float> pixel{};             ///< projected position
     FigureIndex figure = no_figure;
@@ -28,6 +28,6 @@ inline constexpr double pick_radius = 18;
 std::string name_of(const AnyWorld& world, ParticleId id);
 
 /// Present mean position of a pick's members; empty if one has been removed.
-std::optional<Point> place_of(const AnyWorld& world, std::span<const ParticleId> members);
+std::optional<Point> position_of(const AnyWorld& world, std::span<const ParticleId> members);
 
 } // namespace sinew

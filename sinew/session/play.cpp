@@ -9,25 +9,25 @@
 /// Input to a running session: grabbing, time scale, live editing.
 namespace sinew {
 
-bool Session::grab(std::span<const ParticleId> members, const Point& place) {
+bool Session::grab(std::span<const ParticleId> members, const Point& position) {
     let_go();
     grabs_.release_all(world_);
     taken_over_ = true;
     if (strokes(world_, scene_.pointer.grab_radius)) {
-        stroke_ = Stroke{place, scene_.pointer.grab_radius, scene_.pointer.grab_gain};
-        stroke_to_ = place;
+        stroke_ = Stroke{position, scene_.pointer.grab_radius, scene_.pointer.grab_gain};
+        stroke_to_ = position;
         return true;
     }
     const auto units = scene_.measures();
     hand_ =
-        PointerGrab::take(world_, members, place, PointerGrab::strength * units.per_metre / square(units.per_second),
+        PointerGrab::take(world_, members, position, PointerGrab::strength * units.per_metre / square(units.per_second),
                           scene_.pointer.grab_radius, hold_rule(scene_));
     return hand_.has_value();
 }
 
-void Session::drag(const Point& place) {
-    if (hand_) hand_->target = place;
-    stroke_to_ = place;
+void Session::drag(const Point& position) {
+    if (hand_) hand_->target = position;
+    stroke_to_ = position;
 }
 
 void Session::let_go() {

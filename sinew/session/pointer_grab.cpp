@@ -19,7 +19,8 @@ template <class WorldT> double lifted_mass(const WorldT& world, Row row) {
 }
 
 /// Light particle at `place`, joined to every member by a distance constraint.
-template <class WorldT> ParticleId add_handle(WorldT& world, std::span<const ParticleId> members, const Point& place) {
+template <class WorldT>
+ParticleId add_handle(WorldT& world, std::span<const ParticleId> members, const Point& position) {
     using Real = typename WorldT::Real;
     constexpr int D = WorldT::dimension;
     constexpr Real lightness = Real(0.1); // mass over the lightest member's: less is ill-conditioned, more is felt
@@ -27,14 +28,14 @@ template <class WorldT> ParticleId add_handle(WorldT& world, std::span<const Par
     for (const auto id : members)
         if (const Real w = world.particles.inverse_mass[*row_of(world, id)]; w > Real(0))
             mass = min(mass, lightness / w);
-    const auto handle = add_particle(world, {.position = place.as<D, Real>(), .mass = mass});
+    const auto handle = add_particle(world, {.position = position.as<D, Real>(), .mass = mass});
     for (const auto id : members) add<Distance>(world, {handle, id});
     return handle;
 }
 
 /// Movable particles of the first member's figure within `radius` of `place`, members excluded.
 template <class WorldT>
-std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> members, const Point& place,
+std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> members, const Point& position,
                              double radius) {
     using Real = typename WorldT::Real;
     std::vector<ParticleId> found;
@@ -42,7 +43,7 @@ std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> me
     const auto& p = world.particles;
     SINEW_ASSERT(!members.empty(), "a hand holds a particle");
     const auto figure = p.figure[*row_of(world, members.front())];
-    const auto middle = place.template as<WorldT::dimension, Real>();
+    const auto middle = position.template as<WorldT::dimension, Real>();
     for (Row row = 0; row < p.size(); ++row) {
         if (p.figure[row] != figure || p.mobility[row] == Real(0)) continue;
         const auto id = p.handles.id_of(row);
@@ -55,8 +56,8 @@ std::vector<ParticleId> near(const WorldT& world, std::span<const ParticleId> me
 
 } // namespace
 
-std::optional<PointerGrab> PointerGrab::take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
-                                             double acceleration, double radius, Hold hold) {
+std::optional<PointerGrab> PointerGrab::take(AnyWorld& world, std::span<const ParticleId> members,
+                                             const Point& position, double acceleration, double radius, Hold hold) {
     return std::visit(
         [&]<class WorldT>(WorldT& any) -> std::optional<PointerGrab> {
             using Real = typename WorldT::Real;
@@ -67,19 +68,20 @@ std::optional<PointerGrab> PointerGrab::take(AnyWorld& world, std::span<const Pa
                 movable = movable || any.particles.mobility[*row] > Real(0);
             }
             if (!movable) return std::nullopt;
-            PointerGrab hand{.members = {members.begin(), members.end()}, .target = place};
+            PointerGrab hand{.members = {members.begin(), members.end()}, .target = position};
             const double mass = lifted_mass(any, *row_of(any, members.front()));
-            const auto others = near(any, members, place, radius);
+            const auto others = near(any, members, position, radius);
             const PinSpec<WorldT::dimension, Real> grip{
                 .max_force = Real(mass * acceleration / double(1 + others.size())), .hold = hold};
             auto held = members.front();
-            if (members.size() > 1) hand.handle = held = add_handle(any, members, place);
+            if (members.size() > 1) hand.handle = held = add_handle(any, members, position);
             const auto pinned = sinew::pin(any, held, grip);
             if (!pinned) return std::nullopt;
             hand.pin = *pinned;
             for (const auto id : others) {
                 Point offset;
-                for (int i = 0; i < WorldT::dimension; ++i) offset[i] = double((*position_of(any, id))[i]) - place[i];
+                for (int i = 0; i < WorldT::dimension; ++i)
+                    offset[i] = double((*position_of(any, id))[i]) - position[i];
                 hand.along.push_back({*sinew::pin(any, id, grip), offset});
             }
             return hand;

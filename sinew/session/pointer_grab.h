@@ -29,7 +29,7 @@ struct PointerGrab {
 
     /// Pins the members at `place`. Empty if a member has been removed or none can move. `acceleration` and `radius` in
     /// the world's units; `hold`: rule of classic mode.
-    static std::optional<PointerGrab> take(AnyWorld& world, std::span<const ParticleId> members, const Point& place,
+    static std::optional<PointerGrab> take(AnyWorld& world, std::span<const ParticleId> members, const Point& position,
                                            double acceleration, double radius = 0, Hold hold = Hold::fixed);
 
     /// Sets the targets of the pins; a target behind a plane is projected onto the plane.

@@ -214,9 +214,9 @@ std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double>
             } else {
                 const auto from = view.see(line[0].as<3, double>()), to = view.see(line[1].as<3, double>());
                 if (!from || !to) return done.links;
-                const Projection<3> see = [&view](const Vec3<double>& place) {
+                const Projection<3> see = [&view](const Vec3<double>& position) {
                     constexpr double nowhere = std::numeric_limits<double>::infinity();
-                    const auto seen = view.see(place);
+                    const auto seen = view.see(position);
                     return seen ? cast<double>(seen->pixel) : Vec2<double>{{nowhere, nowhere}};
                 };
                 const double scale = (double(from->scale) + double(to->scale)) / 2;
@@ -262,8 +262,8 @@ void Session::drive() {
                 SINEW_ASSERT(scene_.pins[driven.section].driver.has_value(), "pins with a driver are driven");
                 const auto& driver = *scene_.pins[driven.section].driver;
                 const auto* follower = std::get_if<PointerDriver>(&driver);
-                const auto place = pointer_ && follower ? *pointer_ : driven_to(driver, driven.rest, then, up);
-                move_pin(world, driven.pin, place.template as<WorldT::dimension, typename WorldT::Real>());
+                const auto position = pointer_ && follower ? *pointer_ : driven_to(driver, driven.rest, then, up);
+                move_pin(world, driven.pin, position.template as<WorldT::dimension, typename WorldT::Real>());
             }
         },
         world_);
@@ -287,10 +287,10 @@ std::optional<PinId> Session::freeze_hovered() {
         [&]<class WorldT>(WorldT& world) -> std::optional<PinId> {
             using Real = typename WorldT::Real;
             const auto& p = world.particles;
-            const auto place = pointer_->as<WorldT::dimension, Real>();
+            const auto position = pointer_->as<WorldT::dimension, Real>();
             const Real half = Real(scene_.pointer.hover_size / 2);
             for (Row row = Row(p.size()); row-- > 0;) {
-                const auto away = p.position[row] - place;
+                const auto away = p.position[row] - position;
                 if (p.mobility[row] > Real(0) && clamp_components(away, half) == away)
                     return pin(world, p.handles.id_of(row), {.hold = Hold::frozen});
             }
@@ -379,8 +379,8 @@ Report Session::report() const {
         world_);
 }
 
-Vec2<double> Session::place_of(Vec2<double> pixel, int width, int height) const {
-    return view(width, height).place_of(pixel);
+Vec2<double> Session::position_of(Vec2<double> pixel, int width, int height) const {
+    return view(width, height).position_of(pixel);
 }
 
 std::vector<ParticleId> Session::held_particles() const {

@@ -75,15 +75,15 @@ class Session {
     double seconds() const;
 
     /// Position of the pointer, for pins with a pointer driver; empty: the driver's own path.
-    void point_at(std::optional<Point> place) { pointer_ = place; }
+    void point_at(std::optional<Point> position) { pointer_ = position; }
     /// Position of the pointer, or of the first pin with a pointer driver; empty if there is neither.
     std::optional<Point> pointer() const;
 
     /// Grabs one particle, or a point between several; releases an earlier grab. False if a particle has been removed
     /// or none can move. In classic mode with a grab radius, starts a stroke (stroke.h).
-    bool grab(std::span<const ParticleId> members, const Point& place);
+    bool grab(std::span<const ParticleId> members, const Point& position);
     /// Target of the held point at the end of the next step.
-    void drag(const Point& place);
+    void drag(const Point& position);
     void let_go();
     /// The pointer's grab, or null.
     const PointerGrab* hand() const { return hand_ ? &*hand_ : nullptr; }
@@ -112,7 +112,7 @@ class Session {
     static constexpr std::size_t max_happenings = 10000;
 
     /// Position of a pixel of a `width` x `height` picture in a 2D scene.
-    Vec2<double> place_of(Vec2<double> pixel, int width, int height) const;
+    Vec2<double> position_of(Vec2<double> pixel, int width, int height) const;
 
     /// Two opposite corners around everything the scene shows at the start.
     const std::array<Point, 2>& focus() const { return focus_; }

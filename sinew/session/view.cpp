@@ -37,13 +37,13 @@ View::View(const Scene& scene, const ViewSection& view, const std::array<Point, 
     }
 }
 
-std::optional<View::Seen> View::see(const Vec3<double>& place) const {
+std::optional<View::Seen> View::see(const Vec3<double>& position) const {
     if (flat_) {
-        const double x = middle_pixel_[0] + (place[0] - center_[0]) * scale_;
-        const double y = middle_pixel_[1] - up_ * (place[1] - center_[1]) * scale_;
+        const double x = middle_pixel_[0] + (position[0] - center_[0]) * scale_;
+        const double y = middle_pixel_[1] - up_ * (position[1] - center_[1]) * scale_;
         return Seen{{{float(x), float(y)}}, float(scale_), 0};
     }
-    const auto from_eye = place - eye_;
+    const auto from_eye = position - eye_;
     const double depth = -dot(from_eye, back_);
     constexpr double nearest = 1e-3;
     if (depth < nearest && !orthographic_) return std::nullopt;
@@ -57,22 +57,22 @@ double View::scale_at(double depth) const {
     return scale_ / (orthographic_ ? target_depth_ : depth);
 }
 
-Vec2<double> View::place_of(Vec2<double> pixel) const {
+Vec2<double> View::position_of(Vec2<double> pixel) const {
     const auto offset = (pixel - middle_pixel_) * (1 / scale_);
     return {{center_[0] + offset[0], center_[1] - up_ * offset[1]}};
 }
 
-Point View::place_of(Vec2<double> pixel, double depth) const {
-    Point place;
+Point View::position_of(Vec2<double> pixel, double depth) const {
+    Point position;
     if (flat_) {
-        const auto flat = place_of(pixel);
-        place[0] = flat[0], place[1] = flat[1];
-        return place;
+        const auto flat = position_of(pixel);
+        position[0] = flat[0], position[1] = flat[1];
+        return position;
     }
     const auto offset = (pixel - middle_pixel_) * (1 / scale_at(depth));
     const auto wide = eye_ - back_ * depth + right_ * offset[0] - above_ * offset[1];
-    for (int i = 0; i < 3; ++i) place[i] = wide[i];
-    return place;
+    for (int i = 0; i < 3; ++i) position[i] = wide[i];
+    return position;
 }
 
 } // namespace sinew

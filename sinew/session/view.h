@@ -22,12 +22,12 @@ class View {
     };
 
     /// Pixel, scale and depth of a position; empty behind the eye.
-    std::optional<Seen> see(const Vec3<double>& place) const;
+    std::optional<Seen> see(const Vec3<double>& position) const;
 
     /// Position of a pixel in the plane of a 2D scene.
-    Vec2<double> place_of(Vec2<double> pixel) const;
+    Vec2<double> position_of(Vec2<double> pixel) const;
     /// Position of a pixel in the plane at `depth` parallel to the picture; 2D ignores the depth.
-    Point place_of(Vec2<double> pixel, double depth) const;
+    Point position_of(Vec2<double> pixel, double depth) const;
 
     /// 2D: position at the middle of the picture, and pixels per unit of length.
     const Vec2<double>& center() const { return center_; }

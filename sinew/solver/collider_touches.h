@@ -39,12 +39,12 @@ template <int D, class Real> struct ColliderTouches {
 
     /// Adds an impulse of a collider on a particle; it displaces the weakest touch that it exceeds.
     void add(Row row, std::uint32_t index, Real impulse) {
-        Touch* place = nullptr;
+        Touch* weakest = nullptr;
         for (auto& touch : of(row)) {
             if (touch.collider == index + 1) return void(touch.impulse += impulse);
-            if (!place || rank(touch) < rank(*place)) place = &touch;
+            if (!weakest || rank(touch) < rank(*weakest)) weakest = &touch;
         }
-        if (place && impulse > rank(*place)) *place = {index + 1, impulse};
+        if (weakest && impulse > rank(*weakest)) *weakest = {index + 1, impulse};
     }
 
   private:

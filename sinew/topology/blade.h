@@ -16,8 +16,8 @@ struct Blade {
 template <int D> using Projection = std::function<Vec2<double>(const Vec<D, double>&)>;
 
 /// Orthographic projection along the third axis: (x, y).
-template <int D> Vec2<double> along_z(const Vec<D, double>& place) {
-    return {{place[0], place[1]}};
+template <int D> Vec2<double> along_z(const Vec<D, double>& position) {
+    return {{position[0], position[1]}};
 }
 
 } // namespace sinew

@@ -42,14 +42,14 @@ void add_what_hangs(const World<D, Real>& world, const std::array<Row, 2>& ends,
 
 template <int D, class Real>
 std::vector<ConstraintId> crossed_by(const World<D, Real>& world, const Blade& blade, const Projection<D>& see) {
-    std::vector<Vec2<double>> places;
-    places.reserve(world.particles.size());
-    for (const auto& place : world.particles.position) places.push_back(see(cast<double>(place)));
+    std::vector<Vec2<double>> positions;
+    positions.reserve(world.particles.size());
+    for (const auto& position : world.particles.position) positions.push_back(see(cast<double>(position)));
     const auto& distances = std::get<kind_number<Distance, D>>(world.constraints);
     std::vector<ConstraintId> crossed;
     for (Row row = 0; row < distances.size(); ++row) {
         const auto ends = distances.members[row];
-        const auto &a = places[ends[0]], &b = places[ends[1]];
+        const auto &a = positions[ends[0]], &b = positions[ends[1]];
         if (ties(distances, row) && is_finite(a) && is_finite(b) && crosses(blade, a, b))
             crossed.push_back({kind_number<Distance, D>, distances.handles.id_of(row)});
     }

@@ -8,11 +8,11 @@ namespace sinew {
 namespace {
 
 using Uv = Vec2<float>;
-using Places = std::array<Vec3<double>, 4>;
+using Positions = std::array<Vec3<double>, 4>;
 
 /// Cell before slicing: corner positions in 3D, and the particle corners.
 struct Cell {
-    Places place{};
+    Positions position{};
     std::array<std::optional<ParticleId>, 4> particle{};
 };
 
@@ -25,21 +25,21 @@ template <int D, class Real> Vec3<double> in_space(const World<D, Real>& world, 
 
 template <int D, class Real> Cell cell_of(const World<D, Real>& world, const Figure& figure, const Piece& piece) {
     Cell cell;
-    const auto place = [&](std::size_t i) { return in_space(world, piece.particles[i]); };
+    const auto position = [&](std::size_t i) { return in_space(world, piece.particles[i]); };
     for (std::size_t i = 0; i < 4; ++i) {
         if (piece.mark == Mark::fragment) {
             const auto& corner = figure.fragments[piece.fragment].corners[i];
-            cell.place[i] = place_of(corner, place, D == 2);
+            cell.position[i] = position_of(corner, position, D == 2);
             if (corner.is_particle()) cell.particle[i] = piece.particles[corner.of[0]];
         } else {
-            cell.place[i] = place(i);
+            cell.position[i] = position(i);
             cell.particle[i] = piece.particles[i];
         }
     }
     return cell;
 }
 
-Vec3<double> bilinear(const Places& corner, const Uv& at) {
+Vec3<double> bilinear(const Positions& corner, const Uv& at) {
     const double u = double(at[0]), v = double(at[1]);
     return (corner[0] * (1 - u) + corner[1] * u) * (1 - v) + (corner[3] * (1 - u) + corner[2] * u) * v;
 }
@@ -66,7 +66,7 @@ void add_piece(const Piece& whole, const Cell& cell, Fragment fragment, PiecesLe
     piece.particles.clear();
     for (std::size_t i = 0; i < 4; ++i) {
         auto& corner = fragment.corners[i];
-        corner = {.count = 0, .at = cell.place[i]};
+        corner = {.count = 0, .at = cell.position[i]};
         if (!cell.particle[i]) continue;
         corner = {.of = {std::uint8_t(piece.particles.size())}, .count = 1};
         piece.particles.push_back(*cell.particle[i]);
@@ -92,13 +92,13 @@ struct HalfPlane {
 
 /// A blade's view of a cell.
 template <int D> struct BladeView {
-    const Places& place;
+    const Positions& position;
     const Blade& blade;
     const Projection<D>& see;
     Vec2<double> along;
 
     Corner at(const Uv& uv) const {
-        const auto space = bilinear(place, uv);
+        const auto space = bilinear(position, uv);
         const auto seen = see(Vec<D, double>::map([&](int i) { return space[i]; })) - blade.from;
         return {uv, dot(seen, along), cross(along, seen)};
     }
@@ -162,7 +162,7 @@ template <int D, class Real> Cell corners_of(const World<D, Real>& world, const 
     for (std::size_t i = 0; i < 4; ++i)
         own[i] =
             cell.particle[i] && std::find(part.points.begin(), part.points.end(), corner_uv[i]) != part.points.end();
-    Cell kept{.place = cell.place};
+    Cell kept{.position = cell.position};
     for (std::size_t i = 0; i < 4; ++i) {
         if (!cell.particle[i]) continue;
         const auto joined = [&](std::size_t k) {
@@ -191,7 +191,7 @@ Slicer<D, Real>::Slicer(const World<D, Real>& world, const Blade& blade, const P
 
 template <int D, class Real> bool Slicer<D, Real>::runs_through(const Figure& figure, const Piece& piece) const {
     const auto cell = cell_of(world_, figure, piece);
-    const BladeView<D> view{cell.place, blade_, see_, along_};
+    const BladeView<D> view{cell.position, blade_, see_, along_};
     const double radius = blade_.radius;
     bool left = false, right = false, near = false;
     each_tile(figure, piece, [&](std::span<const Uv> tile) {
@@ -209,7 +209,7 @@ template <int D, class Real>
 void Slicer<D, Real>::slice(const Figure& figure, const Piece& piece, PiecesLeft& left) const {
     constexpr double min_area = 1e-6; // relative to the cell
     const auto cell = cell_of(world_, figure, piece);
-    const BladeView<D> view{cell.place, blade_, see_, along_};
+    const BladeView<D> view{cell.position, blade_, see_, along_};
     std::vector<Corner> polygon, clipped;
     std::vector<Uv> tile;
     for (const auto& side : sides_of(blade_.radius, length_)) {

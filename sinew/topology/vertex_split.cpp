@@ -107,8 +107,8 @@ template <int D, class Real> class Splitter {
                 ++known->size;
                 continue;
             }
-            const auto place = std::lower_bound(once.begin(), once.end(), near[i]) - once.begin();
-            cell_fans.push_back({now[i], was[std::size_t(place)], 1});
+            const auto found = std::lower_bound(once.begin(), once.end(), near[i]) - once.begin();
+            cell_fans.push_back({now[i], was[std::size_t(found)], 1});
         }
         std::erase_if(cell_fans, [](const Fan& fan) { return fan.size == 1; });
         return cell_fans;

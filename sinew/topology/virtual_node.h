@@ -37,7 +37,7 @@ template <int D, class Real> class NodeBinder {
 
     const World<D, Real>& world_;
 
-    Vec3<double> place(Row row) const {
+    Vec3<double> position(Row row) const {
         Vec3<double> wide{};
         for (int i = 0; i < D; ++i) wide[i] = double(world_.particles.position[row][i]);
         return wide;
@@ -61,10 +61,10 @@ template <int D, class Real> class NodeBinder {
 
     Axes axes_at(Row base, std::span<const Row> near) const {
         Axes best;
-        const auto a = place(base);
+        const auto a = position(base);
         for (std::size_t i = 0; i < near.size(); ++i)
             for (std::size_t k = i + 1; k < near.size(); ++k) {
-                const auto b = place(near[i]) - a, c = place(near[k]) - a;
+                const auto b = position(near[i]) - a, c = position(near[k]) - a;
                 const double quality = 2 * norm(cross(b, c)) * inverse_or_zero(dot(b, b) + dot(c, c));
                 if (quality > best.quality) best = {near[i], near[k], quality};
             }
@@ -76,7 +76,7 @@ template <int D, class Real> class NodeBinder {
         VirtualNode node{.count = 1, .at = at};
         const auto row = row_of(world_, base);
         if (!row) return node;
-        const auto way = at - place(*row);
+        const auto way = at - position(*row);
         node.at = way;
         const auto near = neighbours_of(*row);
         const auto depends_on = [&](Row other, std::uint8_t number) {
@@ -85,7 +85,7 @@ template <int D, class Real> class NodeBinder {
             particles.push_back(world_.particles.handles.id_of(other));
         };
         if (const auto axes = axes_at(*row, near); axes.quality > min_quality) {
-            const auto b = place(axes.b) - place(*row), c = place(axes.c) - place(*row), n = cross(b, c);
+            const auto b = position(axes.b) - position(*row), c = position(axes.c) - position(*row), n = cross(b, c);
             const double scale = 1 / dot(n, n);
             const Vec3<double> shares{
                 {dot(cross(way, c), n) * scale, dot(cross(b, way), n) * scale, D == 2 ? 0 : dot(way, direction(n))}};
@@ -94,7 +94,7 @@ template <int D, class Real> class NodeBinder {
             depends_on(axes.c, 2);
             node.at = shares;
         } else if (D == 2 && !near.empty()) {
-            const auto b = place(near[0]) - place(*row);
+            const auto b = position(near[0]) - position(*row);
             const double scale = inverse_or_zero(dot(b, b));
             const Vec3<double> shares{{dot(way, b) * scale, (way[1] * b[0] - way[0] * b[1]) * scale, 0}};
             if (absolute(shares[0]) + absolute(shares[1]) > furthest) return node;

@@ -44,7 +44,7 @@ struct Fragment {
 };
 
 /// Position of a corner in 3D, where place(i) is the position of the piece's particle i.
-template <class Place> Vec3<double> place_of(const VirtualNode& node, Place&& position, bool flat) {
+template <class Position> Vec3<double> position_of(const VirtualNode& node, Position&& position, bool flat) {
     if (node.count == 0) return node.at;
     const Vec3<double> a = position(node.of[0]);
     if (node.count == 1) return a + node.at;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-using Place = Vec2<double>;
+using Position = Vec2<double>;
 
 /// a of  2 a sinh(span / 2 a) = length.
 double catenary_parameter(double span, double length) {
@@ -55,7 +55,7 @@ TEST(Truth, ACompoundPendulumHasItsPeriod) {
     constexpr double angle = 0.1, offset = 0.4, near = 0.5, far = 1.5, light = 1, heavy = 2;
     test::Stepped<2, double> world;
     fall(world, gravity);
-    const auto at_angle = [](double r, double turn) { return at<Place>(r * std::sin(turn), -r * std::cos(turn)); };
+    const auto at_angle = [](double r, double turn) { return at<Position>(r * std::sin(turn), -r * std::cos(turn)); };
     // the mass of the frame is balanced so that the middle hangs straight below
     const double turn_light = offset, turn_heavy = -std::asin(light * near * std::sin(offset) / (heavy * far));
     const auto pivot = add_particle(world, {});
@@ -102,7 +102,8 @@ TEST(Truth, TheTipOfAFoldedChainSpeedsUpAsAWhipDoes) {
             for (int i = 0; i <= links; ++i) {
                 const bool down = i <= links / 2; // the link in the fold lies level
                 const double y = -piece * (down ? i : links + 1 - i);
-                ids.push_back(add_particle(world, {.position = at<Place>(down ? 0 : piece, y), .mass = 1.0 / links}));
+                ids.push_back(
+                    add_particle(world, {.position = at<Position>(down ? 0 : piece, y), .mass = 1.0 / links}));
                 if (i > 0)
                     add<Distance>(world, {ids[std::size_t(i) - 1], ids.back()},
                                   {.limits = slack ? at_most(piece) : exactly(piece)});

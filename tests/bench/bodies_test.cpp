@@ -17,7 +17,7 @@ class AtRest final : public BodySimulation {
   public:
     explicit AtRest(const Bodies& bodies) : bodies_(bodies) {}
     void step() override {}
-    Vector place(std::uint32_t body, const Vector& from_center) const override {
+    Vector position(std::uint32_t body, const Vector& from_center) const override {
         return bodies_.bodies[body].center + from_center;
     }
 
@@ -61,10 +61,10 @@ TEST(Bodies, ParticlesAreWhereTheWorkHasThem) {
     const auto work = work_of("pile-7");
     const auto bodies = bodies_of(work);
     const AtRest simulation(bodies);
-    const auto places = places_of(work, bodies, simulation);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        EXPECT_LE(distance(places[i], cast<double>(work.particles[i].place)), 1e-12);
-    const auto state = look_at(work, bodies, simulation, places);
+    const auto positions = positions_of(work, bodies, simulation);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        EXPECT_LE(distance(positions[i], cast<double>(work.particles[i].position)), 1e-12);
+    const auto state = look_at(work, bodies, simulation, positions);
     EXPECT_LE(state.longest, 1e-12);
     EXPECT_EQ(state.speed, 0);
     EXPECT_EQ(state.crossed, 0);

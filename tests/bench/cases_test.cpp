@@ -13,9 +13,9 @@ namespace sinew::bench::SINEW_TEST_FILE {
 namespace {
 
 double strain_at_first(const Work& work) {
-    std::vector<Found> places;
-    for (const auto& place : work.places) places.push_back(cast<double>(place));
-    return strain_of(work, places).max;
+    std::vector<Found> positions;
+    for (const auto& position : work.positions) positions.push_back(cast<double>(position));
+    return strain_of(work, positions).max;
 }
 
 TEST(Cases, AreFoundByFamilyAndSize) {
@@ -50,12 +50,12 @@ TEST(Cases, TheClothHangsFromTwoCornersWithAKilogramAParticle) {
 std::vector<std::array<float, 7>> segments(const Work& work) {
     std::vector<std::array<float, 7>> all;
     for (const auto& stick : work.sticks) {
-        auto a = work.places[stick.a], b = work.places[stick.b];
-        const auto across = work.places[0][0]; // where its left corner is differs
-        const auto place = [&](const Place& p) {
+        auto a = work.positions[stick.a], b = work.positions[stick.b];
+        const auto across = work.positions[0][0]; // where its left corner is differs
+        const auto position = [&](const Position& p) {
             return std::array{std::round((p[0] - across) / 0.03F), std::round(p[1] / 0.03F)};
         };
-        auto from = place(a), to = place(b);
+        auto from = position(a), to = position(b);
         if (to < from) std::swap(from, to);
         all.push_back({from[0], from[1], to[0], to[1], float(std::round(stick.rest * 1e4))});
     }
@@ -74,11 +74,12 @@ TEST(Cases, TheMeshIsTheClothInNoOrder) {
 
 TEST(Cases, RagdollsAreFifteenPointsTwentyOneSticksAndLimits) {
     const auto work = work_of(*find_case("ragdolls-3"));
-    EXPECT_EQ(work.places.size(), 3U * 15);
+    EXPECT_EQ(work.positions.size(), 3U * 15);
     EXPECT_EQ(work.sticks.size(), 3U * 21);
     EXPECT_EQ(work.struts.size(), 3U * 4);
     EXPECT_LT(strain_at_first(work), 1e-5);
-    for (const auto& strut : work.struts) EXPECT_GT(distance(work.places[strut.a], work.places[strut.b]), strut.min);
+    for (const auto& strut : work.struts)
+        EXPECT_GT(distance(work.positions[strut.a], work.positions[strut.b]), strut.min);
 }
 
 TEST(Cases, AreSweptAsTheTextbookDoesUnlessTheyAreDirect) {

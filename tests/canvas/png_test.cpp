@@ -67,11 +67,11 @@ TEST_F(PngFileRead, DamageIsSaid) {
         put("cut.png", good.substr(0, length));
         EXPECT_EQ(read("cut.png").problem, "the image \"cut.png\" is broken") << length;
     }
-    for (std::size_t place = good.find("IDAT") + 8; place + 20 < good.size(); place += 131) {
+    for (std::size_t position = good.find("IDAT") + 8; position + 20 < good.size(); position += 131) {
         auto bad = good;
-        bad[place] = char(bad[place] ^ 0x55);
+        bad[position] = char(bad[position] ^ 0x55);
         put("bad.png", bad);
-        EXPECT_EQ(read("bad.png").problem, "the image \"bad.png\" is broken") << place;
+        EXPECT_EQ(read("bad.png").problem, "the image \"bad.png\" is broken") << position;
     }
 }
 

@@ -46,7 +46,7 @@ struct TumblingFigure {
     }
 
     /// A point of the figure, given upright about its hip, in the picture.
-    Point place(float x, float y) const {
+    Point position(float x, float y) const {
         const float s = std::sin(turn), c = std::cos(turn);
         const auto w = float(picture.width), h = float(picture.height);
         return Point{w / 2 + c * x - s * y, h * 0.58f - lift + s * x + c * y};
@@ -78,13 +78,13 @@ struct TumblingFigure {
 
     void figure(float seconds) {
         const float swing = 18 * std::sin(4 * seconds);
-        const Point head = place(0, -150), neck = place(0, -118), hip = place(0, -10);
-        const Point shoulder[2] = {place(-34, -108), place(34, -108)};
-        const Point elbow[2] = {place(-70, -70 + swing), place(74, -86 - swing)};
-        const Point hand[2] = {place(-92, -22 + 2 * swing), place(100, -134 - swing)};
-        const Point side[2] = {place(-20, -6), place(20, -6)};
-        const Point knee[2] = {place(-36, 52 - swing / 2), place(40, 48 + swing / 2)};
-        const Point foot[2] = {place(-44, 118 - swing), place(34, 116 + swing)};
+        const Point head = position(0, -150), neck = position(0, -118), hip = position(0, -10);
+        const Point shoulder[2] = {position(-34, -108), position(34, -108)};
+        const Point elbow[2] = {position(-70, -70 + swing), position(74, -86 - swing)};
+        const Point hand[2] = {position(-92, -22 + 2 * swing), position(100, -134 - swing)};
+        const Point side[2] = {position(-20, -6), position(20, -6)};
+        const Point knee[2] = {position(-36, 52 - swing / 2), position(40, 48 + swing / 2)};
+        const Point foot[2] = {position(-44, 118 - swing), position(34, 116 + swing)};
         for (int i : {0, 1}) {
             line(side[i], knee[i], 15, ink);
             line(knee[i], foot[i], 13, ink);

@@ -9,15 +9,15 @@
 namespace sinew::SINEW_TEST_FILE {
 namespace {
 
-template <int D> using Places = std::vector<Vec<D, double>>;
+template <int D> using Positions = std::vector<Vec<D, double>>;
 
 template <int D> struct Measured {
     double value = 0;
-    Places<D> gradient;
+    Positions<D> gradient;
 };
 
-template <class Kind, int D> Measured<D> measure(const Places<D>& x) {
-    Measured<D> measured{0, Places<D>(x.size())};
+template <class Kind, int D> Measured<D> measure(const Positions<D>& x) {
+    Measured<D> measured{0, Positions<D>(x.size())};
     if constexpr (Kind::arity == any_arity) {
         measured.value = Kind::template evaluate<double>(x, measured.gradient);
     } else {
@@ -38,9 +38,9 @@ template <int D> Vec<D, double> any_vector() {
     return Vec<D, double>::map([](int) { return coordinate(); });
 }
 
-template <class Kind, int D> Places<D> any_shape() {
+template <class Kind, int D> Positions<D> any_shape() {
     const int n = Kind::arity == any_arity ? *rc::gen::inRange(3, 9) : Kind::arity;
-    Places<D> x;
+    Positions<D> x;
     for (int i = 0; i < n; ++i) x.push_back(any_vector<D>());
     return x;
 }
@@ -58,7 +58,7 @@ template <int D> double steepest(const Measured<D>& m) {
 }
 
 /// Far enough from where the measure has a corner (coincident points, a straight 3D angle) for finite differences.
-template <class Kind, int D> Places<D> smooth_shape() {
+template <class Kind, int D> Positions<D> smooth_shape() {
     auto x = any_shape<Kind, D>();
     for (std::size_t i = 0; i < x.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) RC_PRE(distance(x[i], x[j]) > 0.05); // a leg without a length has no slope
@@ -145,7 +145,7 @@ EVERY_KIND(MeasuresTheSameWhereverAndHoweverItLies) {
     const auto x = smooth_shape<Kind, D>();
     const auto offset = any_vector<D>() * 10.0;
     const double angle = coordinate() * 3;
-    Places<D> moved;
+    Positions<D> moved;
     for (const auto& point : x) moved.push_back(turned(point, angle) + offset);
     const auto before = measure<Kind, D>(x), after = measure<Kind, D>(moved);
     // coordinates near 10 are rounded at 1e-15, which a steep gradient amplifies
@@ -157,7 +157,7 @@ EVERY_KIND(MeasuresTheSameWhereverAndHoweverItLies) {
 
 EVERY_KIND(GrowsWithSizeAsItsLengthPowerSays) {
     const auto x = smooth_shape<Kind, D>();
-    Places<D> larger;
+    Positions<D> larger;
     for (const auto& point : x) larger.push_back(point * 2.0);
     const double expected = measure<Kind, D>(x).value * std::pow(2, Kind::length_power);
     RC_ASSERT(std::abs(measure<Kind, D>(larger).value - expected) < 1e-12);

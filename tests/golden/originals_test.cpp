@@ -18,7 +18,7 @@ namespace {
 struct Line {
     std::string scene, overrides, name;
     int frame = 0;
-    Point place{};
+    Point position{};
 };
 
 /// Fields are separated by commas; those that hold one are in double quotes.
@@ -65,13 +65,13 @@ void play(Session& session, const std::vector<Line>& lines) {
     int frame = 0;
     for (const auto& line : lines) {
         if (line.name == "mouse") {
-            session.point_at(line.place);
+            session.point_at(line.position);
             continue;
         }
         for (; frame < line.frame; ++frame) session.step();
         const auto id = find_particle(world, line.name);
         ASSERT_TRUE(id) << line.name;
-        EXPECT_LE(distance(*position_of(world, *id), line.place.as<2, double>()), 1e-6)
+        EXPECT_LE(distance(*position_of(world, *id), line.position.as<2, double>()), 1e-6)
             << line.name << " in frame " << line.frame;
     }
 }

@@ -230,7 +230,7 @@ TEST(View, OrthographicShowsTheFarAsLargeAsTheNear) {
     EXPECT_EQ(flat.see(near)->scale, flat.see(far)->scale);
     EXPECT_LT(distance(flat.see({{1, 0, 0}})->pixel, usual.see({{1, 0, 0}})->pixel), 1e-3F); // what it looks at
     const auto seen = *flat.see(far);
-    const auto back = flat.place_of(cast<double>(seen.pixel), double(seen.depth)).as<3, double>();
+    const auto back = flat.position_of(cast<double>(seen.pixel), double(seen.depth)).as<3, double>();
     EXPECT_LT(distance(back, far), 1e-5);
 }
 

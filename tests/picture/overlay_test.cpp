@@ -183,7 +183,7 @@ double carried(const std::string& text, double seconds) {
     double sum = 0;
     std::visit(
         [&](const auto& world) {
-            for (const auto& [place, force] : ContactPoints(world, step_length(session.scene()), 1e-3).list())
+            for (const auto& [position, force] : ContactPoints(world, step_length(session.scene()), 1e-3).list())
                 sum += force[1];
         },
         session.world());

@@ -22,9 +22,9 @@ TEST(Spine, ALimbOfThreeIsTheQuadraticBezierCurve) {
     const QuadraticBezier<2, float> curve{{{0, 0}}, {{80, 10}}, {{90, 120}}};
     const auto spine = laid_out({curve.a, curve.b, curve.c}, 40);
     EXPECT_NEAR(spine.length, arc_length(curve), 0.002F * spine.length); // chords are shorter than arcs
-    for (const auto& place : spine.place) {
+    for (const auto& position : spine.position) {
         float nearest = 1e9F;
-        for (int i = 0; i <= 2000; ++i) nearest = std::min(nearest, distance(place, curve.at(float(i) / 2000)));
+        for (int i = 0; i <= 2000; ++i) nearest = std::min(nearest, distance(position, curve.at(float(i) / 2000)));
         EXPECT_LT(nearest, 0.1F);
     }
 }
@@ -34,7 +34,7 @@ TEST(Spine, StepsAreEquallyLongAlongTheWay) {
     const auto spine = laid_out({{{0, 0}}, {{5, 0}}, {{200, 40}}}, 50);
     ASSERT_EQ(spine.size(), 51U);
     for (std::size_t i = 0; i + 1 < spine.size(); ++i)
-        EXPECT_NEAR(distance(spine.place[i], spine.place[i + 1]), spine.length / 50, 0.02F * spine.length / 50);
+        EXPECT_NEAR(distance(spine.position[i], spine.position[i + 1]), spine.length / 50, 0.02F * spine.length / 50);
 }
 
 TEST(Spine, TheWayIsTheTangentAlsoWhereAHandleHasNoLength) {
@@ -48,7 +48,7 @@ TEST(Spine, TheWayIsTheTangentAlsoWhereAHandleHasNoLength) {
 TEST(Spine, WithoutLengthItIsStillFinite) {
     for (const std::size_t count : {1U, 2U, 3U, 4U, 7U}) {
         const auto spine = laid_out(Points(count, {{3, 4}}), 8);
-        for (const auto& place : spine.place) EXPECT_TRUE(is_finite(place));
+        for (const auto& position : spine.position) EXPECT_TRUE(is_finite(position));
         for (const auto& along : spine.along) EXPECT_TRUE(is_finite(along));
     }
     const auto beyond = laid_out({{{-3e38F, 0}}, {{0, 0}}, {{3e38F, 3e38F}}}, 8);
@@ -82,7 +82,7 @@ TEST(Tile, SidesAreHalfAWidthFromTheMiddle) {
         spine, [](float share) { return 10 + 10 * share; }, sides);
     for (std::size_t i = 0; i < spine.size(); ++i) {
         EXPECT_NEAR(distance(sides[2 * i], sides[2 * i + 1]), 10 + 10 * spine.share(i), 1e-3);
-        EXPECT_NEAR(distance((sides[2 * i] + sides[2 * i + 1]) * 0.5F, spine.place[i]), 0, 1e-3);
+        EXPECT_NEAR(distance((sides[2 * i] + sides[2 * i + 1]) * 0.5F, spine.position[i]), 0, 1e-3);
     }
 }
 

@@ -68,8 +68,8 @@ TEST(Trace, APathGoesThroughThePlacesOfTheParticle) {
     const auto lines = lines_of(drawn(session));
     ASSERT_EQ(lines.size(), 1U) << "only its newest part has the whole colour";
     const auto& world = std::get<World<2, double>>(session.world());
-    const auto place = world.particles.position[0];
-    const auto end = seen.see({{place[0], place[1], 0}})->pixel;
+    const auto position = world.particles.position[0];
+    const auto end = seen.see({{position[0], position[1], 0}})->pixel;
     EXPECT_LT(distance(lines[0].back(), end), 1e-3F);
 }
 

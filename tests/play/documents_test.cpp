@@ -284,8 +284,8 @@ TEST_F(Documents, StrangeActionsDoNoHarm) {
         return Play(library, in("odd.json")).problem();
     };
     for (const char* action :
-         {R"({"step": 1, "grab": [], "place": [0, 0]})", R"({"step": 1, "grab": [77], "place": [0, 0]})",
-          R"({"step": 1, "grab": [1, 1], "place": [1e29, 0]})", R"({"step": 2, "drag": [1e29, -1e29]})",
+         {R"({"step": 1, "grab": [], "position": [0, 0]})", R"({"step": 1, "grab": [77], "position": [0, 0]})",
+          R"({"step": 1, "grab": [1, 1], "position": [1e29, 0]})", R"({"step": 2, "drag": [1e29, -1e29]})",
           R"({"step": 1, "tweak": 4294967295, "mass": 0})", R"({"step": 1, "let_go": true})",
           R"({"step": 1, "cut": [[0, 0], [0, 0]], "picture": [1, 1]})"})
         EXPECT_NE(play_with(action).find("that was saved"), std::string::npos) << action << play_with(action);

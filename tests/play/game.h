@@ -56,8 +56,8 @@ inline void run(const std::string& text, Play& play) {
 inline Vec2<double> pixel_of(const Play& play, std::string_view particle) {
     const auto id =
         std::visit([&](const auto& world) { return find_particle(world, particle); }, play.session().world());
-    const auto place = id ? place_of(play.session().world(), {&*id, 1}) : std::nullopt;
-    return place ? cast<double>(play.view().see(place->as<3, double>())->pixel) : Vec2<double>{};
+    const auto position = id ? position_of(play.session().world(), {&*id, 1}) : std::nullopt;
+    return position ? cast<double>(play.view().see(position->as<3, double>())->pixel) : Vec2<double>{};
 }
 
 } // namespace sinew::play::games

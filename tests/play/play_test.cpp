@@ -109,7 +109,7 @@ TEST(PlayWheel, ChangesHowFastTimePassesWhereTheSceneSaysSo) {
     EXPECT_EQ(scale(), 5);
     std::visit(
         [](const auto& world) {
-            for (const auto& place : world.particles.position) EXPECT_TRUE(is_finite(place));
+            for (const auto& position : world.particles.position) EXPECT_TRUE(is_finite(position));
         },
         play.session().world());
 }
@@ -158,7 +158,7 @@ TEST(Play, NothingIsDraggedThroughAWall) {
     const double floor = play.session().scene().world.bounds->box->at(1)[1];
     std::visit(
         [&](const auto& world) {
-            for (const auto& place : world.particles.position) EXPECT_LE(double(place[1]), floor + 1e-6);
+            for (const auto& position : world.particles.position) EXPECT_LE(double(position[1]), floor + 1e-6);
         },
         play.session().world());
 }
@@ -286,13 +286,13 @@ TEST(Play, ZoomKeepsWhatIsUnderThePointer) {
     play.resize(1000, 700);
     const Vec2<double> pointer{{300, 200}};
     play.handle(Moved{pointer});
-    const auto before = play.view().place_of(pointer);
+    const auto before = play.view().position_of(pointer);
     play.handle(Scrolled{4});
-    EXPECT_LT(distance(play.view().place_of(pointer), before), 1e-9);
+    EXPECT_LT(distance(play.view().position_of(pointer), before), 1e-9);
     play.handle(Pressed{Button::middle});
     play.handle(Moved{pointer + Vec2<double>{{50, 30}}});
     play.handle(Released{Button::middle});
-    EXPECT_LT(distance(play.view().place_of(pointer + Vec2<double>{{50, 30}}), before), 1e-9);
+    EXPECT_LT(distance(play.view().position_of(pointer + Vec2<double>{{50, 30}}), before), 1e-9);
     play.handle(Key{"home"});
     EXPECT_EQ(play.view().scale(), View(play.session().scene(), play.session().focus(), 1000, 700).scale());
 }
@@ -338,7 +338,7 @@ TEST(Play, ASceneInSpaceIsTurnedAndItsClothIsTaken) {
         std::visit([](const auto& world) { return world.particles.handles.id_of(Row(world.particles.size() - 1)); },
                    play.session().world());
     const auto pixel = [&] {
-        return cast<double>(play.view().see(place_of(play.session().world(), {&id, 1})->as<3, double>())->pixel);
+        return cast<double>(play.view().see(position_of(play.session().world(), {&id, 1})->as<3, double>())->pixel);
     };
     play.handle(Moved{pixel()});
     play.handle(Pressed{});

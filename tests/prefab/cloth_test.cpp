@@ -16,17 +16,17 @@ template <int D, class Real> std::vector<std::pair<Row, Row>> threads(const Worl
 TEST(Cloth, HangsFromTheMiddleOfItsTopRow) {
     const auto made = make(Cloth{.columns = 5, .rows = 4, .spacing = 0.5});
     EXPECT_EQ(made.particles(), 20U);
-    EXPECT_EQ(made.place("top_left"), (Vec<2, double>{{-1, 0}}));
-    EXPECT_EQ(made.place("top_right"), (Vec<2, double>{{1, 0}}));
-    EXPECT_EQ(made.place("bottom_left"), (Vec<2, double>{{-1, -1.5}}));
-    EXPECT_EQ(made.place("bottom_right"), (Vec<2, double>{{1, -1.5}}));
-    EXPECT_EQ(made.place("particle_3_2"), (Vec<2, double>{{0.5, -1}}));
+    EXPECT_EQ(made.position("top_left"), (Vec<2, double>{{-1, 0}}));
+    EXPECT_EQ(made.position("top_right"), (Vec<2, double>{{1, 0}}));
+    EXPECT_EQ(made.position("bottom_left"), (Vec<2, double>{{-1, -1.5}}));
+    EXPECT_EQ(made.position("bottom_right"), (Vec<2, double>{{1, -1.5}}));
+    EXPECT_EQ(made.position("particle_3_2"), (Vec<2, double>{{0.5, -1}}));
 }
 
 TEST(Cloth, LiesLevelInSpaceWithItsTopRowFurthestAway) {
     const auto made = make<3, double>(Cloth{.columns = 3, .rows = 3, .spacing = 1, .plane = "horizontal"});
-    EXPECT_EQ(made.place("top_right"), (Vec<3, double>{{1, 0, 0}}));
-    EXPECT_EQ(made.place("bottom_left"), (Vec<3, double>{{-1, 0, 2}}));
+    EXPECT_EQ(made.position("top_right"), (Vec<3, double>{{1, 0, 0}}));
+    EXPECT_EQ(made.position("bottom_left"), (Vec<3, double>{{-1, 0, 2}}));
     EXPECT_TRUE(problem_of(Cloth{.plane = "horizontal"}, 2));
     EXPECT_FALSE(problem_of(Cloth{.plane = "horizontal"}, 3));
 }

@@ -21,7 +21,7 @@ TEST(Crank, MovesItsPistonAsTheLawOfTheSliderCrankSays) {
             step(made.world, 1 / fps);
             const double s = r * std::cos(phi) + std::sqrt(l * l - square(r * std::sin(phi)));
             const Vec2<double> along{{std::cos(angle), std::sin(angle)}};
-            EXPECT_NEAR(distance(made.place("end"), along * s), 0, 2e-3) << "angle " << angle << " frame " << frame;
+            EXPECT_NEAR(distance(made.position("end"), along * s), 0, 2e-3) << "angle " << angle << " frame " << frame;
         }
     }
 }
@@ -35,20 +35,20 @@ TEST(Crank, RefusesARodThatCannotComeRound) {
 TEST(Formation, ItsShipsSwingAboutTheirAnchors) {
     constexpr double each = 0.5, compliance = 0.05;
     auto made = make(Formation{.columns = 2, .rows = 1, .mass = 4 * each, .elasticity = {.compliance = compliance}});
-    const double home = made.place("ship_1_0")[0];
+    const double home = made.position("ship_1_0")[0];
     set_position(made.world, *find_particle(made.world, "it/ship_1_0"), {{home + 0.2, 0}});
     const double period = 2 * pi<double> * std::sqrt(each * compliance);
     double before = 0.2;
     std::vector<double> crossings;
     for (int frame = 1; frame <= 180; ++frame) {
         step(made.world, 1 / fps);
-        const double now = made.place("ship_1_0")[0] - home;
+        const double now = made.position("ship_1_0")[0] - home;
         if ((now < 0) != (before < 0)) crossings.push_back((frame - now / (now - before)) / fps);
         before = now;
     }
     ASSERT_GE(crossings.size(), 4U);
     EXPECT_NEAR((crossings.back() - crossings.front()) / double(crossings.size() - 1), period / 2, 0.02 * period);
-    EXPECT_EQ(made.place("ship_0_0"), make(Formation{.columns = 2, .rows = 1}).place("ship_0_0"));
+    EXPECT_EQ(made.position("ship_0_0"), make(Formation{.columns = 2, .rows = 1}).position("ship_0_0"));
 }
 
 // The table of the tearable cloth: masses by part, of 83 in all; links in heads, of which he is 7.5 tall.

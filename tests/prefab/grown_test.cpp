@@ -18,7 +18,7 @@ TEST(Tree, ForksAsOftenAsItsDepthSays) {
 
 TEST(Tree, HasTheOriginalsLengthsAndAngles) {
     const auto made = make(Tree{.depth = 2, .branch = 70, .shrink = 0.95, .spread = pi<double> / 6}, Mode::classic);
-    EXPECT_NEAR(made.place("particle_0")[1], 70 * 0.95, 1e-12);
+    EXPECT_NEAR(made.position("particle_0")[1], 70 * 0.95, 1e-12);
     EXPECT_NEAR(made.constraint("branch_1").measure, 70 * 0.95 * 0.95, 1e-12);
     EXPECT_NEAR(made.constraint("branch_2").measure, 70 * 0.95 * 0.95 * 0.95 * 0.95, 1e-12);
     EXPECT_NEAR(made.constraint("joint_0").measure, 0, 1e-12);
@@ -43,7 +43,7 @@ TEST(Spiderweb, IsASpiralWithTheOriginalsTies) {
     EXPECT_EQ(made.constraints(), 139U + 1 + 138);
     EXPECT_EQ(made.world.pins.size(), 5U);
     EXPECT_TRUE(find_constraint(made.world, "it/spoke_137"));
-    EXPECT_LT(norm(made.place("center")), 0.1 * norm(made.place("particle_0")));
+    EXPECT_LT(norm(made.position("center")), 0.1 * norm(made.position("particle_0")));
 }
 
 TEST(Spiderweb, ComesToRestWithEveryThreadTaut) {
@@ -56,7 +56,7 @@ TEST(Spiderweb, ComesToRestWithEveryThreadTaut) {
         EXPECT_GT(distance(made.world.particles.position[a], made.world.particles.position[b]), ties.high(row));
     }
     for (const auto& speed : made.world.particles.velocity) EXPECT_LT(norm(speed), 0.01);
-    EXPECT_LT(norm(made.place("center")), 0.2) << "the hub stays in the middle";
+    EXPECT_LT(norm(made.position("center")), 0.2) << "the hub stays in the middle";
 }
 
 } // namespace

@@ -21,7 +21,7 @@ template <int D, class Real> struct Made {
     std::size_t particles() const { return world.particles.size(); }
     std::size_t constraints() const { return figure().constraints.size(); }
 
-    Vec<D, double> place(std::string_view name) const {
+    Vec<D, double> position(std::string_view name) const {
         return cast<double>(position_of(world, find_particle(world, "it/" + std::string(name)).value()).value());
     }
     double mass(std::string_view name) const {

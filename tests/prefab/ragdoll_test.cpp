@@ -50,8 +50,8 @@ TEST(Ragdoll, InClassicModeHasTheOriginalsPointsInTheirOrder) {
     Row row = 0;
     for (const auto& [name, x, y] : original_points) {
         EXPECT_EQ(row_of(made.world, find_particle(made.world, "it/" + std::string(name)).value()), row++) << name;
-        EXPECT_NEAR(made.place(name)[0] * 100, x, 1e-12) << name;
-        EXPECT_NEAR(made.place(name)[1] * 100, y, 1e-12) << name;
+        EXPECT_NEAR(made.position(name)[0] * 100, x, 1e-12) << name;
+        EXPECT_NEAR(made.position(name)[1] * 100, y, 1e-12) << name;
     }
 }
 
@@ -68,7 +68,7 @@ TEST(Ragdoll, InClassicModeHasTheOriginalsSegmentsInTheirOrderVisibleOrNot) {
                                find_particle(made.world, "it/" + std::string(to)).value()};
         EXPECT_EQ(rods.members[i][0], row_of(made.world, ends[0])) << from << " " << to;
         EXPECT_EQ(rods.members[i][1], row_of(made.world, ends[1])) << from << " " << to;
-        EXPECT_NEAR(rods.low(i), distance(made.place(from), made.place(to)), 1e-12);
+        EXPECT_NEAR(rods.low(i), distance(made.position(from), made.position(to)), 1e-12);
         EXPECT_EQ(rods.low(i), rods.high(i));
         EXPECT_EQ(piece.particles, ends);
         EXPECT_EQ(piece.hidden, !visible) << from << " " << to;
@@ -78,8 +78,8 @@ TEST(Ragdoll, InClassicModeHasTheOriginalsSegmentsInTheirOrderVisibleOrNot) {
 
 TEST(Ragdoll, GrowsWithItsHeight) {
     const auto small = make(Ragdoll{.height = 1.6}, Mode::classic), large = make(Ragdoll{.height = 3.2}, Mode::classic);
-    EXPECT_NEAR(large.place("left_hand")[0], 2 * small.place("left_hand")[0], 1e-12);
-    EXPECT_NEAR(large.place("head_left")[1] - large.place("left_foot")[1], 3.2, 1e-12);
+    EXPECT_NEAR(large.position("left_hand")[0], 2 * small.position("left_hand")[0], 1e-12);
+    EXPECT_NEAR(large.position("head_left")[1] - large.position("left_foot")[1], 3.2, 1e-12);
     EXPECT_EQ(large.figure().pieces[0].width, 2 * small.figure().pieces[0].width);
 }
 
@@ -87,7 +87,7 @@ TEST(Ragdoll, IsTheSameOnBothSides) {
     for (const auto mode : {Mode::classic, Mode::physical}) {
         const auto made = make(Ragdoll{}, mode);
         for (const std::string part : {"shoulder", "elbow", "hand", "hip", "knee", "foot"}) {
-            const auto left = made.place("left_" + part), right = made.place("right_" + part);
+            const auto left = made.position("left_" + part), right = made.position("right_" + part);
             EXPECT_EQ(left[0], -right[0]) << part;
             EXPECT_EQ(left[1], right[1]) << part;
             EXPECT_EQ(made.mass("left_" + part), made.mass("right_" + part)) << part;
@@ -193,7 +193,7 @@ template <class Real> Crowd throw_crowd(int throws, double speed, double spin, i
             crowd.longest_wrong = std::max(crowd.longest_wrong, wrong_since);
             crowd.crushed += now.strain > 0.1;
             ++crowd.frames;
-            for (const auto& place : made.world.particles.position) EXPECT_LT(norm(place), 10) << "seed " << seed;
+            for (const auto& position : made.world.particles.position) EXPECT_LT(norm(position), 10) << "seed " << seed;
         }
     }
     return crowd;
@@ -243,8 +243,8 @@ TEST(Ragdoll, HoldsItsPosesInBothDimensionsWithoutStrain) {
             EXPECT_LT(std::abs(constraint_state(flat.world, id)->error), 1e-9) << pose;
         for (const auto& id : deep.figure().constraints)
             EXPECT_LT(std::abs(constraint_state(deep.world, id)->error), 1e-9) << pose;
-        EXPECT_EQ(pose == "hands_up", flat.place("right_hand")[1] > 0.5) << pose;
-        const double aside = deep.place("left_foot")[0] + deep.place("right_foot")[0];
+        EXPECT_EQ(pose == "hands_up", flat.position("right_hand")[1] > 0.5) << pose;
+        const double aside = deep.position("left_foot")[0] + deep.position("right_foot")[0];
         EXPECT_EQ(pose == "dancing", std::abs(aside) > 0.1) << pose;
     }
 }
@@ -252,7 +252,7 @@ TEST(Ragdoll, HoldsItsPosesInBothDimensionsWithoutStrain) {
 TEST(Ragdoll, IsAsBroadAsItsBuildAndNoHeavier) {
     const auto slim = make(Ragdoll{.stature = "slim"}), heavy = make(Ragdoll{.stature = "heavy"});
     EXPECT_EQ(whole_mass(slim.world), whole_mass(heavy.world));
-    EXPECT_EQ(slim.place("left_foot"), heavy.place("left_foot"));
+    EXPECT_EQ(slim.position("left_foot"), heavy.position("left_foot"));
     const auto& thin = slim.figure().pieces;
     const auto& thick = heavy.figure().pieces;
     double more = 0;
@@ -285,8 +285,8 @@ TEST(Ragdoll, InSpaceStaysWholeAndItsKneesBendBackwardsOnly) {
 
 /// The angle between the thighs, degrees.
 template <int D> double between_thighs(const Made<D, double>& made) {
-    const auto left = direction(made.place("left_knee") - made.place("left_hip"));
-    const auto right = direction(made.place("right_knee") - made.place("right_hip"));
+    const auto left = direction(made.position("left_knee") - made.position("left_hip"));
+    const auto right = direction(made.position("right_knee") - made.position("right_hip"));
     const double along = dot(left, right);
     return arctangent(square_root(std::max(0.0, 1 - along * along)), along) * 180 / pi<double>;
 }

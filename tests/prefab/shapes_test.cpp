@@ -8,8 +8,8 @@ namespace {
 TEST(Polygon, StandsOnASideAndCountsItsCornersCounterClockwise) {
     const auto made = make(Polygon{.sides = 4, .radius = std::sqrt(2.0)});
     const auto expect = [&](const char* name, double x, double y) {
-        EXPECT_NEAR(made.place(name)[0], x, 1e-14) << name;
-        EXPECT_NEAR(made.place(name)[1], y, 1e-14) << name;
+        EXPECT_NEAR(made.position(name)[0], x, 1e-14) << name;
+        EXPECT_NEAR(made.position(name)[1], y, 1e-14) << name;
     };
     expect("corner_0", 1, -1);
     expect("corner_1", 1, 1);
@@ -64,8 +64,8 @@ TEST(Polygon, OfAHundredThousandSidesIsMadeInNoTime) {
 
 TEST(Box, HasTheOriginalsFourEdgesAndOneDiagonal) {
     const auto made = make<2, double>(Box{}, Mode::classic, {.at = {{3, 3}}, .turn = 0, .up = -1});
-    EXPECT_EQ(made.place("top_left"), (Vec<2, double>{{2.75, 2.75}}));
-    EXPECT_EQ(made.place("bottom_right"), (Vec<2, double>{{3.25, 3.25}}));
+    EXPECT_EQ(made.position("top_left"), (Vec<2, double>{{2.75, 2.75}}));
+    EXPECT_EQ(made.position("bottom_right"), (Vec<2, double>{{3.25, 3.25}}));
     const auto& rods = std::get<kind_number<Distance, 2>>(made.world.constraints);
     const std::vector<std::array<Row, 2>> expected{{3, 0}, {0, 1}, {1, 2}, {2, 3}, {0, 2}};
     EXPECT_EQ(rods.members.rows, expected);
@@ -97,7 +97,7 @@ TEST(StickFigure, DrawsItsSticksAndHidesItsSupports) {
 TEST(StickFigure, IsAsTallAsItsHeightFromTheTopOfItsHeadToItsFeet) {
     const auto made = make(StickFigure{.height = 2});
     const auto& head = made.figure().pieces.back();
-    EXPECT_NEAR(made.place("head")[1] + head.width / 2 - made.place("left_foot")[1], 2, 1e-12);
+    EXPECT_NEAR(made.position("head")[1] + head.width / 2 - made.position("left_foot")[1], 2, 1e-12);
 }
 
 TEST(Tire, HasTreadBracesAndSpokesAsTheOriginals) {
@@ -124,8 +124,8 @@ TEST(Tire, HasItsRelaxationsInClassicModeOnly) {
 
 TEST(Limb, IsThreeParticlesDrawnAsOneBandWithATip) {
     const auto made = make(Limb{.upper = 3, .lower = 2, .angle = pi<double> / 2, .bend = -pi<double> / 2, .mass = 10});
-    EXPECT_NEAR(norm(made.place("joint") - Vec<2, double>{{3, 0}}), 0, 1e-12);
-    EXPECT_NEAR(norm(made.place("end") - Vec<2, double>{{3, -2}}), 0, 1e-12) << "bent clockwise, so down";
+    EXPECT_NEAR(norm(made.position("joint") - Vec<2, double>{{3, 0}}), 0, 1e-12);
+    EXPECT_NEAR(norm(made.position("end") - Vec<2, double>{{3, -2}}), 0, 1e-12) << "bent clockwise, so down";
     EXPECT_NEAR(made.mass("root"), 3, 1e-12);
     EXPECT_NEAR(made.mass("end"), 2, 1e-12);
     ASSERT_EQ(made.figure().pieces.size(), 2U);

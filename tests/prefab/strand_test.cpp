@@ -9,22 +9,22 @@ TEST(Rope, HangsFromItsStartStraightDown) {
     const auto made = make(Rope{.length = 3, .segments = 6});
     EXPECT_EQ(made.particles(), 7U);
     EXPECT_EQ(made.constraints(), 6U);
-    EXPECT_EQ(made.place("start"), made.place("particle_0"));
-    EXPECT_EQ(made.place("end"), made.place("particle_6"));
-    EXPECT_EQ(made.place("particle_2")[0], 0);
-    EXPECT_NEAR(made.place("particle_2")[1], -1, 1e-15);
-    EXPECT_NEAR(made.place("end")[1], -3, 1e-15);
+    EXPECT_EQ(made.position("start"), made.position("particle_0"));
+    EXPECT_EQ(made.position("end"), made.position("particle_6"));
+    EXPECT_EQ(made.position("particle_2")[0], 0);
+    EXPECT_NEAR(made.position("particle_2")[1], -1, 1e-15);
+    EXPECT_NEAR(made.position("end")[1], -3, 1e-15);
 }
 
 TEST(Rope, LiesLevelToTheRightAtAQuarterTurn) {
     const auto made = make<3, double>(Rope{.length = 3, .angle = pi<double> / 2});
-    EXPECT_NEAR(distance(made.place("end"), Vec<3, double>{{3, 0, 0}}), 0, 1e-14);
+    EXPECT_NEAR(distance(made.position("end"), Vec<3, double>{{3, 0, 0}}), 0, 1e-14);
 }
 
 TEST(Rope, WithSlackHangsThroughBetweenEndsThatAreCloser) {
     for (const double slack : {1e-6, 0.01, 0.5, 3.0, 100.0}) {
         const auto made = make(Rope{.length = 2, .segments = 24, .angle = pi<double> / 2, .slack = slack});
-        const auto end = made.place("end"), middle = made.place("particle_12");
+        const auto end = made.position("end"), middle = made.position("particle_12");
         EXPECT_NEAR(end[0] * (1 + slack), 2, 1e-9) << slack;
         EXPECT_NEAR(end[1], 0, 1e-12);
         EXPECT_LT(middle[1], 0);
@@ -81,7 +81,7 @@ TEST(Chain, HasLinksOfALoopAndAGap) {
     EXPECT_EQ(made.particles(), 31U);
     EXPECT_EQ(made.constraints(), 30U);
     EXPECT_NEAR(made.constraint("link_7").measure, 0.26, 1e-12);
-    EXPECT_NEAR(made.place("end")[1], -30 * 0.26, 1e-12);
+    EXPECT_NEAR(made.position("end")[1], -30 * 0.26, 1e-12);
     EXPECT_EQ(made.figure().pieces.size(), 31U + 30) << "loops and what is between them";
 }
 

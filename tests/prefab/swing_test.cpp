@@ -18,8 +18,8 @@ TEST(Swing, SwingsAsAPendulumAsLongAsItsRopes) {
     int crossings = 0;
     for (int frame = 1; frame <= 10 * int(fps); ++frame) {
         step(made.world, 1 / fps);
-        const double x = made.place("seat_right")[0] - middle;
-        EXPECT_NEAR(made.place("seat_right")[1], made.place("seat_left")[1], 1e-6);
+        const double x = made.position("seat_right")[0] - middle;
+        EXPECT_NEAR(made.position("seat_right")[1], made.position("seat_left")[1], 1e-6);
         if (frame > 1 && (x < 0) != (before < 0)) {
             crossed = (frame - x / (x - before)) / fps;
             ++crossings;
@@ -43,9 +43,9 @@ TEST(Swing, CarriesHalfOfItsSeatOnEachRope) {
 TEST(Swing, OfTenThousandPiecesSwingsInFloatToo) {
     auto made = make<2, float>(Swing{.segments = 10000, .angle = 0.7});
     made.world.forces.push_back(Gravity<2, float>{{{0, float(-gravity)}}});
-    const auto before = made.place("seat_left");
+    const auto before = made.position("seat_left");
     for (int frame = 0; frame < 3; ++frame) step(made.world, float(1 / fps));
-    const auto fallen = norm(made.place("seat_left") - before);
+    const auto fallen = norm(made.position("seat_left") - before);
     EXPECT_NEAR(fallen, 0.5 * gravity * sine(0.7) * square(3 / fps), 0.05 * fallen);
 }
 
@@ -63,14 +63,14 @@ TEST(Bridge, HangsByItsWeightFromBothBanks) {
             const auto along = (from - to) * (1 / norm(from - to));
             carried += made.constraint(link).tension * along[1];
         };
-        up("plank_0", made.place("left_bank"), made.place("joint_1"));
-        up("plank_11", made.place("right_bank"), made.place("joint_11"));
+        up("plank_0", made.position("left_bank"), made.position("joint_1"));
+        up("plank_11", made.position("right_bank"), made.position("joint_11"));
         if (rail > 0) {
-            up("rail_link_0", made.place("rail_0"), made.place("rail_1"));
-            up("rail_link_11", made.place("rail_12"), made.place("rail_11"));
+            up("rail_link_0", made.position("rail_0"), made.position("rail_1"));
+            up("rail_link_11", made.position("rail_12"), made.position("rail_11"));
         }
         EXPECT_NEAR(carried, 24 * 11.0 / 12 * gravity, 1e-3 * 24 * gravity) << "rail " << rail;
-        EXPECT_NEAR(made.place("joint_6")[0], 2, 1e-3) << "as far from both banks";
+        EXPECT_NEAR(made.position("joint_6")[0], 2, 1e-3) << "as far from both banks";
     }
 }
 

@@ -2,7 +2,7 @@
 #include "sinew/session/session.h"
 #include "sinew/world/edit.h"
 
-#include "tests/session/places.h"
+#include "tests/session/positions.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -85,26 +85,26 @@ TEST(Driver, CarriesItsParticleInBothModesAndNoOther) {
     for (const std::string mode : {"physical", "classic"}) {
         auto session = driven_session(R"("driver": "orbit", "radius": 100, "rate": 3)", mode); // degrees a frame
         for (int frame = 0; frame < 30; ++frame) session.step();
-        EXPECT_NEAR(place(session, "f/b")[0], 450, 1e-9) << mode;
-        EXPECT_NEAR(place(session, "f/b")[1], 0, 1e-9) << mode;
-        EXPECT_EQ(place(session, "f/a"), (Vec2<double>{{450, 100}})) << mode;
+        EXPECT_NEAR(position(session, "f/b")[0], 450, 1e-9) << mode;
+        EXPECT_NEAR(position(session, "f/b")[1], 0, 1e-9) << mode;
+        EXPECT_EQ(position(session, "f/a"), (Vec2<double>{{450, 100}})) << mode;
         session.restart();
         for (int frame = 0; frame < 60; ++frame) session.step();
-        EXPECT_NEAR(place(session, "f/b")[0], 350, 1e-9) << mode;
+        EXPECT_NEAR(position(session, "f/b")[0], 350, 1e-9) << mode;
     }
 }
 
 TEST(Driver, FollowsThePointerOrThePathThatStandsInForIt) {
     auto session = driven_session(R"("driver": "pointer", "keys": [{"at": 10, "to": [500, 100]}])");
     for (int frame = 0; frame < 10; ++frame) session.step();
-    EXPECT_NEAR(place(session, "f/b")[0], 500, 1e-9);
+    EXPECT_NEAR(position(session, "f/b")[0], 500, 1e-9);
     session.point_at(Point{{320, 240, 0}});
     session.step();
-    EXPECT_NEAR(place(session, "f/b")[0], 320, 1e-9);
-    EXPECT_NEAR(place(session, "f/b")[1], 240, 1e-9);
+    EXPECT_NEAR(position(session, "f/b")[0], 320, 1e-9);
+    EXPECT_NEAR(position(session, "f/b")[1], 240, 1e-9);
     session.point_at({});
     session.step();
-    EXPECT_NEAR(place(session, "f/b")[0], 500, 1e-9);
+    EXPECT_NEAR(position(session, "f/b")[0], 500, 1e-9);
 }
 
 // x += x - x_prev + 0.05 d - 0.1 v: a damped oscillation of about 28 frames that overshoots, and ends at the pointer.
@@ -117,7 +117,7 @@ TEST(Driver, SteersTowardsThePointerAndOvershoots) {
         session.step();
         const double next = x + (x - before) * 0.9 + 0.05 * (550 - x);
         before = x, x = next;
-        EXPECT_NEAR(place(session, "f/b")[0], x, 1e-9);
+        EXPECT_NEAR(position(session, "f/b")[0], x, 1e-9);
         max = std::max(max, x);
     }
     EXPECT_GT(max, 570);
@@ -133,9 +133,9 @@ TEST(Driver, AKickReachesWhatSteers) {
         double max = 0;
         for (int frame = 0; frame < 200; ++frame) {
             session.step();
-            max = std::max(max, std::abs(place(session, "f/b")[0] - 450));
+            max = std::max(max, std::abs(position(session, "f/b")[0] - 450));
         }
-        EXPECT_NEAR(place(session, "f/b")[0], 450, 0.1);
+        EXPECT_NEAR(position(session, "f/b")[0], 450, 0.1);
         return max;
     };
     EXPECT_EQ(far(""), 0);
@@ -148,7 +148,7 @@ TEST(Driver, SteersAsASpringInPhysicalMode) {
         R"("steer": [0.05, 0.05], "steer_damping": 0.2, "driver": "pointer", "keys": [{"at": 0, "to": [550, 100]}])",
         "physical");
     for (int frame = 0; frame < 600; ++frame) session.step();
-    EXPECT_NEAR(place(session, "f/b")[0], 550, 0.1);
+    EXPECT_NEAR(position(session, "f/b")[0], 550, 0.1);
 }
 
 TEST(Driver, KeysOutOfOrderAreAnError) {

@@ -2,7 +2,7 @@
 #include "sinew/session/session.h"
 #include "sinew/world/edit.h"
 
-#include "tests/session/places.h"
+#include "tests/session/positions.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -104,7 +104,7 @@ TEST(Join, TiesWhatIsNearUntilItIsSnipped) {
     EXPECT_FALSE(find_constraint(world_of(session), "f/tie")) << "they are 10 apart";
     for (int frame = 15; frame < 50; ++frame) session.step();
     ASSERT_TRUE(find_constraint(world_of(session), "f/tie"));
-    EXPECT_NEAR(distance(place(session, "f/a"), place(session, "f/b")), 10, 1e-6);
+    EXPECT_NEAR(distance(position(session, "f/a"), position(session, "f/b")), 10, 1e-6);
     EXPECT_NEAR(speed(session, "f/a")[0], 1, 1e-6) << "half of the momentum went over";
     EXPECT_EQ(world_of(session).figures[0].pieces.back().part, "tie");
     EXPECT_EQ(std::get<0>(world_of(session).constraints).size(), 1U) << "only once while it lasts";
@@ -125,12 +125,12 @@ TEST(Grab, CarriesWhatIsNearAlongAndLetsGoOfAll) {
     auto session =
         play(R"("figures": [{"prefab": "cloth", "name": "c", "columns": 11, "rows": 11, "spacing": 6}], "events": [
         {"at": 1, "grab": "c/particle_5_5", "to": [40, -30], "duration": 20, "within": 12.5}, {"at": 30, "release": "c/particle_5_5"}])");
-    const auto middle = place(session, "c/particle_5_5"), beside = place(session, "c/particle_7_5");
+    const auto middle = position(session, "c/particle_5_5"), beside = position(session, "c/particle_7_5");
     const auto pins = world_of(session).pins.size();
     for (int frame = 0; frame < 25; ++frame) session.step();
     EXPECT_EQ(world_of(session).pins.size(), pins + 13) << "a disc of two threads about the middle";
-    EXPECT_NEAR(distance(place(session, "c/particle_5_5"), Vec2<double>{40, -30}), 0, 1e-9);
-    EXPECT_NEAR(distance(place(session, "c/particle_7_5"), Vec2<double>{40, -30} + beside - middle), 0, 1e-9);
+    EXPECT_NEAR(distance(position(session, "c/particle_5_5"), Vec2<double>{40, -30}), 0, 1e-9);
+    EXPECT_NEAR(distance(position(session, "c/particle_7_5"), Vec2<double>{40, -30} + beside - middle), 0, 1e-9);
     for (int frame = 25; frame < 40; ++frame) session.step();
     EXPECT_EQ(world_of(session).pins.size(), pins);
 }
@@ -141,14 +141,14 @@ TEST(Pointer, PullsWhatIsNearAlongAndLetsGoOfAll) {
     const auto pinned = [&](const std::string& pointer, double reach) {
         auto session = play(cloth + pointer + R"("seconds": 1)");
         const auto before = world_of(session).pins.size();
-        const auto middle = place(session, "c/particle_5_5"), beside = place(session, "c/particle_7_5");
+        const auto middle = position(session, "c/particle_5_5"), beside = position(session, "c/particle_7_5");
         const auto id = *find_particle(world_of(session), "c/particle_5_5");
         EXPECT_TRUE(session.grab(std::span(&id, 1), Point{{middle[0], middle[1], 0}}));
         const auto taken = world_of(session).pins.size() - before;
         session.drag(Point{{middle[0] + 2, middle[1] + 3, 0}});
         for (int frame = 0; frame < 3; ++frame) session.step();
         if (reach > 12) {
-            EXPECT_NEAR(distance(place(session, "c/particle_7_5"), beside + Vec2<double>{{2, 3}}), 0, 0.01);
+            EXPECT_NEAR(distance(position(session, "c/particle_7_5"), beside + Vec2<double>{{2, 3}}), 0, 0.01);
         }
         session.let_go();
         EXPECT_EQ(world_of(session).pins.size(), before);

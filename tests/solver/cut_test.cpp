@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 using Plane = test::Stepped<2, double>;
-using Place = Vec2<double>;
+using Position = Vec2<double>;
 
 std::size_t links(const Plane& world) {
     return std::get<kind_number<Distance, 2>>(world.constraints).size();
@@ -38,7 +38,7 @@ TEST(Cut, IsWhereTheBladeIsSeenAndNotOutOfSight) {
     test::Stepped<3, double> world;
     chain(world, 4, {{0, 0, -5}}, {{1, 0, 0}});
     const Projection<3> see = [](const Vec3<double>& position) {
-        return Place{{position[0] < 0.5 ? std::numeric_limits<double>::infinity() : position[0] + 100, position[1]}};
+        return Position{{position[0] < 0.5 ? std::numeric_limits<double>::infinity() : position[0] + 100, position[1]}};
     };
     EXPECT_EQ(cut(world, Blade{{{100.5, 1}}, {{100.5, -1}}, 0.3}, see).links, 0U);
     EXPECT_EQ(cut(world, Blade{{{101.5, 1}}, {{101.5, -1}}}, see).links, 1U);
@@ -50,7 +50,7 @@ TEST(Cut, TakesWhatHangsOnALinkAndTellsWhose) {
     Plane world;
     const auto figure = add_figure(world, "square");
     std::vector<ParticleId> p;
-    for (const auto& position : {Place{{0, 0}}, Place{{1, 0}}, Place{{1, 1}}, Place{{0, 1}}})
+    for (const auto& position : {Position{{0, 0}}, Position{{1, 0}}, Position{{1, 1}}, Position{{0, 1}}})
         p.push_back(add_particle(world, {.position = position, .figure = figure}));
     for (std::size_t i = 0; i < 4; ++i) add<Distance>(world, {p[i], p[(i + 1) % 4]}, {.figure = figure});
     add<Area>(world, {p[0], p[1], p[2], p[3]}, {.figure = figure});

@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-using Place = Vec2<double>;
+using Position = Vec2<double>;
 
 struct Solved {
     Direct direct;
@@ -27,7 +27,7 @@ test::Stepped<2, double> made(Direct direct) {
 }
 
 ParticleId particle(test::Stepped<2, double>& world, double x, double y, double mass = 1) {
-    return add_particle(world, {.position = at<Place>(x, y), .mass = mass, .figure = 0});
+    return add_particle(world, {.position = at<Position>(x, y), .mass = mass, .figure = 0});
 }
 ParticleId nail(test::Stepped<2, double>& world, double x, double y) {
     const auto id = particle(world, x, y);
@@ -77,7 +77,7 @@ TEST(Winch, StallsAtItsForceLimit) {
     for (const auto& [direct, accuracy] : ways) {
         for (const double max : {4900.0, 8000.0}) {
             Hoist hoist(direct, 500, max);
-            hoist.world.bounds.push_back({at<Place>(0, 1), 2.0});
+            hoist.world.bounds.push_back({at<Position>(0, 1), 2.0});
             drive(hoist.world, hoist.winch, -0.5);
             run(hoist.world, 3);
             if (max < 4905) {
@@ -126,8 +126,8 @@ TEST(Pulley, ATackleOfTwoPartsHoldsTwiceTheWeight) {
         add<Pulley>(world, {eye, block, wheel, hand}, {.figure = 0});
         run(world, 1);
         EXPECT_NEAR(height_of(world, block), 4, 0.01);
-        set_velocity(world, hand, at<Place>(0, -1));
-        set_velocity(world, block, at<Place>(0, 0.5));
+        set_velocity(world, hand, at<Position>(0, -1));
+        set_velocity(world, block, at<Position>(0, 0.5));
         run(world, 1);
         EXPECT_NEAR(height_of(world, hand), 3, 0.03);
         EXPECT_NEAR(height_of(world, block), 4.5, 0.03);

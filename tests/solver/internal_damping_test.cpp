@@ -38,12 +38,12 @@ template <class World> void add_wriggling_chain(World& world, FigureIndex figure
     using Vector = typename World::Vector;
     std::vector<ParticleId> ids;
     for (int i = 0; i < 8; ++i) {
-        auto place = at<Vector>(0.7 * i, 0.7 * (i % 2));
-        for (int k = 2; k < World::dimension; ++k) place[k] = Real(0.2 * (i % 3));
+        auto position = at<Vector>(0.7 * i, 0.7 * (i % 2));
+        for (int k = 2; k < World::dimension; ++k) position[k] = Real(0.2 * (i % 3));
         const auto speed =
             Vector::map([&](int k) { return random::symmetric<Real>(3, std::uint64_t(i), std::uint64_t(k)); });
         ids.push_back(
-            add_particle(world, {.position = place, .velocity = speed, .mass = Real(1 + i % 3), .figure = figure}));
+            add_particle(world, {.position = position, .velocity = speed, .mass = Real(1 + i % 3), .figure = figure}));
     }
     for (std::size_t i = 1; i < ids.size(); ++i) add<Distance>(world, {ids[i - 1], ids[i]}, {.figure = figure});
 }

@@ -45,7 +45,7 @@ template <class Real> std::vector<ParticleId> add_hexagon(FlatWorld<Real>& world
 
 template <class Real> double lowest_of(const FlatWorld<Real>& world) {
     double lowest = 1e9;
-    for (const auto& place : world.particles.position) lowest = std::min(lowest, double(place[1]));
+    for (const auto& position : world.particles.position) lowest = std::min(lowest, double(position[1]));
     return lowest;
 }
 /// Height that the lowest particle returns to, from its first way down on.

@@ -42,7 +42,7 @@ template <class WorldT> std::vector<std::vector<Vec3<double>>> polygons_of(const
             const auto& fragment = figure.fragments[piece.fragment];
             std::array<Vec3<double>, 4> corner{};
             for (std::size_t i = 0; i < 4; ++i)
-                corner[i] = place_of(fragment.corners[i], position, WorldT::dimension == 2);
+                corner[i] = position_of(fragment.corners[i], position, WorldT::dimension == 2);
             fragment.each_tile([&](std::span<const Vec2<float>> tile) {
                 polygons.emplace_back();
                 for (const auto& uv : tile) polygons.back().push_back(bilinear(corner, double(uv[0]), double(uv[1])));

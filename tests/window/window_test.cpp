@@ -79,8 +79,8 @@ class WindowTest : public testing::Test {
 
     Vec2<double> pixel_of(const std::string& name) const {
         const auto& world = std::get<World<2, double>>(game.session().world());
-        const auto place = *position_of(world, *find_particle(world, name));
-        return cast<double>(game.view().see({{place[0], place[1], 0}})->pixel);
+        const auto position = *position_of(world, *find_particle(world, name));
+        return cast<double>(game.view().see({{position[0], position[1], 0}})->pixel);
     }
 
     /// What the window shows, `shrink` pixels each way made one.

@@ -98,8 +98,8 @@ template <class Real> class ClothForecasts {
         const auto& forecast = room_.forecast[i];
         collide::BoundingBox<3, Real> box;
         const auto include = [&](int substep) {
-            const auto place = forecast.position + forecast.per_substep * Real(substep - forecast.since);
-            box.include(place - room_.mean_displacement * Real(substep));
+            const auto position = forecast.position + forecast.per_substep * Real(substep - forecast.since);
+            box.include(position - room_.mean_displacement * Real(substep));
         };
         if (room_.is_static) {
             box.include(forecast.position - room_.drift);

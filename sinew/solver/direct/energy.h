@@ -71,8 +71,8 @@ template <int D> class BlockEnergy {
     void bring_to(double kinetic) const {
         constexpr double fastest = 1.1; // a correction, not a kick
         const auto unknowns = solve_.unknowns();
-        const auto motion = free_ ? Motion::of(unknowns, Solve::place_of) : Motion{};
-        const auto rate = motion.rate_of(unknowns, Solve::place_of);
+        const auto motion = free_ ? Motion::of(unknowns, Solve::position_of) : Motion{};
+        const auto rate = motion.rate_of(unknowns, Solve::position_of);
         const auto whole = [&](const BlockNode<D>& node) {
             return motion.momentum * inverse_or_zero(motion.mass) + turning(rate, node.position - motion.center);
         };
@@ -89,7 +89,7 @@ template <int D> class BlockEnergy {
     void keep_momentum() const {
         if (!free_) return;
         const auto unknowns = solve_.unknowns();
-        auto missing = Motion::of(unknowns, Solve::place_of);
+        auto missing = Motion::of(unknowns, Solve::position_of);
         const auto center = (begun_.center + missing.center) * 0.5;
         Motion due = begun_;
         for (const auto& node : unknowns) {
@@ -99,7 +99,7 @@ template <int D> class BlockEnergy {
         }
         missing.momentum = due.momentum - missing.momentum;
         missing.spin = due.spin - missing.spin;
-        const auto rate = missing.rate_of(unknowns, Solve::place_of);
+        const auto rate = missing.rate_of(unknowns, Solve::position_of);
         const auto drift = missing.momentum * inverse_or_zero(missing.mass);
         for (auto& node : unknowns) node.velocity += drift + turning(rate, node.position - missing.center);
     }

@@ -66,10 +66,10 @@ template <int D> class BlockEquations {
         return max(links_.worst_strain(start_of), max(bends_.worst_warp(true), ways_.worst_strain(true)));
     }
     double worst_position_strain() const {
-        return max(links_.worst_strain(place_of), max(bends_.worst_warp(false), ways_.worst_strain(false)));
+        return max(links_.worst_strain(position_of), max(bends_.worst_warp(false), ways_.worst_strain(false)));
     }
     static const Vector& start_of(const BlockNode<D>& node) { return node.start; }
-    static const Vector& place_of(const BlockNode<D>& node) { return node.position; }
+    static const Vector& position_of(const BlockNode<D>& node) { return node.position; }
 
     /// True if velocities would change lengths more than a swing does in a time h, as after a blow.
     bool has_velocity_error(double h) const {

@@ -32,7 +32,7 @@ template <int D, class Real> class GroupMotion {
     /// Displacement without constraints.
     const Vector& free_move(Row slot) const { return ports_.free_moves[slot]; }
 
-    Motion rigid() const { return Motion::of(bodies(), place_of); }
+    Motion rigid() const { return Motion::of(bodies(), position_of); }
 
     /// Motion of a rigid body, in which the rest of a group's motion is measured.
     struct Frame {
@@ -42,7 +42,7 @@ template <int D, class Real> class GroupMotion {
         Vector at(const Vector& position) const { return velocity + turning(rate, position - center); }
     };
     Frame frame_of(const Motion& motion) const {
-        return {motion.center, motion.momentum * inverse_or_zero(motion.mass), motion.rate_of(bodies(), place_of)};
+        return {motion.center, motion.momentum * inverse_or_zero(motion.mass), motion.rate_of(bodies(), position_of)};
     }
     /// Frame in which energy is measured: pins that are all carried alike do no work in this one. False for other pins.
     bool find_frame(Frame& frame) const {
@@ -111,7 +111,7 @@ template <int D, class Real> class GroupMotion {
         double mass = 0;
         Vector position{}, velocity{};
     };
-    static Vector place_of(const Body& body) { return body.position; }
+    static Vector position_of(const Body& body) { return body.position; }
     auto bodies() const {
         return std::views::transform(members(), [this](Row s) { return Body{mass(s), position(s), displacement(s)}; });
     }

@@ -14,7 +14,7 @@ namespace sinew {
 inline const World<2, double>& world_of(const Session& session) {
     return std::get<World<2, double>>(session.world());
 }
-inline Vec2<double> place(const Session& session, std::string_view name) {
+inline Vec2<double> position(const Session& session, std::string_view name) {
     return *position_of(world_of(session), *find_particle(world_of(session), name));
 }
 
