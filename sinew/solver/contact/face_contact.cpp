@@ -7,6 +7,23 @@
 namespace sinew::detail {
 namespace {
 
+/// Solves the rows round after round, until one changes little. Faces around a point of contact share corners, so the
+/// push of a row opens those before it: solved once, they would carry a load while open, and cloth would never rest.
+template <int D, class Real>
+void solve_rows(FaceRoom<D, Real>& room, const RowSolver<D, Real>& rows, const Softness<Real>& soft) {
+    constexpr int max_rounds = 8;
+    constexpr Real little = Real(0.01); // of the sum of the multipliers
+    for (int round = 0; round < max_rounds; ++round) {
+        Real sum = 0, changed = 0;
+        for (auto& row : room.rows) {
+            const Real before = row.multiplier;
+            rows.solve(row, soft);
+            sum += row.multiplier, changed += absolute(row.multiplier - before);
+        }
+        if (changed <= little * sum) return;
+    }
+}
+
 template <class Real> class FaceContact {
   public:
     FaceContact(World<3, Real>& world, Solver<3, Real>& solver)
@@ -21,7 +38,7 @@ template <class Real> class FaceContact {
     }
     void relax(Real h) {
         const RowSolver<3, Real> rows(state_, max_displacement(h));
-        for (auto& row : room_.rows) rows.solve(row, Softness<Real>::none());
+        solve_rows(room_, rows, Softness<Real>::none());
         if (world_.contacts.lists_figures) note_touches(h);
     }
 
@@ -35,7 +52,7 @@ template <class Real> class FaceContact {
     void note_touches(Real h) {
         for (std::size_t i = 0; i < room_.rows.size(); ++i)
             if (const auto& row = room_.rows[i]; row.max > Real(0) || row.gap <= Real(0))
-                solver_.touches.figures.push_back(touch_of(room_.touches[i], double(row.max / h)));
+                solver_.touches.figures.push_back(touch_of(room_.touches[i], double(row.multiplier / h)));
         merge_touches(solver_.touches.figures);
     }
     FigureTouch touch_of(const FaceTouch& touch, double impulse) const {
@@ -57,7 +74,7 @@ template <int D, class Real> void find_face_contacts(World<D, Real>& world, Solv
 template <int D, class Real> void solve_face_contacts(Solver<D, Real>& solver, Real h) {
     constexpr Softness<Real> quarter{Real(0.25), 1, 0}; // as layers of cloth: layer_push_out
     const RowSolver<D, Real> rows(solver.sweep_state, max_displacement(h));
-    for (auto& row : solver.contacts->faces.rows) rows.solve(row, quarter);
+    solve_rows(solver.contacts->faces, rows, quarter);
 }
 template <int D, class Real> bool guard_faces(World<D, Real>& world, Solver<D, Real>& solver, Real h, bool cuts_only) {
     auto& state = solver.sweep_state;

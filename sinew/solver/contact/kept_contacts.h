@@ -114,7 +114,7 @@ template <int D, class Real> class KeptContacts {
             const Row corner = state_.row_of[faces.mesh.slots[faces.touches[i].vertex]];
             const auto end = striker.is_link ? id(striker.row[1]) : none;
             world_.contacts.passing.push_back(
-                {{.particle = {id(striker.row[0]), end, id(corner), none}}, row.max, row.tangent});
+                {{.particle = {id(striker.row[0]), end, id(corner), none}}, row.multiplier, row.tangent});
         }
     }
 

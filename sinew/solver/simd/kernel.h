@@ -69,9 +69,10 @@ template <class Real> struct DistancePass {
     Real per_h2 = 0;   ///< 1 / h^2
     Real shortest = 1; ///< output: a length below limit::shortest_link of a link with a positive limit, otherwise 1
     bool kept = false; ///< store multipliers, for later iterations or for readers
-    bool last_substep = false;  ///< last substep: multipliers are read after the step
-    bool first = true;          ///< first iteration: multipliers start at zero
-    bool again = false;         ///< repair within an iteration: compliant batches are skipped
+    bool last_substep = false; ///< last substep: multipliers are read after the step
+    bool first = true;         ///< first iteration: multipliers start at zero
+    bool adds = false;         ///< multipliers of rigid equalities add up, and links are corrected as in other substeps
+    bool again = false;        ///< repair within an iteration: compliant batches are skipped
     bool overstretched = false; ///< output: some rigid link was over 2 % too long
 };
 

@@ -64,11 +64,12 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
     template <std::size_t packs, class Limits>
     [[gnu::always_inline]] bool all_near(const std::size_t (&i)[packs], Limits&& limits) const {
         Link link[packs];
-        V half[packs], away[packs];
+        V half[packs], away[packs], before[packs];
 #pragma GCC unroll 2
         for (unsigned p = 0; p < packs; ++p) {
             const Wanted& wanted = limits(i[p]);
             link[p] = link_at(i[p]);
+            if constexpr (rules.kept) before[p] = multipliers<true>(i[p], int(width));
             half[p] = Correction::by_tangent(link[p], wanted, away[p]);
         }
         if (any_less(Correction::near() * Correction::near(), away)) [[unlikely]]
@@ -76,7 +77,7 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
 #pragma GCC unroll 2
         for (unsigned p = 0; p < packs; ++p) {
             move<true>(i[p], int(width), link[p], half[p]);
-            if constexpr (rules.kept) keep<true>(i[p], int(width), link[p], half[p], limits(i[p]));
+            if constexpr (rules.kept) keep<true>(i[p], int(width), link[p], half[p], limits(i[p]), before[p]);
         }
         return true;
     }
@@ -95,20 +96,32 @@ template <int D, class Real, Rigid rules> struct RigidLinks {
         Link link = link_at(i);
         const V half = Correction{pass}.template exact<all>(link, count, wanted);
         move<all>(i, count, link, half);
-        if constexpr (rules.kept) keep<all>(i, count, link, half, wanted);
+        if constexpr (rules.kept) keep<all>(i, count, link, half, wanted, multipliers<all>(i, count));
     }
 
-    /// Stores the multipliers and notes lengths near zero.
+    /// Stores the multipliers, the sums of all passes of a substep, and notes lengths near zero.
     template <bool all>
-    [[gnu::always_inline]] void keep(std::size_t i, int count, const Link& link, const V& half,
-                                     const Wanted& wanted) const {
+    [[gnu::always_inline]] void keep(std::size_t i, int count, const Link& link, const V& half, const Wanted& wanted,
+                                     const V& before) const {
         const V length = root(link.e2), along = rules.old_gradient ? root(dot(link.d, link.d)) : length;
         V mobility = mobility_of(run.a + i);
         if constexpr (!rules.equal_mass) mobility = mean_mobility(mobility, mobility_of(run.b + i));
         if constexpr (!all) mobility = first_lanes(mobility, count, Real(1));
-        const V lambda = within(along * half / mobility, spread<V>(limit::multiplier<Real>));
+        const V added = along * half / mobility;
+        const V lambda = within(pass.first ? added : before + added, spread<V>(limit::multiplier<Real>));
         const auto has_length = wanted.low < spread<V>(Real(0.1) * max_per_square<Real>);
         note<all>(i, count, lambda, has_length ? length : spread<V>(Real(1)));
+    }
+
+    template <bool all> [[gnu::always_inline]] V multipliers(std::size_t i, int count) const {
+        if (pass.first) return V{};
+        if (all && run.row_step == 1) return load<V>(columns.multiplier + run.row + i);
+        Real numbers[width] = {};
+        for (std::size_t k = 0; k < std::size_t(count); ++k) numbers[k] = columns.multiplier[row_of(i + k)];
+        return load<V>(numbers);
+    }
+    std::size_t row_of(std::size_t i) const {
+        return run.row_step == 0 ? columns.rows[run.row + i] : run.row + i * run.row_step;
     }
 
     [[gnu::always_inline]] Link link_at(std::size_t i) const {
@@ -233,8 +246,8 @@ template <int D, class Real>
     };
     static constexpr std::array project{each(std::false_type{}), each(std::true_type{})};
     while (first != last && first->kind != other) {
-        const bool kept = first->kind < inequality ? pass.last_substep : pass.kept;
-        if (kept && !pass.first) break;
+        const bool is_equality = first->kind < inequality, kept = is_equality ? pass.last_substep : pass.kept;
+        if (kept && !pass.first && !(is_equality && pass.adds)) break;
         first = project[kept][std::size_t(first->kind)](columns, pass, first, last);
     }
     return first;

@@ -143,6 +143,7 @@ template <int D, class Real> class CoupledSweep {
     void project(Substep<D, Real>& substep, const Component& component, int times) {
         substep.set_anchors(component);
         const bool first = substep.mover().first_iteration;
+        substep.is_repeated = times > 1;
         for (int i = 0; i < times; ++i) {
             substep.mover().first_iteration = first && i == 0;
             for_each_projection(world_, plan_, substep, component, [&](std::uint32_t, auto&& work) {
@@ -150,6 +151,7 @@ template <int D, class Real> class CoupledSweep {
             });
             if (times > 1) solve_faces();
         }
+        substep.is_repeated = false;
         substep.mover().first_iteration = first;
     }
     /// Passes over the links of a component in each round. No tether helps cloth that lies on something, and contacts

@@ -29,6 +29,10 @@ template <int D, class Real> class Substep {
         predictor_.fall(motion_);
     }
 
+    /// True while the links of cloth are swept several times: the last substep must correct them by the tangent, as the
+    /// others do, not by the root. Cloth at rest would move in it, and each step would end with that speed.
+    bool is_repeated = false;
+
     SubstepMover<D, Real>& mover() { return mover_; }
     PinProjector<D, Real> pins() { return {world_, solver_, mover_, share_ - share_of_substep_, share_, number_ > 1}; }
     /// Factor of velocities by the common damping.
@@ -60,6 +64,7 @@ template <int D, class Real> class Substep {
                                     last_ || world_.settings.iterations > 1 || !solver_.blocks.attached_trees.empty(),
                                 .last_substep = last_,
                                 .first = mover_.first_iteration && !again,
+                                .adds = is_repeated && !again,
                                 .again = again};
         kernels_.project(links_, pass, runs + first, runs + last);
         if (pass.overstretched && component.tethers > 0) plan.tiles[component.first_tile + tile].overstretched = true;
