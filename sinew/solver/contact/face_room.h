@@ -40,8 +40,11 @@ template <int D, class Real> struct FaceRoom {
     std::vector<Striker<Real>> strikers;
     std::vector<std::array<Row, 2>> links; ///< rows of linked particles, one of them of cloth; sorted
 
-    std::vector<Box> vertex_box, cell_box; ///< around the motions of a substep
-    BoxTree<Real> tree;                    ///< of the cells
+    std::vector<Box> vertex_box;           ///< around the motions of a substep
+    std::vector<std::uint8_t> sides;       ///< per vertex: sides of what strikers reach that its box is beyond
+    std::vector<std::uint32_t> near_cells; ///< within that reach
+    std::vector<Box> cell_box;             ///< of the near cells
+    BoxTree<Real> tree;                    ///< of these
     std::vector<ContactRow<D, Real>> rows; ///< of this substep
     std::vector<FaceTouch> touches;        ///< of the rows
 
@@ -61,6 +64,8 @@ template <int D, class Real> struct FaceRoom {
     void reserve(std::size_t slots) {
         constexpr std::size_t rows_each = 6;
         vertex_box.reserve(mesh.size());
+        sides.reserve(mesh.size());
+        near_cells.reserve(mesh.cells.size());
         cell_box.reserve(mesh.cells.size());
         tree.reserve(mesh.cells.size());
         rows.reserve(rows_each * strikers.size());

@@ -20,15 +20,21 @@ template <class Real> class StrikeSearch {
 
     /// Calls visit(pair) for all pairs whose boxes, grown by margin(thickness), overlap; in the order of the strikers.
     template <class Margin, class Visit> void each_pair(Margin&& margin, Visit&& visit) {
-        auto around = note_vertices();
-        bool is_tree_filled = false;
+        const auto around = note_vertices();
+        const auto grown_box = [&](const Striker<Real>& striker) {
+            return box_of(striker).grown(margin(striker.radius + widest_));
+        };
+        Box reached;
+        for (const auto& striker : room_.strikers)
+            if (const auto box = grown_box(striker); box.overlaps(around)) include(reached, box);
+        list_cells(reached);
+        if (room_.near_cells.empty()) return;
         for (std::uint32_t i = 0; i < room_.strikers.size(); ++i) {
             const auto& striker = room_.strikers[i];
-            const auto box = box_of(striker).grown(margin(striker.radius + widest_));
-            if (!box.overlaps(around)) continue;
-            if (!is_tree_filled) fill_tree();
-            is_tree_filled = true;
-            room_.tree.each_near(box, [&](std::uint32_t cell) {
+            const auto box = grown_box(striker);
+            if (!box.overlaps(reached)) continue;
+            room_.tree.each_near(box, [&](std::uint32_t number) {
+                const auto cell = room_.near_cells[number];
                 if (!may_touch(striker, cell)) return;
                 striker.is_link ? visit_edges(i, box, cell, visit) : visit_faces(i, box, cell, visit);
             });
@@ -86,12 +92,29 @@ template <class Real> class StrikeSearch {
         for (int k = 0; k < 3; ++k) furthest_ = max(furthest_, max(absolute(all.low[k]), absolute(all.high[k])));
         return all;
     }
-    void fill_tree() {
-        room_.cell_box.clear();
-        for (const auto& range : mesh_.corner_range)
-            room_.cell_box.push_back(
-                box_around(std::span(mesh_.corners).subspan(range.first, range.last - range.first)));
-        room_.tree.fill(mesh_.cells.size(), [&](std::size_t i) { return room_.cell_box[i]; });
+    /// Fills the tree with the cells within reach of the strikers, in order: a ball is near few cells of a large cloth.
+    void list_cells(const Box& reached) {
+        room_.near_cells.clear(), room_.cell_box.clear();
+        if (reached.high[0] < reached.low[0]) return;
+        room_.sides.clear();
+        for (const auto& box : room_.vertex_box) room_.sides.push_back(sides_of(box, reached));
+        for (std::uint32_t cell = 0; cell < mesh_.cells.size(); ++cell) {
+            const auto range = mesh_.corner_range[cell];
+            const auto corners = std::span(mesh_.corners).subspan(range.first, range.last - range.first);
+            unsigned common = ~0U;
+            for (const auto corner : corners) common &= room_.sides[corner];
+            if (common != 0) continue;
+            room_.near_cells.push_back(cell);
+            room_.cell_box.push_back(box_around(corners));
+        }
+        room_.tree.fill(room_.cell_box.size(), [&](std::size_t i) { return room_.cell_box[i]; });
+    }
+    /// A bit for each side of the second box that the first is beyond. Boxes that share one do not reach it together.
+    static std::uint8_t sides_of(const Box& box, const Box& of) {
+        unsigned sides = 0;
+        for (unsigned k = 0; k < 3; ++k)
+            sides |= unsigned(of.high[k] < box.low[k]) << 2 * k | unsigned(box.high[k] < of.low[k]) << (2 * k + 1);
+        return std::uint8_t(sides);
     }
 
     // --- pairs -------------------------------------------------------------------------------------------------------
