@@ -1,7 +1,10 @@
 #include "sinew/collide/bounding_box.h"
 
+#include "tests/prefab/make.h"
 #include "tests/sheets.h"
 #include "tests/thorough.h"
+
+#include <optional>
 
 /// Balls and sticks on the faces of cloth: none passes through.
 namespace sinew::SINEW_TEST_FILE {
@@ -143,6 +146,22 @@ template <class Real> struct Shot {
             sum += cast<double>(world.particles.velocity[row]) * (1 / double(world.particles.mobility[row]));
         return sum;
     }
+    ParticleId ball() const { return ends[0]; }
+    /// Damped motion under gravity.
+    void go_on(double seconds) {
+        if (world.forces.empty()) world.forces.push_back(Gravity<3, Real>{point<Real>(0, -9.81, 0)});
+        world.settings.substeps = 16;
+        world.settings.damping = Real(2);
+        for (int i = 0; i < int(60 * seconds); ++i) {
+            step(world, Real(1.0 / 60));
+            for (const auto& event : world.events)
+                began += event.type == EventType::touched, ended += event.type == EventType::parted;
+            for (const auto& touch : world.contacts.figures) impulse += touch.strength.impulse;
+        }
+    }
+    int began = 0, ended = 0; ///< touches since the start
+    double impulse = 0;       ///< of all touches, newton seconds
+
     double energy() const {
         double sum = 0;
         for (Row row = 0; row < world.particles.size(); ++row) {
@@ -215,6 +234,112 @@ TYPED_TEST(Faces, ABallLiesOnCloth) {
     EXPECT_GT(nearest, 0.9 * 0.035);
     EXPECT_LT(nearest, 0.035 + 0.5 * Shot<Real>::cell);
     EXPECT_LT(double(norm(*velocity_of(shot.world, shot.ends[0]))), 0.02);
+}
+
+template <class World> double mean_speed(const World& world) {
+    double sum = 0;
+    for (const auto& velocity : world.particles.velocity) sum += double(norm(velocity));
+    return sum / double(world.particles.size());
+}
+
+// Links and rows are solved alike in all substeps, and faces that share corners agree on the load: nothing trembles.
+TYPED_TEST(Faces, AHeavyBallOnLightClothComesToRest) {
+    using Real = TypeParam;
+    for (const bool only_corners : {true, false}) {
+        Shot<Real> shot({.only_corners = only_corners, .radius = 0.08, .mass = 1.5, .speed = 0});
+        shot.go_on(10);
+        EXPECT_LT(mean_speed(shot.world), 1e-3) << only_corners;
+        EXPECT_LT(double(norm(*velocity_of(shot.world, shot.ball()))), 1e-3) << only_corners;
+    }
+}
+
+// A touch begins with the fall, goes on with the weight, and ends once the ball is thrown up. Its impulses are along
+// normals that lean by a few degrees, and friction bears a part: hence two per cent.
+TYPED_TEST(Faces, ATouchOfClothBeginsPersistsWithTheWeightAndEnds) {
+    using Real = TypeParam;
+    Shot<Real> shot({.radius = 0.03, .mass = 0.05, .speed = 0});
+    shot.world.contacts.lists_figures = true;
+    shot.go_on(4);
+    EXPECT_GE(shot.began, 1);
+    EXPECT_EQ(shot.ended, shot.began - 1) << "lies on it";
+    const int began = shot.began, ended = shot.ended;
+    shot.impulse = 0;
+    shot.go_on(1);
+    EXPECT_EQ(shot.began, began) << "goes on";
+    ASSERT_EQ(shot.world.contacts.figures.size(), 1U);
+    EXPECT_EQ(shot.world.contacts.figures[0].first, shot.sheet.figure);
+    EXPECT_FALSE(shot.world.contacts.figures[0].strength.is_new);
+    EXPECT_NEAR(shot.impulse, 0.05 * 9.81, 0.02 * 0.05 * 9.81) << "m g t";
+    set_velocity(shot.world, shot.ball(), point<Real>(0, 3, 0));
+    shot.go_on(0.2);
+    EXPECT_EQ(shot.ended, ended + 1);
+    EXPECT_TRUE(shot.world.contacts.figures.empty());
+}
+
+/// A ragdoll dropped flat on a cloth that is pinned all around.
+template <class Real> struct Net {
+    static constexpr int size = 25;
+    static constexpr double cell = 0.06;
+    Space<Real> world;
+    Sheet sheet;
+    FigureIndex doll;
+
+    Net() {
+        world.forces.push_back(Gravity<3, Real>{point<Real>(0, -9.81, 0)});
+        world.settings.damping = Real(2);
+        const FigureContactSpec contact{.figures = true, .friction = 0.6};
+        const double half = 0.5 * (size - 1) * cell;
+        sheet = add_sheet(world, {.size = size, .cell = cell, .mass = 2.0 / (size * size), .contact = contact},
+                          [&](int i, int k) { return point<Real>(cell * i - half, 0, cell * k - half); });
+        const auto is_end = [](int i) { return i == 0 || i == size - 1; };
+        for (int i = 0; i < size; ++i)
+            for (int k = 0; k < size; ++k)
+                if (is_end(i) || is_end(k)) pin(world, sheet.at(i, k));
+        doll = build(world, Ragdoll{.height = 0.9, .mass = 5}, "doll", {});
+        set_contact(world, doll, contact);
+        for (const auto id : world.figures[doll].particles) lay(*row_of(world, id));
+    }
+    /// Turns a particle of a figure that stands onto its back, above the cloth.
+    void lay(Row row) {
+        const auto place = world.particles.position[row];
+        world.particles.position[row] = point<Real>(double(place[0]), 0.4 + double(place[2]), -0.3 - double(place[1]));
+        world.particles.radius[row] = Real(0.04);
+    }
+    /// Height of the cloth below a place; none outside of it.
+    std::optional<double> height_below(const Point& at) const {
+        std::optional<double> height;
+        const auto corner = [&](int i, int k) { return cast<double>(*position_of(world, sheet.at(i, k))); };
+        for (int k = 0; k + 1 < size; ++k)
+            for (int i = 0; i + 1 < size; ++i)
+                for (const auto& [b, c] : {std::pair{corner(i + 1, k), corner(i + 1, k + 1)},
+                                           std::pair{corner(i + 1, k + 1), corner(i, k + 1)}}) {
+                    const auto a = corner(i, k);
+                    const double whole = area(a, b, c), to_c = area(a, b, at) / whole, to_b = area(a, at, c) / whole;
+                    if (to_b >= 0 && to_c >= 0 && to_b + to_c <= 1)
+                        height = std::max(height.value_or(-1), a[1] + to_b * (b[1] - a[1]) + to_c * (c[1] - a[1]));
+                }
+        return height;
+    }
+    /// Seen from above, twice.
+    static double area(const Point& a, const Point& b, const Point& c) {
+        return (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2]);
+    }
+};
+
+// Nothing of it is below the cloth in any second, and it rests.
+TYPED_TEST(Faces, ARagdollDroppedOnClothLiesInIt) {
+    Net<TypeParam> net;
+    for (int i = 0; i < 600; ++i) {
+        step(net.world, TypeParam(1.0 / 60));
+        if (i % 60 != 59) continue;
+        for (const auto id : net.world.figures[net.doll].particles) {
+            const auto at = cast<double>(*position_of(net.world, id));
+            const auto height = net.height_below(at);
+            ASSERT_TRUE(height) << i;
+            EXPECT_GT(at[1], *height) << i;
+        }
+    }
+    EXPECT_LT(mean_speed(net.world), 5e-3);
 }
 
 // The same bits on any number of threads and in any lanes.
