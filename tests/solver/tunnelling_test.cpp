@@ -116,6 +116,36 @@ TYPED_TEST(Tunnelling, ARopeFallsOnATautRopeAndHangsOverIt) {
     EXPECT_LT(double((*position_of(world, above.back()))[1]), 0);
 }
 
+// Weights on both ends of a rope that falls across a taut one draw it down with many times the mass of the links that
+// touch: the taut rope holds as a whole, and nothing gains energy.
+TYPED_TEST(Tunnelling, AWeightedRopeFallsOnATautRopeAndHangsOverIt) {
+    using Real = TypeParam;
+    struct Fall {
+        double radius, height, weight; // m, m, kg
+    };
+    for (const auto& [radius, height, weight] : {Fall{0.01, 0.2, 1}, Fall{0.02, 0.5, 2}, Fall{0.05, 1, 1}}) {
+        Space<Real> world;
+        fall(world, 10);
+        world.settings.damping = Real(0.5);
+        const auto below = add_line<3, Real>(world, 20, {{-1, 0, 0}}, {{Real(0.1), 0, 0}}, 1.0 / 21, radius);
+        for (const auto end : {below.front(), below.back()}) pin(world, end);
+        const auto above = add_line<3, Real>(world, 20, {{Real(0.03), Real(height), Real(-0.5)}}, {{0, 0, Real(0.05)}},
+                                             1.0 / 21, radius);
+        for (const auto end : {above.front(), above.back()}) set_mass(world, end, Real(weight + 1.0 / 21));
+        const double begun = energy(world).total(), fallen = (2 + 2 * weight) * 10 * height;
+        for (int i = 0; i < 90; ++i) {
+            step(world, Real(1.0 / 60));
+            ASSERT_LT(energy(world).total(), begun + 0.01 * fallen) << radius << ' ' << i;
+            ASSERT_LT(stretch(world).max, 1e-3) << radius << ' ' << i;
+        }
+        double highest = -1e9;
+        for (const auto id : above) highest = std::max(highest, double((*position_of(world, id))[1]));
+        EXPECT_GT(highest, 0) << radius;
+        EXPECT_LT(double((*position_of(world, above.front()))[1]), 0) << radius; // its ends hang down
+        EXPECT_LT(double((*position_of(world, above.back()))[1]), 0) << radius;
+    }
+}
+
 // Links thrown at each other at 50 m/s, 40 mm thick, do not pass either.
 TYPED_TEST(Tunnelling, AThrownLinkDoesNotCrossALinkInSpace) {
     using Real = TypeParam;

@@ -50,6 +50,7 @@ template <int D, class Real> class FigureContact {
         room().projector.project_velocities(state_, threads_);
         hold_deep();
         room().projector.project_lengths(state_, threads_);
+        if constexpr (D == 3) hold_again();
         each_part([&](Part& part) {
             rows_.each(part, [&](RowT& row, const Vector& surface) { row.gap += rows_.change(row, surface); });
         });
@@ -146,6 +147,32 @@ template <int D, class Real> class FigureContact {
         row.max = max(row.max, row.multiplier + impulse);
         for (const Row slot : slots) room().projector.project_velocities(state_, slot);
         return impulse > Real(0);
+    }
+
+    /// Links of a taut rope give way across it to first order and not to second: the correction of its lengths brings
+    /// back what a row has moved. Rows of figures are therefore held until lengths and rows agree.
+    void hold_again() {
+        constexpr int corrections = 3, rounds = 8;
+        for (int i = 0; i < corrections; ++i) {
+            bool any = false;
+            for (int k = 0; k < rounds; ++k) {
+                bool moved = false;
+                for (auto& part : room().parts.list) moved = hold_figures(part) || moved;
+                any = any || moved;
+                if (!moved) break;
+            }
+            if (!any) return;
+            room().projector.project_lengths_again(state_);
+        }
+    }
+    bool hold_figures(Part& part) {
+        bool any = false;
+        for (const auto i : part.deep) {
+            if (i >= part.first_wall || !hold(part.rows[i], part.origins[i])) continue;
+            for (std::size_t k = 0; k < part.rows[i].members; ++k) room().projector.mark(part.rows[i].slot[k]);
+            any = true;
+        }
+        return any;
     }
 
     /// Scales the kept multipliers, with the square of the substep; returns the factor.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/contact/crossing_sides.h"
 #include "sinew/solver/contact/row_writer.h"
 
 namespace sinew::detail {
@@ -45,6 +46,9 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
     }
 
   private:
+    /// Depth from which crossing links are held as the figures answer, of both radii: less than `share_of_deep`, since
+    /// they have no other rows beside.
+    static constexpr Real share_of_crossing = Real(0.3);
     Real near_by_, margin_;
     std::uint32_t source_ = 0; ///< the candidate
 
@@ -59,7 +63,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         source_ = near.pair;
         const bool acts = has_segment ? add(near, room_.particles[second], room_.segments[first - count])
                                       : add(near, room_.particles[first], room_.particles[second]);
-        if (!acts) room_.multipliers[source_] = {};
+        if (!acts) forget();
     }
     bool add(const NearSegment<D, Real>& near, const Particle& p, const Particle& other) {
         ContactRowT row;
@@ -77,6 +81,8 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         if constexpr (D == 2)
             if (remember_side(row, near.left >= Real(0), near.t, distance)) approach = -approach;
         const Real radius = min(end_a.radius, end_b.radius);
+        if constexpr (D == 3)
+            if (remember_side(row, p, end_a, end_b, near.t, distance, p.radius + radius)) approach = -approach;
         row.gap = distance - p.radius - radius;
         take(row, p.slot, Real(1));
         if (near.t < Real(1)) take(row, end_a.slot, near.t - Real(1));
@@ -99,7 +105,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
             acts = add(room_.particles[pair.second], room_.segments[pair.first - count]);
         else if constexpr (D == 3)
             acts = add(room_.segments[pair.first - count], room_.segments[pair.second - count]);
-        if (!acts) room_.multipliers[source_] = {};
+        if (!acts) forget();
     }
 
     // --- figures with each other -------------------------------------------------------------------------------------
@@ -159,7 +165,11 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         ContactRowT row;
         Origin origin;
         row.normal = normal_of(away, across(b - a, d - c));
-        row.gap = norm(away) - min(p_.radius[s.a], p_.radius[s.b]) - min(p_.radius[t.a], p_.radius[t.b]);
+        const Real thickness = min(p_.radius[s.a], p_.radius[s.b]) + min(p_.radius[t.a], p_.radius[t.b]);
+        Real distance = norm(away);
+        remember_side(row, away, b - a, d - c, distance, thickness);
+        row.gap = distance - thickness;
+        origin.deep = share_of_crossing * thickness;
         take(row, from.slot, Real(1) - at.s);
         take(row, room_.particles[s.number_b].slot, at.s);
         take(row, other.slot, at.t - Real(1));
@@ -176,6 +186,32 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         row.normal = -row.normal;
         distance = -distance;
         return true;
+    }
+
+    /// A particle of a line that crosses a link, or a link that does, and is pressed through it, is pushed back.
+    bool remember_side(ContactRowT& row, const Particle& p, const Particle& end_a, const Particle& end_b, Real t,
+                       Real& distance, Real thickness) {
+        if (!p.in_segment || !(t > Real(0) && t < Real(1)) || distance > thickness) return false;
+        const auto number = room_.list.candidates[source_].second;
+        return remember_side(row, row.normal * distance, sides_of().direction_at(number),
+                             state_.position_at(end_b.slot) - state_.position_at(end_a.slot), distance, thickness);
+    }
+    bool remember_side(ContactRowT& row, const Vector& away, const Vector& u, const Vector& v, Real& distance,
+                       Real thickness) {
+        if (distance > thickness) return false;
+        const int present = CrossingSides<Real>::side_of(away, u, v);
+        const int before = present == 0 ? 0 : sides_of().kept(source_);
+        row.side = static_cast<signed char>(before != 0 ? before : present);
+        if (row.side == present) return false;
+        row.normal = -row.normal;
+        distance = -distance;
+        return true;
+    }
+    CrossingSides<Real> sides_of() const { return {state_, room_}; }
+    /// Sides stay for the pairs beside, until all rows are made.
+    void forget() {
+        auto& kept = room_.multipliers[source_];
+        kept = D == 3 ? ContactMultiplier<D, Real>{.side = kept.side} : ContactMultiplier<D, Real>{};
     }
 
     /// Vector to the left of a segment.

@@ -55,6 +55,8 @@ template <int D, class Real> class KeptContacts {
 
     /// Multipliers of the rows of a substep.
     void keep() {
+        if constexpr (D == 3)
+            for (auto& kept : room_.multipliers) kept.side = 0;
         for (auto& part : room_.parts.list)
             for (std::size_t i = 0; i < part.first_wall; ++i) {
                 const auto& row = part.rows[i];

@@ -24,6 +24,8 @@ template <int D, class Real> class LinkProjector {
         packs_.build(links_);
         kernels_ = &kernels<D, Real>(solver.options.simd).links;
         is_current_ = false;
+        is_marked_.assign(links_.components.size(), 0);
+        marked_.reserve(links_.components.size());
     }
     const RigidLinks<D, Real>& links() const { return links_; }
 
@@ -47,10 +49,21 @@ template <int D, class Real> class LinkProjector {
     /// Displacements for impulses, with the lengths held.
     LinkResponse<D, Real> response(const SweepState<D, Real>& state) { return {links_, packs_, state}; }
     /// Projects the velocities of the component of a particle.
-    void project_velocities(SweepState<D, Real>& state, Row slot) {
-        if (links_.component_of[slot] == RigidLinks<D, Real>::none) return;
-        const auto [pack, lane] = packs_.place_of(links_.component_of[slot]);
-        kernels_->velocities(columns(state), packs_.list[pack], lane);
+    void project_velocities(SweepState<D, Real>& state, Row slot) { run_at(slot, kernels_->velocities, state); }
+    /// Marks the component of a particle for `project_lengths_again`.
+    void mark(Row slot) {
+        const auto component = links_.component_of[slot];
+        if (component == RigidLinks<D, Real>::none || is_marked_[component]) return;
+        is_marked_[component] = 1;
+        marked_.push_back(slot);
+    }
+    /// Right lengths of the marked components, once more in the substep: the energy due stays as it was.
+    void project_lengths_again(SweepState<D, Real>& state) {
+        for (const Row slot : marked_) {
+            run_at(slot, kernels_->again, state);
+            is_marked_[links_.component_of[slot]] = 0;
+        }
+        marked_.clear();
     }
 
     /// Stores the multipliers, as of constraints of the sweep.
@@ -66,10 +79,18 @@ template <int D, class Real> class LinkProjector {
     RigidLinks<D, Real> links_;
     LinkPacks<D, Real> packs_;
     const LinkKernels<D, Real>* kernels_ = nullptr;
-    bool is_current_ = false; ///< factorised at the present places
+    std::vector<char> is_marked_; ///< per component
+    std::vector<Row> marked_;     ///< a particle of each marked component
+    bool is_current_ = false;     ///< factorised at the present places
 
     static LinkColumns<D, Real> columns(const SweepState<D, Real>& state) {
         return {state.position[0], state.displacement[0], state.stride(), state.mobility};
+    }
+    /// The component of a particle.
+    void run_at(Row slot, typename LinkKernels<D, Real>::Project project, const SweepState<D, Real>& state) {
+        if (links_.component_of[slot] == RigidLinks<D, Real>::none) return;
+        const auto [pack, lane] = packs_.place_of(links_.component_of[slot]);
+        project(columns(state), packs_.list[pack], lane);
     }
     /// Components share no movable particle; one chunk of packs a part of the work.
     void run(typename LinkKernels<D, Real>::Project project, const SweepState<D, Real>& state, int threads) {

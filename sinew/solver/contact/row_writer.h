@@ -51,7 +51,9 @@ template <int D, class Real> class RowWriter {
         row.tangent -= row.normal * dot(row.normal, row.tangent);
         part_.rows.push_back(row);
         part_.origins.push_back(origin);
-        if (row.keeps && row.gap < Real(-0.5) * origin.deep) part_.deep.push_back(std::uint32_t(part_.rows.size() - 1));
+        const Real ahead = D == 3 && row.members == 4 ? Real(2) * absolute(approach) : Real(0); // links that cross
+        if (row.keeps && row.gap - ahead < Real(-0.5) * origin.deep)
+            part_.deep.push_back(std::uint32_t(part_.rows.size() - 1));
         return true;
     }
 };

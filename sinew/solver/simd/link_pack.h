@@ -75,6 +75,7 @@ template <int D, class Real> struct LinkKernels {
     Project factorise;  ///< at the present places
     Project velocities; ///< no link is about to change its length, to first order
     Project lengths;    ///< right lengths at the end of the displacements
+    Project again;      ///< `lengths` once more: the energy due stays as it was
     Project restore;    ///< after the particles have moved: velocities, with no more energy than before `lengths`
 };
 

@@ -42,9 +42,11 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     void lengths() {
         load();
         Solution::set_energy(energy_in(frame()));
-        for (std::uint32_t i = 0; i < pack_.particles; ++i) set_particle_vector(i, Fields::before, displacement(i));
-        project_lengths();
-        store();
+        correct_lengths();
+    }
+    void lengths_again() {
+        load();
+        correct_lengths();
     }
     void restore() {
         const Mask changed = lane::both(live_, measure());
@@ -168,6 +170,12 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
         }
     }
 
+    void correct_lengths() {
+        for (std::uint32_t i = 0; i < pack_.particles; ++i)
+            set_particle_vector(i, Fields::before, blend(live_, displacement(i), particle_vector(i, Fields::before)));
+        project_lengths();
+        store();
+    }
     V excess(std::uint32_t k, const LinkRow& row) const {
         return norm(link_vector(k, Fields::edge) + between(row)) - link(k, Fields::length);
     }
@@ -212,7 +220,19 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
             const Vector slower = blend(gains, drift + (moved - drift) * share, moved);
             set_particle_vector(i, Fields::displacement, blend(gains_much, particle_vector(i, Fields::before), slower));
         }
-        if (lane::any(gains_much)) project_velocities(gains_much);
+        if (!lane::any(gains_much)) return;
+        project_velocities(gains_much);
+        if constexpr (D == 3) slow_down(lane::both(gains_much, energy_in(frame()) > due * number(much)), due);
+    }
+    /// What was held between corrections of lengths (`again`) may have gained energy as well.
+    void slow_down(const Mask& gains, const V& due) const {
+        if (!lane::any(gains)) return;
+        const Vector drift = frame();
+        const V share = lane::root(V(due * inverse_or_zero(energy_in(drift))));
+        for (std::size_t i = 0; i < pack_.particles; ++i) {
+            const Vector moved = displacement(i);
+            set_particle_vector(i, Fields::displacement, blend(gains, drift + (moved - drift) * share, moved));
+        }
     }
 };
 
@@ -242,6 +262,8 @@ template <int D, class Real> constexpr LinkKernels<D, Real> link_kernels() {
             },
         .lengths = [](const Columns& columns, const LinkPack<D>& pack,
                       int only) { each_lane(columns, pack, only, [](auto& projection) { projection.lengths(); }); },
+        .again = [](const Columns& columns, const LinkPack<D>& pack,
+                    int only) { each_lane(columns, pack, only, [](auto& projection) { projection.lengths_again(); }); },
         .restore = [](const Columns& columns, const LinkPack<D>& pack,
                       int only) { each_lane(columns, pack, only, [](auto& projection) { projection.restore(); }); }};
 }
