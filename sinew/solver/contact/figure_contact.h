@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/contact/deep_rows.h"
 #include "sinew/solver/contact/kept_contacts.h"
 #include "sinew/solver/contact/merge_touches.h"
 #include "sinew/solver/contact/pin_rows.h"
@@ -48,9 +49,9 @@ template <int D, class Real> class FigureContact {
         room().joints.solve(state_, Soft::contact());
         each_part([&](Part& part) { rows_.solve(part, Soft::contact(), Soft::hard()); });
         room().projector.project_velocities(state_, threads_);
-        hold_deep();
+        deep_.hold();
         room().projector.project_lengths(state_, threads_);
-        if constexpr (D == 3) hold_again();
+        if constexpr (D == 3) deep_.hold_again();
         each_part([&](Part& part) {
             rows_.each(part, [&](RowT& row, const Vector& surface) { row.gap += rows_.change(row, surface); });
         });
@@ -76,6 +77,7 @@ template <int D, class Real> class FigureContact {
     bool is_active_;
     Real h_, from_, to_, left_; ///< substep; shares of the step at its ends; rest of the step
     RowSolver<D, Real> rows_{state_, max_displacement(h_)};
+    DeepRows<D, Real> deep_{solver_, rows_};
     bool is_first_, is_last_, drag_changes_;
     int threads_;
 
@@ -110,69 +112,6 @@ template <int D, class Real> class FigureContact {
     void apply_again(RowT& row) {
         if (!row.keeps) row.multiplier = 0, row.tangent = {};
         if (row.multiplier > Real(0)) rows_.apply(row, row.normal * row.multiplier + row.tangent);
-    }
-
-    /// A soft row of a light limb gives way where whole figures are pressed against each other or a wall. Beyond half
-    /// of the radii the row is solved as the figures answer with their links held.
-    void hold_deep() {
-        constexpr int rounds = 3;
-        for (int i = 0; i < rounds; ++i) {
-            bool any = false;
-            for (auto& part : room().parts.list) any = hold_deep(part) || any;
-            if (!any) return;
-        }
-    }
-    /// Rows that begin the substep no deeper than half of that are left to the next one.
-    bool hold_deep(Part& part) {
-        bool any = false;
-        for (const auto i : part.deep) any = hold(part.rows[i], part.origins[i]) || any;
-        return any;
-    }
-    Real missing(const RowT& row, const Origin& origin) const {
-        const Real beyond = -row.gap - origin.deep;
-        return (beyond > Real(0) ? Soft::contact().rate * beyond : beyond) -
-               rows_.change(row, origin.surface_displacement);
-    }
-    bool hold(RowT& row, Origin& origin) {
-        const Real lacking = missing(row, origin);
-        if (!(lacking > Real(0))) return false;
-        std::array<Vec<D, double>, D + 1> push_of{};
-        const auto members = std::size_t(row.members);
-        for (std::size_t i = 0; i < members; ++i) push_of[i] = cast<double>(row.normal * row.weight[i]);
-        const std::span slots(row.slot.data(), members);
-        const double response = room().projector.response(state_).along(slots, std::span(push_of).first(members));
-        const Real impulse = min(lacking * Real(inverse_or_zero(response)), limit::multiplier<Real>);
-        rows_.apply(row, row.normal * impulse);
-        origin.pushed += impulse;
-        row.max = max(row.max, row.multiplier + impulse);
-        for (const Row slot : slots) room().projector.project_velocities(state_, slot);
-        return impulse > Real(0);
-    }
-
-    /// Links of a taut rope give way across it to first order and not to second: the correction of its lengths brings
-    /// back what a row has moved. Rows of figures are therefore held until lengths and rows agree.
-    void hold_again() {
-        constexpr int corrections = 3, rounds = 8;
-        for (int i = 0; i < corrections; ++i) {
-            bool any = false;
-            for (int k = 0; k < rounds; ++k) {
-                bool moved = false;
-                for (auto& part : room().parts.list) moved = hold_figures(part) || moved;
-                any = any || moved;
-                if (!moved) break;
-            }
-            if (!any) return;
-            room().projector.project_lengths_again(state_);
-        }
-    }
-    bool hold_figures(Part& part) {
-        bool any = false;
-        for (const auto i : part.deep) {
-            if (i >= part.first_wall || !hold(part.rows[i], part.origins[i])) continue;
-            for (std::size_t k = 0; k < part.rows[i].members; ++k) room().projector.mark(part.rows[i].slot[k]);
-            any = true;
-        }
-        return any;
     }
 
     /// Scales the kept multipliers, with the square of the substep; returns the factor.

@@ -2,6 +2,7 @@
 
 #include "sinew/solver/contact/crossing_sides.h"
 #include "sinew/solver/contact/row_writer.h"
+#include "sinew/solver/contact/segment_normals.h"
 
 namespace sinew::detail {
 
@@ -85,8 +86,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
             if (remember_side(row, p, end_a, end_b, near.t, distance, p.radius + radius)) approach = -approach;
         row.gap = distance - p.radius - radius;
         take(row, p.slot, Real(1));
-        if (near.t < Real(1)) take(row, end_a.slot, near.t - Real(1));
-        if (near.t > Real(0)) take(row, end_b.slot, -near.t);
+        take_segment(row, end_a.slot, end_b.slot, near.t);
         return finish(row, near, approach, p, end_a, radius);
     }
     bool finish(ContactRowT& row, const NearSegment<D, Real>& near, Real approach, const Particle& p,
@@ -108,12 +108,13 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         if (!acts) forget();
     }
 
-    // --- figures with each other -------------------------------------------------------------------------------------
-
-    static Vector normal_of(const Vector& away, const Vector& otherwise) {
-        const Real per = inverse_or_zero(norm(away));
-        return per > Real(0) ? away * per : otherwise;
+    /// The point t of a segment, as the other side of a row.
+    static void take_segment(ContactRowT& row, Row a, Row b, Real t) {
+        if (t < Real(1)) take(row, a, t - Real(1));
+        if (t > Real(0)) take(row, b, -t);
     }
+
+    // --- figures with each other -------------------------------------------------------------------------------------
 
     bool add(const Particle& a, const Particle& b) {
         const auto away = state_.position_at(a.slot) - state_.position_at(b.slot);
@@ -143,15 +144,14 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
             row.normal = left_of(a, b) * Real(s.side);
             distance = dot(row.normal, away);
             if (distance < -Real(2) * room_.list.widest) return false;
-            if (distance < Real(0) && !is_nearest_side(x, s, distance)) return false;
+            if (distance < Real(0) && !is_nearest_side(room_, state_, x, s, distance)) return false;
         }
         if constexpr (D == 2)
             if (s.side == 0) remember_side(row, dot(row.normal, side_of(a, b)) >= Real(0), t, distance);
         row.gap = distance - p.radius - radius;
         origin.deep = share_of_deep * (p.radius + radius);
         take(row, p.slot, Real(1));
-        if (t < Real(1)) take(row, end_a.slot, t - Real(1));
-        if (t > Real(0)) take(row, end_b.slot, -t);
+        take_segment(row, end_a.slot, end_b.slot, t);
         return finish(row, origin, p, end_a);
     }
 
@@ -183,9 +183,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         const int present = is_left ? 1 : -1, before = room_.multipliers[source_].side;
         row.side = static_cast<signed char>(is_between_ends && before != 0 ? before : present);
         if (row.side == present || !is_between_ends) return false;
-        row.normal = -row.normal;
-        distance = -distance;
-        return true;
+        return turn_round(row, distance);
     }
 
     /// A particle of a line that crosses a link, or a link that does, and is pressed through it, is pushed back.
@@ -203,6 +201,9 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         const int before = present == 0 ? 0 : sides_of().kept(source_);
         row.side = static_cast<signed char>(before != 0 ? before : present);
         if (row.side == present) return false;
+        return turn_round(row, distance);
+    }
+    static bool turn_round(ContactRowT& row, Real& distance) {
         row.normal = -row.normal;
         distance = -distance;
         return true;
@@ -212,31 +213,6 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
     void forget() {
         auto& kept = room_.multipliers[source_];
         kept = D == 3 ? ContactMultiplier<D, Real>{.side = kept.side} : ContactMultiplier<D, Real>{};
-    }
-
-    /// Vector to the left of a segment.
-    static Vector side_of(const Vector& a, const Vector& b) {
-        if constexpr (D == 2)
-            return perpendicular(b - a);
-        else
-            return across(b - a, absolute((b - a)[0]) < absolute((b - a)[1]) ? Vector::axis(0) : Vector::axis(1));
-    }
-    static Vector left_of(const Vector& a, const Vector& b) { return direction(side_of(a, b)); }
-    static Vector across(const Vector& u, const Vector& v) {
-        if constexpr (D == 3)
-            return normal_of(cross(u, v), Vector::axis(1));
-        else
-            return normal_of(perpendicular(u), Vector::axis(1));
-    }
-
-    /// True if no other side of the solid is nearer to a point inside.
-    bool is_nearest_side(const Vector& x, const ContactSegment& s, Real distance) const {
-        for (auto i = s.first; i < s.first + s.count; ++i) {
-            const auto& other = room_.segments[i];
-            const auto a = position(other.a);
-            if (dot(left_of(a, position(other.b)) * Real(other.side), x - a) > distance) return false;
-        }
-        return true;
     }
 
     bool finish(ContactRowT& row, Origin& origin, const Particle& first, const Particle& second) {

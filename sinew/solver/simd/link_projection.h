@@ -13,7 +13,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     using Fields = LinkFields<D>;
     using Solution::activate, Solution::apply, Solution::apply_within, Solution::release;
     using Solution::between, Solution::blend, Solution::displacement, Solution::each_link, Solution::norm;
-    using Solution::energy_in, Solution::frame, Solution::slight, Solution::width;
+    using Solution::energy_in, Solution::frame, Solution::slight, Solution::slow_down, Solution::width;
     using Solution::number, Solution::inverse_or_zero, Solution::link, Solution::set_link, Solution::particle;
     using Solution::pack_, Solution::lane_, Solution::set_particle;
     using Solution::particle_vector, Solution::set_particle_vector, Solution::link_vector, Solution::set_link_vector;
@@ -223,16 +223,6 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
         if (!lane::any(gains_much)) return;
         project_velocities(gains_much);
         if constexpr (D == 3) slow_down(lane::both(gains_much, energy_in(frame()) > due * number(much)), due);
-    }
-    /// What was held between corrections of lengths (`again`) may have gained energy as well.
-    void slow_down(const Mask& gains, const V& due) const {
-        if (!lane::any(gains)) return;
-        const Vector drift = frame();
-        const V share = lane::root(V(due * inverse_or_zero(energy_in(drift))));
-        for (std::size_t i = 0; i < pack_.particles; ++i) {
-            const Vector moved = displacement(i);
-            set_particle_vector(i, Fields::displacement, blend(gains, drift + (moved - drift) * share, moved));
-        }
     }
 };
 

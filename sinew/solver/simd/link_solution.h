@@ -138,6 +138,16 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
         }
         return sum;
     }
+    /// What was held between corrections of lengths (`again`) may have gained energy as well.
+    void slow_down(const Mask& gains, const V& due) const {
+        if (!lane::any(gains)) return;
+        const Vector drift = frame();
+        const V share = lane::root(V(due * inverse_or_zero(energy_in(drift))));
+        for (std::size_t i = 0; i < pack_.particles; ++i) {
+            const Vector moved = displacement(i);
+            set_particle_vector(i, Fields::displacement, blend(gains, drift + (moved - drift) * share, moved));
+        }
+    }
 };
 
 } // namespace

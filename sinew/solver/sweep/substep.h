@@ -29,10 +29,8 @@ template <int D, class Real> class Substep {
         predictor_.fall(motion_);
     }
 
-    /// True while the links of cloth are swept several times: the last substep must correct them by the tangent, as the
-    /// others do, not by the root. Cloth at rest would move in it, and each step would end with that speed.
+    /// The links of cloth are swept several times: the last substep corrects them by the tangent, as the others do.
     bool is_repeated = false;
-
     SubstepMover<D, Real>& mover() { return mover_; }
     PinProjector<D, Real> pins() { return {world_, solver_, mover_, share_ - share_of_substep_, share_, number_ > 1}; }
     /// Factor of velocities by the common damping.

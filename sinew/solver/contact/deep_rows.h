@@ -1,0 +1,84 @@
+#pragma once
+
+#include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/contact/row_solver.h"
+#include "sinew/solver/solver.h"
+
+namespace sinew::detail {
+
+/// Deep rows of contact, solved as whole figures answer with their links held. A soft row of a light limb gives way
+/// where whole figures are pressed against each other or a wall; beyond half of the radii it is held.
+template <int D, class Real> class DeepRows {
+  public:
+    using RowT = ContactRow<D, Real>;
+    using Origin = ContactOrigin<D, Real>;
+    using Part = ContactPart<D, Real>;
+
+    DeepRows(Solver<D, Real>& solver, const RowSolver<D, Real>& rows)
+        : solver_(solver), state_(solver.sweep_state), rows_(rows) {}
+
+    /// Before the lengths are corrected. Rows that begin the substep no deeper than half of that are left to the next
+    /// one.
+    void hold() {
+        constexpr int rounds = 3;
+        for (int i = 0; i < rounds; ++i)
+            if (!hold_each([](const Part&, std::size_t) { return true; }, [](const RowT&) {})) return;
+    }
+
+    /// Links of a taut rope give way across it to first order and not to second: the correction of its lengths brings
+    /// back what a row has moved. Rows of figures are therefore held until lengths and rows agree.
+    void hold_again() {
+        constexpr int corrections = 3, rounds = 8;
+        const auto is_of_figures = [](const Part& part, std::size_t i) { return i < part.first_wall; };
+        const auto mark = [&](const RowT& row) {
+            for (std::size_t k = 0; k < row.members; ++k) projector().mark(row.slot[k]);
+        };
+        for (int i = 0; i < corrections; ++i) {
+            bool any = false;
+            for (int k = 0; k < rounds && hold_each(is_of_figures, mark); ++k) any = true;
+            if (!any) return;
+            projector().project_lengths_again(state_);
+        }
+    }
+
+  private:
+    Solver<D, Real>& solver_;
+    SweepState<D, Real>& state_;
+    const RowSolver<D, Real>& rows_;
+
+    auto& projector() { return solver_.contacts->projector; }
+
+    /// One round over the rows `takes` chooses; true if any has moved, each of which is `told`.
+    template <class Takes, class Told> bool hold_each(const Takes& takes, const Told& told) {
+        bool any = false;
+        for (auto& part : solver_.contacts->parts.list)
+            for (const auto i : part.deep) {
+                if (!takes(part, i) || !hold(part.rows[i], part.origins[i])) continue;
+                told(part.rows[i]);
+                any = true;
+            }
+        return any;
+    }
+    Real missing(const RowT& row, const Origin& origin) const {
+        const Real beyond = -row.gap - origin.deep;
+        return (beyond > Real(0) ? Softness<Real>::contact().rate * beyond : beyond) -
+               rows_.change(row, origin.surface_displacement);
+    }
+    bool hold(RowT& row, Origin& origin) {
+        const Real lacking = missing(row, origin);
+        if (!(lacking > Real(0))) return false;
+        std::array<Vec<D, double>, D + 1> push_of{};
+        const auto members = std::size_t(row.members);
+        for (std::size_t i = 0; i < members; ++i) push_of[i] = cast<double>(row.normal * row.weight[i]);
+        const std::span slots(row.slot.data(), members);
+        const double response = projector().response(state_).along(slots, std::span(push_of).first(members));
+        const Real impulse = min(lacking * Real(inverse_or_zero(response)), limit::multiplier<Real>);
+        rows_.apply(row, row.normal * impulse);
+        origin.pushed += impulse;
+        row.max = max(row.max, row.multiplier + impulse);
+        for (const Row slot : slots) projector().project_velocities(state_, slot);
+        return impulse > Real(0);
+    }
+};
+
+} // namespace sinew::detail
