@@ -2,7 +2,6 @@
 
 #include "tests/paths.h"
 
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -16,8 +15,8 @@
 namespace sinew::cli_test {
 namespace {
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+double in_seconds(const timeval& time) {
+    return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
 }
 
 int checked(int result) {
@@ -89,8 +88,7 @@ void set_environment(const Setting& setting) {
 } // namespace
 
 Running::Running(const Arguments& arguments, const Setting& setting)
-    : begin(now()), output(output_of(setting)), errors(setting.terminal ? new_terminal() : file_of("")),
-      terminal(setting.terminal) {
+    : output(output_of(setting)), errors(setting.terminal ? new_terminal() : file_of("")), terminal(setting.terminal) {
     const int input = file_of(setting.input);
     const int seen = terminal ? checked(::open(ptsname(errors), O_RDWR | O_NOCTTY | O_CLOEXEC)) : errors;
     child = checked(fork());
@@ -127,8 +125,9 @@ Outcome Running::wait() {
     Outcome outcome;
     if (terminal) outcome.err = read_errors();
     int status = 0;
-    checked(waitpid(child, &status, 0));
-    outcome.seconds = now() - begin;
+    rusage used{};
+    checked(wait4(child, &status, 0, &used));
+    outcome.seconds = in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     if (!terminal) outcome.err = read_errors();
     const bool is_file = lseek(output, 0, SEEK_END) > 0;

@@ -33,7 +33,7 @@ struct Setting {
 struct Outcome {
     int code = 0; ///< exit code, or minus the signal that ended it
     std::string out, err;
-    double seconds = 0;
+    double seconds = 0; ///< of the processor
 
     /// The last line of standard output.
     std::string last_line() const;
@@ -55,7 +55,6 @@ class Running {
     std::string read_errors();
 
     pid_t child = 0;
-    double begin;
     int output, errors;
     bool terminal;
 };

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
-/// Every file in tests/hostile is refused, with a message that names it, in under a second and 200 MB.
+/// Every file in tests/hostile is refused, with a message that names it, in under a second of the processor and 200 MB.
 namespace sinew::cli_test::SINEW_TEST_FILE {
 namespace {
 
