@@ -24,8 +24,9 @@ template <int D> class BlockSolve : public BlockEquations<D> {
     using Base = BlockEquations<D>;
 
   public:
-    using Base::Base, Base::node, Base::unknowns;
+    using Base::Base, Base::unknowns;
     using typename Base::Vector;
+    BlockNode<D>& node(std::uint32_t i) const { return Base::node(i); }
 
     /// Total length of links and cables, m.
     double total_length() const { return total_length_; }
