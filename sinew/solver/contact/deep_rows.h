@@ -1,7 +1,6 @@
 #pragma once
 
-#include "sinew/solver/contact/contact_room.h"
-#include "sinew/solver/contact/row_solver.h"
+#include "sinew/solver/contact/held_rows.h"
 #include "sinew/solver/solver.h"
 
 namespace sinew::detail {
@@ -15,7 +14,7 @@ template <int D, class Real> class DeepRows {
     using Part = ContactPart<D, Real>;
 
     DeepRows(Solver<D, Real>& solver, const RowSolver<D, Real>& rows)
-        : solver_(solver), state_(solver.sweep_state), rows_(rows) {}
+        : solver_(solver), state_(solver.sweep_state), rows_(rows), held_(*solver.contacts, state_, rows) {}
 
     /// Before the lengths are corrected. Rows that begin the substep no deeper than half of that are left to the next
     /// one.
@@ -31,7 +30,7 @@ template <int D, class Real> class DeepRows {
         constexpr int corrections = 3, rounds = 8;
         const auto is_of_figures = [](const Part& part, std::size_t i) { return i < part.first_wall; };
         const auto mark = [&](const RowT& row) {
-            for (std::size_t k = 0; k < row.members; ++k) projector().mark(row.slot[k]);
+            for (const Row slot : HeldRows<D, Real>::members_of(row)) projector().mark(slot);
         };
         for (int i = 0; i < corrections; ++i) {
             bool any = false;
@@ -45,6 +44,7 @@ template <int D, class Real> class DeepRows {
     Solver<D, Real>& solver_;
     SweepState<D, Real>& state_;
     const RowSolver<D, Real>& rows_;
+    HeldRows<D, Real> held_;
 
     auto& projector() { return solver_.contacts->projector; }
 
@@ -67,16 +67,10 @@ template <int D, class Real> class DeepRows {
     bool hold(RowT& row, Origin& origin) {
         const Real lacking = missing(row, origin);
         if (!(lacking > Real(0))) return false;
-        std::array<Vec<D, double>, D + 1> push_of{};
-        const auto members = std::size_t(row.members);
-        for (std::size_t i = 0; i < members; ++i) push_of[i] = cast<double>(row.normal * row.weight[i]);
-        const std::span slots(row.slot.data(), members);
-        const double response = projector().response(state_).along(slots, std::span(push_of).first(members));
-        const Real impulse = min(lacking * Real(inverse_or_zero(response)), limit::multiplier<Real>);
-        rows_.apply(row, row.normal * impulse);
+        const Real impulse = min(lacking * held_.mass_of(row), limit::multiplier<Real>);
+        held_.push(row, impulse);
         origin.pushed += impulse;
         row.max = max(row.max, row.multiplier + impulse);
-        for (const Row slot : slots) projector().project_velocities(state_, slot);
         return impulse > Real(0);
     }
 };

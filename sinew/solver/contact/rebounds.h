@@ -2,8 +2,7 @@
 
 #include "sinew/math/sort.h"
 #include "sinew/solver/contact/contact_law.h"
-#include "sinew/solver/contact/contact_room.h"
-#include "sinew/solver/contact/row_solver.h"
+#include "sinew/solver/contact/held_rows.h"
 
 /// Blows of figures on walls, at the end of a substep, and restitution. With v- and v+ the velocities of a contact
 /// along its normal before and after, and lambda its impulse,
@@ -23,7 +22,7 @@ template <int D, class Real> class Rebounds {
 
     /// `resting`: displacement that forces add in a substep.
     Rebounds(ContactRoom<D, Real>& room, SweepState<D, Real>& state, const RowSolver<D, Real>& rows, Real resting)
-        : room_(room), state_(state), rows_(rows), resting_(resting) {}
+        : room_(room), state_(state), rows_(rows), held_(room, state, rows), resting_(resting) {}
 
     void run() {
         list();
@@ -41,6 +40,7 @@ template <int D, class Real> class Rebounds {
     ContactRoom<D, Real>& room_;
     SweepState<D, Real>& state_;
     const RowSolver<D, Real>& rows_;
+    HeldRows<D, Real> held_;
     Real resting_;
 
     Part& part_of(const Rebounding& one) { return room_.parts.list[one.part]; }
@@ -89,7 +89,7 @@ template <int D, class Real> class Rebounds {
         constexpr Real exact = Real(1e-4); // of the fastest rebound
         Real fastest = 0;
         for (auto& one : body) {
-            one.mass = mass_of(row_of(one));
+            one.mass = held_.mass_of(row_of(one));
             one.change = change(one);
             if (one.is_struck) fastest = max(fastest, one.target);
         }
@@ -109,14 +109,6 @@ template <int D, class Real> class Rebounds {
                     part.rows[k].multiplier = 0;
                 }
     }
-    /// 1 / (displacement of the contact for a unit impulse), as the whole figure answers.
-    Real mass_of(const RowT& row) {
-        std::array<Vec<D, double>, D + 1> push_of{};
-        const auto members = std::size_t(row.members);
-        for (std::size_t i = 0; i < members; ++i) push_of[i] = cast<double>(row.normal * row.weight[i]);
-        const std::span slots(row.slot.data(), members);
-        return Real(inverse_or_zero(room_.projector.response(state_).along(slots, std::span(push_of).first(members))));
-    }
     /// Returns the velocity corrected, as a displacement.
     Real correct(const Rebounding& one) {
         auto& row = row_of(one);
@@ -128,12 +120,8 @@ template <int D, class Real> class Rebounds {
     }
     void push(RowT& row, Real impulse) {
         if (impulse == Real(0)) return;
-        rows_.apply(row, row.normal * impulse);
+        held_.push(row, impulse);
         row.multiplier += impulse;
-        const auto& component_of = room_.projector.links().component_of;
-        for (int i = 0; i < row.members; ++i)
-            if (i == 0 || component_of[row.slot[std::size_t(i)]] != component_of[row.slot[0]])
-                room_.projector.project_velocities(state_, row.slot[std::size_t(i)]);
     }
 
     /// With impulses lambda + s dlambda the velocities are v + s dv: the work of the walls is a parabola over s.
