@@ -46,12 +46,6 @@ template <class Real> void add_ground(FlatWorld<Real>& world, double angle = 0, 
     world.bounds.push_back({{{Real(-std::sin(angle)), Real(std::cos(angle))}}, 0, 0, Real(friction)});
 }
 
-template <class Real> double mean_speed(const FlatWorld<Real>& world) {
-    double sum = 0;
-    for (const auto& velocity : world.particles.velocity) sum += double(norm(velocity));
-    return sum / double(world.particles.size());
-}
-
 template <class Real> V2<Real> middle_of(const FlatWorld<Real>& world, const std::vector<ParticleId>& ids) {
     V2<Real> sum{};
     for (const auto id : ids) sum += *position_of(world, id) * (Real(1) / Real(ids.size()));

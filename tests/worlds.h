@@ -49,6 +49,13 @@ template <class World> void fall(World& world, double g) {
     world.forces.push_back(Gravity<World::dimension, Real>{at<typename World::Vector>(0, -g)});
 }
 
+/// Mean speed of the particles, m/s.
+template <class World> double mean_speed(const World& world) {
+    double sum = 0;
+    for (const auto& velocity : world.particles.velocity) sum += double(norm(velocity));
+    return sum / double(world.particles.size());
+}
+
 /// Steps `seconds` on at `rate` steps a second.
 template <class World> void run(World& world, double seconds, double rate = 60) {
     using Real = typename World::Real;

@@ -10,12 +10,6 @@ template <class RealT> struct ClothContacts : ::testing::Test {};
 using Precisions = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(ClothContacts, Precisions);
 
-template <class Real> double mean_speed(const Space<Real>& world) {
-    double sum = 0;
-    for (const auto& velocity : world.particles.velocity) sum += double(norm(velocity));
-    return sum / double(world.particles.size());
-}
-
 /// Crossings after some seconds.
 template <class Show> std::size_t crossings_after(double seconds, bool itself) {
     Show show({.contact = {.figures = true, .itself = itself, .friction = 0.3}});

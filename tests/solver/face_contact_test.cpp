@@ -3,6 +3,7 @@
 #include "tests/prefab/make.h"
 #include "tests/sheets.h"
 #include "tests/thorough.h"
+#include "tests/worlds.h"
 
 #include <optional>
 
@@ -234,12 +235,6 @@ TYPED_TEST(Faces, ABallLiesOnCloth) {
     EXPECT_GT(nearest, 0.9 * 0.035);
     EXPECT_LT(nearest, 0.035 + 0.5 * Shot<Real>::cell);
     EXPECT_LT(double(norm(*velocity_of(shot.world, shot.ends[0]))), 0.02);
-}
-
-template <class World> double mean_speed(const World& world) {
-    double sum = 0;
-    for (const auto& velocity : world.particles.velocity) sum += double(norm(velocity));
-    return sum / double(world.particles.size());
 }
 
 // Links and rows are solved alike in all substeps, and faces that share corners agree on the load: nothing trembles.
