@@ -138,7 +138,7 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
         }
         return sum;
     }
-    /// What was held between corrections of lengths (`again`) may have gained energy as well.
+    /// Slows motion down to the energy due where rows held between corrections of lengths (`again`) have gained some.
     void slow_down(const Mask& gains, const V& due) const {
         if (!lane::any(gains)) return;
         const Vector drift = frame();
