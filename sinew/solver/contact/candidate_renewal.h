@@ -67,14 +67,14 @@ template <int D, class Real> class CandidateRenewal {
         auto& balls = list_.renewed_balls;
         places.clear(), balls.clear();
         for (const auto i : list_.renewed) {
-            places.push_back(search_.place_in_frame(i));
+            places.push_back(search_.position_in_frame(i));
             balls.push_back(search_.radius_of(i));
         }
         list_.renewed_particles.fill(places, balls);
         places.clear(), balls.clear();
         for (const auto i : list_.renewed_segments) {
             const auto& s = room_.segments[i];
-            const auto a = search_.place_in_frame(s.number_a), b = search_.place_in_frame(s.number_b);
+            const auto a = search_.position_in_frame(s.number_a), b = search_.position_in_frame(s.number_b);
             places.push_back((a + b) * Real(0.5));
             balls.push_back(Real(0.5) * distance(a, b) + search_.radius_of(s));
         }

@@ -16,12 +16,12 @@ template <int D, class Real> class CandidateSearch {
 
     // --- forecast ----------------------------------------------------------------------------------------------------
 
-    /// Expected place of a particle at present.
-    Vector place(std::uint32_t i) const {
+    /// Expected position of a particle at present.
+    Vector position(std::uint32_t i) const {
         return list_.position[i] + list_.velocity[i] * (min(list_.age, list_.horizon) - list_.born[i]);
     }
     /// The same in the frame that moves with the mean velocity.
-    Vector place_in_frame(std::uint32_t i) const { return place(i) - list_.mean * min(list_.age, list_.horizon); }
+    Vector position_in_frame(std::uint32_t i) const { return position(i) - list_.mean * min(list_.age, list_.horizon); }
     /// Time for which a relative speed brings features nearer to each other: rows look two substeps ahead.
     Real time_ahead() const { return list_.horizon - min(list_.age, list_.horizon) + Real(2) * list_.h; }
 
@@ -64,7 +64,7 @@ template <int D, class Real> class CandidateSearch {
     /// features renewed in the same round meet once.
     template <class Visit> void each_around_particle(std::uint32_t p, Visit&& visit) const {
         collide::BoundingBox<D, Real> box;
-        box.include(place_in_frame(p));
+        box.include(position_in_frame(p));
         box = box.grown(radius_of(p));
         if (!room_.particles[p].in_segment)
             each_particle(box, [&](std::uint32_t other) {
@@ -79,8 +79,8 @@ template <int D, class Real> class CandidateSearch {
     template <class Visit> void each_around_segment(std::uint32_t number, Visit&& visit) const {
         const auto& s = room_.segments[number];
         collide::BoundingBox<D, Real> box;
-        box.include(place_in_frame(s.number_a));
-        box.include(place_in_frame(s.number_b));
+        box.include(position_in_frame(s.number_a));
+        box.include(position_in_frame(s.number_b));
         box = box.grown(radius_of(s));
         each_particle(box, [&](std::uint32_t other) {
             if (are_near(s, other) && may_touch(other, s)) visit(number + count_, other);
@@ -152,11 +152,11 @@ template <int D, class Real> class CandidateSearch {
         return squared_distance <= square(max);
     }
     bool are_near(std::uint32_t a, std::uint32_t b) const {
-        return is_within(squared(place(a) - place(b)), size_of(a) + size_of(b),
+        return is_within(squared(position(a) - position(b)), size_of(a) + size_of(b),
                          squared(list_.velocity[a] - list_.velocity[b]));
     }
     bool are_near(const ContactSegment& s, std::uint32_t p) const {
-        const auto a = place(s.number_a), b = place(s.number_b), x = place(p);
+        const auto a = position(s.number_a), b = position(s.number_b), x = position(p);
         const auto far = squared(x - (a + (b - a) * collide::nearest_parameter(a, b, x)));
         const auto& v = list_.velocity[p];
         const Real speed = max(squared(v - list_.velocity[s.number_a]), squared(v - list_.velocity[s.number_b]));
@@ -164,7 +164,8 @@ template <int D, class Real> class CandidateSearch {
     }
     bool are_near(const ContactSegment& s, std::uint32_t feature_s, const ContactSegment& t,
                   std::uint32_t feature_t) const {
-        const auto a = place(s.number_a), b = place(s.number_b), c = place(t.number_a), d = place(t.number_b);
+        const auto a = position(s.number_a), b = position(s.number_b), c = position(t.number_a),
+                   d = position(t.number_b);
         const auto at = collide::nearest_parameters(a, b, c, d);
         const auto far = squared(a + (b - a) * at.s - (c + (d - c) * at.t));
         return far <= square(list_.search_radius[feature_s] + list_.search_radius[feature_t]);

@@ -28,7 +28,8 @@ template <class Real> class CrossingSides {
         const auto next = link_from(particle);
         if (next == none) return {};
         const auto last = before(next);
-        return place(room_.segments[next].number_b) - place(last == none ? particle : room_.segments[last].number_a);
+        return position(room_.segments[next].number_b) -
+               position(last == none ? particle : room_.segments[last].number_a);
     }
 
     /// Side kept by a pair, or else by the nearest pairs beside it; 0: none.
@@ -50,7 +51,7 @@ template <class Real> class CrossingSides {
     const ContactRoom<3, Real>& room_;
     std::uint32_t count_; ///< particles
 
-    Vector place(std::uint32_t particle) const { return state_.position_at(room_.particles[particle].slot); }
+    Vector position(std::uint32_t particle) const { return state_.position_at(room_.particles[particle].slot); }
 
     std::uint32_t link_from(std::uint32_t particle) const {
         const auto at = room_.first_segment_at[particle];

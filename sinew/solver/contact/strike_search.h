@@ -63,9 +63,9 @@ template <class Real> class StrikeSearch {
     // --- boxes -------------------------------------------------------------------------------------------------------
 
     void include(Box& box, Row slot) const {
-        const auto place = state_.position_at(slot);
-        box.include(place);
-        box.include(place + state_.displacement_at(slot));
+        const auto position = state_.position_at(slot);
+        box.include(position);
+        box.include(position + state_.displacement_at(slot));
     }
     Box box_of(const Striker<Real>& striker) const {
         Box box;
